@@ -144,24 +144,24 @@ std::size_t CsvTable::column(std::string_view name) const {
 }
 
 double CsvTable::number(std::size_t row, std::string_view column_name) const {
-  const std::string& cell = rows.at(row)[column(column_name)];
-  if (const auto value = number_from(cell)) return *value;
+  const std::string_view text = cell(row, column(column_name));
+  if (const auto value = number_from(text)) return *value;
   throw std::invalid_argument(
-      fmt::format("row {} below the header, column '{}': '{}'; expected a number", row + 1, column_name, cell));
+      fmt::format("row {} below the header, column '{}': '{}'; expected a number", row + 1, column_name, text));
 }
 
-std::string_view CsvView::cell(std::size_t row, std::size_t column) const {
+std::string_view CsvTable::cell(std::size_t row, std::size_t column) const {
   const std::size_t place = places_[row * header.size() + column];
   if (place > text_.size()) return unquoted_[place - text_.size() - 1];
   const std::string_view rest = text_.substr(place);
   return rest.substr(0, rest.find_first_of({ends_.data(), ends_.size()}));
 }
 
-void CsvView::append_plain(std::string_view cell) {
+void CsvTable::append_plain(std::string_view cell) {
   places_.push_back(static_cast<std::uint32_t>(cell.data() - text_.data()));
 }
 
-void CsvView::append_unquoted(std::string cell) {
+void CsvTable::append_unquoted(std::string cell) {
   unquoted_.push_back(std::move(cell));
   places_.push_back(static_cast<std::uint32_t>(text_.size() + unquoted_.size()));
 }
@@ -185,35 +185,24 @@ std::string csv_text(std::istream& stream, std::string_view source) {
   return text;
 }
 
-CsvView view_csv(std::string_view text, std::string_view source, char separator) {
+CsvTable parse_csv(std::string_view text, std::string_view source, char separator) {
   static_assert(2 * max_csv_bytes < std::numeric_limits<std::uint32_t>::max());  // there are no more cells than bytes
   Reader reader(text, source, separator);
-  CsvView view(text, separator);
+  CsvTable table(text, separator);
   for (Cell& cell : reader.row())
-    view.header.push_back(cell.unquoted ? std::move(*cell.unquoted) : std::string(cell.plain));
-  if (view.header.empty()) reader.refuse_row("the file is empty; expected a line with the names of the columns");
+    table.header.push_back(cell.unquoted ? std::move(*cell.unquoted) : std::string(cell.plain));
+  if (table.header.empty()) reader.refuse_row("the file is empty; expected a line with the names of the columns");
   for (std::vector<Cell>* row = &reader.row(); !row->empty(); row = &reader.row()) {
-    if (row->size() != view.header.size())
-      reader.refuse_row(fmt::format("{} cells; expected {} as in the header", row->size(), view.header.size()));
-    view.begin_row(reader.row_line());
+    if (row->size() != table.header.size())
+      reader.refuse_row(fmt::format("{} cells; expected {} as in the header", row->size(), table.header.size()));
+    table.begin_row(reader.row_line());
     for (Cell& cell : *row) {
       if (cell.unquoted) {
-        view.append_unquoted(std::move(*cell.unquoted));
+        table.append_unquoted(std::move(*cell.unquoted));
       } else {
-        view.append_plain(cell.plain);
+        table.append_plain(cell.plain);
       }
     }
-  }
-  return view;
-}
-
-CsvTable parse_csv(std::string_view text, std::string_view source) {
-  const CsvView view = view_csv(text, source);
-  CsvTable table{.header = view.header, .rows = {}};
-  for (std::size_t i = 0; i < view.rows(); ++i) {
-    table.lines.push_back(view.line(i));
-    std::vector<std::string>& row = table.rows.emplace_back();
-    for (std::size_t j = 0; j < view.header.size(); ++j) row.emplace_back(view.cell(i, j));
   }
   return table;
 }

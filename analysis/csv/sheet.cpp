@@ -91,17 +91,17 @@ std::string in_quotes(std::string_view text) {
 }
 
 Sheet::Sheet(std::string_view text, std::string_view source, char separator, char decimal)
-    : source_(source), view_(text) {
+    : source_(source), table_(text) {
   results::expect_text(text, source);
   if (std::ranges::count(text, '\n') > most_lines + 1)
     refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", most_lines));
   if (separator == 0) separator = separator_of(text);
-  view_ = results::view_csv(text, source, separator);
-  for (const std::string& title : view_.header) titles_.emplace_back(trimmed(title));
+  table_ = results::parse_csv(text, source, separator);
+  for (const std::string& title : table_.header) titles_.emplace_back(trimmed(title));
   decimals_.assign(titles_.size(), decimal);
   if (const auto number = std::ranges::find_if(titles_, is_number); number != titles_.end())
     refuse(fmt::format("{} in the header; expected names of columns in the first line", in_quotes(*number)));
-  for (std::uint32_t row = 0; row < view_.rows(); ++row) {
+  for (std::uint32_t row = 0; row < table_.rows(); ++row) {
     std::size_t empty = 0;
     while (empty < titles_.size() && cell(row, empty).empty()) ++empty;
     if (empty < titles_.size()) rows_.push_back(row);
@@ -122,8 +122,8 @@ void Sheet::choose(std::string_view condition) {
 }
 
 std::string_view Sheet::cell(std::size_t row, std::size_t column) const {
-  const std::size_t own = view_.header.size();
-  return column < own ? trimmed(view_.cell(row, column)) : joined_[column - own][row];
+  const std::size_t own = table_.header.size();
+  return column < own ? trimmed(table_.cell(row, column)) : joined_[column - own][row];
 }
 
 std::size_t Sheet::column(std::string_view name) const {
@@ -139,7 +139,7 @@ std::size_t Sheet::joined(const std::vector<std::string>& names) {
   std::vector<std::size_t> parts;
   for (const std::string& name : names) parts.push_back(column(name));
   if (parts.size() == 1) return parts.front();
-  std::vector<std::string>& texts = joined_.emplace_back(view_.rows());
+  std::vector<std::string>& texts = joined_.emplace_back(table_.rows());
   std::unordered_map<std::string, std::uint32_t> first;  // row of each text
   for (const std::uint32_t row : rows_) {
     const auto is_empty = [&](std::size_t part) { return cell(row, part).empty(); };
@@ -202,7 +202,7 @@ char Sheet::decimal_of(std::size_t column) const {
   const char own = decimal_of(column, doubtful);
   if (own != 0 || !doubtful) return own == 0 ? '.' : own;
   std::string marks;  // of other columns
-  for (std::size_t i = 0; i < view_.header.size(); ++i) {
+  for (std::size_t i = 0; i < table_.header.size(); ++i) {
     const char mark = has_numbers(i) ? decimal_of(i, other) : '\0';
     if (mark != 0 && marks.find(mark) == std::string::npos) marks += mark;
   }
@@ -236,7 +236,7 @@ double Sheet::number(std::size_t row, std::size_t column) {
 void Sheet::refuse(std::string_view what) const { throw std::invalid_argument(fmt::format("{}: {}", source_, what)); }
 
 void Sheet::refuse(std::size_t row, std::size_t column, std::string_view what) const {
-  throw std::invalid_argument(fmt::format("{}:{}:{}: {} in column {} {}", source_, view_.line(row), column + 1,
+  throw std::invalid_argument(fmt::format("{}:{}:{}: {} in column {} {}", source_, table_.line(row), column + 1,
                                           in_quotes(cell(row, column)), in_quotes(titles_[column]), what));
 }
 

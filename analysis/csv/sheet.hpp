@@ -51,7 +51,7 @@ class Sheet {
 
  private:
   std::string source_;
-  results::CsvView view_;
+  results::CsvTable table_;
   std::vector<std::string> titles_;
   std::vector<std::uint32_t> rows_;
   std::vector<std::vector<std::string>> joined_;  // columns after the file's

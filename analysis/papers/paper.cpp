@@ -183,11 +183,11 @@ std::vector<RatesOfArm> rates_of(const Repeated& of) {
   const Rates& plan = of.paper.rates;
   std::vector<RatesOfArm> arms;
   const results::CsvTable printed = printed_table(of.paper.name, plan.table);
-  for (std::size_t row = 0; row < printed.rows.size(); ++row) {
+  for (std::size_t row = 0; row < printed.rows(); ++row) {
     for (const JudgedStudy* each : of.all()) {
       const StudyResults& study = each->study;
       const auto arm = plan.rows.find(study.definition.robot);
-      if (arm == plan.rows.end() || printed.rows[row][printed.column("arm")] != arm->second) continue;
+      if (arm == plan.rows.end() || printed.cell(row, printed.column("arm")) != arm->second) continue;
       RatesOfArm& rates = arms.emplace_back(
           RatesOfArm{.arm = arm->second, .is_picked = std::ranges::find(plan.picked, arm->first) != plan.picked.end()});
       for (const auto& [solver, column] : plan.columns)

@@ -32,7 +32,7 @@ PrintedRow read_row(const CsvTable& table, std::size_t row, std::string solver, 
     const std::string column = fmt::format("{}{}", statistics[s].column, unit);
     if (!has_column(table, column)) continue;
     printed.numbers.*statistics[s].of = table.number(row, column);
-    printed.digits[s] = table.rows[row][table.column(column)];
+    printed.digits[s] = table.cell(row, table.column(column));
   }
   return printed;
 }
@@ -88,10 +88,9 @@ CsvTable printed_table(std::string_view paper, std::string_view name) {
 PrintedRows printed_means(std::string_view paper, std::string_view name, std::string_view metric) {
   PrintedRows rows;
   const CsvTable table = printed_table(paper, name);
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const auto& cells = table.rows[i];
-    if (cells[table.column("metric")] == metric)
-      rows.push_back(read_row(table, i, cells[table.column("algorithm")], ""));
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (table.cell(i, table.column("metric")) == metric)
+      rows.push_back(read_row(table, i, std::string(table.cell(i, table.column("algorithm"))), ""));
   }
   return rows;
 }
@@ -99,8 +98,8 @@ PrintedRows printed_means(std::string_view paper, std::string_view name, std::st
 PrintedRows printed_times(std::string_view paper, std::string_view name) {
   PrintedRows rows;
   const CsvTable table = printed_table(paper, name);
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    rows.push_back(read_row(table, i, fmt::format("{} {}", table.rows[i][0], table.header[0]), "_ms"));
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    rows.push_back(read_row(table, i, fmt::format("{} {}", table.cell(i, 0), table.header[0]), "_ms"));
   return rows;
 }
 

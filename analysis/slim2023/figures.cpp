@@ -98,7 +98,7 @@ Figures of_circle(const StudyResults& study, const Look& look) {
   std::vector<Line> errors = by_point(study, error, look, Average::mean);
   const CsvTable printed = results::published::table("slim2023", "table-8");
   Line& beside = errors.emplace_back(Line{.label = "as printed", .style = 0});
-  for (std::size_t row = 0; row < printed.rows.size(); ++row)
+  for (std::size_t row = 0; row < printed.rows(); ++row)
     beside.rows.push_back({printed.number(row, "point"), printed.number(row, "error_cm")});
   const auto add = [&](int number, const std::string& caption, const std::string& axis,
                        const std::vector<Line>& lines) {

@@ -70,9 +70,9 @@ std::vector<Table> anova_tables(const Repeated& of) {
     if (!judged->anova) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
     const auto ours = rows_of(judged->anova);
     for (std::size_t r = 0; r < ours.size(); ++r) {
-      auto& row = table.rows.emplace_back(std::vector<Cell>{printed.rows[r][0]});
+      auto& row = table.rows.emplace_back(std::vector<Cell>{std::string(printed.cell(r, 0))});
       for (std::size_t c = 0; c < ours[r].size(); ++c) {
-        const std::string& digits = printed.rows[r][c + 1];
+        const std::string digits(printed.cell(r, c + 1));
         row.push_back(!digits.empty() ? Cell(show::Printed{ours[r][c], digits}) : Cell(ours[r][c]));
       }
     }
@@ -117,7 +117,6 @@ std::optional<Table> table_8(const Repeated& of) {
   table.columns.push_back({"position error", "cm"});
   std::size_t agreeing = 0;
   for (const SolveRecord& solve : study.first_run_of(study.solvers.front())) {
-    const std::vector<std::string>& in_print = printed.rows.at(static_cast<std::size_t>(solve.point - 1));
     auto& row = table.rows.emplace_back(std::vector<Cell>{std::int64_t{solve.point}});
     for (std::size_t c = 1; c <= angles + 1; ++c) {
       const bool is_angle = c <= angles;
@@ -125,8 +124,9 @@ std::optional<Table> table_8(const Repeated& of) {
       const double ours = !is_angle                         ? solve.position_error_cm
                           : joint < solve.answer_rad.size() ? solve.answer_rad[joint] / numerics::degree
                                                             : unknown;
-      row.push_back(show::Printed{ours, in_print[c]});
-      agreeing += is_angle && agrees(ours, in_print[c]);
+      const std::string in_print(printed.cell(static_cast<std::size_t>(solve.point - 1), c));
+      row.push_back(show::Printed{ours, in_print});
+      agreeing += is_angle && agrees(ours, in_print);
     }
   }
   table.notes = {

@@ -70,17 +70,17 @@ class Table {
 
   // Goes to the next row; false after the last.
   bool next() {
-    if (row_ == csv_.rows.size()) return false;
+    if (row_ == csv_.rows()) return false;
     ++row_;
     return true;
   }
 
   std::size_t columns() const { return csv_.header.size(); }
   std::string_view cell(std::size_t place) const {
-    return without_blanks((row_ == 0 ? csv_.header : csv_.rows[row_ - 1])[place]);
+    return without_blanks(row_ == 0 ? csv_.header[place] : csv_.cell(row_ - 1, place));
   }
   [[noreturn]] void refuse(std::string_view what) const {
-    throw std::invalid_argument(fmt::format("{}:{}: {}", file_, row_ == 0 ? 1 : csv_.lines[row_ - 1], what));
+    throw std::invalid_argument(fmt::format("{}:{}: {}", file_, row_ == 0 ? 1 : csv_.line(row_ - 1), what));
   }
 
   double number(const Column& column) const {

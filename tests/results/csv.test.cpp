@@ -20,27 +20,19 @@ std::string complaint_about(const std::string& text) {
   return complaint<std::invalid_argument>([&] { parse_csv(text, "data.csv"); });
 }
 
-std::string to_csv(const CsvTable& table) {
-  std::string text;
-  append_csv_row(text, table.header);
-  for (const auto& row : table.rows) append_csv_row(text, row);
-  return text;
-}
-
 }  // namespace
 
 TEST_CASE("the examples of RFC 4180 are read as it says", "[csv]") {
   const CsvTable table = parse_csv("field_name,\"b \r\nbb\",c\r\naaa,\"b\"\"bb\",ccc\r\nzzz,,xxx", "rfc.csv");
   CHECK(table.header == std::vector<std::string>{"field_name", "b \r\nbb", "c"});
-  CHECK(table.rows == std::vector<std::vector<std::string>>{{"aaa", "b\"bb", "ccc"}, {"zzz", "", "xxx"}});
+  CHECK(cells_of(table) == Cells{table.header, {"aaa", "b\"bb", "ccc"}, {"zzz", "", "xxx"}});
 }
 
 TEST_CASE("lines end in LF or CRLF, the last one in nothing or either", "[csv]") {
   for (const std::string text : {"a,b\n1,2", "a,b\n1,2\n", "a,b\r\n1,2\r\n", "a,b\r\n1,2\n", "a,b\n\n1,2\r\n\r\n"}) {
     CAPTURE(text);
     const CsvTable table = parse_csv(text, "data.csv");
-    CHECK(table.header == std::vector<std::string>{"a", "b"});
-    CHECK(table.rows == std::vector<std::vector<std::string>>{{"1", "2"}});
+    CHECK(cells_of(table) == Cells{{"a", "b"}, {"1", "2"}});
   }
 }
 
@@ -75,18 +67,14 @@ TEST_CASE("any text round-trips through CSV", "[csv][property]") {
       for (std::size_t i = draw(6); i > 0; --i) cell += pieces[draw(pieces.size())];
       return cell;
     };
-    CsvTable table;
-    table.header.resize(1 + draw(4));
-    for (auto& name : table.header) name = text();
-    table.rows.resize(draw(5), std::vector<std::string>(table.header.size()));
-    for (auto& row : table.rows)
+    const std::size_t columns = 1 + draw(4);
+    Cells cells(1 + draw(5), std::vector<std::string>(columns));
+    for (auto& row : cells)
       for (auto& cell : row) cell = text();
 
-    const std::string csv = to_csv(table);
+    const std::string csv = to_csv(cells);
     CAPTURE(csv);
-    const CsvTable again = parse_csv(csv, "again.csv");
-    REQUIRE(again.header == table.header);
-    REQUIRE(again.rows == table.rows);
+    REQUIRE(cells_of(parse_csv(csv, "again.csv")) == cells);
   }
 }
 
@@ -104,10 +92,9 @@ TEST_CASE("no text makes the CSV reader do anything but read or refuse", "[csv][
     for (auto i = random() % 12; i > 0; --i) text += alphabet[random() % alphabet.size()];
     CAPTURE(text);
     try {
-      const CsvTable table = parse_csv(text, "noise.csv");
-      const CsvTable again = parse_csv(to_csv(table), "again.csv");
-      REQUIRE(again.header == table.header);
-      REQUIRE(again.rows == table.rows);
+      const Cells cells = cells_of(parse_csv(text, "noise.csv"));
+      const std::string again = to_csv(cells);
+      REQUIRE(cells_of(parse_csv(again, "again.csv")) == cells);
     } catch (const std::invalid_argument& error) {
       REQUIRE_THAT(error.what(), Catch::Matchers::StartsWith("noise.csv:"));
     }
@@ -131,8 +118,7 @@ TEST_CASE("a cell is a number or is refused with its row, column and text", "[cs
   CHECK(std::isnan(table.number(3, "x")));
   CHECK(table.number(4, "x") == -std::numeric_limits<double>::infinity());
   CHECK(table.number(5, "x") == std::numeric_limits<double>::infinity());
-  for (std::size_t row = 6; row < table.rows.size(); ++row)
-    CHECK_THROWS_AS(table.number(row, "x"), std::invalid_argument);
+  for (std::size_t row = 6; row < table.rows(); ++row) CHECK_THROWS_AS(table.number(row, "x"), std::invalid_argument);
   CHECK(complaint<std::invalid_argument>([&] { table.number(6, "x"); }) ==
         "row 7 below the header, column 'x': '1,5'; expected a number");
 }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "results/csv.hpp"
 #include "results/export.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
@@ -34,6 +35,24 @@ using Catch::Matchers::ContainsSubstring;
 #else
 inline auto ContainsSubstring(const std::string& part) { return Catch::Matchers::Contains(part); }
 #endif
+
+// The cells of a CSV, row by row; the first is the header.
+using Cells = std::vector<std::vector<std::string>>;
+
+inline Cells cells_of(const results::CsvTable& table) {
+  Cells cells{table.header};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    std::vector<std::string>& its = cells.emplace_back();
+    for (std::size_t column = 0; column < table.header.size(); ++column) its.emplace_back(table.cell(row, column));
+  }
+  return cells;
+}
+
+inline std::string to_csv(const Cells& cells) {
+  std::string text;
+  for (const auto& row : cells) results::append_csv_row(text, row);
+  return text;
+}
 
 inline std::string quoted(const std::filesystem::path& file) { return fmt::format("'{}'", file.string()); }
 

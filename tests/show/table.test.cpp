@@ -32,16 +32,17 @@ std::ptrdiff_t ends_in(const std::string& text) { return std::ranges::count(text
 }  // namespace
 
 TEST_CASE("a table of numbers has every digit, and any label as it is", "[show]") {
-  const results::CsvTable csv = results::parse_csv(to_csv(with_label(hostile)), "test");
+  const std::string text = to_csv(with_label(hostile));
+  const results::CsvTable csv = results::parse_csv(text, "test");
   CHECK(csv.header == std::vector<std::string>{"solver", "error [mm]", "error printed [mm]", "low", "high", "p", "n",
                                                "time", "time mark"});
-  CHECK(csv.rows[0][0] == hostile);
+  CHECK(csv.cell(0, 0) == hostile);
   CHECK(csv.number(0, "error [mm]") == 0.12345678901234567);
   CHECK(csv.number(0, "low") == 1.0 / 3);
   CHECK(csv.number(0, "p") == 1e-7);
   CHECK(csv.number(0, "time") == 4200.25);
-  CHECK(csv.rows[1][2] == "0.0000");
-  CHECK(csv.rows[1][3].empty());
+  CHECK(csv.cell(1, 2) == "0.0000");
+  CHECK(csv.cell(1, 3).empty());
 
   const auto json = to_json(with_label(hostile));
   CHECK(json[0]["error"] == 0.12345678901234567);
