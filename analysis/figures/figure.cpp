@@ -18,9 +18,9 @@
 #include <thread>
 #include <utility>
 
-#include "analysis/figures/process.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/number.hpp"
+#include "results/child_process.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::figures {
@@ -114,8 +114,8 @@ void complete_svg(std::string& svg, const Figure& figure) {
 // could not, std::runtime_error if a disk is full.
 void draw(const Figure& figure, const std::filesystem::path& workshop, const RenderOptions& options) {
   const std::string& gnuplot = options.gnuplot;
-  // -d gives the same look whatever ~/.gnuplot says.
-  const ProcessResult result = run_process({gnuplot, "-d", figure.name + ".gp"}, workshop);
+  // -d gives the same look whatever ~/.gnuplot says; the zone is in the date of a PDF.
+  const ChildProcess::Ran result = ChildProcess::run({gnuplot, "-d", figure.name + ".gp"}, workshop, {"TZ=UTC0"});
   if (!result.succeeded) {
     throw std::invalid_argument(result.output.empty() ? fmt::format("{} failed without a message", gnuplot)
                                                       : result.output);
@@ -179,7 +179,7 @@ std::vector<Source> sources_of(const std::vector<Figure>& figures, const FigureS
 
 void refuse_missing_font(const std::string& font) {
   const auto told = [](const std::vector<std::string>& words) {
-    const ProcessResult result = run_process(words, ".");
+    const ChildProcess::Ran result = ChildProcess::run(words, ".", {});
     return result.succeeded ? result.output : "";
   };
   const auto lower = [](std::string text) {

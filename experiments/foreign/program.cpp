@@ -99,7 +99,8 @@ Trouble unasked(ChildProcess& child, std::chrono::milliseconds patience) {
 }
 
 std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const fs::path& folder, Hello& hello) {
-  auto child = std::make_unique<ChildProcess>(choice.process, folder);
+  auto child =
+      std::make_unique<ChildProcess>(choice.process, folder, std::vector<std::string>{"LC_ALL=C", "OMP_NUM_THREADS=1"});
   const std::chrono::duration<double> patience(std::max(hello_patience, choice.patience));
   try {
     hello = next_message(*child, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience)).hello();

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/foreign/child_process.hpp"
 #include "experiments/foreign/protocol.hpp"
 #include "numerics/fields.hpp"
 

@@ -8,13 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "experiments/foreign/child_process.hpp"
 #include "numerics/json.hpp"
+#include "results/child_process.hpp"
 #include "robots/robot.hpp"
 #include "solvers/options.hpp"
 #include "solvers/solve.hpp"
 
 namespace ikbench::experiments {
+
+using results::ChildProcess, results::Clock, results::Trouble;
 
 constexpr int protocol_version = 2;
 

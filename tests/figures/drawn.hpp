@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
-#include "analysis/figures/process.hpp"
+#include "results/child_process.hpp"
 #include "results/files.hpp"
 #include "tests/scratch_folder.hpp"
 
@@ -23,7 +23,7 @@ inline std::string drawn_as_svg(const std::vector<figures::Figure>& figures, con
     all += script.substr(0, script.find("set terminal @pdf")) + "unset output\nreset session\n";
   }
   results::write_file(folder / "all.gp", all);
-  const figures::ProcessResult result = figures::run_process({"gnuplot", "-d", "all.gp"}, folder);
+  const auto result = results::ChildProcess::run({"gnuplot", "-d", "all.gp"}, folder, {});
   std::filesystem::remove(folder / "all.gp");
   for (const figures::Figure& figure : figures) {
     const std::string svg = text_of_file(folder / (figure.name + ".svg"));

@@ -1,4 +1,4 @@
-// A child process that speaks in lines. It has its own process group and none of our descriptors, and it ends when our
+// Another program, run without a shell. It has its own process group and none of our descriptors, and it ends when our
 // process ends, for whatever reason.
 #pragma once
 
@@ -13,13 +13,13 @@
 
 #include "results/record.hpp"
 
-namespace ikbench::experiments {
+namespace ikbench::results {
 
 using Clock = std::chrono::steady_clock;
 
 // The reason why a program gives no answer; `why` is a sentence about "it".
 struct Trouble {
-  results::Status status;
+  Status status;
   std::string why;
 };
 
@@ -28,8 +28,15 @@ class ChildProcess {
   static constexpr std::size_t longest_line = 1'000'000;  // bytes
 
   // Starts a program, found as a shell finds it, with its arguments in a folder (empty: the current one). It gets our
-  // environment with LC_ALL=C and OMP_NUM_THREADS=1. Throws std::invalid_argument if it cannot be started.
-  ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder);
+  // environment with these variables, "LC_ALL=C". Throws std::invalid_argument if it cannot be started.
+  ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder, std::vector<std::string> variables);
+  // Runs a program to its end, of at most a minute. It reads nothing.
+  struct Ran {
+    bool succeeded = false;
+    std::string output = {};  // both streams; or why it did not run
+  };
+  static Ran run(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                 std::vector<std::string> variables);
   ~ChildProcess() { end(std::chrono::seconds(1)); }
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -45,7 +52,7 @@ class ChildProcess {
   // Closes its standard input, waits for `patience`, then ends its whole group by force.
   void end(std::chrono::milliseconds patience);
   // Ends it after a trouble; returns how it ended by itself and its last words, " (exit code 3); its last words: x".
-  std::string end_after(results::Status trouble);
+  std::string end_after(Status trouble);
 
  private:
   static void close_one(int& descriptor);
@@ -62,4 +69,4 @@ class ChildProcess {
   std::string read_, wrote_;  // output that is not taken yet; the end of its standard error
 };
 
-}  // namespace ikbench::experiments
+}  // namespace ikbench::results

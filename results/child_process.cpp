@@ -1,4 +1,4 @@
-#include "experiments/foreign/child_process.hpp"
+#include "results/child_process.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -19,9 +19,7 @@
 
 #include "numerics/names.hpp"
 
-namespace ikbench::experiments {
-
-using results::Status;
+namespace ikbench::results {
 
 namespace {
 
@@ -72,14 +70,15 @@ pid_t start_guard(int lifeline) {
 }
 
 // Returns an error number, or 0 if the process runs.
-int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem::path& folder, pid_t group,
-          const std::array<int, 3>& descriptors) {
-  std::string locale = "LC_ALL=C", threads = "OMP_NUM_THREADS=1";
-  std::vector<char*> arguments, variables{locale.data(), threads.data()};
+int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem::path& folder,
+          std::vector<std::string>& own_variables, pid_t group, const std::array<int, 3>& descriptors) {
+  std::vector<char*> arguments, variables;
   for (std::string& word : words) arguments.push_back(word.data());
+  for (std::string& own : own_variables) variables.push_back(own.data());
   for (char** variable = environ; *variable != nullptr; ++variable) {
-    const std::string_view text = *variable;
-    if (!text.starts_with("LC_ALL=") && !text.starts_with("OMP_NUM_THREADS=")) variables.push_back(*variable);
+    const std::string_view text = *variable, name = text.substr(0, text.find('=') + 1);
+    const auto is_same = [&](const std::string& own) { return own.starts_with(name); };
+    if (std::ranges::none_of(own_variables, is_same)) variables.push_back(*variable);
   }
   arguments.push_back(nullptr);
   variables.push_back(nullptr);
@@ -112,13 +111,14 @@ void bury(pid_t process, int* status = nullptr) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder) {
+ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder,
+                           std::vector<std::string> variables) {
   // Writing to a program that has ended is then an error of write(), not the end of our process.
   [[maybe_unused]] static const auto before = ::signal(SIGPIPE, SIG_IGN);
   Pipe input, output, errors, lifeline;
   guard_ = start_guard(lifeline.ends[0]);
   if (guard_ < 0) throw std::runtime_error(fmt::format("cannot start a process: {}", std::strerror(errno)));
-  const int error = spawn(process_, words, folder, guard_, {input.ends[0], output.ends[1], errors.ends[1]});
+  const int error = spawn(process_, words, folder, variables, guard_, {input.ends[0], output.ends[1], errors.ends[1]});
   if (error != 0) {
     ::kill(guard_, SIGKILL);
     bury(guard_);
@@ -135,6 +135,22 @@ ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem
   output_ = output.take(0);
   errors_ = errors.take(0);
   for (const int descriptor : {input_, output_, errors_}) ::fcntl(descriptor, F_SETFL, O_NONBLOCK);
+}
+
+ChildProcess::Ran ChildProcess::run(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                                    std::vector<std::string> variables) {
+  try {
+    ChildProcess process(words, folder, std::move(variables));
+    process.end_input();
+    const Clock::time_point deadline = Clock::now() + std::chrono::minutes(1);
+    while (process.output_ >= 0) process.wait(-1, deadline, "it took more than a minute");
+    process.end(std::chrono::seconds(1));
+    return {WIFEXITED(process.status_) && WEXITSTATUS(process.status_) == 0, process.read_ + process.wrote_};
+  } catch (const Trouble& trouble) {
+    return {.output = fmt::format("{}: {}", words[0], trouble.why)};
+  } catch (const std::invalid_argument& error) {
+    return {.output = error.what()};
+  }
 }
 
 bool ChildProcess::is_running() {
@@ -238,4 +254,4 @@ std::string ChildProcess::end_after(Status trouble) {
   return told;
 }
 
-}  // namespace ikbench::experiments
+}  // namespace ikbench::results
