@@ -213,7 +213,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   command->callback([arguments, &invocation] {
     const std::vector<Gate> all = compare_all(*arguments);
     invocation.exit_code = exit_code(all, arguments->is_strict);
-    if (!arguments->output.empty()) results::write_through(arguments->output, markdown_of(all));
+    if (!arguments->output.empty())
+      results::write_through(arguments->output, [&](const results::Write& write) { write(markdown_of(all)); });
     if (arguments->is_json) return show_json(json_of(all, invocation.exit_code));
     fmt::print("{}", printable(screen_of(all)));
   });

@@ -65,7 +65,7 @@ void add_export(CLI::App& app, Invocation&) {
       const auto [text, solves] = fingerprint(store, study);
       const std::string line = fmt::format("{}  {}  {}\n", text, solves, printable(study.name));
       if (arguments->file == "-") return fmt::print("{}", line);
-      return write_through(arguments->file, line);
+      return write_through(arguments->file, [&](const Write& write) { write(line); });
     }
     const ExportFormat& format = export_format(arguments->format);
     if (format.write_folder && arguments->file == "-")

@@ -7,7 +7,6 @@
 
 #include <cerrno>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <mutex>
@@ -58,22 +57,6 @@ std::error_code write_all(int descriptor, const Contents& contents) {
   }
 }
 
-std::error_code closed(int descriptor, std::error_code error) {
-  return ::close(descriptor) != 0 && !error ? last_error() : error;
-}
-
-// Writes into a device, a file whose folder takes no new one, or a new file; `how` is O_TRUNC or O_APPEND.
-std::error_code write_into(const fs::path& file, const Contents& contents, int how = O_TRUNC) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | how | O_CLOEXEC, 0666);
-  if (descriptor < 0) return last_error();
-  try {
-    return closed(descriptor, write_all(descriptor, contents));
-  } catch (...) {
-    ::close(descriptor);
-    throw;
-  }
-}
-
 fs::path folder_of(const fs::path& place) { return place.has_parent_path() ? place.parent_path() : fs::path("."); }
 
 // The folders of this process; they must not stay when a signal ends it.
@@ -110,40 +93,10 @@ std::error_code replace(const fs::path& file, const Contents& contents, const st
     throw;
   }
   if (former != nullptr) ::fchmod(descriptor, former->st_mode & 07777);
-  error = closed(descriptor, error);
+  if (::close(descriptor) != 0 && !error) error = last_error();
   const std::scoped_lock lock(temporary_mutex);
   if (!error) fs::rename(half, file, error);
   return error;
-}
-
-std::error_code write_where_it_leads(const fs::path& file, const Contents& contents) {
-  struct stat there {};
-  if (file.native().starts_with("/dev/std") || file.native().starts_with("/dev/fd/")) {  // perhaps of `>>log`
-    std::fflush(nullptr);                                                                // earlier prints come first
-    return write_into(file, contents, O_APPEND);
-  }
-  if (::lstat(file.c_str(), &there) != 0) return replace(file, contents, nullptr);
-  if (::stat(file.c_str(), &there) != 0 || S_ISCHR(there.st_mode)) return write_into(file, contents);
-  if (!S_ISREG(there.st_mode))
-    throw std::invalid_argument(fmt::format("'{}' is no regular file; choose another", file.string()));
-  if (::access(file.c_str(), W_OK) != 0) return last_error();
-  std::error_code error;
-  const fs::path place = fs::canonical(file, error);
-  if (error) return error;
-  const bool takes_new_files = ::access(place.parent_path().c_str(), W_OK) == 0;
-  return takes_new_files ? replace(place, contents, &there) : write_into(place, contents);
-}
-
-template <class Write>
-void write_or_refuse(const fs::path& file, Write&& write) {
-  numerics::refuse_input(file);
-  std::error_code error;
-  if (file.has_parent_path()) {
-    const std::scoped_lock lock(temporary_mutex);  // a folder that a signal has removed stays away
-    fs::create_directories(file.parent_path(), error);
-  }
-  if (!error) error = write();
-  if (error) refuse(fmt::format("'{}'", file.string()), error.message(), error);
 }
 
 }  // namespace
@@ -153,20 +106,27 @@ void write_file(const fs::path& file, std::string_view text) {
 }
 
 void write_file(const fs::path& file, const Contents& contents) {
-  write_or_refuse(file, [&] {
-    struct stat there {};
-    const bool is_file = ::lstat(file.c_str(), &there) == 0 && S_ISREG(there.st_mode);
-    if (is_file && ::access(file.c_str(), W_OK) != 0) return last_error();
-    return replace(file, contents, is_file ? &there : nullptr);
-  });
-}
-
-void write_through(const fs::path& file, std::string_view text) {
-  write_through(file, [&](const Write& write) { write(text); });
+  numerics::refuse_input(file);
+  std::error_code error;
+  if (file.has_parent_path()) {
+    const std::scoped_lock lock(temporary_mutex);  // a folder that a signal has removed stays away
+    fs::create_directories(file.parent_path(), error);
+  }
+  struct stat there {};
+  const bool is_file = ::lstat(file.c_str(), &there) == 0 && S_ISREG(there.st_mode);
+  if (!error)
+    error = is_file && ::access(file.c_str(), W_OK) != 0 ? last_error()
+                                                         : replace(file, contents, is_file ? &there : nullptr);
+  if (error) refuse(fmt::format("'{}'", file.string()), error.message(), error);
 }
 
 void write_through(const fs::path& file, const Contents& contents) {
-  write_or_refuse(file, [&] { return write_where_it_leads(file, contents); });
+  std::error_code none;
+  const fs::path place = fs::exists(file, none) ? fs::canonical(file, none) : file;
+  if (fs::exists(place, none) && !fs::is_regular_file(place, none))
+    throw std::invalid_argument(
+        fmt::format("'{}' is no regular file; choose one, or redirect the output", file.string()));
+  write_file(place, contents);
 }
 
 void refuse_link(const fs::path& folder) {

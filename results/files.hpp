@@ -19,9 +19,7 @@ void write_file(const std::filesystem::path& file, std::string_view text);
 using Write = std::function<void(std::string_view)>;
 using Contents = std::function<void(const Write&)>;
 void write_file(const std::filesystem::path& file, const Contents& contents);
-// The same two for a file that the user named: they follow links, and write into devices, what the shell has open as
-// /dev/stdout or /dev/fd/3, and a file whose folder takes no new one.
-void write_through(const std::filesystem::path& file, std::string_view text);
+// The same for a file that the user named: follows a link, and refuses a pipe or a device.
 void write_through(const std::filesystem::path& file, const Contents& contents);
 // Writes a folder that is whole or absent; an existing one must be empty. `fill` writes into another folder, which then
 // gets its name.
