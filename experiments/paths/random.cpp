@@ -2,12 +2,11 @@
 // configurations, so the arm can reach them.
 #include <fmt/core.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 
 #include "experiments/path.hpp"
@@ -47,78 +46,36 @@ struct Demand {
   double enough;
 };
 
-// Ascending scores of 1000 configurations, the same for every study of the arm. A path and its copies share them, since
-// singular values take long. Threads may call it at the same time.
-class SampledScores {
- public:
-  // `name` is the score's name.
-  const std::vector<double>& of(const Robot& arm, const std::string& name,
-                                const std::function<double(const Configuration&)>& score) {
-    std::string key = name + arm.chain.definition();
-    for (const double limit : arm.limits.lower) key += fmt::format(" {}", limit);
-    for (const double limit : arm.limits.upper) key += fmt::format(" {}", limit);
-    const std::scoped_lock lock(mutex_);
-    std::vector<double>& scores = known_[key];
-    if (!scores.empty()) return scores;
-    constexpr int samples = 1000;
-    Random random(Key(0).with("samples of an arm"));
-    for (int i = 0; i < samples; ++i) scores.push_back(score(drawn_within(range_of(arm), random)));
-    std::ranges::sort(scores);
-    return scores;
-  }
-
- private:
-  std::mutex mutex_;
-  std::map<std::string, std::vector<double>> known_;
-};
-
-// The smallest singular value, by one-sided Jacobi rotations (Golub and Van Loan, Matrix Computations, 8.6.3): columns
-// turn in pairs until all are orthogonal, and then have the singular values as lengths. Eigen's takes as long to
-// compile as a fifth of this folder.
-double smallest_singular_value(Eigen::MatrixXd matrix) {
-  constexpr double orthogonal = 1e-15;
-  constexpr int most_sweeps = 30;  // fewer than ten are needed
-  if (matrix.cols() > matrix.rows()) matrix.transposeInPlace();
-  bool has_turned = true;
-  for (int sweep = 0; has_turned && sweep < most_sweeps; ++sweep) {
-    has_turned = false;
-    for (Eigen::Index j = 1; j < matrix.cols(); ++j) {
-      for (Eigen::Index i = 0; i < j; ++i) {
-        const double a = matrix.col(i).squaredNorm(), b = matrix.col(j).squaredNorm();
-        const double product = matrix.col(i).dot(matrix.col(j));
-        if (std::abs(product) <= orthogonal * std::sqrt(a * b)) continue;
-        const double cotangent = (b - a) / (2 * product);  // of twice the angle
-        const double tangent =
-            std::copysign(1 / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent)), cotangent);
-        const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
-        const Eigen::VectorXd before = matrix.col(i);
-        matrix.col(i) = cosine * before - sine * matrix.col(j);
-        matrix.col(j) = sine * before + cosine * matrix.col(j);
-        has_turned = true;
-      }
-    }
-  }
-  return matrix.colwise().norm().minCoeff();
+// Ascending scores of 1000 configurations, the same for every study of the arm.
+std::vector<double> sampled(const Robot& arm, const std::function<double(const Configuration&)>& score) {
+  constexpr int samples = 1000;
+  Random random(Key(0).with("samples of an arm"));
+  std::vector<double> scores;
+  for (int i = 0; i < samples; ++i) scores.push_back(score(drawn_within(range_of(arm), random)));
+  std::ranges::sort(scores);
+  return scores;
 }
 
-// Demands a smallest singular value of the Jacobian [m, rad] below its first percentile.
-Demand near_singular(const Robot& arm, SampledScores& samples) {
+// Demands a manipulability (Yoshikawa, Int. J. Robotics Research 4(2) (1985) 3), here its square, [m, rad], below its
+// first percentile.
+Demand near_singular(const Robot& arm) {
   const auto score = [&arm](const Configuration& q) {
     Eigen::MatrixXd jacobian(6, q.size());
     arm.chain.pose_jacobian(q, jacobian);
-    return -smallest_singular_value(std::move(jacobian));
+    if (q.size() < 6) jacobian.transposeInPlace();
+    return -Eigen::MatrixXd(jacobian.lazyProduct(jacobian.transpose())).determinant();
   };
-  const std::vector<double>& scores = samples.of(arm, "singular", score);
+  const std::vector<double> scores = sampled(arm, score);
   return {score, scores[scores.size() * 99 / 100]};
 }
 
 // Demands a tool farther from the shoulder than 95 % of the largest distance.
-Demand at_edge(const Robot& arm, SampledScores& samples) {
+Demand at_edge(const Robot& arm) {
   constexpr double share = 0.95;
   const auto score = [&arm, shoulder = arm.chain.reach().centre](const Configuration& q) {
     return (arm.chain.position(q) - shoulder).norm();
   };
-  return {score, share * samples.of(arm, "edge", score).back()};
+  return {score, share * sampled(arm, score).back()};
 }
 
 // Draws until a configuration is good enough; after very many draws, returns the best.
@@ -154,7 +111,7 @@ class RandomTargets final : public PathKind {
                      {"near_singular", Set::near_singular},
                      {"edge", Set::edge},
                      {"unreachable", Set::unreachable}},
-        "which of them. near_limits: each joint within 5 % of a limit; near_singular: the smallest singular value "
+        "which of them. near_limits: each joint within 5 % of a limit; near_singular: Yoshikawa's manipulability "
         "below its first percentile; edge: farther from the shoulder than 95 % of the largest distance of 1000 random configurations; unreachable: moved beyond the reach");
     io.number("beyond_percent", beyond_, 0.01, {0.01, 1000},
               "of unreachable ones: how far beyond, as a share of the reach");
@@ -201,9 +158,7 @@ class RandomTargets final : public PathKind {
 
  private:
   std::vector<Configuration> drawn(const Robot& arm, Random& random) const {
-    const Demand demand = set_ == Set::near_singular ? near_singular(arm, *samples_)
-                          : set_ == Set::edge        ? at_edge(arm, *samples_)
-                                                     : Demand{};
+    const Demand demand = set_ == Set::near_singular ? near_singular(arm) : set_ == Set::edge ? at_edge(arm) : Demand{};
     std::vector<Configuration> drawn;
     for (int i = 0; i < points_; ++i) {
       if (set_ == Set::near_limits) {
@@ -220,7 +175,6 @@ class RandomTargets final : public PathKind {
   int points_ = 20;
   Set set_ = Set::anywhere;
   double beyond_ = 0.1;
-  std::shared_ptr<SampledScores> samples_ = std::make_shared<SampledScores>();
 };
 
 }  // namespace
