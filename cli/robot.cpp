@@ -34,16 +34,9 @@ struct RobotArguments {
   std::string robot, out, limits = "hard";
   UrdfChoice urdf;
   double snap_deg = 0.001;
-  std::vector<double> at, at_rad;
+  std::vector<double> at;
   bool is_json = false, shows_links = false;
 };
-
-// The unit of an angle.
-struct AngleUnit {
-  std::string_view name;
-  double size;  // [rad]
-};
-constexpr AngleUnit degrees{"deg", degree}, radians{"rad", 1};
 
 constexpr double noise = 1e-14;
 
@@ -60,15 +53,14 @@ std::string number(double value, double unit = 1) {
   return text_of(near == 0 || std::abs(near - exact) <= noise * std::abs(exact) ? near : exact);
 }
 
-std::string frame_text(const Frame& frame, AngleUnit unit, std::string (*shown)(double value, double unit)) {
+std::string frame_text(const Frame& frame, std::string (*shown)(double value, double unit)) {
   const Eigen::Vector3d &at = frame.position, &rpy = frame.rpy;
-  return fmt::format("at ({}, {}, {}) m, roll pitch yaw ({}, {}, {}) {}", shown(at.x(), 1), shown(at.y(), 1),
-                     shown(at.z(), 1), shown(rpy.x(), unit.size), shown(rpy.y(), unit.size), shown(rpy.z(), unit.size),
-                     unit.name);
+  return fmt::format("at ({}, {}, {}) m, roll pitch yaw ({}, {}, {}) deg", shown(at.x(), 1), shown(at.y(), 1),
+                     shown(at.z(), 1), shown(rpy.x(), degree), shown(rpy.y(), degree), shown(rpy.z(), degree));
 }
 
 std::string frame_line(std::string_view name, const Frame& frame) {
-  return frame == Frame() ? "" : fmt::format("{} {}\n", name, frame_text(frame, degrees, number));
+  return frame == Frame() ? "" : fmt::format("{} {}\n", name, frame_text(frame, number));
 }
 
 bool slides(const Robot& arm, Eigen::Index joint) {
@@ -111,36 +103,33 @@ std::string reach_text(const Robot& arm) {
                      shown(ball.centre.y()), shown(ball.centre.z()));
 }
 
-// The configuration of --at or --at-rad.
-Configuration joints_at(const Robot& arm, const RobotArguments& arguments) {
-  const bool in_radians = !arguments.at_rad.empty();
-  const std::vector<double>& at = in_radians ? arguments.at_rad : arguments.at;
-  const std::string_view option = in_radians ? "--at-rad" : "--at";
+// The configuration of --at.
+Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
   if (at.empty()) {  // zeros, or the nearest that the limits allow
     return arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
   }
   if (at.size() != static_cast<std::size_t>(arm.joints())) {
-    throw std::invalid_argument(fmt::format("{} has {} values; expected {}, one for each joint of {}", option,
-                                            at.size(), arm.joints(), arm.name));
+    throw std::invalid_argument(
+        fmt::format("--at has {} values; expected {}, one for each joint of {}", at.size(), arm.joints(), arm.name));
   }
   Configuration q(arm.joints());
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     const double value = at[static_cast<std::size_t>(j)];
     if (!(std::abs(value) <= 1e6)) {
-      throw std::invalid_argument(fmt::format("{} has {}; expected values within +-1e6", option, value));
+      throw std::invalid_argument(fmt::format("--at has {}; expected values within +-1e6", value));
     }
-    q[j] = value * (in_radians || slides(arm, j) ? 1 : degree);
+    q[j] = value * (slides(arm, j) ? 1 : degree);
   }
   return q;
 }
 
-std::string tool_text(const Robot& arm, const Configuration& q, AngleUnit unit) {
+std::string tool_text(const Robot& arm, const Configuration& q) {
   std::vector<std::string> values;
   for (Eigen::Index j = 0; j < q.size(); ++j) {
-    values.push_back(slides(arm, j) ? number(q[j]) + " m" : fmt::format("{} {}", number(q[j], unit.size), unit.name));
+    values.push_back(slides(arm, j) ? number(q[j]) + " m" : number(q[j], degree) + " deg");
   }
   std::string text = fmt::format("with the joints at {}, the tool is {}", fmt::join(values, ", "),
-                                 frame_text(frame_of(arm.chain.forward(q)), unit, calculated));
+                                 frame_text(frame_of(arm.chain.forward(q)), calculated));
   if (arm.limits.violation(q) > 0) text += "; a joint is outside its limits";
   return text;
 }
@@ -181,14 +170,11 @@ void add_robot(CLI::App& app, Invocation&) {
   CLI::App* command = app.add_subcommand("robot", "Show an arm: its joints, limits, reach, wrist and tool");
   command->add_option("ROBOT", arguments->robot, "a name from ikbench list robots, or a file: arm.toml, arm.urdf")
       ->required();
-  CLI::Option* const at = command
-                              ->add_option("--at", arguments->at,
-                                           "values of all joints [deg], or [m] where one slides; default: zeros, or "
-                                           "the nearest inside the limits")
-                              ->delimiter(',');
-  command->add_option("--at-rad", arguments->at_rad, "the same in radians; the tool is also told in radians")
-      ->delimiter(',')
-      ->excludes(at);
+  command
+      ->add_option(
+          "--at", arguments->at,
+          "values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the limits")
+      ->delimiter(',');
   command->add_option("--base", arguments->urdf.base,
                       "link of a URDF file from which the arm is read; default: the root");
   command->add_option("--tip", arguments->urdf.tip,
@@ -208,7 +194,6 @@ void add_robot(CLI::App& app, Invocation&) {
       "Examples:\n"
       "  ikbench robot ur5e\n"
       "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45 --out out/panda\n"
-      "  ikbench robot ur5e --at-rad 0,-1.5707963267948966,1.5707963267948966,0,0,0\n"
       "  ikbench robot my_arm.urdf --base base_link --tip tool0 --limits soft");
   command->callback([arguments, command] {
     for (const char* option : {"--base", "--tip", "--limits", "--snap-deg", "--links"}) {
@@ -224,8 +209,8 @@ void add_robot(CLI::App& app, Invocation&) {
     choice.limits = arguments->limits == "soft" ? UrdfChoice::Limits::soft : UrdfChoice::Limits::hard;
     choice.snap = arguments->snap_deg * degree;
     const Robot arm = is_arm_file(arguments->robot) ? load_robot(arguments->robot, choice) : robot(arguments->robot);
-    const Configuration q = joints_at(arm, *arguments);
-    const std::string where_tool_is = tool_text(arm, q, arguments->at_rad.empty() ? degrees : radians);
+    const Configuration q = joints_at(arm, arguments->at);
+    const std::string where_tool_is = tool_text(arm, q);
     if (arguments->is_json) {
       const Configuration in_units = q.cwiseQuotient(experiments::joint_units(arm.chain));
       const Frame tool = frame_of(arm.chain.forward(q));

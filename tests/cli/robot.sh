@@ -32,7 +32,6 @@ shows 3 0.5 0 0.35 my_arm.toml
 shows 3 0.3 0.2 0.25 my_arm.toml --at 0,90,0.1
 shows 6 0.8172 0.2329 0.0628 ur5e --at 0,0,0,0,0,0
 shows 6 0.8172 0.2329 0.0628 ur5e.urdf --at 0,0,0,0,0,0
-shows 6 0.7695836 0.3112853 0.1085779 ur5e --at-rad 0.1,-0.2,0.3,0,0,0
 shows 8 0.50165 0 0.25956 fetch.urdf --at 0.1,0,0,0,90,0,0,0
 json 'of["has_spherical_wrist"] and of["at"][0] == 0.1'
 shows 6 0.929 0 0.06 fetch.urdf --base shoulder_pan_link --tip wrist_roll_link --limits soft
@@ -85,7 +84,6 @@ equal "solves of the rectangle" "$(solves rectangle/store.sqlite)" 62
 sed -i 's/d_m = 0.40/d_m = 400/' my_arm.toml
 refused my_arm.toml:4:11 robot my_arm.toml
 refused none.toml run my_study.toml --set robot=none.toml
-refused --at-rad robot ur5e --at 1,2,3,4,5,6 --at-rad 1,2,3,4,5,6
 refused '"gripper_link"' robot fetch.urdf --tip griper_link
 refused '"soft"' run urdf_study.toml --set urdf.limits=both
 refused planar_2 run urdf_study.toml --set robot=planar_2 --set urdf.tip=x

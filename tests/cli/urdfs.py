@@ -220,7 +220,8 @@ def check(arm, feature):
     dice = random.Random(f.name)
     q = [dice.uniform(-1.5, 2) for _ in moving]
     links = ["--base", f.base, "--tip", f.tip] if f.asks else []
-    out, error = said(f, "--json", "--at-rad=" + ",".join(map(repr, q)), *links)
+    at = [repr(a if joint.get("type") == "prismatic" else math.degrees(a)) for a, joint in zip(q, moving)]
+    out, error = said(f, "--json", "--at=" + ",".join(at), *links)
     assert out, f"{f.name}: {error}"
     of = json.loads(out)
     assert [link["name"] for link in of["links"]] == [joint.get("name") for joint in moving], f"{f.name}: another chain"
