@@ -207,33 +207,8 @@ void refuse_mixed(const Sheet& sheet, const Layout& layout, const Items& items) 
   }
 }
 
-// The metric of a file of solves. What a report knows from its store, and the file does not say, is refused.
-const Metric* metric_of(const Sheet& sheet, const std::string& name) {
-  const auto metric = std::ranges::find(metrics(), name, &Metric::column);
-  for (const char* each : {"study", "robot", "series", "status", "stop_reason"}) {
-    if (metric == metrics().end() || std::ranges::count(sheet.titles(), each) == 0) return nullptr;
-  }
-  const std::size_t study = sheet.column("study"), status = sheet.column("status"), stop = sheet.column("stop_reason");
-  const char* unknown = metric->kind == Kind::time ? "how busy the machine was" : nullptr;
-  const auto has_no_answer = [](std::string_view how) {
-    const auto at = std::ranges::find(results::status_names, how) - results::status_names.begin();
-    return at < std::ssize(results::status_names) && is_without_answer(static_cast<results::Status>(at));
-  };
-  for (const Index row : sheet.rows()) {
-    const std::string_view how = sheet.cell(row, status);
-    if (sheet.cell(row, study) != sheet.cell(sheet.rows().front(), study))
-      sheet.refuse(row, study, "is not the only one; choose with --where study=NAME");
-    if (how == "tolerance_missed" || sheet.cell(row, stop) == "tolerance") unknown = "the tolerance";
-    if (metric->kind == Kind::cost && has_no_answer(how)) unknown = "what a solve without an answer costs";
-  }
-  if (unknown)
-    sheet.refuse(
-        fmt::format("{} needs what this file does not say, {}; `ikbench report` knows it", in_quotes(name), unknown));
-  return &*metric;
-}
-
 // Whether a word of the text begins so: "success_rate", "SuccessRate".
-bool has_word(std::string_view text, std::string_view word) {
+bool has_word_beginning(std::string_view text, std::string_view word) {
   const std::string lower = lower_case(text);
   const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
   for (std::size_t at = lower.find(word); at != std::string::npos; at = lower.find(word, at + 1)) {
@@ -258,7 +233,7 @@ Better better_of(const Sheet& sheet, const Request& request, const std::string& 
   const bool may_be_larger =
       are_shares || std::ranges::any_of(texts, [](std::string_view text) {
         constexpr std::array<std::string_view, 6> words{"success", "solved", "rate", "accuracy", "reward", "score"};
-        return std::ranges::any_of(words, [&](std::string_view word) { return has_word(text, word); });
+        return std::ranges::any_of(words, [&](std::string_view word) { return has_word_beginning(text, word); });
       });
   if (said.empty() && may_be_larger)
     sheet.refuse(
@@ -277,17 +252,12 @@ void refuse_others(const Sheet& sheet, const Request& request, const std::vector
   }
 }
 
-// "error_cm" and "error [cm]" have a unit; columns of our own have the names of a report.
+// "error_cm" and "error [cm]" have a unit.
 Observations quantity_of(const std::string& title) {
   const bool is_bracketed = title.ends_with(']');
   const std::size_t at = title.rfind(is_bracketed ? '[' : '_');
   Observations of{.metric = "", .quantity = title, .tells_incomplete = true};
   for (const char c : lower_case(title)) of.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
-  const auto metric = std::ranges::find(metrics(), title, &Metric::column);
-  if (metric != metrics().end()) {
-    of.metric = metric->slug, of.quantity = metric->name, of.unit = metric->unit;
-    return of;
-  }
   if (at == std::string::npos || at == 0) return of;
   const std::string unit = title.substr(at + 1, title.size() - at - (is_bracketed ? 2 : 1));
   if (!is_bracketed && !is_one_of(unit, {"cm", "mm", "m", "deg", "rad", "ms", "s"})) return of;
@@ -372,7 +342,7 @@ void settle(const Items& items, Observations& of, std::vector<std::string>& note
   }
   of.trials = 1;
   const auto low = std::ranges::count_if(items.values, [](const Value& each) { return each.value <= 0; });
-  if (low == 0 || of.floor > 0) return;
+  if (low == 0) return;
   of.scale = Scale::difference;
   notes.push_back(fmt::format("{} of {} values of {} are 0 or below: differences are compared, not ratios.", low,
                               items.values.size(), of.quantity));
@@ -408,6 +378,8 @@ bool is_constant(const Group& group) {
 
 Quantities read(std::string_view text, std::string_view source, const Request& request) {
   Sheet sheet(text, source, request.separator, request.decimal);
+  if (sheet.column_like({"stop_reason"}) && sheet.column_like({"series"}))
+    sheet.refuse("solves of a study, which a CSV does not say all of; `ikbench report` judges its store");
   for (const std::string& each : request.where) sheet.choose(each);
   const Layout layout = layout_of(sheet, request);
   if (const Column metric = sheet.column_like(metric_names);
@@ -425,13 +397,8 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     Observations of = quantity_of(titles[i]);
     const auto has_its_name = [&](const std::string& title) { return quantity_of(title).quantity == of.quantity; };
     if (std::ranges::count_if(titles, has_its_name) > 1) of.quantity = titles[i], of.unit.clear();
-    const Metric* metric = metric_of(sheet, titles[i]);
-    if (metric) {
-      of.scale = metric->scale, of.floor = metric->floor, of.rounding = metric->rounding;
-    } else {
-      refuse_mixed(sheet, layout, items);
-      if (layout.label && !layout.run) rows = shared_by_groups(sheet, layout, items);
-    }
+    refuse_mixed(sheet, layout, items);
+    if (layout.label && !layout.run) rows = shared_by_groups(sheet, layout, items);
     of.better = better_of(sheet, request, titles[i], are_shares(items));
     for (const Value& each : items.values) {
       if (std::isinf(each.value) && (each.value < 0 || of.better == Better::larger))

@@ -31,10 +31,9 @@ struct Quantities {
 
 // Without labels every column of numbers is a group, but runs and numbers of rows. Rows without a label are left out
 // and counted. A value that is missing is lost, and so is a mean of fewer rows than others have; infinite ones stand
-// for no answer. Values are compared by ratios; by differences if one is 0 or below. A file of solves (`ikbench
-// export`) has the metrics of a report, if all is in the file that they need. Throws std::invalid_argument, as Sheet
-// does; also where nobody said which way is better of shares and of what is called a success, rate, accuracy, reward or
-// score.
+// for no answer. Values are compared by ratios; by differences if one is 0 or below. Throws std::invalid_argument, as
+// Sheet does; also where nobody said which way is better of shares and of what is called a success, rate, accuracy,
+// reward or score, and for a file of solves (`ikbench export`), which lacks what its report knows.
 Quantities read(std::string_view text, std::string_view source, const Request& request);
 
 // Columns name (or as above), n, mean, sd (or as usual), and metric where there are several quantities. Of the request,

@@ -10,10 +10,8 @@
 #include <iterator>
 
 #include "analysis/compare/judge.hpp"
-#include "results/export.hpp"
 #include "tests/catch.hpp"
 #include "tests/compare/studies.hpp"
-#include "tests/scratch_folder.hpp"
 
 using namespace ikbench;
 using namespace ikbench::compare;
@@ -423,30 +421,6 @@ TEST_CASE("printed means without a spread decide nothing") {
   CHECK(found.back().verdict == Verdict::better);
 }
 
-TEST_CASE("an exported file of solves is judged as its report does, or says what it lacks") {
-  const std::string header =
-      "study,robot,solver,series,run,point,position_error_cm,evaluations,seconds,stop_reason,status\n";
-  std::string text = header, with_tolerance = header;
-  for (const char* solver : {"A", "B"}) {
-    for (int run = 1; run <= 2; ++run) {
-      for (int point = 1; point <= 2; ++point) {
-        const std::string row =
-            fmt::format("s,r,{},k,{},{},0.{}{}{},10,1,", solver, run, point, run, point, solver[0] % 7);
-        text += row + "iterations,ok\n";
-        with_tolerance += row + "tolerance,ok\n";
-      }
-    }
-  }
-  CHECK(has(complaint(text, {.values = {"position_error_cm"}}), "--run run"));
-  const Observations of = observations(text, {.values = {"position_error_cm"}, .run = "run"});
-  CHECK(of.metric == metric_named("position_error_cm").slug);
-  CHECK(of.floor == metric_named("position_error_cm").floor);
-  CHECK(has(complaint(text, {.values = {"seconds"}, .run = "run"}), "machine"));
-  CHECK(has(complaint(with_tolerance, {.values = {"position_error_cm"}, .run = "run"}), "tolerance"));
-  CHECK(has(complaint(text + "t,r,A,k,1,1,1,1,1,iterations,ok\n", {.values = {"evaluations"}, .run = "run"}),
-            "--where study"));
-}
-
 TEST_CASE("mistakes say where and what to do") {
   CHECK(has(complaint(""), "data.csv:1"));
   CHECK(has(complaint("s,v\n"), "no rows"));
@@ -471,6 +445,7 @@ TEST_CASE("mistakes say where and what to do") {
   CHECK(csv::read("s,v\nA,1\nB,2\n", "data.csv", {.values = {"v", "v"}}).observed.size() == 1);
   CHECK(has(complaint("solver,error\nA,1\n", {.values = {"eror"}}), "did you mean \"error\""));
   CHECK(has(complaint(std::string("s,v\nA\0,1\n", 9)), "NUL"));
+  CHECK(has(complaint("solver,series,error,stop_reason\nA,k,1,ok\n"), "`ikbench report`"));
   std::string many = "s,v\n";
   for (std::size_t i = 0; i <= csv::most_groups; ++i) many += fmt::format("g{},1\n", i);
   CHECK(has(complaint(many), "100 groups"));
@@ -490,42 +465,6 @@ TEST_CASE("of a million rows a run's are one value") {
   std::string text = "solver;seed;v\n";
   for (int i = 0; i < 1'000'000; ++i) text += fmt::format("{};{};{},5\n", i % 2 ? "A" : "B", i / 20, i % 1000);
   CHECK(observations(text, {.run = "seed"}).groups.front().values.size() == 50'000);
-}
-
-TEST_CASE("an exported file of solves gives the observations of its report") {
-  for (const std::string start : {"previous", "home"}) {
-    const auto draw = [&](SolveRecord& solve) {
-      solve.study = solve.robot = "any";
-      solve.position_error_cm = 0.1 * solve.point + 0.01 * solve.run + (solve.solver == "A" ? 0 : 0.001 * solve.run);
-    };
-    const Asked asked{.start = start};
-    const StudyResults made = study(asked, draw);
-    const ScratchFolder folder;
-    results::write_csv(folder.path / "solves.csv", [&](const auto& take) {
-      std::ranges::for_each(solves_of(asked, {"A", "B"}, draw), take);
-    });
-    const std::string text = file_text((folder.path / "solves.csv").string());
-    Request request{.values = {"position_error_cm"}, .run = "run"};
-    if (start == "home") request.block = {"point"};
-    for (const std::string column : {"position_error_cm", "variation_deg", "evaluations"}) {
-      request.values = {column};
-      const Observations read = observations(text, request);
-      const Observations reported = observe(made, metric_named(column));
-      CHECK(read.is_paired == reported.is_paired);
-      CHECK(read.metric == reported.metric);
-      REQUIRE(read.groups.size() == 2);
-      for (std::size_t i = 0; i < 2; ++i) {
-        CHECK(read.groups[i].name == reported.groups[i].name);
-        CHECK(read.groups[i].values.size() == reported.groups[i].values.size());
-        for (std::size_t k = 0; k < read.groups[i].values.size(); ++k)
-          CHECK(read.groups[i].values[k] == Approx(reported.groups[i].values[k]));
-      }
-      const Finding one = compare::compare(read, {}).front(), other = compare::compare(reported, {}).front();
-      CHECK(one.verdict == other.verdict);
-      CHECK(one.test == other.test);
-      CHECK(one.p.value_or(-1) == Approx(other.p.value_or(-1)));
-    }
-  }
 }
 
 TEST_CASE("doubts of a file read as sentences") {
