@@ -34,6 +34,8 @@ struct About {
   std::string name, caption;
   std::string quantity = {}, unit = {};
   double floor = 0;  // a logarithmic axis has smaller values at its edge
+
+  std::string axis() const { return unit.empty() ? quantity : quantity + " [" + unit + ']'; }
 };
 
 struct RenderOptions {

@@ -73,10 +73,8 @@ std::vector<std::string> without_times(const JudgedStudy& judged) {
   const Judged* const times = judged_of(judged, time);
   if (times == nullptr) return judged.study.solvers;
   std::vector<std::string> without;
-  for (const Doubt& doubt : times->observations.doubts) {
-    if (doubt.kind != DoubtKind::times_not_comparable) continue;
-    if (doubt.who.empty()) return judged.study.solvers;
-    without.insert(without.end(), doubt.who.begin(), doubt.who.end());
+  for (const Group& group : times->observations.groups) {
+    if (group.is_apart) without.push_back(group.name);
   }
   return without;
 }

@@ -172,7 +172,7 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
   const std::vector<double> drawn = drawable(values);
   std::vector<double> above;
   std::ranges::copy_if(drawn, std::back_inserter(above), [&](double v) { return v > about.floor; });
-  const std::string title = about.unit.empty() ? about.quantity : fmt::format("{} [{}]", about.quantity, about.unit);
+  const std::string title = about.axis();
   if (about.unit == "%" || above.empty() || std::ranges::min(drawn) < 0 ||
       std::ranges::max(drawn) <= spread_of_logarithmic * std::ranges::min(above))
     return linear_axis(letter, values, title, begins);

@@ -25,10 +25,6 @@ constexpr std::size_t most_bands = 6;     // more would cover each other
 
 Figure begun(const About& about) { return {.name = about.name, .caption = about.caption}; }
 
-std::string with_unit(const std::string& quantity, const std::string& unit) {
-  return unit.empty() ? quantity : fmt::format("{} [{}]", quantity, unit);
-}
-
 // The first rows of a figure that has no room for all; it says so.
 template <class Row>
 std::span<const Row> shown_of(const std::vector<Row>& rows, std::size_t most, std::string_view what, Figure& figure) {
@@ -136,8 +132,7 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, cons
   std::vector<double> xs, ys;
   std::vector<std::string> back, front;
   std::vector<Named> ends;
-  figure.data =
-      fmt::format("# {}; {}; low, high, and the dotted line\n", x_axis, with_unit(about.quantity, about.unit));
+  figure.data = fmt::format("# {}; {}; low, high, and the dotted line\n", x_axis, about.axis());
   bool has_bands = false;
   for (const Line& line : all) {
     const auto has = [&](double CurveRow::*part) {
@@ -192,8 +187,8 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
   }
   constexpr double farthest = 1000;  // from what is dashed, on both sides
   if (is_dashed) smallest = std::max(smallest, dashed / farthest), largest = std::min(largest, dashed * farthest);
-  const Axis axis = logarithmic_axis('x', smallest, largest, with_unit(about.quantity, about.unit));
-  figure.data = fmt::format("# {}, share of all attempts [%]\n", with_unit(about.quantity, about.unit));
+  const Axis axis = logarithmic_axis('x', smallest, largest, about.axis());
+  figure.data = fmt::format("# {}, share of all attempts [%]\n", about.axis());
   constexpr double low = -2, high = 102;
   for (std::size_t i = 0; i < all.size(); ++i) {
     std::vector<double> costs = all[i].costs;
@@ -253,10 +248,9 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
   if (all.size() == 1) return std::nullopt;
   add_labelled_rows(figure, labels, rows.size() > 30 ? 0.36 : 0.5);
   const auto [smallest, largest] = std::ranges::minmax(all);
-  const std::string title = with_unit(about.quantity, about.unit);
-  figure.settings +=
-      (are_ratios ? logarithmic_axis('x', smallest, largest, title) : linear_axis('x', all, title, Begins::around))
-          .settings;
+  figure.settings += (are_ratios ? logarithmic_axis('x', smallest, largest, about.axis())
+                                 : linear_axis('x', all, about.axis(), Begins::around))
+                         .settings;
   figure.settings +=
       fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n", of_equals, grey);
   add_remarks(figure, verdicts);
@@ -507,8 +501,7 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
   std::vector<double> xs, ys;
   std::vector<std::string> clauses;
   std::vector<Named> names;
-  figure.data =
-      fmt::format("# a line a solver: {}; {}; both as printed\n", x_axis, with_unit(about.quantity, about.unit));
+  figure.data = fmt::format("# a line a solver: {}; {}; both as printed\n", x_axis, about.axis());
   for (const Dot& dot : dots) {
     if (std::isnan(dot.x + dot.y)) continue;
     xs.insert(xs.end(), {dot.x, dot.printed_x});
