@@ -62,8 +62,6 @@ show::Reported judged(const StatsArguments& arguments, results::FigureStyle& sty
     const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, each);
     metrics.push_back(compare::judge(std::move(each), plan));
   }
-  results::Plan plan = arguments.plan;
-  if (arguments.are_summaries) plan.test = results::Plan::Test::means;
   show::Reported reported;
   if (!arguments.out.empty()) {
     std::vector<results::Series> groups;
@@ -73,7 +71,7 @@ show::Reported judged(const StatsArguments& arguments, results::FigureStyle& sty
     reported.figures = figures::of_file(metrics, figures::look_of(groups, style));
   }
   const std::string direction = direction_of(metrics, arguments.csv.better.empty());
-  reported.shown = show::shown(std::move(metrics), plan);
+  reported.shown = show::shown(std::move(metrics));
   reported.shown.direction = direction;
   reported.study.entry.name = std::filesystem::path(source).filename().string();
   reported.shown.notes = std::move(quantities.notes);
@@ -136,7 +134,7 @@ void add_stats(CLI::App& app, Invocation&) {
   command->callback([arguments] {
     if (!arguments->separator.empty())
       arguments->csv.separator = arguments->separator == "tab" ? '\t' : arguments->separator[0];
-    if (arguments->test == "means") arguments->plan.test = results::Plan::Test::means;
+    if (arguments->test == "means" || arguments->are_summaries) arguments->plan.test = results::Plan::Test::means;
     if (!arguments->decimal.empty()) arguments->csv.decimal = arguments->decimal[0];
     stats(*arguments);
   });

@@ -62,15 +62,15 @@ Judged judge(const StudyResults& study, const Metric& metric) {
   return judge(observe(study, metric), study.definition.plan);
 }
 
-double told(const Judged& judged, std::size_t group, const Plan& plan) {
+double average_of(const Judged& judged, std::size_t group) {
   const Description& its = judged.described[group];
   const bool is_mean =
-      judged.observations.scale == Scale::share || plan.test == Plan::Test::means || std::isnan(its.median);
+      judged.observations.scale == Scale::share || judged.plan.test == Plan::Test::means || std::isnan(its.median);
   const bool is_told = judged.observations.tells_incomplete || judged.observations.groups[group].lost == 0;
   return !is_told ? unknown : is_mean ? its.mean : its.median;
 }
 
-std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judged>& all, const Plan& plan) {
+std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judged>& all) {
   const auto evaluations =
       std::ranges::find(all, "evaluations", [](const Judged& of) { return of.observations.metric; });
   const auto cost = [&](const std::string& name) {
@@ -78,13 +78,13 @@ std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judg
     const auto& groups = evaluations->observations.groups;
     const auto group = std::ranges::find(groups, name, &Group::name);
     const double value =
-        group == groups.end() ? unknown : told(*evaluations, static_cast<std::size_t>(group - groups.begin()), plan);
+        group == groups.end() ? unknown : average_of(*evaluations, static_cast<std::size_t>(group - groups.begin()));
     return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
   };
   std::vector<std::size_t> order(judged.described.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {
-    const double value = told(judged, i, plan);
+    const double value = average_of(judged, i);
     const Group& group = judged.observations.groups[i];
     const bool is_best = std::ranges::count(judged.headline.best, group.name) > 0;
     const double place = judged.observations.better == Better::larger ? -value : value;

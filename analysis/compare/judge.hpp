@@ -26,10 +26,10 @@ Judged judge(Observations of, const Plan& plan);
 
 // What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
 // median; NaN where values are lost.
-double told(const Judged& judged, std::size_t group, const Plan& plan);
+double average_of(const Judged& judged, std::size_t group);
 // Groups: the best, the others by value, of equal ones that with fewer evaluations (a metric of `all`), those that lost
 // values.
-std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judged>& all, const Plan& plan);
+std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judged>& all);
 
 struct JudgedStudy {
   StudyResults study;

@@ -464,7 +464,7 @@ std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
   Look ordered = look;
   const Judged& deciding = judged.metrics[judged.deciding];
   if (look.style.solvers.empty()) {
-    for (const std::size_t i : best_first(deciding, judged.metrics, deciding.plan))
+    for (const std::size_t i : best_first(deciding, judged.metrics))
       ordered.style.solvers.push_back(deciding.observations.groups[i].name);
   }
   std::vector<Figure> all;

@@ -177,7 +177,7 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   std::optional<std::string> arm;
   if (is_of_study) {
     std::vector<std::string> order;
-    for (const std::size_t i : best_first(of.shown.decisive(), of.shown.metrics, of.shown.plan))
+    for (const std::size_t i : best_first(of.shown.decisive(), of.shown.metrics))
       order.push_back(of.shown.decisive().observations.groups[i].name);
     arm = moving_arm(of.study, order);
   }

@@ -60,18 +60,18 @@ std::vector<Doubt> Shown::all_doubts() const {
   return all;
 }
 
-Shown shown(std::vector<Judged> metrics, const results::Plan& plan) {
-  Shown shown{.metrics = std::move(metrics), .plan = plan};
+Shown shown(std::vector<Judged> metrics) {
+  Shown shown{.metrics = std::move(metrics)};
   for (Judged& judged : shown.metrics) {
     if (is_share(judged)) judged = in_unit(std::move(judged), 100, "%");
-    for (Finding& finding : judged.findings) finding = better_first(std::move(finding), plan.control);
+    for (Finding& finding : judged.findings) finding = better_first(std::move(finding), judged.plan.control);
   }
   return shown;
 }
 
 Shown shown(const JudgedStudy& judged) {
   const results::Definition& definition = judged.study.definition;
-  Shown all = shown(judged.metrics, definition.plan);
+  Shown all = shown(judged.metrics);
   all.deciding = judged.deciding;
   all.doubts = judged.doubts;
   const bool are_runs = definition.is_chained() || (judged.study.points == 1 && !definition.draws_targets);
@@ -108,10 +108,10 @@ Shown with_short_names(Shown shown, std::size_t length) {
     for (Finding& finding : judged.findings) shorten(finding.first), shorten(finding.second);
     std::ranges::for_each(judged.headline.best, shorten);
     for (std::string* name : {&judged.headline.usual, &judged.headline.other}) shorten(*name);
+    shorten(judged.plan.control);
     shorten_all(judged.observations.doubts);
   }
   shorten_all(shown.doubts);
-  shorten(shown.plan.control);
   return shown;
 }
 

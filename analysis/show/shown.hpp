@@ -9,14 +9,12 @@
 
 #include "analysis/compare/judge.hpp"
 #include "analysis/show/block.hpp"
-#include "results/plan.hpp"
 
 namespace ikbench::show {
 
 struct Shown {
   std::vector<compare::Judged> metrics;
-  std::size_t deciding = 0;  // metric of the headline
-  results::Plan plan;
+  std::size_t deciding = 0;            // metric of the headline
   std::vector<compare::Doubt> doubts;  // of all
   std::string noun = "values";         // what observations are
   std::vector<std::string> notes;      // of the table of results
@@ -30,7 +28,7 @@ struct Shown {
 
 // Shares in percent; of studies times in ms, and errors in mm, but in cm where a paper's study is repeated. With a
 // control it is the second of each pair.
-Shown shown(std::vector<compare::Judged> metrics, const results::Plan& plan);
+Shown shown(std::vector<compare::Judged> metrics);
 Shown shown(const compare::JudgedStudy& judged);
 
 // With names of solvers that fit a line (numerics::short_names).

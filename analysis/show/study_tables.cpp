@@ -33,9 +33,9 @@ Cell value_cell(const Group& group, double value) {
 }
 
 // Wilson's, of a share of observations that are solved or not.
-std::optional<Interval> interval_of(const Judged& judged, const Description& its, const results::Plan& plan) {
+std::optional<Interval> interval_of(const Judged& judged, const Description& its) {
   if (!is_share(judged) || judged.observations.trials > 1 || its.n == 0) return {};
-  const Interval share = wilson(its.mean / 100, its.n, plan.significance);
+  const Interval share = wilson(its.mean / 100, its.n, judged.plan.significance);
   return Interval{100 * share.low, 100 * share.high};
 }
 
@@ -56,10 +56,10 @@ Cell result_cell(const Shown& shown, const Judged& judged, const std::string& so
     return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale};
   }
   const Description& its = judged.described[i];
-  const double value = told(judged, i, shown.plan);
+  const double value = average_of(judged, i);
   if (std::isnan(value)) return {};
   Marked cell{.value = value, .mark = mark, .is_bound = group->at_most > 0 && value == group->at_most};
-  cell.interval = interval_of(judged, its, shown.plan);
+  cell.interval = interval_of(judged, its);
   const bool is_deciding = &judged == &shown.decisive();
   if (is_deciding && !is_share(judged) && !judged.observations.is_of_solved && !cell.is_bound && its.n > 1 &&
       !std::isnan(its.median))
@@ -88,11 +88,11 @@ std::string limit(double value, std::string_view unit) {
 Table results_table(const Shown& shown) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
   const Judged& decisive = shown.decisive();
-  const std::vector<std::size_t> order = best_first(decisive, shown.metrics, shown.plan);
+  const std::vector<std::size_t> order = best_first(decisive, shown.metrics);
   for (const std::size_t i : order) table.rows.push_back({decisive.observations.groups[i].name});
   const std::string first = order.empty() ? "" : decisive.observations.groups[order[0]].name;
-  const std::string reference = shown.plan.control.empty() ? first : shown.plan.control;
-  const bool are_means = shown.plan.test == results::Plan::Test::means;
+  const std::string reference = decisive.plan.control.empty() ? first : decisive.plan.control;
+  const bool are_means = decisive.plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
   bool has_numbers = false, has_quartiles = false, has_shares = false;
   std::set<std::string> kinds, marks;
@@ -131,7 +131,7 @@ Table results_table(const Shown& shown) {
   if (!shown.direction.empty()) key += (key.empty() ? "" : "; ") + shown.direction;
   std::vector<std::string> meanings;
   if (marks.contains(star)) {
-    const std::string level = fmt::format(" (p < {})", number_text(shown.plan.significance));
+    const std::string level = fmt::format(" (p < {})", number_text(decisive.plan.significance));
     meanings.push_back(fmt::format("{} worse than {}{}", star, reference, shown.verdict.empty() ? level : ""));
   }
   if (marks.contains(exclamation)) meanings.push_back(fmt::format("{} not tested", exclamation));
@@ -139,7 +139,7 @@ Table results_table(const Shown& shown) {
   key += fmt::format("{}", fmt::join(meanings, ", "));
   if (!key.empty()) table.notes.push_back(key);
   if (has_shares)
-    table.notes.push_back(fmt::format("Brackets: {:g} % intervals.", 100 * (1 - shown.plan.significance)));
+    table.notes.push_back(fmt::format("Brackets: {:g} % intervals.", 100 * (1 - decisive.plan.significance)));
   table.notes.insert(table.notes.end(), shown.notes.begin(), shown.notes.end());
   return table;
 }
@@ -218,7 +218,7 @@ std::string chosen_before(const Shown& shown) {
   if (shown.metrics.size() < 2) return "";
   if (!shown.verdict.empty())
     return fmt::format("Labels and metrics share the significance: p < {} decides.",
-                       number_text(shown.plan.significance));
+                       number_text(shown.decisive().plan.significance));
   return fmt::format("Only {} was chosen before; other metrics are exploratory.",
                      shown.decisive().observations.quantity);
 }
@@ -249,7 +249,7 @@ Table pairs_table(const Shown& shown) {
     }
   }
   table.columns[3].ends = table.columns[4].ends = {ends.begin(), ends.end()};
-  table.columns[6].ends = {shown.plan.significance};
+  table.columns[6].ends = {shown.decisive().plan.significance};
   const std::string chosen = chosen_before(shown);
   table.notes = {
       chosen + (chosen.empty() ? "" : " ") +
@@ -283,7 +283,7 @@ Table descriptives_table(const Shown& shown) {
       const Group& group = of.groups[i];
       auto& row = table.rows.emplace_back();
       row = {of.quantity, group.name, std::int64_t{its.n}, value_cell(group, its.mean)};
-      const std::optional<Interval> interval = interval_of(judged, its, shown.plan);
+      const std::optional<Interval> interval = interval_of(judged, its);
       for (const double value :
            {its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest, its.largest})
         row.push_back(interval ? Cell() : value_cell(group, value));
@@ -405,7 +405,7 @@ std::string methods_of(const Shown& shown, const StudyResults& study, const std:
     text += fmt::format(
         " Pairs were tested by {}, p times the number of pairs of a metric that can be tested (Bonferroni), at a "
         "significance of {}; a difference within {} does not matter.",
-        given(tests), number_text(shown.plan.significance), margin_words(shown.decisive()));
+        given(tests), number_text(shown.decisive().plan.significance), margin_words(shown.decisive()));
   text += fmt::format(" Made with ikbench {}", given(programs));
   return text + (keys.empty() ? "." : fmt::format("; to cite, of docs/references.bib: {}.", listed(keys)));
 }

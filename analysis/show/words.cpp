@@ -35,7 +35,7 @@ std::string number_of(const Shown& shown, const Judged& judged, std::size_t grou
   const bool is_first = group == first;
   const int n_of_first = judged.described[first].n;
   const Description& its = judged.described[group];
-  const double value = told(judged, group, shown.plan);
+  const double value = average_of(judged, group);
   if (std::isnan(value)) return "not known";
   if (counts(judged)) {
     const std::string count = fmt::format("{:.0f}", its.mean * its.n / 100);
@@ -51,7 +51,7 @@ std::string number_of(const Shown& shown, const Judged& judged, std::size_t grou
 // "median error", "mean error", "solved"
 std::string quantity_of(const Shown& shown) {
   const Judged& judged = shown.decisive();
-  const bool is_mean = shown.plan.test == results::Plan::Test::means;
+  const bool is_mean = judged.plan.test == results::Plan::Test::means;
   return fmt::format("{}{}", is_share(judged) ? "" : is_mean ? "mean " : "median ", judged.observations.quantity);
 }
 
@@ -60,12 +60,12 @@ std::string quantity_of(const Shown& shown) {
 std::string numbers_of(const Shown& shown, bool is_named) {
   const Judged& judged = shown.decisive();
   const bool is_solved = judged.observations.metric == "solved";
-  const std::vector<std::size_t> order = best_first(judged, shown.metrics, shown.plan);
+  const std::vector<std::size_t> order = best_first(judged, shown.metrics);
   const bool are_many = order.size() > most_named;
   const std::size_t best = std::max<std::size_t>(judged.headline.best.size(), 1);
   const auto equals = static_cast<std::size_t>(
       std::ranges::find_if(
-          order, [&](std::size_t i) { return told(judged, i, shown.plan) != told(judged, order[0], shown.plan); }) -
+          order, [&](std::size_t i) { return average_of(judged, i) != average_of(judged, order[0]); }) -
       order.begin());
   const bool are_equal = are_many && is_solved && equals > 1 && equals >= best;
   const std::size_t leaders = are_equal ? equals : best;
@@ -144,7 +144,7 @@ std::string usual(const Judged& judged) {
 
 std::string against_control(const Shown& shown) {
   const Judged& judged = shown.decisive();
-  const std::size_t control = place_of(judged, shown.plan.control);
+  const std::size_t control = place_of(judged, judged.plan.control);
   std::vector<std::string> parts;
   for (const Verdict verdict :
        {Verdict::better, Verdict::worse, Verdict::same, Verdict::undecided, Verdict::not_tested}) {
@@ -156,7 +156,7 @@ std::string against_control(const Shown& shown) {
     }
     if (!who.empty()) parts.push_back(fmt::format("{} {}", names_of(who), compare::name_of(verdict)));
   }
-  return fmt::format("Against {} ({} {}): {}", shown.plan.control, quantity_of(shown),
+  return fmt::format("Against {} ({} {}): {}", judged.plan.control, quantity_of(shown),
                      number_of(shown, judged, control, control), listed(parts, ", "));
 }
 
@@ -186,7 +186,7 @@ std::string unbeaten(const Shown& shown) {
     if (finding.verdict != Verdict::not_tested) tested.insert({finding.first, finding.second});
   }
   std::vector<std::string> rest;
-  for (const std::size_t i : best_first(judged, shown.metrics, shown.plan)) {
+  for (const std::size_t i : best_first(judged, shown.metrics)) {
     if (const std::string& name = judged.observations.groups[i].name; tested.contains(name) && !beaten.contains(name))
       rest.push_back(name);
   }
@@ -232,7 +232,7 @@ std::string most_p(const Judged& judged) {
 
 std::string best(const Shown& shown) {
   const Judged& judged = shown.decisive();
-  const std::vector<std::size_t> order = best_first(judged, shown.metrics, shown.plan);
+  const std::vector<std::size_t> order = best_first(judged, shown.metrics);
   std::vector<std::string> names = judged.headline.best;
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = name_of(judged, order[i]);
   const std::size_t others = order.size() - names.size();
@@ -265,7 +265,7 @@ std::string sentence(const Shown& shown) {
     return (is_solved ? "" : name_of(judged, 0) + ": ") + numbers_of(shown, is_solved);
   }
   if (head.is_circle) return "No solver is best, since each is worse than another: " + numbers_of(shown, true);
-  if (!shown.plan.control.empty() && groups > 2) return against_control(shown);
+  if (!judged.plan.control.empty() && groups > 2) return against_control(shown);
   if (all_are(judged, Verdict::same))
     return fmt::format("{} are the same within {}: {}", all_of(judged), margin_words(judged), numbers_of(shown, true));
   return all_are(judged, Verdict::not_tested) ? not_tested(shown) : unbeaten(shown);
@@ -351,7 +351,7 @@ std::vector<std::vector<std::string>> pair_rows(const Shown& shown) {
   for (const Judged& judged : shown.metrics) {
     if (!has_two && &judged != &shown.decisive()) continue;
     std::vector<Finding> findings = judged.findings;
-    const std::vector<std::size_t> order = best_first(judged, shown.metrics, shown.plan);
+    const std::vector<std::size_t> order = best_first(judged, shown.metrics);
     const auto place = [&](const std::string& name) {
       return std::ranges::find(order, name, [&](std::size_t i) { return name_of(judged, i); });
     };

@@ -55,8 +55,7 @@ Shown of_many(std::size_t solvers) {
   std::vector<std::pair<std::string, std::vector<double>>> groups;
   for (std::size_t i = 0; i < solvers; ++i)
     groups.emplace_back(fmt::format("solver {}", i), values_around(1 + 0.3 * static_cast<double>(i), 0.5));
-  Shown all =
-      shown({judged(numbers("error", "error", "mm", groups)), judged(numbers("time", "time", "ms", groups))}, {});
+  Shown all = shown({judged(numbers("error", "error", "mm", groups)), judged(numbers("time", "time", "ms", groups))});
   for (int i = 0; i < 9; ++i)
     all.doubts.push_back({.kind = compare::DoubtKind::runs_missing, .who = {"a"}, .count = 1.0 + i, .of = 20});
   return all;
@@ -137,8 +136,8 @@ TEST_CASE("a screen has the solvers up to 20, at most six pairs and 100 columns"
   const std::string text = screen(shown(judged_study(hostile)));
   CHECK(text.find('\x1b') == std::string::npos);
   CHECK(text.find(std::string(40, 'x')) == std::string::npos);  // nor in a warning
-  const std::string of_two = screen(
-      shown({judged(numbers("v", "a\nb\x1b", "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}))}, {}));
+  const std::string of_two =
+      screen(shown({judged(numbers("v", "a\nb\x1b", "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}))}));
   CHECK(of_two.find("a b") != std::string::npos);
   CHECK(of_two.find('\x1b') == std::string::npos);
 }
@@ -147,7 +146,7 @@ TEST_CASE("below the pairs of two solvers stands which metric was chosen before"
   const auto of_two = [](const std::string& metric) {
     return judged(numbers(metric, metric, "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}));
   };
-  Shown two = shown({of_two("error"), of_two("effort")}, {});
+  Shown two = shown({of_two("error"), of_two("effort")});
   two.deciding = 1;
   const auto is_told = [](const Shown& shown) { return screen(shown).find(chosen_before(shown)) != std::string::npos; };
   CHECK(chosen_before(two).starts_with("Only effort "));
@@ -159,7 +158,7 @@ TEST_CASE("below the pairs of two solvers stands which metric was chosen before"
   CHECK(screen(two).starts_with("A is worse.\n\n"));
   CHECK(screen(two).find("! results of A are not compared") != std::string::npos);
   CHECK(chosen_before(two).find("effort") == std::string::npos);
-  CHECK(chosen_before(shown({of_two("error")}, {})).empty());
+  CHECK(chosen_before(shown({of_two("error")})).empty());
   CHECK_FALSE(is_told(shown(judged_study())));
 }
 
@@ -223,9 +222,9 @@ TEST_CASE("a report of three solvers is short", "[show]") {
 }
 
 TEST_CASE("of several studies each is a column, and a solver has the place that it has in them", "[show]") {
-  const auto of = [](int a, int b) { return shown({judged(shares({{"A", solved(a)}, {"B", solved(b)}}))}, {}); };
+  const auto of = [](int a, int b) { return shown({judged(shares({{"A", solved(a)}, {"B", solved(b)}}))}); };
   const Table table =
-      studies_table({of(20, 10), shown({judged(shares({{"B", solved(20)}, {"C", solved(5)}}))}, {})}, {"one", "two"});
+      studies_table({of(20, 10), shown({judged(shares({{"B", solved(20)}, {"C", solved(5)}}))})}, {"one", "two"});
   CHECK(table.columns[2].name == "two");
   CHECK(table.rows.size() == 3);
   CHECK(std::get<std::string>(table.rows[0][0]) == "A");
@@ -243,7 +242,7 @@ TEST_CASE("of several studies each is a column, and a solver has the place that 
 
 TEST_CASE("solvers that are equal in a study have the same place in it", "[show]") {
   const auto of = [](int a, int b, int c) {
-    return shown({judged(shares({{"A", solved(a)}, {"B", solved(b)}, {"C", solved(c)}}))}, {});
+    return shown({judged(shares({{"A", solved(a)}, {"B", solved(b)}, {"C", solved(c)}}))});
   };
   const Table table = studies_table({of(20, 20, 20), of(20, 20, 20), of(9, 20, 3)}, {"one", "two", "three"});
   CHECK(std::get<std::string>(table.rows[0][0]) == "B");
@@ -251,7 +250,7 @@ TEST_CASE("solvers that are equal in a study have the same place in it", "[show]
 }
 
 TEST_CASE("a table says no more below it than it has", "[show]") {
-  const auto of = [](compare::Observations observed) { return shown({judged(std::move(observed))}, {}); };
+  const auto of = [](compare::Observations observed) { return shown({judged(std::move(observed))}); };
   const Shown of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
   CHECK(results_table(of_shares).notes.front() == "* worse than A (p < 0.05)");  // no medians
   CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.size() == 1);
@@ -268,7 +267,7 @@ TEST_CASE("a star says that a solver is worse than the reference, and stands at 
   const auto text = [](compare::Observations costs, results::Plan plan = {}, int last = 6) {
     costs.is_of_solved = costs.is_paired = true;
     const auto shown_of = shares({{"A", solved(6)}, {"B", solved(20)}, {"C", solved(last)}});
-    return to_text(results_table(shown({judged(shown_of, plan), judged(std::move(costs), plan)}, plan)));
+    return to_text(results_table(shown({judged(shown_of, plan), judged(std::move(costs), plan)})));
   };
   compare::Observations costs = numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", c}});
   CHECK(text(costs) ==
@@ -296,9 +295,9 @@ TEST_CASE("a star says that a solver is worse than the reference, and stands at 
 
 TEST_CASE("paired metrics have no test of all solvers", "[show]") {
   compare::Observations of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
-  CHECK(anova_table(shown({judged(of)}, {})).rows.size() == 2);
+  CHECK(anova_table(shown({judged(of)})).rows.size() == 2);
   of.is_paired = true;
-  CHECK(anova_table(shown({judged(of)}, {})).rows.empty());
+  CHECK(anova_table(shown({judged(of)})).rows.empty());
 }
 
 TEST_CASE("values below the floor of a ratio are told once", "[show]") {

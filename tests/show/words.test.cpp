@@ -12,7 +12,7 @@ using compare::Observations;
 namespace {
 
 Shown of(Observations observations, const results::Plan& plan = {}) {
-  Shown result = shown({judged(std::move(observations), plan)}, plan);
+  Shown result = shown({judged(std::move(observations), plan)});
   result.noun = "targets";
   return result;
 }
@@ -71,7 +71,7 @@ TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
   const auto metric = [](const char* name, double middle) {
     return judged(numbers(name, name, "", {{"A", {1, 2, middle}}, {"B", {}}}));
   };
-  Shown all = shown({metric("time", 3), metric("evaluations", 4)}, {});
+  Shown all = shown({metric("time", 3), metric("evaluations", 4)});
   REQUIRE(all.all_doubts().size() == 1);
   CHECK(all.all_doubts().front().who == std::vector<std::string>{"B"});
   CHECK(all.all_doubts().front().count == 0);
