@@ -18,9 +18,9 @@ constexpr bool is_judged(Holds holds) { return holds != Holds::not_compared && h
 
 // With which answers to what a paper leaves open a claim fails.
 struct Condition {
-  std::string id;         // of the claim
-  std::string fails;      // "only where bounds=initial", "nowhere"
-  std::string told = {};  // the same in words, with numbers; empty where no pair of answers tells it
+  std::string id;          // of the claim
+  std::string fails;       // "only where bounds=initial", "nowhere"
+  std::string words = {};  // the same as a clause; empty where no pair of answers tells it
 };
 
 struct JudgedClaim {

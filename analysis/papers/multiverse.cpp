@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "analysis/papers/rules.hpp"
-#include "analysis/show/text.hpp"
 
 namespace ikbench::papers {
 
@@ -180,43 +179,6 @@ std::vector<Chosen> smallest_sets(const Multiverse& multiverse, const std::vecto
   return found;
 }
 
-// The default reading, but for this answer: the last choice that has no other answer, as the default comes first.
-bool is_default_but(const Chosen& chosen, const Choice& answer) {
-  return std::ranges::all_of(chosen, [&](const Choice& each) { return each.alternative == 0 || each == answer; });
-}
-
-// "IK-BA 0.0017 cm, PSO 2.1e-06" by the default reading but for this answer: the mean over all seeds of the claim's
-// solver and its best rival.
-std::string numbers_with(const Multiverse& multiverse, const Claim& claim, const Choice& answer) {
-  const OfStudy* study = nullptr;
-  for (const OfStudy& each : multiverse.studies) {
-    if (is_default_but(each.chosen, answer)) study = &each;
-  }
-  std::string own, rival;
-  double best = 0;
-  for (std::size_t s = 0; s < multiverse.solvers.size(); ++s) {
-    const std::string& solver = multiverse.solvers[s];
-    if (!contains(claim.solvers, solver) && !claim.against.empty() && !contains(claim.against, solver)) continue;
-    const ChosenSolver* choice = nullptr;
-    for (const ChosenSolver& each : study->solvers[s]) {
-      if (is_default_but(each.chosen, answer)) choice = &each;
-    }
-    Group all;
-    for (const Group& seed : choice->means[metric_of(claim)]) {
-      all.values.insert(all.values.end(), seed.values.begin(), seed.values.end());
-      all.lost += seed.lost;
-    }
-    const Description its = describe(all);
-    const double number = claim.of == Of::spread ? its.sd : its.mean;
-    const std::string words = fmt::format("{} {}", solver, show::number_text(number));
-    if (solver == claim.solvers.front()) own = fmt::format("{} {}", words, claim.metrics.front()->unit);
-    if (contains(claim.solvers, solver) || all.lost > 0 || (!rival.empty() && number >= best)) continue;
-    best = number;
-    rival = words;
-  }
-  return fmt::format("{}, {}", own, rival);
-}
-
 // "only where bounds=initial or BA.best_of=evaluated"
 std::string where(const Multiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
   if (!happens(parts, outcome, {})) return "nowhere";
@@ -234,14 +196,13 @@ std::string where(const Multiverse& multiverse, const std::vector<Part>& parts, 
   return fmt::format("only where {}", fmt::join(sets, between));
 }
 
-// "no solver is clamped (IK-BA 0.0017 cm, PSO 2.1e-06)"
-std::string told(const Multiverse& multiverse, const Claim& claim, const std::vector<Part>& parts) {
+// "no solver is clamped"
+std::string words_of(const Multiverse& multiverse, const std::vector<Part>& parts) {
   Names words;
   const std::vector<Chosen> sets = smallest_sets(multiverse, parts, &Readings::fails);
   if (sets.size() != 1) return "";
-  for (const Choice& each : sets.front())
-    words.push_back(fmt::format("{} ({})", multiverse.dimensions[each.dimension].alternatives[each.alternative].where,
-                                numbers_with(multiverse, claim, each)));
+  for (const auto& [dimension, alternative] : sets.front())
+    words.push_back(multiverse.dimensions[dimension].alternatives[alternative].where);
   return fmt::format("{}", fmt::join(words, " or "));
 }
 
@@ -253,7 +214,7 @@ InReadings judged_claim(const Multiverse& multiverse, const Claim& claim, const 
     result.count.fails += more.fails;
     result.count.undecided += more.undecided;
   }
-  if (result.count.fails > 0) result.condition.told = told(multiverse, claim, parts);
+  if (result.count.fails > 0) result.condition.words = words_of(multiverse, parts);
   return result;
 }
 

@@ -172,13 +172,9 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   words = fmt::format("\"{}\" {}{} ({})", accurate->sentence, accurate->holds >= Holds::undecided ? "is " : "",
                       name_of(accurate->holds), accurate->number);
   const Condition& condition = accurate->condition;
-  if (!condition.told.empty())
-    words += fmt::format(
-        ". Of the readings that we chose to try (means of their seeds) it fails where {}; elsewhere it holds or is not "
-        "decided",
-        condition.told);
-  else if (!condition.fails.empty())
-    words += fmt::format(". Of the readings that we chose to try it fails {}", condition.fails);
+  if (!condition.fails.empty())
+    words += fmt::format(". Of the readings that we chose to try it fails {}",
+                         condition.words.empty() ? condition.fails : "only where " + condition.words);
   all.push_back(words + '.');
   if (classical != nullptr && classical->holds == Holds::fails)
     all.push_back(fmt::format("Better than it, and not in the paper: {} cm.", classical->rival));
