@@ -69,25 +69,6 @@ compare::Group group_of(const std::vector<double>& runs) {
   return group;
 }
 
-Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& means) {
-  Multiverse multiverse{.dimensions = plan.dimensions, .solvers = plan.solvers, .studies = {}};
-  for (const MultiversePlan::OfStudy& each : plan.studies) {
-    multiverse.studies.push_back({.chosen = each.chosen, .solvers = {}});
-    for (const std::vector<MultiversePlan::ChosenSolver>& of_solver : each.solvers) {
-      auto& solver = multiverse.studies.back().solvers.emplace_back();
-      for (const MultiversePlan::ChosenSolver& from : of_solver) {
-        Multiverse::ChosenSolver& own = solver.emplace_back();
-        own.chosen = from.chosen;
-        for (const std::size_t part : from.parts) {
-          own.means[0].push_back(group_of(means[part].error_cm));
-          own.means[1].push_back(group_of(means[part].variation_deg));
-        }
-      }
-    }
-  }
-  return multiverse;
-}
-
 // Lists every question with its answers, the default first.
 std::string dimension_list(const Study& study, const std::vector<Dimension>& all,
                            const std::vector<Dimension>& varied) {
@@ -146,7 +127,10 @@ std::optional<Multiverse> solved_multiverse(const std::string& study, const std:
                                                     .progress = [&](const Progress& progress) { bar.show(progress); },
                                                     .cancelled = request.cancelled});
   if (means.size() < plan.parts.size()) return std::nullopt;
-  return with_values(plan, means);
+  Multiverse multiverse{plan, {}};
+  for (const RunMeans& each : means)
+    multiverse.means.push_back({group_of(each.error_cm), group_of(each.variation_deg)});
+  return multiverse;
 }
 
 void add_multiverse(CLI::App& app, Invocation& invocation) {

@@ -134,7 +134,9 @@ MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vect
 MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimension>& dimensions,
                                const MultiverseRequest& request) {
   refuse_varied(request.overrides, dimensions);
-  MultiversePlan plan{.dimensions = dimensions, .solvers = labels_of(load_study(name, request.overrides))};
+  MultiversePlan plan;
+  plan.dimensions = dimensions;
+  plan.solvers = labels_of(load_study(name, request.overrides));
   size_of(dimensions, plan.solvers);
   const Combinations combinations{dimensions};
   SeriesList needed;

@@ -11,21 +11,7 @@
 
 namespace ikbench::experiments {
 
-// A reading is one choice for the study and one for each solver. Given the study's choice, solvers are independent, so
-// each is solved by itself, never a reading as a whole. A dimension is a choice only if an alternative besides its
-// default is possible (Alternative::except). The default comes first.
-struct MultiversePlan {
-  struct ChosenSolver {
-    results::Chosen chosen;
-    std::vector<std::size_t> parts;  // per seed: an index of MultiversePlan::parts
-  };
-  struct OfStudy {
-    results::Chosen chosen;
-    std::vector<std::vector<ChosenSolver>> solvers;  // in the order of `solvers`
-  };
-  std::vector<results::Dimension> dimensions;
-  std::vector<std::string> solvers;
-  std::vector<OfStudy> studies;
+struct MultiversePlan : results::Multiverse {
   // One solver and one seed each, each series once, in the order of first need. The series key of a solver decides its
   // numbers, so choices that do not change the key share a part.
   std::vector<Study> parts;

@@ -32,4 +32,21 @@ struct Choice {
 };
 using Chosen = std::vector<Choice>;
 
+// A reading is one choice for the study and one for each solver. Given the study's choice, solvers are independent, so
+// each is solved by itself, never a reading as a whole. A dimension is a choice only if an alternative besides its
+// default is possible (Alternative::except). The default comes first.
+struct Multiverse {
+  struct ChosenSolver {
+    Chosen chosen;
+    std::vector<std::size_t> parts;  // by seed: the series that has its numbers
+  };
+  struct OfStudy {
+    Chosen chosen;
+    std::vector<std::vector<ChosenSolver>> solvers;  // in the order of `solvers`
+  };
+  std::vector<Dimension> dimensions;
+  std::vector<std::string> solvers;
+  std::vector<OfStudy> studies;
+};
+
 }  // namespace ikbench::results

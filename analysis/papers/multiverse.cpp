@@ -94,11 +94,13 @@ std::vector<Part> parts_of(const Multiverse& multiverse, const Claim& claim, con
   const Plan of_pair = plan_of_pairs(plan, k);
   std::vector<Part> parts;
   for (const OfStudy& study : multiverse.studies) {
-    for (std::size_t seed = 0; seed < study.solvers[0][0].means[0].size(); ++seed) {
+    for (std::size_t seed = 0; seed < study.solvers[0][0].parts.size(); ++seed) {
       std::map<std::pair<const ChosenSolver*, const ChosenSolver*>, Verdict> known;
       const auto verdict = [&](const ChosenSolver& one, const ChosenSolver& other) {
         const auto [found, is_new] = known.try_emplace({&one, &other});
-        if (is_new) found->second = verdict_of(one.means[metric][seed], other.means[metric][seed], claim, of_pair);
+        if (is_new)
+          found->second = verdict_of(multiverse.means[one.parts[seed]][metric],
+                                     multiverse.means[other.parts[seed]][metric], claim, of_pair);
         return found->second;
       };
       OwnChoices chosen;
@@ -222,19 +224,20 @@ InReadings judged_claim(const Multiverse& multiverse, const Claim& claim, const 
 std::optional<double> expected_by_chance(const Paper& paper, const Multiverse& multiverse) {
   double inside = 0;
   const std::vector<std::vector<ChosenSolver>>& solvers = multiverse.studies[0].solvers;
-  const std::size_t seeds = solvers[0][0].means[0].size();
+  const std::size_t seeds = solvers[0][0].parts.size();
   for (std::size_t m = 0; m < metrics_of_readings.size() && !paper.means.empty(); ++m) {
     const PrintedRows printed = printed_means(paper.name, paper.means, metrics_of_readings[m]);
     for (std::size_t s = 0; s < solvers.size(); ++s) {
       const PrintedRow* const row = row_of(printed, multiverse.solvers[s]);
       if (row == nullptr) continue;
-      const std::vector<Group>& own = solvers[s][0].means[m];
+      const auto runs_of = [&](std::size_t seed) { return multiverse.means[solvers[s][0].parts[seed]][m]; };
       for (std::size_t seed = 0; seed < seeds; ++seed) {
-        const auto ranges = predicted_ranges(own[seed].values, row->numbers.n);
-        if (!ranges || own[seed].values.size() != static_cast<std::size_t>(row->numbers.n)) return {};
+        const Group own = runs_of(seed);
+        const auto ranges = predicted_ranges(own.values, row->numbers.n);
+        if (!ranges || own.values.size() != static_cast<std::size_t>(row->numbers.n)) return {};
         for (std::size_t other = 0; other < seeds; ++other) {
           if (other == seed) continue;
-          const Description its = describe(own[other]);
+          const Description its = describe(runs_of(other));
           for (std::size_t i = 0; i < statistics.size(); ++i) {
             const double number = its.*statistics[i].of;
             inside += (*ranges)[i].low <= number && number <= (*ranges)[i].high;
@@ -276,7 +279,7 @@ JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const 
   result.table.notes = {fmt::format(
       "{:.0f} readings, each with seeds 1 to {}. Each pair is judged alone, at significance / pairs. Counts depend on "
       "which answers are listed; they are no probabilities.",
-      readings, multiverse.studies[0].solvers[0][0].means[0].size())};
+      readings, multiverse.studies[0].solvers[0][0].parts.size())};
   return result;
 }
 

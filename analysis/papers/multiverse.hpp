@@ -16,19 +16,9 @@ namespace ikbench::papers {
 
 constexpr std::array<std::string_view, 2> metrics_of_readings{"position_error_cm", "variation_deg"};
 
-struct Multiverse {
-  struct ChosenSolver {
-    results::Chosen chosen;
-    // By metric and seed: the mean of each run over its targets.
-    std::array<std::vector<compare::Group>, metrics_of_readings.size()> means;
-  };
-  struct OfStudy {
-    results::Chosen chosen;
-    std::vector<std::vector<ChosenSolver>> solvers;  // by solver; the default first
-  };
-  std::vector<results::Dimension> dimensions;
-  std::vector<std::string> solvers;
-  std::vector<OfStudy> studies;  // the default first
+struct Multiverse : results::Multiverse {
+  // By part and metric: the mean of each run over its targets.
+  std::vector<std::array<compare::Group, metrics_of_readings.size()>> means;
 };
 
 // Readings, each seed of one by itself.

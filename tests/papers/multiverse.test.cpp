@@ -21,9 +21,9 @@ std::vector<double> around(double middle, int runs) {
   return values;
 }
 
-Multiverse::ChosenSolver chosen(results::Chosen choices, double error, double variation, int runs) {
-  return {.chosen = std::move(choices),
-          .means = {{{{.values = around(error, runs)}}, {{.values = around(variation, runs)}}}}};
+Multiverse::ChosenSolver chosen(Multiverse& of, results::Chosen choices, double error, double variation, int runs) {
+  of.means.push_back({Group{.values = around(error, runs)}, Group{.values = around(variation, runs)}});
+  return {.chosen = std::move(choices), .parts = {of.means.size() - 1}};
 }
 
 results::Dimension dimension(std::string name, std::string solver) {
@@ -37,18 +37,21 @@ results::Dimension dimension(std::string name, std::string solver) {
 
 // 2 choices for the study, and 2 for each of four solvers: 32 readings.
 Multiverse small(int runs) {
-  Multiverse multiverse{.dimensions = {dimension("way", ""), dimension("a", "IK-BA"), dimension("b", "BA"),
-                                       dimension("c", "DE"), dimension("d", "MO-PSO")},
-                        .solvers = {"IK-BA", "BA", "DE", "MO-PSO"},
-                        .studies = {}};
+  Multiverse multiverse;
+  multiverse.dimensions = {dimension("way", ""), dimension("a", "IK-BA"), dimension("b", "BA"), dimension("c", "DE"),
+                           dimension("d", "MO-PSO")};
+  multiverse.solvers = {"IK-BA", "BA", "DE", "MO-PSO"};
+  const auto chosen_of = [&](std::size_t d, std::size_t a, double error, double variation) {
+    return chosen(multiverse, {{d, a}}, error, variation, runs);
+  };
   for (std::size_t way : {0U, 1U}) {
     auto& study = multiverse.studies.emplace_back();
     study.chosen = {{0, way}};
     const double farther = way == 0 ? 1 : 1.5;
-    study.solvers = {{chosen({{1, 0}}, 1, 10, runs), chosen({{1, 1}}, 3, 40, runs)},
-                     {chosen({{2, 0}}, 2 * farther, 30, runs), chosen({{2, 1}}, 0.5, 30, runs)},
-                     {chosen({{3, 0}}, 1.02, 35, runs), chosen({{3, 1}}, 4, 9, runs)},
-                     {chosen({{4, 0}}, 5, 20, runs), chosen({{4, 1}}, 6, 10.2, runs)}};
+    study.solvers = {{chosen_of(1, 0, 1, 10), chosen_of(1, 1, 3, 40)},
+                     {chosen_of(2, 0, 2 * farther, 30), chosen_of(2, 1, 0.5, 30)},
+                     {chosen_of(3, 0, 1.02, 35), chosen_of(3, 1, 4, 9)},
+                     {chosen_of(4, 0, 5, 20), chosen_of(4, 1, 6, 10.2)}};
   }
   return multiverse;
 }
@@ -62,8 +65,9 @@ Readings by_hand(const Multiverse& multiverse, const Claim& claim) {
     for (std::size_t reading = 0; reading < 16; ++reading) {
       Observations of{.metric = "x", .quantity = "x", .rounding = claim.metrics.front()->rounding, .groups = {}};
       for (std::size_t s = 0; s < 4; ++s) {
-        of.groups.push_back({.name = multiverse.solvers[s],
-                             .values = study.solvers[s][(reading >> s) & 1].means[metric].front().values});
+        of.groups.push_back(
+            {.name = multiverse.solvers[s],
+             .values = multiverse.means[study.solvers[s][(reading >> s) & 1].parts.front()][metric].values});
       }
       if (claim.of == Of::spread) of = deviations(of);
       Tally tally;
@@ -119,9 +123,9 @@ TEST_CASE("the smallest sets of answers without which a claim does not fail are 
   CHECK(conditions["most_accurate"].fails == "only where a=1 or b=1");
 
   Multiverse by_default = small(few_runs);  // and where nothing or the default fails
-  for (auto& study : by_default.studies) study.solvers[1] = {chosen({}, 9, 50, few_runs)};
+  for (auto& study : by_default.studies) study.solvers[1] = {chosen(by_default, {}, 9, 50, few_runs)};
   CHECK(judged(paper, by_default, {}).conditions()[2].fails == "nowhere");
-  for (auto& study : by_default.studies) study.solvers[1] = {chosen({}, 0.1, 50, few_runs)};
+  for (auto& study : by_default.studies) study.solvers[1] = {chosen(by_default, {}, 0.1, 50, few_runs)};
   CHECK(judged(paper, by_default, {}).conditions()[2].fails == "in some seeds of the default, too");
 }
 
@@ -132,9 +136,7 @@ TEST_CASE("numbers of the same program by another seed are expected in the range
   Multiverse two = small(20);
   for (auto& study : two.studies) {
     for (auto& solver : study.solvers) {
-      for (auto& choice : solver) {
-        for (auto& means : choice.means) means.push_back(means[0]);
-      }
+      for (auto& choice : solver) choice.parts.push_back(choice.parts[0]);
     }
   }
   CHECK(judged(paper, two, {}).expected == 40.0);  // the very same numbers, of four solvers
@@ -144,8 +146,9 @@ TEST_CASE("a solver that diverges is not tested", "[papers]") {
   Multiverse multiverse = small(few_runs);
   for (auto& study : multiverse.studies) {
     for (auto& own : study.solvers[3]) {
-      own.means[0][0].values.pop_back();
-      own.means[0][0].lost = 1;
+      Group& means = multiverse.means[own.parts[0]][0];
+      means.values.pop_back();
+      means.lost = 1;
     }
   }
   const JudgedMultiverse result = judged(paper_named("slim2023"), multiverse, {});
