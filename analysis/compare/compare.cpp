@@ -272,8 +272,7 @@ std::vector<Pair> pairs_of(const Observations& of, const Plan& plan) {
 
 // Empty unless the mean or the median of the better one lies the other way.
 Headline usually_better(const Observations& of, const Plan& plan, const std::string& winner, const std::string& loser) {
-  Group better = *std::ranges::find(of.groups, winner, &Group::name);
-  Group other = *std::ranges::find(of.groups, loser, &Group::name);
+  Group better = of.groups[place_of(of, winner)], other = of.groups[place_of(of, loser)];
   keep_common_blocks(better, other);
   const auto is_worse = [&](double one, double two) {
     if (of.scale == Scale::ratio) one = std::max(one, of.floor), two = std::max(two, of.floor);
@@ -318,7 +317,7 @@ std::string_view name_of(Verdict verdict) {
 bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }
 
 std::vector<Finding> compare(const Observations& of, const Plan& plan) {
-  if (!plan.control.empty() && std::ranges::find(of.groups, plan.control, &Group::name) == of.groups.end())
+  if (!plan.control.empty() && place_of(of, plan.control) == of.groups.size())
     throw std::invalid_argument("the control '" + plan.control + "' is no group");
   std::vector<Pair> pairs = pairs_of(of, plan);
   const auto tested_pairs = static_cast<double>(std::max<std::size_t>(1, testable(pairs, plan.significance)));

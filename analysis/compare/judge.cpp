@@ -75,10 +75,8 @@ std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judg
       std::ranges::find(all, "evaluations", [](const Judged& of) { return of.observations.metric; });
   const auto cost = [&](const std::string& name) {
     if (evaluations == all.end()) return 0.0;
-    const auto& groups = evaluations->observations.groups;
-    const auto group = std::ranges::find(groups, name, &Group::name);
-    const double value =
-        group == groups.end() ? unknown : average_of(*evaluations, static_cast<std::size_t>(group - groups.begin()));
+    const std::size_t group = place_of(evaluations->observations, name);
+    const double value = group == evaluations->described.size() ? unknown : average_of(*evaluations, group);
     return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
   };
   std::vector<std::size_t> order(judged.described.size());

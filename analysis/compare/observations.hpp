@@ -1,8 +1,10 @@
 // Observations of one metric in groups, as `compare` and `describe` take them: what is odd was settled before.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/compare/doubt.hpp"
@@ -50,5 +52,10 @@ struct Observations {
   std::vector<Group> groups = {};
   std::vector<Doubt> doubts = {};
 };
+
+// The place of a group; their number if there is none of this name.
+inline std::size_t place_of(const Observations& of, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(of.groups, name, &Group::name) - of.groups.begin());
+}
 
 }  // namespace ikbench::compare

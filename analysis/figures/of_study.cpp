@@ -242,7 +242,7 @@ std::vector<BoxRow> box_rows(const Judged& metric, const DrawnUnit& unit, const 
                              const Look& look) {
   std::vector<BoxRow> rows;
   for (const std::string& name : shown) {
-    const auto group = std::ranges::find(metric.observations.groups, name, &Group::name);
+    const Group* const group = &metric.observations.groups[place_of(metric.observations, name)];
     const compare::Description all = describe(*group);
     BoxRow& row =
         rows.emplace_back(BoxRow{.label = name_of(look, name), .style = style_of(look, name), .values = group->values});
@@ -265,11 +265,9 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
                                   const std::function<void(Dot&)>& add_printed) {
   const Judged *const errors = judged_of(judged, error), *const motions = judged_of(judged, motion);
   if (errors == nullptr || motions == nullptr || motions->observations.is_of_solved) return std::nullopt;
-  const bool are_means = motions->plan.test == results::Plan::Test::means;
-  const std::string average = are_means ? "mean" : "median";
-  const auto value = [&](const Judged& of, const std::string& solver) {
-    const compare::Description all = describe(*std::ranges::find(of.observations.groups, solver, &Group::name));
-    return are_means ? all.mean : all.median;
+  const std::string average = motions->plan.test == results::Plan::Test::means ? "mean" : "median";
+  const auto value = [](const Judged& of, const std::string& solver) {
+    return average_of(of, place_of(of.observations, solver));
   };
   std::vector<Dot> dots;
   const double factor = drawn_unit(judged.study, errors->observations.unit).factor;

@@ -146,10 +146,9 @@ PrintedRows printed_rows(const Paper& paper, const Metric& metric) {
 }
 
 Description numbers_of(const Judged& judged, std::string_view solver) {
-  const std::vector<Group>& groups = judged.observations.groups;
-  const auto group = std::ranges::find(groups, solver, &Group::name);
-  if (group == groups.end() || group->lost > 0) return {};
-  return judged.described[static_cast<std::size_t>(group - groups.begin())];
+  const std::size_t group = place_of(judged.observations, solver);
+  return group == judged.described.size() || judged.observations.groups[group].lost > 0 ? Description()
+                                                                                        : judged.described[group];
 }
 
 Timed timed(const StudyResults& study, std::string_view solver, double limit_ms) {
@@ -223,8 +222,10 @@ std::vector<std::string> rates_sentences(const Repeated& of) {
 std::vector<show::Cell> beside(const Judged& judged, const std::string& solver, const PrintedRow* row) {
   const Description ours = numbers_of(judged, solver);
   const bool is_time = judged.observations.unit == "s";
-  const auto group = std::ranges::find(judged.observations.groups, solver, &Group::name);
-  const auto ranges = row && ours.n > 0 && !is_time ? predicted_ranges(group->values, row->numbers.n) : std::nullopt;
+  const auto ranges =
+      row && ours.n > 0 && !is_time
+          ? predicted_ranges(judged.observations.groups[place_of(judged.observations, solver)].values, row->numbers.n)
+          : std::nullopt;
   std::vector<show::Cell> cells;
   for (std::size_t s = 0; s < statistics.size(); ++s) {
     const double number = ours.*statistics[s].of;

@@ -110,14 +110,12 @@ std::optional<Judged> judged_print(const Claim& claim, const Repeated& of, const
 }
 
 double mean_of(const Judged& judged, std::string_view solver) {
-  const auto& groups = judged.observations.groups;
-  return judged.described[static_cast<std::size_t>(std::ranges::find(groups, solver, &Group::name) - groups.begin())]
-      .mean;
+  return judged.described[place_of(judged.observations, solver)].mean;
 }
 
 // "at most 1e-06" where the study ends its solves there.
 std::string mean_words(const Judged& judged, const std::string& solver) {
-  const Group& group = *std::ranges::find(judged.observations.groups, solver, &Group::name);
+  const Group& group = judged.observations.groups[place_of(judged.observations, solver)];
   const double mean = mean_of(judged, solver);
   if (group.lost > 0) return "not known";
   return (group.at_most > 0 && mean <= group.at_most ? "at most " : "") + number_text(mean);

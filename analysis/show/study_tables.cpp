@@ -43,9 +43,9 @@ std::optional<Interval> interval_of(const Judged& judged, const Description& its
 // finding of the pair stands in its place.
 Cell result_cell(const Shown& shown, const Judged& judged, const std::string& solver, const std::string& reference) {
   const std::vector<Group>& groups = judged.observations.groups;
-  const auto group = std::ranges::find(groups, solver, &Group::name);
-  if (group == groups.end() || (group->lost > 0 && !judged.observations.tells_incomplete)) return {};
-  const auto i = static_cast<std::size_t>(group - groups.begin());
+  const std::size_t i = place_of(judged.observations, solver);
+  if (i == groups.size() || (groups[i].lost > 0 && !judged.observations.tells_incomplete)) return {};
+  const Group* const group = &groups[i];
   const Finding* const pair = finding_of(judged, solver, reference);
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const bool is_untested = group->is_apart || group->lost > 0 || (pair && finding.verdict == Verdict::not_tested);

@@ -25,11 +25,6 @@ bool counts(const Judged& judged) {  // 88 of 100
 
 const std::string& name_of(const Judged& judged, std::size_t group) { return judged.observations.groups[group].name; }
 
-std::size_t place_of(const Judged& judged, const std::string& name) {
-  const std::vector<Group>& groups = judged.observations.groups;
-  return static_cast<std::size_t>(std::ranges::find(groups, name, &Group::name) - groups.begin());
-}
-
 // A group's number: "88", "0.42"; of the first also the whole or the unit: "100 of 100 targets", "0.017 mm".
 std::string number_of(const Shown& shown, const Judged& judged, std::size_t group, std::size_t first) {
   const bool is_first = group == first;
@@ -121,8 +116,8 @@ std::string all_or_none(const Shown& shown) {
 std::string usual(const Judged& judged) {
   const Observations& of = judged.observations;
   const Headline& head = judged.headline;
-  const Description &its = judged.described[place_of(judged, head.usual)],
-                    &theirs = judged.described[place_of(judged, head.other)];
+  const Description &its = judged.described[place_of(of, head.usual)],
+                    &theirs = judged.described[place_of(of, head.other)];
   const auto two = [&](double one, double other) {
     return fmt::format("{} and {}{}{}", number_text(one), number_text(other), of.unit.empty() ? "" : " ", of.unit);
   };
@@ -144,15 +139,15 @@ std::string usual(const Judged& judged) {
 
 std::string against_control(const Shown& shown) {
   const Judged& judged = shown.decisive();
-  const std::size_t control = place_of(judged, judged.plan.control);
+  const std::size_t control = place_of(judged.observations, judged.plan.control);
   std::vector<std::string> parts;
   for (const Verdict verdict :
        {Verdict::better, Verdict::worse, Verdict::same, Verdict::undecided, Verdict::not_tested}) {
     std::vector<std::string> who;
     for (const Finding& finding : judged.findings) {
       if (finding.verdict == verdict)
-        who.push_back(
-            fmt::format("{} ({})", finding.first, number_of(shown, judged, place_of(judged, finding.first), control)));
+        who.push_back(fmt::format("{} ({})", finding.first,
+                                  number_of(shown, judged, place_of(judged.observations, finding.first), control)));
     }
     if (!who.empty()) parts.push_back(fmt::format("{} {}", names_of(who), compare::name_of(verdict)));
   }
