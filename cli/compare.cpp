@@ -8,7 +8,6 @@
 
 #include "analysis/compare/gate.hpp"
 #include "analysis/show/report.hpp"
-#include "analysis/show/screen.hpp"
 #include "analysis/show/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"

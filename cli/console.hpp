@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/progress.hpp"
+#include "experiments/workers.hpp"
 
 namespace ikbench::cli {
 

@@ -10,7 +10,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "analysis/compare/metrics.hpp"
+#include "analysis/compare/observe.hpp"
 #include "analysis/show/block.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"

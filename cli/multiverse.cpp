@@ -1,6 +1,4 @@
 // ikbench multiverse: the claims of a paper in every reading of what it leaves open.
-#include "cli/multiverse.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
+#include "experiments/series_means.hpp"
 #include "experiments/study_reader.hpp"
 #include "numerics/json.hpp"
 #include "results/files.hpp"

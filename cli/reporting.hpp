@@ -7,15 +7,13 @@
 #include <vector>
 
 #include "analysis/compare/study.hpp"
+#include "analysis/papers/multiverse.hpp"
 #include "analysis/show/report.hpp"
 #include "cli/options.hpp"
+#include "experiments/multiverse.hpp"
+#include "experiments/runner.hpp"
 #include "results/figure_style.hpp"
 #include "results/store.hpp"
-
-namespace ikbench::experiments {
-struct RunRequest;
-struct Study;
-}  // namespace ikbench::experiments
 
 namespace ikbench::cli {
 
@@ -48,7 +46,7 @@ void announce(show::Reported reported, const std::filesystem::path& folder, cons
 void write_and_announce(const results::Store& store, const std::string& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments);
 
-// Reads a study, computes the errors of all its solves again (experiments/recheck.hpp), and passes each on to `also`.
+// Reads a study, computes the errors of all its solves again (experiments/runner.hpp), and passes each on to `also`.
 compare::StudyResults checked_study(const results::Store& store, const results::StudyEntry& entry,
                                     const results::TakeSolve& also = {});
 // The same, and writes the solves into the folder's solves.csv, which belongs to its report.
@@ -70,6 +68,19 @@ void add_run_options(CLI::App& command, RunArguments& arguments);
 std::optional<std::string> run_study(const experiments::Study& study, const std::filesystem::path& folder,
                                      experiments::RunRequest request,
                                      results::Store::Mode mode = results::Store::Mode::write);
+
+struct SeriesArguments {
+  std::string title;             // title of the progress
+  std::filesystem::path folder;  // folder of series.csv, which keeps finished series
+  int jobs = 1;
+};
+// Solves all combinations of what a paper leaves open, with progress (multiverse.cpp). Returns nothing if the request
+// was cancelled: shares need all readings.
+std::optional<papers::Multiverse> solved_multiverse(const std::string& study,
+                                                    const std::vector<results::Dimension>& varied,
+                                                    const experiments::MultiverseRequest& request,
+                                                    const SeriesArguments& arguments);
+
 // Writes and draws a figure, and warns if it was not drawn.
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options);
 std::filesystem::path store_in(const std::filesystem::path& folder);

@@ -12,11 +12,9 @@
 #include <utility>
 
 #include "analysis/papers/claims.hpp"
-#include "analysis/slim2023/figures.hpp"
-#include "analysis/slim2023/tables.hpp"
+#include "analysis/slim2023/slim2023.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/multiverse.hpp"
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study_reader.hpp"

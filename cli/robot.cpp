@@ -7,8 +7,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "analysis/figures/arm.hpp"
 #include "analysis/figures/figure.hpp"
+#include "analysis/figures/of_study.hpp"
 #include "analysis/figures/plots.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -136,9 +136,7 @@ std::string tool_text(const Robot& arm, const Configuration& q) {
 
 Figure picture(const Robot& arm, const Configuration& q, const std::string& caption) {
   figures::PathRows rows;
-  auto& [label, corners] = rows.arms.emplace_back(arm.name, std::vector<figures::Corner>());
-  for (const Point& point : arm_points(arm, q))
-    corners.push_back({point[0] / centimetre, point[1] / centimetre, point[2] / centimetre});
+  rows.arms.emplace_back(arm.name, corners_of(arm, q));
   return path({.name = "robot", .caption = caption}, rows);
 }
 

@@ -10,7 +10,7 @@
 
 #include "analysis/csv/user_csv.hpp"
 #include "analysis/figures/of_study.hpp"
-#include "analysis/show/screen.hpp"
+#include "analysis/show/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"

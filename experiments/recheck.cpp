@@ -1,5 +1,3 @@
-#include "experiments/recheck.hpp"
-
 #include <fmt/core.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/runner.hpp"
 #include "experiments/verifier.hpp"
 #include "numerics/units.hpp"
 #include "results/definition.hpp"

@@ -1,14 +1,23 @@
-// Threads that work side by side, and the queue where they hand in their records.
+// Threads that work side by side, how far they are, and the queue where they hand in their records.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "results/record.hpp"
 
 namespace ikbench::experiments {
+
+struct Progress {
+  std::int64_t done = 0;  // solves, including those that the store already had
+  std::int64_t total = 0;
+  std::int64_t reused = 0;              // those of `done` that the store already had
+  std::vector<std::string> notes = {};  // at the end: one sentence per program about more than its solves
+};
 
 // Calls `worker` in `jobs` threads and returns when all have ended; one job runs in this thread. Rethrows what a worker
 // throws.

@@ -1,10 +1,9 @@
-#include "analysis/compare/doubt.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
 
+#include "analysis/compare/observations.hpp"
 #include "numerics/names.hpp"
 
 namespace ikbench::compare {

@@ -1,11 +1,10 @@
-#include "analysis/compare/metrics.hpp"
-
 #include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "analysis/compare/describe.hpp"
+#include "analysis/compare/observe.hpp"
 #include "analysis/compare/study.hpp"
 #include "numerics/names.hpp"
 #include "numerics/units.hpp"

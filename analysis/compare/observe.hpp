@@ -1,14 +1,41 @@
 // The one door from solves to numbers that are compared: what is odd becomes a doubt here, and what passes is finite.
+// Metrics are the table of metrics.inc.
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
-#include "analysis/compare/doubt.hpp"
-#include "analysis/compare/metrics.hpp"
+#include "analysis/compare/observations.hpp"
 #include "analysis/compare/study.hpp"
 
 namespace ikbench::compare {
+
+struct Solve;
+struct StudyResults;
+using Run = std::span<const Solve>;  // the solves of one run, by point
+
+// share: solved or not. error: a distance from the target. cost: effort for an answer; with a tolerance, only of
+// targets that both solvers of a pair solved. time: a cost that is compared only where times are comparable.
+enum class Kind { share, error, cost, time };
+
+struct Metric {
+  std::string_view column;  // name in files and on the command line
+  std::string_view slug;    // of files and anchors
+  std::string_view name;    // in text
+  std::string_view unit;    // of its values; empty: none
+  Kind kind;
+  Scale scale;
+  double floor;      // of ratios: a smaller value counts as this
+  double rounding;   // values that differ by no more are equal
+  bool is_reported;  // in every report; else only where a claim or a command names it
+  double (*value)(const Solve& solve, const StudyResults& study);  // NaN: the solve has none
+  double (*of_run)(Run run);                                       // in place of value
+};
+
+std::span<const Metric> metrics();
+// Throws std::invalid_argument, which lists all, if no row has this column.
+const Metric& metric_named(std::string_view column);
 
 bool gave_answer(const Solve& solve);
 // All solves are the same, bit for bit, and took as many evaluations.

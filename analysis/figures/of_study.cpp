@@ -10,8 +10,6 @@
 #include <span>
 #include <utility>
 
-#include "analysis/figures/arm.hpp"
-#include "analysis/figures/solver_styles.hpp"
 #include "numerics/names.hpp"
 #include "numerics/units.hpp"
 #include "robots/robot.hpp"
@@ -375,6 +373,32 @@ std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Aver
   return all;
 }
 
+std::vector<Corner> corners_of(const robots::Robot& arm, const Eigen::VectorXd& q) {
+  std::vector<Corner> corners{{0, 0, 0}};
+  const auto add = [&](const Eigen::Vector3d& at) {
+    corners.push_back({at.x() / centimetre, at.y() / centimetre, at.z() / centimetre});
+  };
+  robots::Description joints;  // up to the corner
+  for (const robots::DescribedJoint& joint : arm.description) {
+    joints.push_back(joint);
+    add(robots::pose_of(joints, q).translation());
+  }
+  if (joints.empty()) {
+    add(arm.chain.base().position);
+    std::vector<robots::DhLink> links;
+    for (const robots::DhLink& link : arm.chain.links()) {
+      links.push_back(link);
+      for (const double along_x : {0.0, link.a}) {
+        links.back().a = along_x;
+        add(robots::Chain(links, arm.chain.base(), {}).position(q.head(static_cast<Eigen::Index>(links.size()))));
+      }
+    }
+    add(arm.chain.position(q));
+  }
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());  // a length of 0 is no corner
+  return corners;
+}
+
 PathRows path_rows(const StudyResults& study, const std::string& solver, std::size_t arms, const Look& look) {
   const std::span<const SolveRecord> solves = study.first_run_of(solver);
   const auto corner_of = [](std::span<const double> metres) {
@@ -394,9 +418,7 @@ PathRows path_rows(const StudyResults& study, const std::string& solver, std::si
     const Eigen::Map<const Eigen::VectorXd> q(solve.answer_rad.data(),
                                               static_cast<Eigen::Index>(solve.answer_rad.size()));
     if (arms == 0 || i % every != 0 || !arm || q.size() != arm->joints() || !q.allFinite()) continue;
-    std::vector<Corner>& corners =
-        rows.arms.emplace_back(fmt::format("arm at point {}", solve.point), std::vector<Corner>()).second;
-    for (const Point& point : arm_points(*arm, q)) corners.push_back(corner_of(point));
+    rows.arms.emplace_back(fmt::format("arm at point {}", solve.point), corners_of(*arm, q));
   }
   return rows;
 }

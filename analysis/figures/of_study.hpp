@@ -2,6 +2,7 @@
 // what has one value a point shows the first run of each solver.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "analysis/figures/plots.hpp"
 #include "results/figure_style.hpp"
 #include "results/store.hpp"
+#include "robots/robot.hpp"
 
 namespace ikbench::figures {
 
@@ -72,5 +74,19 @@ struct JointRows {
   std::vector<JointColumn> columns;
 };
 JointRows joint_rows(const compare::StudyResults& study, const Look& look);
+
+// The corners of an arm from the base to the tool: the origins of a description's joints, or the ends of the table's
+// steps along z and x.
+std::vector<Corner> corners_of(const robots::Robot& arm, const Eigen::VectorXd& q);
+
+struct NamedSolver {
+  std::string label, algorithm;
+};
+
+// The line styles of all solvers of a report, by label. A solver has the colour of style.colours, or else, if it is
+// built in, its own of the palette; each other algorithm gets the colour that fewest have. From a palette of fewer than
+// seven all get them in order. Solvers of one colour, such as two variants of one algorithm, have different markers and
+// dashes. Colours of style.colours that the palette lacks are added to it.
+std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, results::FigureStyle& style);
 
 }  // namespace ikbench::figures

@@ -1,11 +1,10 @@
-#include "analysis/figures/solver_styles.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "analysis/figures/of_study.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::figures {

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <map>
 
-#include "analysis/papers/rules.hpp"
 #include "analysis/show/text.hpp"
 #include "numerics/names.hpp"
 

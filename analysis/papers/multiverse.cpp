@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "analysis/papers/rules.hpp"
+#include "analysis/papers/claims.hpp"
 
 namespace ikbench::papers {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "analysis/figures/plots.hpp"
-#include "analysis/papers/rules.hpp"
+#include "analysis/papers/claims.hpp"
 #include "analysis/show/text.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/toml_table.hpp"

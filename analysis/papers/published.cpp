@@ -1,4 +1,4 @@
-#include "analysis/papers/published.hpp"
+#include "results/published.hpp"
 
 #include <fmt/core.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "analysis/papers/paper.hpp"
 #include "numerics/number.hpp"
-#include "results/published.hpp"
 
 namespace ikbench::papers {
 

@@ -1,5 +1,3 @@
-#include "analysis/papers/rules.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "analysis/figures/of_study.hpp"
+#include "analysis/papers/claims.hpp"
 #include "analysis/show/shown.hpp"
 #include "analysis/show/text.hpp"
 

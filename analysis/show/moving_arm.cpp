@@ -1,10 +1,9 @@
-#include "analysis/show/moving_arm.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 
+#include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
 #include "numerics/json.hpp"
 #include "numerics/units.hpp"

@@ -4,7 +4,6 @@
 #include <array>
 #include <system_error>
 
-#include "analysis/show/moving_arm.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"

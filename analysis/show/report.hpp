@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/compare/study.hpp"
 #include "analysis/show/block.hpp"
 #include "analysis/show/shown.hpp"
 
@@ -30,8 +31,8 @@ Reported reported(compare::JudgedStudy judged, std::vector<figures::Figure> figu
 // first begins with the headline.
 std::vector<Blocks> sections_of(const Reported& reported);
 
-// They show the pictures that stand in `figures` of the report's folder. The page also has the moving arm
-// (moving_arm.hpp), if there is one.
+// They show the pictures that stand in `figures` of the report's folder. The page also has the moving arm, if
+// there is one.
 std::string to_page(const std::string& title, const std::vector<Blocks>& sections,
                     const std::optional<std::string>& arm, const std::filesystem::path& folder,
                     const std::string& program);
@@ -52,5 +53,18 @@ struct Published {
 // made it, with its version. Throws std::invalid_argument if the folder cannot be written.
 Published publish(const Reported& reported, const std::filesystem::path& folder, const figures::RenderOptions& options,
                   const std::string& program = {});
+
+// The last screen of `run`, `report`, `compare` and `stats`: the headline, the table of results, pairs, warnings; where
+// `page` is, if it is not empty. Pairs are those of the metric of the headline, up to most_pairs (words.hpp); where
+// there are only two groups, those of every metric.
+std::string screen(const Shown& shown, const std::string& page = {});
+
+// Of the page's moving arm. JSON, safe inside a script element: the arm, and targets, starts and answers of each
+// solver's first run with the joints outside their limits (at most 200 points of 24 solvers, in the given order of
+// labels). nullopt if the definition does not describe the arm or nothing is solved.
+std::optional<std::string> moving_arm(const compare::StudyResults& study, const std::vector<std::string>& order);
+
+// The installed three.js and its OrbitControls; nullopt if they are not installed.
+std::optional<std::string> drawing_library();
 
 }  // namespace ikbench::show

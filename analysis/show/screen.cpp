@@ -1,11 +1,10 @@
-#include "analysis/show/screen.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>
 #include <sstream>
 
+#include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 

@@ -1,11 +1,10 @@
-#include "analysis/slim2023/figures.hpp"
 
 #include <fmt/format.h>
 
 #include <string>
 #include <string_view>
 
-#include "analysis/slim2023/tables.hpp"
+#include "analysis/slim2023/slim2023.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {

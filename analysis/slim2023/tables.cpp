@@ -1,5 +1,3 @@
-#include "analysis/slim2023/tables.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/show/text.hpp"
+#include "analysis/slim2023/slim2023.hpp"
 #include "numerics/units.hpp"
 
 namespace ikbench::slim2023 {

@@ -1,12 +1,11 @@
 // A stored error that does not follow from its answer is found.
-#include "experiments/recheck.hpp"
-
 #include <fmt/format.h>
 
 #include <functional>
 #include <limits>
 #include <memory>
 
+#include "experiments/runner.hpp"
 #include "tests/experiments/samples.hpp"
 
 namespace {

@@ -1,7 +1,6 @@
-#include "analysis/figures/arm.hpp"
-
 #include <numbers>
 
+#include "analysis/figures/of_study.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
@@ -22,20 +21,20 @@ const char* const iiwa = R"({"base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0,
   {"a_m": 0, "alpha_deg": 90, "d_m": 0, "offset_deg": 0},
   {"a_m": 0, "alpha_deg": 0, "d_m": 0.126, "offset_deg": 0}]})";
 
-std::vector<Point> points_of(const robots::Robot& arm, const std::vector<double>& angles) {
-  return arm_points(arm, Eigen::Map<const Eigen::VectorXd>(angles.data(), static_cast<Eigen::Index>(angles.size())));
+std::vector<Corner> corners_of_arm(const robots::Robot& arm, const std::vector<double>& angles) {
+  return corners_of(arm, Eigen::Map<const Eigen::VectorXd>(angles.data(), static_cast<Eigen::Index>(angles.size())));
 }
 
-std::vector<Point> points_of(const char* definition, const std::vector<double>& angles) {
-  return points_of(robots::stored_arm(definition).value(), angles);
+std::vector<Corner> corners_of_arm(const char* definition, const std::vector<double>& angles) {
+  return corners_of_arm(robots::stored_arm(definition).value(), angles);
 }
 
-void check(const std::vector<Point>& points, const std::vector<Point>& expected) {
+void check(const std::vector<Corner>& points, const std::vector<Corner>& expected) {
   REQUIRE(points.size() == expected.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       CAPTURE(i, axis);
-      CHECK(points[i][axis] == Approx(expected[i][axis]).margin(1e-12));
+      CHECK(points[i][axis] == Approx(100 * expected[i][axis]).margin(1e-10));  // cm
     }
   }
 }
@@ -44,25 +43,25 @@ void check(const std::vector<Point>& points, const std::vector<Point>& expected)
 
 TEST_CASE("the Dobot at the printed angles of point 1 has its tool at the first point of the circle", "[arm]") {
   const double degree = std::numbers::pi / 180;
-  const auto points = points_of(robots::robot("dobot_magician"), {34.8 * degree, 66.5 * degree, 49.5 * degree});
+  const auto points = corners_of_arm(robots::robot("dobot_magician"), {34.8 * degree, 66.5 * degree, 49.5 * degree});
   REQUIRE(points.size() == 5);
   // (16 + 7, 16, 0) cm; angles printed to 0.1 deg are good for about 0.03 cm
-  CHECK(points[4][0] == Approx(0.23).margin(4e-4));
-  CHECK(points[4][1] == Approx(0.16).margin(4e-4));
-  CHECK(points[4][2] == Approx(0.0).margin(4e-4));
+  CHECK(points[4][0] == Approx(23).margin(0.04));
+  CHECK(points[4][1] == Approx(16).margin(0.04));
+  CHECK(points[4][2] == Approx(0.0).margin(0.04));
 }
 
 TEST_CASE("the forearm's angle is that to the horizontal whatever the upper arm does", "[arm]") {
   // By hand: base turned to y, upper arm level, forearm straight down.
-  check(points_of(robots::robot("dobot_magician"), {quarter, quarter, quarter}),
+  check(corners_of_arm(robots::robot("dobot_magician"), {quarter, quarter, quarter}),
         {{0, 0, 0}, {0, 0, 0.058}, {0, 0.135, 0.058}, {0, 0.135, -0.089}, {0, 0.196, -0.089}});
 }
 
 TEST_CASE("a chain's corners are the shoulder, the elbow, the wrist and the tool", "[arm]") {
-  check(points_of(iiwa, std::vector<double>(7, 0)),
+  check(corners_of_arm(iiwa, std::vector<double>(7, 0)),
         {{0, 0, 0}, {0, 0, 0.36}, {0, 0, 0.78}, {0, 0, 1.18}, {0, 0, 1.306}});
   // By hand: leaning forward by a quarter turn, then the elbow back up by one.
-  check(points_of(iiwa, {0, quarter, 0, quarter, 0, 0, 0}),
+  check(corners_of_arm(iiwa, {0, quarter, 0, quarter, 0, 0, 0}),
         {{0, 0, 0}, {0, 0, 0.36}, {0.42, 0, 0.36}, {0.42, 0, 0.76}, {0.42, 0, 0.886}});
 }
 
@@ -71,7 +70,7 @@ TEST_CASE("a link's length, offset and the tip are where Denavit and Hartenberg 
     "tool": {"position_m": [0, 0.5, 0], "rpy_deg": [0, 0, 0]},
     "links": [{"a_m": 2, "alpha_deg": 90, "d_m": 1, "offset_deg": 90}]})";
   // x turns to y; a along it; alpha then turns the tip's y up.
-  check(points_of(one, {0}), {{0, 0, 0}, {0, 0, 1}, {0, 2, 1}, {0, 2, 1.5}});
+  check(corners_of_arm(one, {0}), {{0, 0, 0}, {0, 0, 1}, {0, 2, 1}, {0, 2, 1.5}});
 }
 
 TEST_CASE("slides, coupled links, base and tool are where the solves had them", "[arm]") {
@@ -80,6 +79,6 @@ TEST_CASE("slides, coupled links, base and tool are where the solves had them", 
     {"joint": "coupled", "offset_deg": 0, "d_m": 0, "a_m": 0.3, "alpha_deg": 90, "limits_deg": [-90, 90]}],
     "base": {"position_m": [1, 0, 0], "rpy_deg": [0, 0, 90]}, "tool": {"position_m": [0, 0.125, 0], "rpy_deg": [0, 0, 0]}})";
   // By hand: the base turns x to y, the slide's offset to -x; the coupled link points down, and its twist turns y up.
-  check(points_of(arm, {0.25, quarter}),
+  check(corners_of_arm(arm, {0.25, quarter}),
         {{0, 0, 0}, {1, 0, 0}, {1, 0, 0.75}, {0.8, 0, 0.75}, {0.8, 0, 0.45}, {0.8, 0, 0.575}});
 }

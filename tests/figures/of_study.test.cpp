@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "analysis/slim2023/figures.hpp"
+#include "analysis/slim2023/slim2023.hpp"
 #include "tests/catch.hpp"
 #include "tests/compare/studies.hpp"
 #include "tests/contains.hpp"

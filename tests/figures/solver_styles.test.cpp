@@ -1,6 +1,4 @@
 // The colours of solvers: the same in every report, and no two looks alike.
-#include "analysis/figures/solver_styles.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/figures/of_study.hpp"
 #include "experiments/study_reader.hpp"
 #include "results/store.hpp"
 #include "tests/catch.hpp"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "analysis/papers/rules.hpp"
 #include "analysis/show/shown.hpp"
 #include "tests/papers/studies.hpp"
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/papers/rules.hpp"
+#include "analysis/papers/claims.hpp"
 #include "tests/papers/studies.hpp"
 
 using namespace ikbench;

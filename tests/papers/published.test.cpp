@@ -1,10 +1,9 @@
-#include "analysis/papers/published.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
 
+#include "analysis/papers/paper.hpp"
 #include "tests/papers/studies.hpp"
 
 using namespace ikbench;

@@ -1,4 +1,5 @@
-#include "analysis/slim2023/tables.hpp"
+#include "analysis/slim2023/slim2023.hpp"
+
 #include "tests/papers/studies.hpp"
 
 using namespace ikbench;

@@ -7,8 +7,6 @@
 #include <regex>
 #include <sstream>
 
-#include "analysis/show/moving_arm.hpp"
-#include "analysis/show/screen.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "numerics/json.hpp"

@@ -1,4 +1,5 @@
-// What Slim et al. 2023 adds to a report: Tables 3 to 8 beside the printed numbers, and the answer in some sentences.
+// What Slim et al. 2023 adds to a report: figures, Tables 3 to 8 beside the printed
+// numbers, and the answer in some sentences.
 #pragma once
 
 #include <array>
@@ -7,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/compare/judge.hpp"
 #include "analysis/figures/figure.hpp"
+#include "analysis/figures/of_study.hpp"
 #include "analysis/papers/claims.hpp"
 
 namespace ikbench::slim2023 {
@@ -37,5 +40,10 @@ std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claim
 // Further sections of the report; `figures_of_circle` stand by Table 8.
 std::vector<show::Blocks> sections(const papers::Repeated& of,
                                    const std::vector<figures::Figure>& figures_of_circle = {});
+
+// Of its helix 5 the path with the arm, 6 to 8 error, variation and time by point, 9 the joint angles, 10 to 12 box
+// plots beside the printed numbers; of its circle 14 it from above, 15 in space, 16 the joint angles, 17 the error by
+// point beside Table 8's, 18 the mean error by iteration. None if nothing was solved.
+std::vector<figures::Figure> figures_of(const compare::JudgedStudy& judged, const figures::Look& look);
 
 }  // namespace ikbench::slim2023
