@@ -16,21 +16,20 @@ namespace ikbench::results {
 enum class StopReason : std::uint8_t { iterations, tolerance, evaluations, time, not_finite, finished, gave_up };
 
 // The verifier's judgement of an answer: the first that applies of not_finite, claimed_but_wrong, refused,
-// limit_violated, tolerance_missed, ok. If a study enforces the joint limits, an answer that violates them is refused:
-// the arm stays where it was, and so does the record's answer. crashed to declined are for outside programs that gave
-// no answer, over_budget for answers that came too late; then the arm stays, too.
+// limit_violated, tolerance_missed, ok. From crashed on there is none in time: the arm stays where it was, and so does
+// the record's answer.
 enum class Status : std::uint8_t {
-  ok,
-  tolerance_missed,
-  limit_violated,
-  refused,
-  claimed_but_wrong,
-  not_finite,
-  crashed,         // it ended, could not be started, or was given up
-  timed_out,       // it did not answer within its patience
-  broke_protocol,  // its message made no sense
-  declined,        // it says that it cannot solve this
-  over_budget      // a program or library took far more time or evaluations than the study gives
+  ok,                 // within the tolerance, if there is one
+  tolerance_missed,   // farther off
+  limit_violated,     // a joint is outside its limits, which the study only records
+  refused,            // the same where the study enforces them: the arm stays
+  claimed_but_wrong,  // the solver says another error than its answer has
+  not_finite,         // no numbers, or an arithmetic that differs from the C library's
+  crashed,            // the program ended, could not be started, or was given up
+  timed_out,          // it did not answer within its patience
+  broke_protocol,     // its message made no sense
+  declined,           // it says that it cannot solve this
+  over_budget         // a program or library took far more time or evaluations than the study gives
 };
 
 // The circumstances of a solve's times. Only `clean` times are comparable, and `process`, those of another program,

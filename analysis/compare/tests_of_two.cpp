@@ -169,7 +169,8 @@ Summary placements(Values own, Values others, double shift) {
   return summarise(counts);
 }
 
-// Doubles in order as whole numbers; the function is its own inverse.
+// Doubles in order as whole numbers; the function is its own inverse. Bisection of these ends at a double after at most
+// 64 steps, whatever the sizes: halving the values would stop beside it, or take a thousand steps down to a tiny one.
 std::int64_t in_order(std::int64_t bits) {
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits - 1 : bits;
 }
