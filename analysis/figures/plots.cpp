@@ -491,7 +491,7 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& a
   figure.settings +=
       fmt::format("set tmargin at screen 1 - up(0.7)\nset xrange [0:{}]\nset xtics ({})\n{}",
                   pitch * static_cast<double>(panels.size()), fmt::join(ticks, ", "),
-                  fmt::format("set xlabel {} noenhanced\n", gnuplot_text(with_unit(about.quantity, about.unit))));
+                  fmt::format("set xlabel {} noenhanced\n", gnuplot_text(about.axis())));
   figure.plot = plotted(clauses);
   return figure;
 }
