@@ -90,7 +90,7 @@ void add_report(CLI::App& app, Invocation&) {
         arguments->out.empty() ? std::filesystem::path(file).parent_path() : std::filesystem::path(arguments->out);
     const Store store(file, Store::Mode::read);
     const StudyEntry study = chosen_study(store, arguments->study);
-    write_and_announce(store, study.name, folder.empty() ? "." : folder, arguments->report);
+    write_and_announce(store, study, folder.empty() ? "." : folder, arguments->report);
   });
 }
 

@@ -38,7 +38,7 @@ using namespace experiments;
 namespace {
 
 // Explains why solves that look done are made anew.
-void warn_of_left_aside(const Study& study, const Store& store) {
+void warn_of_left_aside(const StudyEntry& study, const Store& store) {
   const LeftAside aside = left_aside(study, store);
   if (aside.solves == 0) return;
   warn(fmt::format(
@@ -220,11 +220,10 @@ void announce(show::Reported reported, const std::filesystem::path& folder, cons
                                             : fmt::format("{}Report: {}\n", screen, page)));
 }
 
-void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
+void write_and_announce(const Store& store, const StudyEntry& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
-  const StudyEntry entry = store.study(study);
-  const FigureStyle style = styled(entry, arguments);
-  compare::JudgedStudy judged = compare::judge(exported_study(store, entry, folder));
+  const FigureStyle style = styled(study, arguments);
+  compare::JudgedStudy judged = compare::judge(exported_study(store, study, folder));
   std::vector<figures::Figure> pictures = figures::of_study(judged, figures::look_of(judged.study.entry.series, style));
   announce(show::reported(std::move(judged), std::move(pictures)), folder, arguments, style);
 }
@@ -249,8 +248,8 @@ StudyEntry chosen_study(const Store& store, const std::string& name) {
   return std::move(studies.front());
 }
 
-std::optional<std::string> run_study(const Study& study, const std::filesystem::path& folder, RunRequest request,
-                                     Store::Mode mode) {
+std::optional<std::string> run_study(const Study& study, const StudyEntry& stored, const std::filesystem::path& folder,
+                                     RunRequest request, Store::Mode mode) {
   if (const auto& arm = study.robot_of_file; arm != nullptr && !arm->tip_link.empty()) {
     say(fmt::format("arm: {}", arm->summary));
     for (const std::string& note : arm->notes) say(note);
@@ -272,8 +271,8 @@ std::optional<std::string> run_study(const Study& study, const std::filesystem::
   request.patience = std::chrono::milliseconds(mode == Store::Mode::write_shared ? 1000 : 20);
   Store store(store_in(folder), mode);
   for (const StudyEntry& earlier : store.studies()) {
-    if (earlier.name != study.name || earlier.definition == to_json(study)) continue;
-    const std::string difference = difference_in_solves(earlier.definition, to_json(study));
+    if (earlier.name != study.name || earlier.definition == stored.definition) continue;
+    const std::string difference = difference_in_solves(earlier.definition, stored.definition);
     if (difference.empty()) {
       if (definition_of(earlier.definition).plan != study.analysis)
         warn(fmt::format("the plan of {} in {} has changed; the report will say so", study.name, folder.string()));
@@ -286,7 +285,7 @@ std::optional<std::string> run_study(const Study& study, const std::filesystem::
                                                         : "report is overwritten"));
     }
   }
-  warn_of_left_aside(study, store);
+  warn_of_left_aside(stored, store);
   Progress progress;
   bool is_cancelled = false;
   {
@@ -294,7 +293,7 @@ std::optional<std::string> run_study(const Study& study, const std::filesystem::
     request.progress = [&](const Progress& now) { bar.show(now); };
     CancelOnSignal signals;
     request.cancelled = &signals.requested();
-    progress = run(study, store, request);
+    progress = run(study, stored, store, request);
     is_cancelled = signals.end();
   }
   for (const std::string& note : progress.notes) warn(note);

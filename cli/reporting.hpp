@@ -43,8 +43,8 @@ std::vector<std::string> references_of(std::string_view name);
 void announce(show::Reported reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const results::FigureStyle& style, const std::string& screen = {});
 // The report of a study of the store, written and announced.
-void write_and_announce(const results::Store& store, const std::string& study, const std::filesystem::path& folder,
-                        const ReportArguments& arguments);
+void write_and_announce(const results::Store& store, const results::StudyEntry& study,
+                        const std::filesystem::path& folder, const ReportArguments& arguments);
 
 // Reads a study, computes the errors of all its solves again (experiments/runner.hpp), and passes each on to `also`.
 compare::StudyResults checked_study(const results::Store& store, const results::StudyEntry& entry,
@@ -63,10 +63,11 @@ struct RunArguments {
 
 void add_run_options(CLI::App& command, RunArguments& arguments);
 
-// Runs a study into the folder's store.sqlite, opened in this mode, with progress, and warns of targets out of reach.
-// Returns "six: 288 solves in out/six/store.sqlite"; after Ctrl-C it says how to continue, and returns nothing.
-std::optional<std::string> run_study(const experiments::Study& study, const std::filesystem::path& folder,
-                                     experiments::RunRequest request,
+// Runs a study, and its stored_study, into the folder's store.sqlite, opened in this mode, with progress, and warns of
+// targets out of reach. Returns "six: 288 solves in out/six/store.sqlite"; after Ctrl-C it says how to continue, and
+// returns nothing.
+std::optional<std::string> run_study(const experiments::Study& study, const results::StudyEntry& stored,
+                                     const std::filesystem::path& folder, experiments::RunRequest request,
                                      results::Store::Mode mode = results::Store::Mode::write);
 
 struct SeriesArguments {

@@ -64,19 +64,19 @@ std::vector<Study> studies_of(const Paper& paper, const Arguments& arguments) {
 
 // How many equal the references, which every machine should give, and which differ. Solvers of libraries have no
 // reference: their bits are the library's.
-std::string fingerprints_of(const Store& store, const std::vector<Study>& studies,
+std::string fingerprints_of(const Store& store, const std::vector<compare::JudgedStudy>& studies,
                             const std::vector<Study>& as_built_in) {
   std::vector<std::string> different;
   std::size_t compared = 0;
   for (std::size_t i = 0; i < studies.size(); ++i) {
-    const std::string& name = studies[i].name;
+    StudyEntry study = studies[i].study.entry;
     const std::string_view reference =
-        to_json(studies[i]) == to_json(as_built_in[i]) ? reference_fingerprint(name) : "";
+        study.definition == to_json(as_built_in[i]) ? reference_fingerprint(study.name) : "";
     if (reference.empty()) continue;
     ++compared;
-    StudyEntry entry = store.study(name);
-    std::erase_if(entry.series, [](const Series& each) { return !solvers::solver(each.algorithm).library.empty(); });
-    if (fingerprint(store, std::move(entry)).text != reference) different.push_back(name);
+    std::erase_if(study.series,
+                  [](const Series& series) { return !solvers::solver(series.algorithm).library.empty(); });
+    if (fingerprint(store, study).text != reference) different.push_back(study.name);
   }
   if (compared == 0) return "Fingerprints: no reference for this seed and number of runs";
   return fmt::format("Fingerprints: {} of {} equal the reference{}{}", compared - different.size(), compared,
@@ -108,16 +108,9 @@ void show_table(const show::Table& table, const Arguments& arguments) {
 }
 
 // The first of the studies is the paper's own.
-void report(const std::vector<Study>& studies, const Paper& paper, const Arguments& arguments,
+void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
             const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
-  const Store store(store_in(folder), Store::Mode::read);
-  std::vector<compare::JudgedStudy> all;
-  for (const Study& study : studies) {
-    check_is_stored(study, store);
-    const StudyEntry entry = store.study(study.name);
-    all.push_back(compare::judge(all.empty() ? exported_study(store, entry, folder) : checked_study(store, entry)));
-  }
-  const FigureStyle style = styled(store.study(paper.studies.front()), arguments.report);
+  const FigureStyle style = styled(all.front().study.entry, arguments.report);
   papers::Repeated repeated{.paper = paper, .study = all.front()};
   for (std::size_t i = 1; i < all.size(); ++i) repeated.companions.push_back(&all[i]);
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.conditions());
@@ -155,9 +148,9 @@ void report(const std::vector<Study>& studies, const Paper& paper, const Argumen
   if (!readings.claims.empty()) {
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
   }
-  announce(
-      reported, folder, arguments.report, style,
-      fmt::format("{}{}\n", papers::screen(sentences, claims), fingerprints_of(store, studies, studies_of(paper, {}))));
+  announce(reported, folder, arguments.report, style,
+           fmt::format("{}{}\n", papers::screen(sentences, claims),
+                       fingerprints_of(Store(store_in(folder), Store::Mode::read), all, studies_of(paper, {}))));
 }
 
 }  // namespace
@@ -193,21 +186,22 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(paper.studies.front()) : std::filesystem::path(arguments->run.out);
     const auto stop = [&] { invocation.exit_code = cancelled_exit_code(); };
-    const std::vector<Study> studies = studies_of(paper, *arguments);
-    for (const Study& study : studies) {
-      if (!run_study(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command})) return stop();
-      if (&study != &studies.front()) continue;
-      // The report judges it again, for another command may have written into the store by then.
+    std::vector<compare::JudgedStudy> judged;
+    for (const Study& study : studies_of(paper, *arguments)) {
+      const StudyEntry stored = stored_study(study);
+      if (!run_study(study, stored, folder, {.jobs = arguments->run.jobs, .command = invocation.command}))
+        return stop();
       const EndOnSignal signals(stopped);
       const Store store(store_in(folder), Store::Mode::read);
-      const compare::JudgedStudy judged = compare::judge(checked_study(store, store.study(study.name)));
-      show_table(papers::means_table({paper, judged}), *arguments);
+      const bool is_first = judged.empty();
+      judged.push_back(compare::judge(is_first ? exported_study(store, stored, folder) : checked_study(store, stored)));
+      if (is_first) show_table(papers::means_table({paper, judged.front()}), *arguments);
     }
     const auto readings = judged_readings(*arguments, paper, folder);
     if (!readings) return stop();
     const EndOnSignal signals(
         "Stopped before the report was complete. All solves are kept; run the same command again to write it.");
-    report(studies, paper, *arguments, folder, *readings);
+    report(judged, paper, *arguments, folder, *readings);
   });
 }
 

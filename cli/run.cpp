@@ -13,6 +13,7 @@
 #include "cli/reporting.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
+#include "experiments/study_writer.hpp"
 #include "numerics/names.hpp"
 
 namespace ikbench::cli {
@@ -87,7 +88,9 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (arguments->run.out.empty() && is_part)
       folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
     const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
-    const auto solved = run_study(study, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write);
+    const StudyEntry stored = stored_study(study);
+    const auto solved =
+        run_study(study, stored, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write);
     if (!solved) {
       invocation.exit_code = cancelled_exit_code();
       return;
@@ -97,8 +100,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       return;
     }
     const Store store(store_in(folder), Store::Mode::read);
-    check_is_stored(study, store);
-    write_and_announce(store, study.name, folder, arguments->report);
+    write_and_announce(store, stored, folder, arguments->report);
   });
 }
 

@@ -33,9 +33,10 @@ struct Chained {
 
 // The work of a study. A chain takes one bit, and more only if the store has some of its points.
 struct Work {
-  Work(const Study& of, int repeats, int jobs, Shard of_it = {})
-      : study(of), size(size_of(of)), shard(of_it), arm(arm_of(of)), points(of.path->points()) {
-    for (const SolverEntry& entry : study.solvers) solve_runners.emplace_back(study, entry, arm, repeats, jobs);
+  Work(const Study& asked, const std::vector<Series>& series, int repeats, int jobs, Shard part = {})
+      : study(asked), size(size_of(asked)), shard(part), arm(arm_of(asked)), points(asked.path->points()) {
+    for (std::size_t s = 0; s < series.size(); ++s)
+      solve_runners.emplace_back(study, study.solvers[s], series[s].key, arm, repeats, jobs);
     done.resize(solve_runners.size() * static_cast<std::size_t>(study.runs));
     for (int run = 1; run <= study.runs; ++run)
       if (has_any(shard, size, run)) runs.push_back(run);
@@ -117,7 +118,7 @@ std::int64_t move_past_stored(Work& work, const Store& store) {
       else
         work.begun.emplace(index, std::move(chain));
     };
-    store.each_of_series(work.solve_runners[s].series().key, [&](const SolveRecord& record) {
+    store.each_of_series(work.solve_runners[s].key(), [&](const SolveRecord& record) {
       if (record.run > work.study.runs) return;
       if (record.run != run) {
         note();
@@ -184,21 +185,14 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
   record_queue.flush();
 }
 
-StudyEntry entry_of(const Work& work) {
-  StudyEntry entry{.name = work.study.name, .definition = to_json(work.study), .series = {}};
-  for (const SolveRunner& solve_runner : work.solve_runners) entry.series.push_back(solve_runner.series());
-  return entry;
-}
-
 // Describes the programs' behaviour, in the session and as sentences.
 std::vector<std::string> tell_of_programs(const Work& work, Store& store, std::int64_t session) {
   std::vector<std::string> sentences;
   for (const SolveRunner& solve_runner : work.solve_runners) {
     const std::string failure = solve_runner.last_failure();
     if (failure.empty()) continue;
-    const std::string& label = solve_runner.series().label;
-    sentences.push_back(fmt::format("{}: last failure: {}", label, failure));
-    store.add_to_session(session, {{"program." + label, "last failure: " + failure}});
+    sentences.push_back(fmt::format("{}: last failure: {}", solve_runner.label(), failure));
+    store.add_to_session(session, {{"program." + solve_runner.label(), "last failure: " + failure}});
   }
   return sentences;
 }
@@ -237,43 +231,34 @@ void solve_missing(Work& work, Store& store, const RunRequest& request, Progress
 }  // namespace
 
 Progress run(const Study& study, Store& store, const RunRequest& request) {
+  return run(study, stored_study(study), store, request);
+}
+
+Progress run(const Study& study, const StudyEntry& stored, Store& store, const RunRequest& request) {
   const bool times_count = request.jobs == 1 && !is_debug_build();
-  Work work(study, times_count ? study.repeats : 1, request.jobs, request.shard);
-  store.save_study(entry_of(work));
+  Work work(study, stored.series, times_count ? study.repeats : 1, request.jobs, request.shard);
+  store.save_study(stored);
   Progress progress{.total = solves_of(request.shard, work.size)};
   progress.done = progress.reused = move_past_stored(work, store);
   if (request.progress) request.progress(progress);
   if (progress.done < progress.total) solve_missing(work, store, request, progress);
-  if (progress.done == progress.total) check_is_stored(study, store);
   return progress;
 }
 
-LeftAside left_aside(const Study& study, const Store& store) {
+LeftAside left_aside(const StudyEntry& study, const Store& store) {
   LeftAside aside;
-  for (const SolverEntry& entry : study.solvers) {
-    const std::string key = series_key(study, entry);
-    const std::map<std::string, std::int64_t> solves = store.series_of_configuration(configuration_of(key));
-    if (solves.empty() || solves.contains(key)) continue;
-    aside.labels.push_back(entry.label);
-    for (const auto& [other, count] : solves) aside.solves += count;
+  for (const Series& series : study.series) {
+    const std::map<std::string, std::int64_t> solves = store.series_of_configuration(configuration_of(series.key));
+    if (solves.empty() || solves.contains(series.key)) continue;
+    aside.labels.push_back(series.label);
+    for (const auto& [key, count] : solves) aside.solves += count;
   }
   return aside;
 }
 
-void check_is_stored(const Study& study, const Store& store) {
-  const StudyEntry stored = store.study(study.name);
-  const bool same_series = std::ranges::equal(stored.series, study.solvers, {}, &Series::key,
-                                              [&](const SolverEntry& entry) { return series_key(study, entry); });
-  if (stored.definition == to_json(study) && same_series) return;
-  throw std::invalid_argument(fmt::format(
-      "another ikbench has meanwhile saved a different study named '{}' in this store; no solve is lost; give the other "
-      "study another name or --out, then run this one again for its report",
-      study.name));
-}
-
 void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
                  const std::atomic<bool>* cancelled) {
-  const Work work(study, 1, jobs);
+  const Work work(study, series_of(study), 1, jobs);
   RecordQueue record_queue([&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
@@ -286,7 +271,7 @@ bool moves_arm(const SolveRecord& solve, Start start) {
 
 SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target) {
   const Robot arm = arm_of(study);
-  const SolveRunner solve_runner(study, entry, arm);
+  const SolveRunner solve_runner(study, entry, series_key(study, entry), arm);
   return solve_runner.solve(*solve_runner.make_solver(), target, study.initial, 1, 1);
 }
 

@@ -30,8 +30,9 @@ struct RunRequest {
 // of solvers, or on what the store already had.
 // Each solve is timed as often as the study says, and its time is the median, if times are comparable: one job, no
 // debug build, and no end by wall time. Otherwise it is solved once.
-// Once all is solved, throws std::invalid_argument as check_is_stored does.
 Progress run(const Study& study, results::Store& store, const RunRequest& request);
+// The same for who has its stored_study, by which it can be read even if another process saves one of its name.
+Progress run(const Study& study, const results::StudyEntry& stored, results::Store& store, const RunRequest& request);
 
 // The stored solves that another version of the source made, for solvers without solves by this version. `run` leaves
 // them in place and solves anew.
@@ -39,11 +40,7 @@ struct LeftAside {
   std::vector<std::string> labels;
   std::int64_t solves = 0;
 };
-LeftAside left_aside(const Study& study, const results::Store& store);
-
-// Throws std::invalid_argument if the store's study of that name is another one, or another version of the source
-// solved it: another process saved it meanwhile.
-void check_is_stored(const Study& study, const results::Store& store);
+LeftAside left_aside(const results::StudyEntry& study, const results::Store& store);
 
 // Makes all solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time, in a
 // run in the order of its points. Each is made once, whatever the study's `repeats`. `cancelled` is checked before

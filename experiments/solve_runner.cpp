@@ -1,7 +1,6 @@
 #include "experiments/solve_runner.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -11,12 +10,11 @@
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "experiments/environment.hpp"
 #include "experiments/orientation.hpp"
-#include "experiments/study_writer.hpp"
 #include "numerics/inputs.hpp"
-#include "numerics/json.hpp"
 #include "numerics/units.hpp"
 
 namespace ikbench::experiments {
@@ -40,16 +38,6 @@ bool same_bits(const Numbers& a, const Numbers& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
   });
-}
-
-// The options as text, with the entry's own population as one of them.
-std::string options_text(Settings options, const SolverEntry& entry) {
-  if (entry.program) {
-    const ProgramChoice& choice = entry.program->choice;
-    options["process"] = fmt::format("{}", fmt::join(choice.process, " "));
-  }
-  if (entry.population > 0) options["population"] = std::to_string(entry.population);
-  return numerics::text_of(nlohmann::json(options));
 }
 
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
@@ -90,16 +78,14 @@ bool same_answer(const Solution& a, const Solution& b) {
 
 }  // namespace
 
-SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Robot& arm, int repeats, int jobs)
+SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::string key, const Robot& arm, int repeats,
+                         int jobs)
     : study_(study),
       entry_(entry),
       arm_(arm),
       task_(study, arm),
       options_(effective_options(study, entry)),
-      series_{.key = series_key(study, entry),
-              .label = entry.label,
-              .algorithm = entry.solver,
-              .options = options_text(options_, entry)},
+      key_(std::move(key)),
       repeats_(study.stop.seconds > 0 || entry.program ? 1 : repeats),
       timing_(is_debug_build() ? Timing::debug_build
               : jobs > 1       ? Timing::parallel
@@ -199,7 +185,7 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
       .study = study_.name,
       .robot = arm_.name,
       .solver = entry_.label,
-      .series = series_.key,
+      .series = key_,
       .run = run,
       .point = point,
       .target_position_m = to_vector(target.translation()),

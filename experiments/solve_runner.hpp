@@ -17,10 +17,13 @@ namespace ikbench::experiments {
 // Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
 class SolveRunner {
  public:
-  // `repeats` is the number of timed solves per problem, 1 if a solve ends by its wall time; `jobs` of solves at once.
-  SolveRunner(const Study& study, const SolverEntry& entry, const robots::Robot& arm, int repeats = 1, int jobs = 1);
+  // `key` is its series_key. `repeats` is the number of timed solves per problem, 1 if a solve ends by its
+  // wall time; `jobs` of solves at once.
+  SolveRunner(const Study& study, const SolverEntry& entry, std::string key, const robots::Robot& arm, int repeats = 1,
+              int jobs = 1);
 
-  const results::Series& series() const { return series_; }
+  const std::string& label() const { return entry_.label; }
+  const std::string& key() const { return key_; }  // of its series
   // Makes a solver for any number of solves, one after the other: starting it anew makes it forget all.
   std::unique_ptr<solvers::Solver> make_solver() const;
   std::string last_failure() const;  // of its program, if there was one
@@ -55,7 +58,7 @@ class SolveRunner {
   const robots::Robot& arm_;
   Task task_;
   solvers::Settings options_;
-  results::Series series_;
+  std::string key_;
   int repeats_;
   results::Timing timing_;
   bool is_counted_;                               // we count its evaluations; false if the program does

@@ -423,4 +423,22 @@ std::string series_key(const Study& study, const SolverEntry& entry) {
   return fmt::format("{}{}{:016x}", configuration_key(study, entry), before_source, source.value());
 }
 
+std::vector<Series> series_of(const Study& study) {
+  std::vector<Series> all;
+  for (const SolverEntry& entry : study.solvers) {
+    Settings options = effective_options(study, entry);
+    if (entry.program) options["process"] = fmt::format("{}", fmt::join(entry.program->choice.process, " "));
+    if (entry.population > 0) options["population"] = std::to_string(entry.population);  // its own
+    all.push_back({.key = series_key(study, entry),
+                   .label = entry.label,
+                   .algorithm = entry.solver,
+                   .options = numerics::text_of(Json(options))});
+  }
+  return all;
+}
+
+StudyEntry stored_study(const Study& study) {
+  return {.name = study.name, .definition = to_json(study), .series = series_of(study)};
+}
+
 }  // namespace ikbench::experiments

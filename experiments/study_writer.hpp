@@ -5,6 +5,7 @@
 #include <string>
 
 #include "experiments/study.hpp"
+#include "results/store.hpp"
 
 namespace ikbench::experiments {
 
@@ -30,5 +31,10 @@ std::string library_of(const SolverEntry& entry);
 // configuration_key with a hash of the source that makes the numbers, and of a peer's library. Equal keys mean equal
 // numbers on one machine, unless a solve ends by its wall time.
 std::string series_key(const Study& study, const SolverEntry& entry);
+
+// The solvers' parts of the study, and all of it, as the store keeps them. A key is a hash of all targets, so a run
+// makes it once.
+std::vector<results::Series> series_of(const Study& study);
+results::StudyEntry stored_study(const Study& study);
 
 }  // namespace ikbench::experiments

@@ -12,9 +12,9 @@ namespace {
 struct FirstSolve {
   explicit FirstSolve(Study of) : study(std::move(of)) {}
 
-  SolveRecord made(int repeats) const { return made(repeats, *SolveRunner(study, entry(), arm, 1).make_solver()); }
+  SolveRecord made(int repeats) const { return made(repeats, *SolveRunner(study, entry(), "", arm, 1).make_solver()); }
   SolveRecord made(int repeats, Solver& solver) const {
-    const SolveRunner runner(study, entry(), arm, repeats);
+    const SolveRunner runner(study, entry(), "", arm, repeats);
     runner.warm_up(solver, targets(study, 1).front(), study.initial);
     return runner.solve(solver, targets(study, 1).front(), study.initial, 1, 1);
   }
