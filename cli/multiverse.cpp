@@ -178,7 +178,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
     const Study study = load_study(paper.name, arguments->overrides);
     check_plan(study);
     if (arguments->list) return fmt::print("{}", dimension_list(study, all, varied));
-    solve_and_tell(paper, *arguments, varied, study.analysis, invocation);
+    solve_and_tell(paper, *arguments, varied, study.plan, invocation);
   });
 }
 

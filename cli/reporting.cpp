@@ -150,7 +150,7 @@ FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, co
 }
 
 FigureStyle styled(const StudyEntry& entry, const ReportArguments& arguments) {
-  return styled(definition_of(entry.definition).style, labels_of(entry), arguments);
+  return styled(definition_of(entry.definition).figures, labels_of(entry), arguments);
 }
 
 std::vector<std::string> labels_of(const StudyEntry& stored) {
@@ -174,7 +174,7 @@ void add_paper_option(CLI::App& command, std::string& paper) {
 }
 
 void check_plan(const Study& study) {
-  if (!study.analysis.metric.empty()) static_cast<void>(compare::metric_named(study.analysis.metric));
+  if (!study.plan.metric.empty()) static_cast<void>(compare::metric_named(study.plan.metric));
 }
 
 std::vector<std::string> references_of(std::string_view name) {
@@ -274,7 +274,7 @@ std::optional<std::string> run_study(const Study& study, const StudyEntry& store
     if (earlier.name != study.name || earlier.definition == stored.definition) continue;
     const std::string difference = difference_in_solves(earlier.definition, stored.definition);
     if (difference.empty()) {
-      if (definition_of(earlier.definition).plan != study.analysis)
+      if (definition_of(earlier.definition).plan != study.plan)
         warn(fmt::format("the plan of {} in {} has changed; the report will say so", study.name, folder.string()));
     } else {
       warn(

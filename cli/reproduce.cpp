@@ -97,7 +97,7 @@ std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& argumen
     say(stopped);
     return std::nullopt;
   }
-  return papers::judged(paper, *solved, load_study(paper.name).analysis);
+  return papers::judged(paper, *solved, load_study(paper.name).plan);
 }
 
 // The printed table beside ours is what the user waits for, so it comes as soon as its studies are solved.

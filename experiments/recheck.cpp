@@ -11,7 +11,7 @@
 #include "experiments/runner.hpp"
 #include "experiments/verifier.hpp"
 #include "numerics/units.hpp"
-#include "results/definition.hpp"
+#include "results/study.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::experiments {
@@ -62,7 +62,7 @@ void check(const Definition& study, const Robot& arm, const Left& before, const 
   target.translation() = vector_of(solve.target_position_m);
   target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
   const Verification computed =
-      verify(arm, target, vector_of(solve.start_rad), vector_of(solve.answer_rad), study.search == "axis");
+      verify(arm, target, vector_of(solve.start_rad), vector_of(solve.answer_rad), study.search == Search::axis);
   expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);
   expect("orientation_error", solve, solve.orientation_error, computed.orientation_error, 1e-8);
   expect("variation_deg", solve, solve.variation_deg, computed.variation / degree, 1e-7);
@@ -78,8 +78,8 @@ void check(const Definition& study, const Robot& arm, const Left& before, const 
   const auto status = [&](double rounding) {
     const auto about = [&](double tolerance) { return tolerance > 0 ? tolerance + rounding : 0; };
     return judge(computed, {.claimed_error = computed.position_error,
-                            .tolerance = about(study.stop.tolerance_cm * centimetre),
-                            .angle_tolerance = about(study.stop.tolerance_deg * degree)});
+                            .tolerance = about(study.stop.tolerance),
+                            .angle_tolerance = about(study.stop.angle_tolerance)});
   };
   if (solve.status != status(1e-8) && solve.status != status(-1e-8))
     refuse(solve, fmt::format("status {} is stored, but {} follows from the answer", name_of(solve.status),

@@ -90,7 +90,7 @@ void move_on(Chained& chain, const SolveRecord& record, Start start) {
 
 // Throws if the study would not have made the stored solve next.
 void check_stored(const SolveRecord& record, const Work& work, const Chained& chain) {
-  const bool is_chained = work.study.start == Start::previous;
+  const bool is_chained = work.study.is_chained();
   const bool has_place = record.run >= 1 && record.point >= 1 && record.point <= work.points;
   const bool follows =
       has_place && (!is_chained || record.point == 1 || chain.stored[static_cast<std::size_t>(record.point - 2)]);
@@ -208,7 +208,7 @@ void solve_missing(Work& work, Store& store, const RunRequest& request, Progress
   session["command"] = request.command;
   if (request.shard.count > 1) session["shard"] = request.shard.text();
   session["study"] = work.study.name;
-  session["analysis"] = to_json(work.study.analysis);  // this and the solvers: the study may be saved with others later
+  session["analysis"] = to_json(work.study.plan);  // this and the solvers: the study may be saved with others later
   session["solvers"] = numerics::text_of(numerics::Json(labels_of(work.study)));
   const std::int64_t session_id = store.begin_session(session);
   const double stolen_before = stolen_seconds();

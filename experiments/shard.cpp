@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "experiments/study.hpp"
-#include "numerics/json.hpp"
 
 namespace ikbench::experiments {
 
@@ -28,15 +27,15 @@ StudySize size_of(const Study& study) {
   return {.runs = study.runs,
           .points = study.path->points(),
           .solvers = static_cast<int>(study.solvers.size()),
-          .is_chained = study.start == Start::previous};
+          .is_chained = study.is_chained()};
 }
 
 StudySize size_of(const StudyEntry& study) {
-  const auto definition = numerics::parsed_json(study.definition);  // the store has checked it
-  return {.runs = definition.at("runs").get<int>(),
-          .points = definition.value("points", 1),
+  const Definition definition = definition_of(study.definition);
+  return {.runs = definition.runs,
+          .points = definition.points,
           .solvers = static_cast<int>(study.series.size()),
-          .is_chained = definition.value("start", nlohmann::json("previous")) == "previous"};
+          .is_chained = definition.is_chained()};
 }
 
 Shard shard_from(std::string_view text) {

@@ -568,7 +568,7 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
 
 // Drops a control that a sweep splits, or that is not solved.
 void drop_lost_control(Study& study) {
-  std::string& control = study.analysis.control;
+  std::string& control = study.plan.control;
   const std::vector<std::string> labels = labels_of(study);
   if (control.empty() || std::ranges::find(labels, control) != labels.end()) return;
   study.notes.push_back(fmt::format("the control, {}, is swept or left out: every pair is compared", control));
@@ -616,8 +616,8 @@ Study read_study(const toml::table& table, std::string_view source) {
   read_solvers(reader, study, arm);
   const std::vector<std::string> labels = labels_of(study);
   read_table("analysis", [&](const TomlReader& analysis) {
-    read_part(analysis, study.analysis);
-    const std::string& control = study.analysis.control;
+    read_part(analysis, study.plan);
+    const std::string& control = study.plan.control;
     if (!control.empty() && std::ranges::find(study.solvers, control, &SolverEntry::family) == study.solvers.end())
       refuse_unknown(analysis, "control", "label", control, labels);
     drop_lost_control(study);

@@ -147,7 +147,7 @@ Study as_in_files(Study study) {
 OrderedJson definition(const Study& study) {
   Study fields = as_in_files(study);
   OrderedJson json = json_of(written(fields));
-  json["analysis"] = json_of(written(fields.analysis));
+  json["analysis"] = json_of(written(fields.plan));
   for (const SolverEntry& entry : study.solvers) {
     if (!entry.colour.empty()) fields.figures.colours.emplace(entry.label, entry.colour);
   }
@@ -329,7 +329,7 @@ std::string to_toml(const Study& study) {
   Study fields = as_in_files(study);
   std::string text = lines_of(written(fields));
   text += "\n[analysis]  # how the results are judged; it does not affect the solves\n" +
-          lines_of(written(fields.analysis)) +
+          lines_of(written(fields.plan)) +
           "\n[figures]  # their style; it affects neither the solves nor how they are judged\n" +
           to_toml(fields.figures, study.solvers.empty() ? "" : toml_string(study.solvers.front().label));
   if (is_urdf_file(study.robot)) text += "\n[urdf]\n" + lines_of(written(fields.urdf));

@@ -51,6 +51,14 @@ class Fields {
     if (chosen < choices.size()) field = choices[chosen].second;
   }
 
+  // One of an enum, whose names names_of lists in its order.
+  template <class Enum>
+  void choice(std::string_view key, Enum& field, std::string_view meaning, InKey in_key = InKey::by_name) {
+    Choices<Enum> choices;
+    for (const std::string_view name : names_of(field)) choices.emplace_back(name, static_cast<Enum>(choices.size()));
+    choice(key, field, choices, meaning, in_key);
+  }
+
   // Some of the choices.
   template <class Enum>
   void chosen(std::string_view key, std::vector<Enum>& field, const Choices<Enum>& choices, std::string_view meaning) {

@@ -15,6 +15,7 @@
 #include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
 #include "results/store_codec.hpp"
+#include "results/study.hpp"
 
 namespace ikbench::results {
 namespace {
@@ -157,22 +158,6 @@ auto guarded(const std::string& file, Action&& action) {
     refuse(file, damage);
   }
 }
-
-// The last run and point of a study.
-struct Last {
-  explicit Last(const StudyEntry& study) {
-    const auto definition = numerics::parsed_json(study.definition);
-    const auto is_count = [&](const char* key) {
-      return definition.contains(key) && definition[key].is_number_integer();
-    };
-    if (!is_count("runs") || !is_count("points"))
-      throw Damage(
-          fmt::format("the definition of study {} has no whole numbers as runs and points", excerpt(study.name)));
-    run = definition["runs"].get<std::int64_t>();
-    point = definition["points"].get<std::int64_t>();
-  }
-  std::int64_t run, point;
-};
 
 }  // namespace
 
@@ -463,13 +448,13 @@ std::map<std::string, std::int64_t> Store::series_of_configuration(std::string_v
 
 void Store::each_of_study(const StudyEntry& study, const Take& take) const {
   guarded(database_->name, [&] {
-    const Last last(study);
+    const Definition definition = definition_of(study.definition);
     SQLite::Statement query(
         database_->sqlite,
         fmt::format("SELECT {} FROM solves WHERE series = ? AND run <= ? AND point <= ? ORDER BY run, point",
                     solve_columns()));
     for (const Series& series : study.series) {
-      SQLite::bind(query, series.key, last.run, last.point);
+      SQLite::bind(query, series.key, definition.runs, definition.points);
       database_->read_solves(query, [&](SolveRecord& record) {
         record.study = study.name;  // also if another study's name solved it first
         record.solver = series.label;
@@ -488,12 +473,12 @@ std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
 
 std::int64_t Store::number_of_solves(const StudyEntry& study) const {
   return guarded(database_->name, [&] {
-    const Last last(study);
+    const Definition definition = definition_of(study.definition);
     SQLite::Statement query(database_->sqlite,
                             "SELECT count(*) FROM solves WHERE series = ? AND run <= ? AND point <= ?");
     std::int64_t solves = 0;
     for (const Series& series : study.series) {
-      SQLite::bind(query, series.key, last.run, last.point);
+      SQLite::bind(query, series.key, definition.runs, definition.points);
       query.executeStep();
       solves += query.getColumn(0).getInt64();
       query.reset();

@@ -8,18 +8,12 @@
 #include <vector>
 
 #include "numerics/random.hpp"
+#include "numerics/stop_rule.hpp"
 #include "solvers/objective.hpp"
 
 namespace ikbench::solvers {
 
-// A solve ends at the first limit that it reaches. 0 means no limit, except for iterations.
-struct StopRule {
-  int iterations = 200;
-  double tolerance = 0;          // [m] position error; for a pose, both tolerances must hold
-  double angle_tolerance = 0;    // [rad] orientation error of a pose
-  std::int64_t evaluations = 0;  // checked after each iteration
-  double seconds = 0;            // wall time, checked after each iteration
-};
+using numerics::StopRule;
 
 // The number of iterations that fit into a solve if each evaluates a population; at least one, unless `iterations` is
 // 0.

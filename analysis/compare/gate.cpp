@@ -38,9 +38,10 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
                        : a.path != b.path || a.points != b.points ? "targets"
                        : a.search != b.search                     ? "searches"
                        : a.start != b.start                       ? "starts"
-                       : a.task != b.task                         ? "paths, starts or weights of a rotation"
-                       : a.limits != b.limits                     ? "treatments of joint limits"
-                       : a.stop.tolerance_cm != b.stop.tolerance_cm || a.stop.tolerance_deg != b.stop.tolerance_deg
+                       : a.task != b.task || a.near != b.near || a.rotation_weight != b.rotation_weight
+                           ? "paths, starts or weights of a rotation"
+                       : a.limits != b.limits ? "treatments of joint limits"
+                       : a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance
                            ? "tolerances"
                            : nullptr;
   if (differ)
@@ -90,7 +91,7 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults& candidate) {
 // Limits of a solve that the two had, one doubt each.
 std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& candidate,
                                     const StudyResults& both) {
-  const Definition::Stop &a = candidate.definition.stop, &b = baseline.definition.stop;
+  const numerics::StopRule &a = candidate.definition.stop, &b = baseline.definition.stop;
   std::vector<Doubt> doubts;
   const auto add = [&](const char* unit, auto ours, auto theirs) {
     if (ours == theirs) return;

@@ -72,9 +72,9 @@ bool repeats_itself(const StudyResults& study, std::string_view solver) {
 
 // Below it errors are equal; 0 where the study has none.
 double tolerance_of(const StudyResults& study, const Metric& metric) {
-  const Definition::Stop& stop = study.definition.stop;
+  const numerics::StopRule& stop = study.definition.stop;
   if (metric.kind != Kind::error) return 0;
-  return metric.unit == "deg" ? stop.tolerance_deg : stop.tolerance_cm;
+  return metric.unit == "deg" ? stop.tolerance_deg() : stop.tolerance_cm();
 }
 
 // What failed has no cost of an answer; along a path it has, for the next solve starts from there.

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "results/definition.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
+#include "results/study.hpp"
 
 namespace ikbench::compare {
 

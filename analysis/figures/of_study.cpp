@@ -123,7 +123,7 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
   const StudyResults& study = judged.study;
   const Metric& metric = metric_named(error);
   const auto [unit, factor] = drawn_unit(study, metric.unit);
-  const double tolerance = factor * study.definition.stop.tolerance_cm;
+  const double tolerance = factor * study.definition.stop.tolerance_cm();
   if (tolerance == 0) return std::nullopt;
   const About about =
       about_of(study, metric, "Share of targets within a position error, up to 1000 times the tolerance (dashed).");

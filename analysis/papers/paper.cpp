@@ -156,7 +156,7 @@ Timed timed(const StudyResults& study, std::string_view solver, double limit_ms)
   Timed timed;
   for (const Solve& solve : study.of(solver)) {
     const double ms = 1000 * solve.seconds;
-    const bool is_near = solve.position_error_cm <= study.definition.stop.tolerance_cm + verifier_rounding_cm;
+    const bool is_near = solve.position_error_cm <= study.definition.stop.tolerance_cm() + verifier_rounding_cm;
     timed.ms.values.push_back(ms);
     timed.reached += is_near;
     timed.in_time += ms < limit_ms;

@@ -74,7 +74,8 @@ void add_setting(Table& table, std::string what, std::string value) {
 
 Table settings(std::string caption) { return {.caption = std::move(caption), .columns = {{"what"}, {"value"}}}; }
 
-std::string with_blanks(std::string text) {
+std::string with_blanks(std::string_view name) {
+  std::string text(name);
   std::ranges::replace(text, '_', ' ');
   return text;
 }
@@ -348,10 +349,10 @@ Table study_table(const StudyResults& study) {
   add_setting(table, "targets",
               fmt::format("{} a run, {}{}", study.points, with_blanks(of.path),
                           of.draws_targets ? ", drawn for each run anew" : ""));
-  add_setting(table, "search", with_blanks(of.search));
-  add_setting(table, "start", of.is_chained() ? "where the last solve left the arm" : with_blanks(of.start));
-  add_setting(table, "candidates outside limits", with_blanks(of.bounds));
-  add_setting(table, "answers outside limits", of.limits);
+  add_setting(table, "search", with_blanks(name_of(of.search)));
+  add_setting(table, "start", of.is_chained() ? "where the last solve left the arm" : with_blanks(name_of(of.start)));
+  add_setting(table, "candidates outside limits", with_blanks(name_of(of.bounds)));
+  add_setting(table, "answers outside limits", std::string(name_of(of.limits)));
   add_setting(table, "a solve ends at", stops_of(study));
   add_setting(table, "runs", fmt::to_string(study.runs));
   add_setting(table, "seed", fmt::to_string(of.seed));
@@ -360,8 +361,8 @@ Table study_table(const StudyResults& study) {
 }
 
 std::string stops_of(const StudyResults& study) {
-  const results::Definition::Stop& stop = study.definition.stop;
-  std::vector<std::string> stops{limit(10 * stop.tolerance_cm, " mm"), limit(stop.tolerance_deg, " deg"),
+  const numerics::StopRule& stop = study.definition.stop;
+  std::vector<std::string> stops{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg"),
                                  limit(static_cast<double>(stop.iterations), " iterations"),
                                  limit(static_cast<double>(stop.evaluations), " evaluations"),
                                  limit(1000 * stop.seconds, " ms")};
@@ -398,9 +399,9 @@ std::string methods_of(const Shown& shown, const StudyResults& study, const std:
       "machine was {}.",
       numerics::counted(std::ssize(study.solvers), "solvers"),
       numerics::counted(std::int64_t{study.runs} * study.points, "targets"), study.points, with_blanks(of.path),
-      with_blanks(of.search), of.robot,
-      of.is_chained() ? "at the last answer" : "from a " + with_blanks(of.start) + " position", stops_of(study),
-      given(machines));
+      with_blanks(name_of(of.search)), of.robot,
+      of.is_chained() ? "at the last answer" : "from a " + with_blanks(name_of(of.start)) + " position",
+      stops_of(study), given(machines));
   if (!tests.empty())
     text += fmt::format(
         " Pairs were tested by {}, p times the number of pairs of a metric that can be tested (Bonferroni), at a "

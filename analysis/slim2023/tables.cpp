@@ -84,7 +84,7 @@ std::optional<Table> table_7(const Repeated& of) {
   const StudyResults& study = of.study.study;
   const PrintedRows printed = printed_times(of.paper.name, "table-7");
   if (study.definition.path != "random" || study.solves.empty()) return {};
-  const double tolerance = study.definition.stop.tolerance_cm;
+  const double tolerance = study.definition.stop.tolerance_cm();
   Table table{.name = "table-7",
               .caption = fmt::format("Table 7: computing time until the error is {:g} cm", tolerance),
               .columns = {{"solver"}, {"solves"}, {"reached"}, {fmt::format("reached in {:g} ms", limit_ms)}},

@@ -11,10 +11,10 @@ using namespace ikbench::compare;
 
 namespace {
 
-const Asked of_100{.start = "home", .runs = 1, .points = 100, .tolerance_cm = 0.1};
-const Asked drawn_100{.start = "home", .targets = "drawn", .runs = 1, .points = 100, .tolerance_cm = 0.1};
+const Asked of_100{.start = "initial", .runs = 1, .points = 100, .tolerance_cm = 0.1};
+const Asked drawn_100{.start = "initial", .targets = "drawn", .runs = 1, .points = 100, .tolerance_cm = 0.1};
 const Asked other_seed{
-    .start = "home", .targets = "drawn", .runs = 1, .points = 100, .tolerance_cm = 0.1, .rest = R"(, "seed": 2)"};
+    .start = "initial", .targets = "drawn", .runs = 1, .points = 100, .tolerance_cm = 0.1, .rest = R"(, "seed": 2)"};
 
 // A study of one solver whose numbers are drawn: 70 of 100 targets are solved, with about 100 evaluations, the others
 // use up 1000.

@@ -113,7 +113,7 @@ TEST_CASE("every session remembers how the study was to be judged when its solve
   ScratchStore scratch;
   Study study = small_study();
   run_for(study, scratch.store, 3);
-  study.analysis.significance = 0.01;
+  study.plan.significance = 0.01;
   run(study, scratch.store, {});
   const std::vector<results::Session> sessions = scratch.store.sessions();
   REQUIRE(sessions.size() == 2);

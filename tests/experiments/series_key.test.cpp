@@ -165,7 +165,7 @@ TEST_CASE("how a study is judged decides no series", "[series]") {
   const std::string key = key_of(small_study());
   for (const Plan& plan : {Plan{.test = Plan::Test::means}, Plan{.metric = "seconds"}, Plan{.control = "IK-BA"},
                            Plan{.significance = 0.01}, Plan{.margin = 0.2}, Plan{.margin_cm = 1}}) {
-    CHECK(key_of(changed([&](Study& study) { study.analysis = plan; })) == key);
+    CHECK(key_of(changed([&](Study& study) { study.plan = plan; })) == key);
   }
 }
 

@@ -140,12 +140,12 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   study.solvers = {
       {"a \"label\" with 'quotes' = [x] . # \\", "ik_bat", {{"acceptance", "yang2020"}, {"alpha", "0.25"}}},
       {"плечо", "bat", {}, 12}};
-  study.analysis = {.test = Plan::Test::means,
-                    .metric = "seconds",
-                    .control = "плечо",
-                    .significance = 0.001,
-                    .margin = 1.0 / 3,
-                    .margin_cm = 0.25};
+  study.plan = {.test = Plan::Test::means,
+                .metric = "seconds",
+                .control = "плечо",
+                .significance = 0.001,
+                .margin = 1.0 / 3,
+                .margin_cm = 0.25};
   study.figures = {.width_cm = 12.5,
                    .height_cm = 7,
                    .font = "DejaVu Sans",
@@ -158,7 +158,7 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   CHECK(to_toml(again) == to_toml(study));
   CHECK(to_json(again) == to_json(study));
   CHECK(keys_of(again) == keys_of(study));
-  CHECK(again.analysis == study.analysis);
+  CHECK(again.plan == study.plan);
   CHECK(again.title == study.title);
   CHECK(again.seed == study.seed);
   CHECK(again.stop.evaluations == study.stop.evaluations);
@@ -393,7 +393,7 @@ TEST_CASE("a study's arm may be a URDF file, read as its table urdf says", "[stu
 TEST_CASE("a study says how it will be judged, by default by ranks at 5 %, the paper's studies by means",
           "[study][analysis]") {
   const Study study = read(solver_entry);
-  CHECK(study.analysis == Plan());
+  CHECK(study.plan == Plan());
   CHECK(nlohmann::json::parse(to_json(study))["analysis"] == nlohmann::json{{"test", "ranks"},
                                                                             {"metric", ""},
                                                                             {"control", ""},
@@ -402,8 +402,7 @@ TEST_CASE("a study says how it will be judged, by default by ranks at 5 %, the p
                                                                             {"margin_cm", 0.0}});
   for (const Study& built_in : studies()) {
     INFO(built_in.name);
-    CHECK(built_in.analysis ==
-          Plan{.test = built_in.name.starts_with("slim2023") ? Plan::Test::means : Plan::Test::ranks});
+    CHECK(built_in.plan == Plan{.test = built_in.name.starts_with("slim2023") ? Plan::Test::means : Plan::Test::ranks});
     CHECK(contains(to_toml(built_in), "\n[analysis]"));
   }
 }
@@ -413,12 +412,12 @@ TEST_CASE("the table of the analysis is read, and --set changes it as it does ot
       read("[analysis]\ntest = \"means\"\nmetric = \"error\"\nmargin_percent = 20\nmargin_cm = 0.015\n" + solver_entry +
                "label = \"A\"\n",
            {"analysis.significance=0.01", "analysis.control=A"});
-  CHECK(study.analysis == Plan{.test = Plan::Test::means,
-                               .metric = "error",
-                               .control = "A",
-                               .significance = 0.01,
-                               .margin = 0.2,  // 20 percent
-                               .margin_cm = 0.015});
+  CHECK(study.plan == Plan{.test = Plan::Test::means,
+                           .metric = "error",
+                           .control = "A",
+                           .significance = 0.01,
+                           .margin = 0.2,  // 20 percent
+                           .margin_cm = 0.015});
   CHECK(said_of(solver_entry, {"analysis.significance=7"}) ==
         "--set analysis.significance: analysis.significance is 7; expected a number from 0.0001 to 0.2");
 }

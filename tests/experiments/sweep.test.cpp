@@ -117,17 +117,17 @@ TEST_CASE("a sweep has at most 200 entries, and the message has the product", "[
 TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]") {
   const std::string controlled = two_bats + "[analysis]\ncontrol = \"BA\"\n[figures]\nsolvers = [\"IK-BA\"]\n";
   Study split = swept(controlled, {sweep_override("BA.alpha=0.5,0.9")}), whole = swept(controlled);
-  CHECK(split.analysis.control.empty());
+  CHECK(split.plan.control.empty());
   CHECK(split.notes.size() == 1);
   keep_only(split, {"BA"});
   CHECK(split.figures.solvers.empty());
   CHECK(labels_of(split) == SweptLabels{"BA alpha=0.5", "BA alpha=0.9"});
   keep_only(whole, {"BA", "IK-BA"});
-  CHECK(whole.analysis.control == "BA");
+  CHECK(whole.plan.control == "BA");
   CHECK(whole.notes.empty());
   CHECK(has_words(complaint<std::invalid_argument>([&] { keep_only(whole, {"AB"}); }), "unknown label \"AB\""));
   keep_only(whole, {"IK-BA"});
   CHECK(labels_of(whole) == SweptLabels{"IK-BA"});
-  CHECK(whole.analysis.control.empty());
+  CHECK(whole.plan.control.empty());
   CHECK(has_words(complaint_about(two_bats + "[analysis]\ncontrol = \"AB\"\n"), "unknown label \"AB\""));
 }

@@ -60,15 +60,14 @@ inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
                             {"3@a", "DLS", "damped_least_squares", R"({"damping":"0.001"})"}}};
   results::Definition& definition = study.definition;
   definition.robot = "ur5e";
-  definition.search = "all_joints";
-  definition.start = "middle";
+  definition.search = results::Search::all_joints;
+  definition.start = results::Start::middle;
   definition.path = "random";
-  definition.limits = "recorded";
   definition.runs = study.runs = 4;
   definition.points = study.points = 5;
   definition.seed = 1;
   definition.draws_targets = true;
-  definition.stop = {.tolerance_cm = 0.01, .iterations = 100, .evaluations = 4000};
+  definition.stop = {.iterations = 100, .tolerance = 0.0001, .evaluations = 4000};
   study.solvers = {mine, "PSO", "DLS"};
   study.sessions = {{.id = 1, .environment = {{"cpu", "a processor"}, {"os", "Linux"}, {"version", "2.0"}}}};
 

@@ -1,0 +1,40 @@
+// When a solve ends: solvers obey it, studies say it, the store keeps it.
+#pragma once
+
+#include <cstdint>
+
+#include "numerics/fields.hpp"
+#include "numerics/number.hpp"
+#include "numerics/units.hpp"
+
+namespace ikbench::numerics {
+
+// A solve ends at the first limit that it reaches. 0 means no limit, except for iterations.
+struct StopRule {
+  int iterations = 200;
+  double tolerance = 0;          // [m] position error; for a pose, both tolerances must hold
+  double angle_tolerance = 0;    // [rad] orientation error of a pose
+  std::int64_t evaluations = 0;  // checked after each iteration
+  double seconds = 0;            // wall time, checked after each iteration
+
+  // As in the study.
+  double tolerance_cm() const { return in_unit(tolerance, centimetre); }
+  double tolerance_deg() const { return in_unit(angle_tolerance, degree); }
+};
+
+inline void list_fields(Fields& io, StopRule& stop) {
+  io.whole("iterations", stop.iterations, {0, 1'000'000'000}, "maximum number of iterations, 200 unless given",
+           InKey::in_text);
+  io.number("tolerance_cm", stop.tolerance, centimetre, {0, 1e6},
+            "a solve stops at this position error; 0: no tolerance", InKey::in_text);
+  io.number(
+      "tolerance_deg", stop.angle_tolerance, degree, {0, 180},
+      "with search = \"pose\" or \"axis\": a solve stops where the tool, or its z axis, is also turned no further than "
+      "this from its target; 0: no tolerance");
+  io.whole("evaluations", stop.evaluations, {0, no_limit}, "maximum number of evaluations; 0: no maximum",
+           InKey::in_text);
+  io.number("seconds", stop.seconds, 1, {0, 1e6},
+            "maximum wall time of a solve; results then depend on the machine; 0: no maximum", InKey::in_text);
+}
+
+}  // namespace ikbench::numerics

@@ -1,0 +1,114 @@
+#include "results/study.hpp"
+
+#include <fmt/core.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "numerics/json.hpp"
+#include "numerics/toml_table.hpp"
+
+namespace ikbench::results {
+
+using namespace numerics;
+
+void list_fields(Fields& io, StudyData& study) {
+  io.text("name", study.name, "results go to out/<name>/; default: the name of the file", InKey::no);
+  io.text("title", study.title, "", InKey::no);
+  io.text("published", study.published, "compare the results with the printed tables of this paper; \"\": none",
+          InKey::no);
+  io.text("robot", study.robot,
+          "a name from ikbench list robots, or a file beside the study: \"my_arm.toml\", \"my_arm.urdf\"",
+          InKey::in_text);
+  io.choice(
+      "search", study.search,
+      "wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: search all "
+      "joints for the position alone; pose: search all joints for position and orientation; axis: for the position and "
+      "the direction of the tool's z axis; flange: search all but the last, which only turns the tool, for the "
+      "position alone",
+      InKey::in_text);
+  io.number(
+      "rotation_weight_m", study.rotation_weight, 1, {0.001, 10},
+      "with search = \"pose\" or \"axis\": the error that solvers reduce is the root mean square distance of three "
+      "points of the tool, its own and those this far along its x and y axes, or along its z axis both ways");
+  io.choice(
+      "bounds", study.bounds,
+      "joint limits of candidates: as each solver's own option says, or the same for all solvers with that option",
+      InKey::in_text);
+  io.choice("wrist_branch", study.wrist_branch, "which of the two wrist branches completes an answer", InKey::in_text);
+  io.choice(
+      "wrist_turns", study.wrist_turns,
+      "the wrist's angles lie within half a turn of 0, or they are turned by whole turns to where they move least");
+  io.choice(
+      "limits", study.limits,
+      "recorded: answers outside the joint limits are kept and reported; enforced: candidates are clamped, the wrist "
+      "takes a branch inside the limits, and an answer outside is refused, so the arm stays where it was");
+  io.choice(
+      "wrap", study.wrap,
+      "into_limits: after a solve, joints outside their limits are turned back inside by whole turns where that is "
+      "possible, for every solver; the pose stays");
+  io.choice("start", study.start,
+            "a solve starts where the previous one left the arm, at initial_deg, in the middle of the joint limits, at "
+            "random within them, or near a solution of a random target");
+  io.number("near_deg", study.near, degree, {0, 360},
+            "with start = \"near\": largest distance of each joint that turns from that solution");
+  io.whole("population", study.population, populations, "candidates per iteration; a solver can override it",
+           InKey::in_text);
+  io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions", InKey::no);
+  io.whole(
+      "repeats", study.repeats, {1, 1000},
+      "how often each solve is timed; its time is the median. 1 with --jobs above 1, stop.seconds or a debug build",
+      InKey::no);
+  io.whole("seed", study.seed, {0, no_limit}, "seed of all random numbers", InKey::in_text);
+}
+
+Plan plan_of(std::string_view json) {
+  Plan plan;
+  const toml::table table = toml_of(parsed_json(json));
+  TomlReader reader(table, "the plan of a session", "");
+  list_fields(reader, plan);
+  return plan;
+}
+
+Definition definition_of(std::string_view json) {
+  const Json all = parsed_json(json);
+  if (!all.is_object()) throw std::invalid_argument("the definition of a study is no JSON object");
+  const toml::table table = toml_of(all), none;
+  TomlReader reader(table, fmt::format("study {}", table["name"].value_or("without a name")), "");
+  const auto part = [&](std::string_view key) {
+    const toml::table* const found = reader.subtable(key);
+    return reader.nested(found == nullptr ? none : *found, fmt::format("{}.", key));
+  };
+  TomlReader path = part("path"), stop = part("stop"), reach = part("out_of_reach"), figures = part("figures"),
+             analysis = part("analysis"), arm = part("arm");
+  constexpr std::pair<std::int64_t, std::int64_t> counts{0, std::numeric_limits<int>::max()};
+  Definition study;
+  list_fields(reader, study);
+  list_fields(stop, study.stop);
+  list_fields(analysis, study.plan);
+  list_fields(figures, study.figures);
+  if (const toml::table* const colours = figures.subtable("colours")) {
+    TomlReader colour = figures.nested(*colours, "figures.colours.");
+    for (const auto& [label, node] : *colours)
+      colour.text(label.str(), study.figures.colours[std::string(label.str())]);
+  }
+  if (const auto mistake = mistake_in(study.figures))
+    throw std::invalid_argument(fmt::format("figures: {}; expected {}", mistake->first, mistake->second));
+  std::string targets;
+  path.text("kind", study.path);
+  path.text("targets", targets);
+  study.draws_targets = targets == "drawn";
+  reader.whole("points", study.points, counts);
+  reader.texts("departures", study.departures);
+  reader.texts("missing_solvers", study.missing_solvers);
+  reach.whole("points", study.out_of_reach, counts);
+  arm.text("base_link", study.base_link);
+  arm.text("tip_link", study.tip_link);
+  arm.texts("notes", study.arm_notes);
+  study.arm = text_of(all.value("arm", Json()));
+  study.task = text_of(all.value("initial_deg", Json()));
+  if (study.draws_targets) study.task += text_of(all.value("path", Json()));
+  return study;
+}
+
+}  // namespace ikbench::results

@@ -1,0 +1,123 @@
+// A study as plain data: what is asked, as study files say it and the store keeps it (JSON), and what judging needs
+// beside it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "numerics/fields.hpp"
+#include "numerics/stop_rule.hpp"
+#include "numerics/units.hpp"
+#include "results/figure_style.hpp"
+#include "results/plan.hpp"
+#include "results/record.hpp"
+
+namespace ikbench::results {
+
+// wrist: the solver searches the joints before a spherical wrist, whose angles follow in closed form (Eqs. 15-17).
+// all_joints: it searches all joints for the position alone.
+// flange: so does it, but for the last joint, which turns the tool about its own point and stays where it is.
+// pose: it searches all joints for position and orientation.
+// axis: it searches all joints for the position and the direction of the tool's z axis.
+enum class Search { wrist, all_joints, pose, axis, flange };
+
+// The rule that picks one of the wrist's two branches for an answer. nearest: the smaller move. positive, negative: the
+// sign of the middle joint.
+// inside: the nearer of those inside the joint limits, or the nearer of both if none is. With enforced limits, a branch
+// outside always gives way to one inside.
+enum class WristBranch { nearest, positive, negative, inside };
+
+// principal: the wrist's angles are those of the arc tangent, in [-180, 180] deg. nearest: they are turned by whole
+// turns to where they move least.
+enum class WristTurns { principal, nearest };
+
+// Joint limits of candidates: as each solver's own option says, or the same for all solvers with that option.
+enum class StudyBounds { per_solver, initial, clamp };
+
+// recorded: an answer outside the joint limits is kept and reported. enforced: limits hold for every solver and for the
+// wrist; an answer outside is refused, and the arm stays where it was.
+enum class Limits { recorded, enforced };
+
+// into_limits: turns revolute joints of an answer back inside their limits by whole turns, where possible. No pose
+// changes.
+enum class Wrap { no, into_limits };
+
+// The start of each solve of a run: the previous answer, the initial configuration, the middle of the limits, a
+// configuration drawn from seed, run and point, or one near the configuration that the target was made of.
+enum class Start { previous, initial, middle, random, near };
+
+// As in files, in their order.
+constexpr std::array<std::string_view, 5> names_of(Search) { return {"wrist", "all_joints", "pose", "axis", "flange"}; }
+constexpr std::array<std::string_view, 4> names_of(WristBranch) {
+  return {"nearest", "positive", "negative", "inside"};
+}
+constexpr std::array<std::string_view, 2> names_of(WristTurns) { return {"principal", "nearest"}; }
+constexpr std::array<std::string_view, 3> names_of(StudyBounds) { return {"per_solver", "initial", "clamp"}; }
+constexpr std::array<std::string_view, 2> names_of(Limits) { return {"recorded", "enforced"}; }
+constexpr std::array<std::string_view, 2> names_of(Wrap) { return {"no", "into_limits"}; }
+constexpr std::array<std::string_view, 5> names_of(Start) {
+  return {"previous", "initial", "middle", "random", "near"};
+}
+
+struct StudyData {
+  std::string name = "study";
+  std::string title;
+  std::string published;              // the paper whose printed tables stand beside the results, or empty
+  std::string robot = "kuka_iiwa14";  // a built-in arm, or a file
+  Search search = Search::wrist;
+  // The weight of a radian in a pose error [m]. The error compares three points that are about as far apart as the
+  // parts of a tool and of what it holds. With 0.1 m or 1 m, swarms find fewer poses of a UR5e.
+  double rotation_weight = 0.25;
+  StudyBounds bounds = StudyBounds::per_solver;
+  WristBranch wrist_branch = WristBranch::nearest;
+  WristTurns wrist_turns = WristTurns::principal;
+  Limits limits = Limits::recorded;
+  Wrap wrap = Wrap::no;
+  Start start = Start::previous;
+  double near = 5 * numerics::degree;  // [rad] for Start::near: largest distance of a joint from the solution
+  int population = 50;
+  int runs = 20;
+  int repeats = 5;  // timed solves per problem; decides only times (experiments/runner.hpp)
+  std::uint64_t seed = 1;
+  numerics::StopRule stop;
+  Plan plan;            // how the solves will be judged; decides no number of them
+  FigureStyle figures;  // the look of its figures; in a study file without the colours of its entries
+
+  // Each solve begins where the last one left the arm.
+  bool is_chained() const { return start == Start::previous; }
+  bool has_direction() const { return search == Search::pose || search == Search::axis; }
+  bool has_tolerance() const { return stop.tolerance > 0 || stop.angle_tolerance > 0; }
+};
+
+constexpr std::pair<std::int64_t, std::int64_t> populations{1, 100'000};
+
+// The fields, listed once: name, member, range, meaning, and whether each decides a number of a solve. Readers and
+// writers of study files and of the store follow this list, and so does the key of a series. A new option of a study is
+// a member above and an entry there. `stop`, `plan` and `figures` have lists of their own.
+void list_fields(numerics::Fields& io, StudyData& study);
+
+// A study as the store keeps it, with what judging needs of its arm and targets.
+struct Definition : StudyData {
+  int points = 0;
+  std::string path;                          // the kind
+  bool draws_targets = false;                // for every run anew
+  std::string base_link, tip_link;           // of an arm from a URDF file
+  std::vector<std::string> arm_notes;        // what of the file was not taken as it stands
+  std::vector<std::string> departures;       // settings that differ from the published study
+  std::vector<std::string> missing_solvers;  // of the published study
+  int out_of_reach = 0;                      // targets that no configuration reaches
+  std::string arm;                           // JSON, as robots/robot.hpp reads it
+  std::string task;                          // JSON: the first configuration, and how targets are drawn
+};
+
+// Members that the text lacks keep their defaults. Throws std::invalid_argument if it is no JSON object, or with the
+// study's name and the member whose value cannot be.
+Definition definition_of(std::string_view json);
+// The part "analysis" of a definition, also as a session recorded it.
+Plan plan_of(std::string_view json);
+
+}  // namespace ikbench::results
