@@ -41,7 +41,7 @@ Alternative read_alternative(TomlReader reader, bool is_default) {
     throw reader.mistake("set", "set is missing or has no value; expected what --set takes");
   if (one.where.empty()) throw reader.mistake("where", "where is missing; expected a clause");
   if (!is_default) {
-    reader.choice("in", one.scope, {{"small", Scope::small}, {"default", Scope::usual}});
+    reader.choice("in", one.scope, {"small", "default"});
     reader.texts("except", one.except);
   }
   reader.refuse_unknown_keys();

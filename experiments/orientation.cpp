@@ -10,8 +10,7 @@ namespace ikbench::experiments {
 using namespace numerics;
 
 void HeldTool::list_fields(Fields& io) {
-  io.choice("tool", tool, Choices<Tool>{{"down", Tool::down}, {"eq27", Tool::eq27}},
-            "how the tool is held: straight down, or as Eq. 27 prints it (horizontal)");
+  io.choice("tool", tool, {"down", "eq27"}, "how the tool is held: straight down, or as Eq. 27 prints it (horizontal)");
   io.number("tool_roll_deg", roll, degree, {-360, 360}, "turns it about its own axis");
   io.number("tool_yaw_deg", yaw, degree, {-360, 360}, "then turns it about the vertical");
 }
@@ -34,8 +33,7 @@ Eigen::Matrix3d rotation(Tool tool) {
 }
 
 void list_spacing(Fields& io, Spacing& spacing) {
-  io.choice("spacing", spacing,
-            Choices<Spacing>{{"k_over_n", Spacing::k_over_n}, {"k_over_n_minus_1", Spacing::k_over_n_minus_1}},
+  io.choice("spacing", spacing, {"k_over_n", "k_over_n_minus_1"},
             "point k = 0 ... n - 1 lies at this fraction of the path");
 }
 

@@ -13,7 +13,7 @@
 
 namespace ikbench::experiments {
 
-using numerics::Choices, numerics::Fields, numerics::InKey;
+using numerics::Fields, numerics::InKey;
 
 // A kind of path, with the fields of one path of it. The file NAME.cpp defines NAME_path(), a path with the defaults.
 class PathKind {

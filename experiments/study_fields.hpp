@@ -12,12 +12,11 @@ inline void list_fields(Fields& io, Path& path) { path->list_fields(io); }
 
 // The key has the chain and the limits that result from these.
 inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
-  using Which = robots::UrdfChoice::Limits;
   io.text("base", urdf.base, "link from which the arm is read; \"\": the root, behind joints that float",
           InKey::in_text);
   io.text("tip", urdf.tip, "link to which it is read, the tool; \"\": the end with the most moving joints before it",
           InKey::in_text);
-  io.choice("limits", urdf.limits, Choices<Which>{{"hard", Which::hard}, {"soft", Which::soft}},
+  io.choice("limits", urdf.limits, {"hard", "soft"},
             "hard: the joints' <limit>; soft: the tighter of it and <safety_controller>", InKey::in_text);
   io.number(
       "snap_deg", urdf.snap, numerics::degree, {0, 1},
@@ -31,9 +30,8 @@ inline void list_fields(Fields& io, Study& study) {
   io.numbers("initial_deg", study.initial, 1, 0,
              "configuration before the first point of a run: degrees, and metres for a joint that slides",
              InKey::in_text);
-  io.choice("trace", study.trace,
-            Choices<solvers::Trace>{{"none", solvers::Trace::none}, {"best_error", solvers::Trace::best_error}},
-            "whether to store the best error after every iteration", InKey::in_text);
+  io.choice("trace", study.trace, {"none", "best_error"}, "whether to store the best error after every iteration",
+            InKey::in_text);
 }
 
 }  // namespace ikbench::experiments

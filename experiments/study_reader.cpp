@@ -158,8 +158,8 @@ class PathReader final : public TomlReader {
 
 Path read_path(PathReader reader) {
   const std::vector<Path> kinds = paths();
-  Choices<std::size_t> names;
-  for (const Path& kind : kinds) names.emplace_back(kind->name(), names.size());
+  std::vector<std::string_view> names;
+  for (const Path& kind : kinds) names.push_back(kind->name());
   std::size_t chosen = 0;
   reader.choice("kind", chosen, names);
   Path path = kinds[chosen];
@@ -201,7 +201,7 @@ Robot read_arm(const TomlReader& reader, Study& study) {
 
 // ---- entries ------------------------------------------------------------------------------------------------------
 
-const Choices<IfMissing> if_missing_choices{{"refuse", IfMissing::refuse}, {"leave_out", IfMissing::leave_out}};
+constexpr std::array<std::string_view, 2> if_missing_choices{"refuse", "leave_out"};
 
 // An entry that may be left out and whose solver this program was built without.
 std::optional<LeftOut> left_out_of(TomlReader entry) {

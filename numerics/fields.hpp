@@ -6,13 +6,12 @@
 #include <any>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "numerics/names.hpp"
 
 namespace ikbench::numerics {
 
@@ -42,34 +41,23 @@ class Fields {
     on_texts({key, meaning, InKey::by_name}, field);
   }
 
-  template <class Enum>
-  void choice(std::string_view key, Enum& field, const Choices<Enum>& choices, std::string_view meaning = "",
+  // `choices` are the names of an enum, in its order.
+  template <class Enum, class Names = std::initializer_list<std::string_view>>
+  void choice(std::string_view key, Enum& field, const Names& choices, std::string_view meaning = "",
               InKey in_key = InKey::by_name) {
-    const auto place = std::ranges::find(choices, field, &std::pair<std::string, Enum>::second);
-    auto chosen = static_cast<std::size_t>(place - choices.begin());
-    on_choice({key, meaning, in_key}, chosen, names_in(choices));
-    if (chosen < choices.size()) field = choices[chosen].second;
-  }
-
-  // One of an enum, whose names names_of lists in its order.
-  template <class Enum>
-  void choice(std::string_view key, Enum& field, std::string_view meaning, InKey in_key = InKey::by_name) {
-    Choices<Enum> choices;
-    for (const std::string_view name : names_of(field)) choices.emplace_back(name, static_cast<Enum>(choices.size()));
-    choice(key, field, choices, meaning, in_key);
+    auto chosen = static_cast<std::size_t>(field);
+    on_choice({key, meaning, in_key}, chosen, std::vector<std::string>(choices.begin(), choices.end()));
+    field = static_cast<Enum>(chosen);
   }
 
   // Some of the choices.
-  template <class Enum>
-  void chosen(std::string_view key, std::vector<Enum>& field, const Choices<Enum>& choices, std::string_view meaning) {
+  template <class Enum, class Names>
+  void chosen(std::string_view key, std::vector<Enum>& field, const Names& choices, std::string_view meaning) {
     std::vector<std::size_t> places;
-    for (const Enum value : field) {
-      const auto place = std::ranges::find(choices, value, &std::pair<std::string, Enum>::second);
-      places.push_back(static_cast<std::size_t>(place - choices.begin()));
-    }
-    on_chosen({key, meaning, InKey::by_name}, places, names_in(choices));
+    for (const Enum value : field) places.push_back(static_cast<std::size_t>(value));
+    on_chosen({key, meaning, InKey::by_name}, places, std::vector<std::string>(choices.begin(), choices.end()));
     field.clear();
-    for (const std::size_t place : places) field.push_back(choices.at(place).second);
+    for (const std::size_t place : places) field.push_back(static_cast<Enum>(place));
   }
 
   template <class Whole>
@@ -103,13 +91,6 @@ class Fields {
   }
 
  private:
-  template <class Enum>
-  static std::vector<std::string> names_in(const Choices<Enum>& choices) {
-    std::vector<std::string> names;
-    for (const auto& [name, value] : choices) names.push_back(name);
-    return names;
-  }
-
   virtual void on_text(Name name, std::string& field) = 0;
   virtual void on_texts(Name name, std::vector<std::string>& field) = 0;
   virtual void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) = 0;

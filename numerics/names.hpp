@@ -7,14 +7,9 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace ikbench::numerics {
-
-// Names and values, for `choice` of readers and writers of fields.
-template <class Enum>
-using Choices = std::vector<std::pair<std::string, Enum>>;
 
 // The candidate with the smallest edit distance, or else one that contains the name; empty if none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);

@@ -26,6 +26,7 @@ inline const std::vector<std::string> own_palette{"#267195", "#9A3409", "#573B4B
                                                   "#EB365A", "#9B80FF", "#000000"};
 
 enum class Picture { svg, pdf, png };
+constexpr std::array<std::string_view, 3> picture_names{"svg", "pdf", "png"};
 
 struct FigureStyle {
   double width_cm = 0, height_cm = 0;  // of every figure; 0: each its own
@@ -51,14 +52,10 @@ inline void list_fields(numerics::Fields& io, FigureStyle& style) {
   io.number("text_pt", style.text_pt, 1, {4, 24}, "size of text; heights and margins follow it");
   io.texts("palette", style.palette, "colours of solvers, in the order in which they are given out: \"#RRGGBB\"");
   io.texts("solvers", style.solvers, meaning_of_shown);
-  io.chosen("formats", style.formats,
-            numerics::Choices<Picture>{{"svg", Picture::svg}, {"pdf", Picture::pdf}, {"png", Picture::png}},
-            "pictures of each figure; the page shows svg");
+  io.chosen("formats", style.formats, picture_names, "pictures of each figure; the page shows svg");
 }
 
-constexpr std::string_view name_of(Picture picture) {
-  return std::array<std::string_view, 3>{"svg", "pdf", "png"}[static_cast<std::size_t>(picture)];
-}
+constexpr std::string_view name_of(Picture picture) { return picture_names[static_cast<std::size_t>(picture)]; }
 
 // "#1E8CF8" for "#1e8cf8"; nothing for what is no colour.
 std::optional<std::string> hex_colour(std::string_view colour);

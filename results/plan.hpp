@@ -24,9 +24,7 @@ constexpr std::pair<double, double> margins_percent{0, 99};
 // The fields, listed once for study files, the store's JSON and the command line: name, member, range and meaning.
 inline void list_fields(numerics::Fields& io, Plan& plan) {
   constexpr double percent = 0.01;
-  io.choice("test", plan.test,
-            numerics::Choices<Plan::Test>{{"ranks", Plan::Test::ranks}, {"means", Plan::Test::means}},
-            "what decides: ranks, or means as papers compare them");
+  io.choice("test", plan.test, {"ranks", "means"}, "what decides: ranks, or means as papers compare them");
   io.text(
       "metric", plan.metric,
       "what decides who is best, a metric of ikbench list metrics; \"\": solved where there is a tolerance, else the error");

@@ -21,7 +21,7 @@ void list_fields(Fields& io, StudyData& study) {
           "a name from ikbench list robots, or a file beside the study: \"my_arm.toml\", \"my_arm.urdf\"",
           InKey::in_text);
   io.choice(
-      "search", study.search,
+      "search", study.search, names_of(study.search),
       "wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: search all "
       "joints for the position alone; pose: search all joints for position and orientation; axis: for the position and "
       "the direction of the tool's z axis; flange: search all but the last, which only turns the tool, for the "
@@ -32,22 +32,23 @@ void list_fields(Fields& io, StudyData& study) {
       "with search = \"pose\" or \"axis\": the error that solvers reduce is the root mean square distance of three "
       "points of the tool, its own and those this far along its x and y axes, or along its z axis both ways");
   io.choice(
-      "bounds", study.bounds,
+      "bounds", study.bounds, names_of(study.bounds),
       "joint limits of candidates: as each solver's own option says, or the same for all solvers with that option",
       InKey::in_text);
-  io.choice("wrist_branch", study.wrist_branch, "which of the two wrist branches completes an answer", InKey::in_text);
+  io.choice("wrist_branch", study.wrist_branch, {"nearest", "positive", "negative", "inside"},
+            "which of the two wrist branches completes an answer", InKey::in_text);
   io.choice(
-      "wrist_turns", study.wrist_turns,
+      "wrist_turns", study.wrist_turns, {"principal", "nearest"},
       "the wrist's angles lie within half a turn of 0, or they are turned by whole turns to where they move least");
   io.choice(
-      "limits", study.limits,
+      "limits", study.limits, names_of(study.limits),
       "recorded: answers outside the joint limits are kept and reported; enforced: candidates are clamped, the wrist "
       "takes a branch inside the limits, and an answer outside is refused, so the arm stays where it was");
   io.choice(
-      "wrap", study.wrap,
+      "wrap", study.wrap, {"no", "into_limits"},
       "into_limits: after a solve, joints outside their limits are turned back inside by whole turns where that is "
       "possible, for every solver; the pose stays");
-  io.choice("start", study.start,
+  io.choice("start", study.start, names_of(study.start),
             "a solve starts where the previous one left the arm, at initial_deg, in the middle of the joint limits, at "
             "random within them, or near a solution of a random target");
   io.number("near_deg", study.near, degree, {0, 360},

@@ -52,13 +52,8 @@ enum class Start { previous, initial, middle, random, near };
 
 // As in files, in their order.
 constexpr std::array<std::string_view, 5> names_of(Search) { return {"wrist", "all_joints", "pose", "axis", "flange"}; }
-constexpr std::array<std::string_view, 4> names_of(WristBranch) {
-  return {"nearest", "positive", "negative", "inside"};
-}
-constexpr std::array<std::string_view, 2> names_of(WristTurns) { return {"principal", "nearest"}; }
 constexpr std::array<std::string_view, 3> names_of(StudyBounds) { return {"per_solver", "initial", "clamp"}; }
 constexpr std::array<std::string_view, 2> names_of(Limits) { return {"recorded", "enforced"}; }
-constexpr std::array<std::string_view, 2> names_of(Wrap) { return {"no", "into_limits"}; }
 constexpr std::array<std::string_view, 5> names_of(Start) {
   return {"previous", "initial", "middle", "random", "near"};
 }

@@ -26,8 +26,7 @@ struct LimitedLink {
 
 inline void list_fields(numerics::Fields& io, LimitedLink& one) {
   DhLink& link = one.link;
-  io.choice("joint", link.joint,
-            numerics::Choices<Joint>{{"turns", Joint::turns}, {"slides", Joint::slides}, {"coupled", Joint::coupled}},
+  io.choice("joint", link.joint, {"turns", "slides", "coupled"},
             "turns about z, slides along z, or turns this link alone about y, as in a parallelogram");
   io.number("offset_deg", link.offset, numerics::degree, angles_deg, "added to the joint's angle");
   io.number("d_m", link.d, 1, one.lengths, "along z");

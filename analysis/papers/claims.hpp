@@ -2,12 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "analysis/papers/paper.hpp"
-#include "numerics/names.hpp"
 
 namespace ikbench::papers {
 
@@ -63,7 +63,7 @@ struct Rule {
 // better: its solvers are better than the others in each metric. ahead: its solver is better than each other in some
 // metric, and worse in none. differ: all differ, by one-way ANOVA. ratios: of times, which are not compared.
 // at_rounding: all of its solver's errors are. as_printed: each printed share of solved targets is ours.
-numerics::Choices<const Rule*> rules();
+std::span<const Rule> rules();
 
 JudgedClaim begun(const Claim& claim);  // without a verdict
 

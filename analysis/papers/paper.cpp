@@ -44,10 +44,14 @@ Claim read_claim(TomlReader reader, const std::string& papers_own) {
                                    {"table", &claim.table},
                                    {"note", &claim.note}})
     reader.text(key, *field, "");
-  reader.choice("rule", claim.rule, rules(), "");
-  reader.choice("by", claim.is_ours, {{"paper", false}, {"us", true}}, "");
-  reader.choice("of", claim.of, {{"means", Of::means}, {"spread", Of::spread}, {"each_study", Of::each_study}}, "");
-  reader.choice("from", claim.from, {{"both", From::both}, {"solvers", From::solvers}, {"others", From::others}}, "");
+  std::vector<std::string_view> names;
+  for (const Rule& rule : rules()) names.push_back(rule.name);
+  std::size_t rule = names.size();
+  reader.choice("rule", rule, names);
+  if (rule < names.size()) claim.rule = &rules()[rule];
+  reader.choice("by", claim.is_ours, {"paper", "us"});
+  reader.choice("of", claim.of, {"means", "spread", "each_study"});
+  reader.choice("from", claim.from, {"both", "solvers", "others"});
   reader.texts("solvers", claim.solvers, "");
   reader.texts("against", claim.against, "");
   reader.texts("metrics", metrics, "");

@@ -356,11 +356,7 @@ constexpr Rule all_rules[]{{"better", better},
 
 }  // namespace
 
-numerics::Choices<const Rule*> rules() {
-  numerics::Choices<const Rule*> choices;
-  for (const Rule& rule : all_rules) choices.emplace_back(rule.name, &rule);
-  return choices;
-}
+std::span<const Rule> rules() { return all_rules; }
 
 JudgedClaim begun(const Claim& claim) {
   return {.id = claim.id, .sentence = claim.sentence, .section = claim.section, .is_ours = claim.is_ours};

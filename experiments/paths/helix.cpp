@@ -30,7 +30,7 @@ class Helix final : public PathKind {
     io.number("radius_cm", radius_, centimetre, {0, 1e6}, "");
     io.number("start_deg", start_, degree, {-1e5, 1e5}, "angle t of the first point");
     io.whole("points", points_, point_counts, "");
-    io.choice("phase", phase_, Choices<Phase>{{"sin_cos", Phase::sin_cos}, {"cos_sin", Phase::cos_sin}},
+    io.choice("phase", phase_, {"sin_cos", "cos_sin"},
               "(x, y) relative to the centre: radius (sin t, cos t) or radius (cos t, sin t)");
     list_spacing(io, spacing_);
     tool_.list_fields(io);

@@ -105,12 +105,7 @@ class RandomTargets final : public PathKind {
              "each is the tool's pose at joint angles drawn uniformly within the limits from seed and run",
              InKey::in_text);
     io.choice(
-        "set", set_,
-        Choices<Set>{{"anywhere", Set::anywhere},
-                     {"near_limits", Set::near_limits},
-                     {"near_singular", Set::near_singular},
-                     {"edge", Set::edge},
-                     {"unreachable", Set::unreachable}},
+        "set", set_, {"anywhere", "near_limits", "near_singular", "edge", "unreachable"},
         "which of them. near_limits: each joint within 5 % of a limit; near_singular: Yoshikawa's manipulability "
         "below its first percentile; edge: farther from the shoulder than 95 % of the largest distance of 1000 random configurations; unreachable: moved beyond the reach");
     io.number("beyond_percent", beyond_, 0.01, {0.01, 1000},
