@@ -579,9 +579,6 @@ Study read_study(const toml::table& table, std::string_view source) {
   Study study;
   study.name = std::filesystem::path(source).stem().string();  // so that two files are two studies
   TomlReader reader(table, source, "");
-  const auto read_table = [&](std::string_view key, auto&& read) {
-    if (const toml::table* const found = reader.subtable(key)) read(reader.nested(*found, fmt::format("{}.", key)));
-  };
   const auto refuse_unknown = [&](const TomlReader& at, std::string_view key, std::string_view kind,
                                   const std::string& name, const std::vector<std::string>& names) {
     if (std::ranges::find(names, name) == names.end()) throw at.mistake(key, unknown_name(kind, name, names));
@@ -591,18 +588,15 @@ Study read_study(const toml::table& table, std::string_view source) {
   const auto papers = published::papers();
   if (!study.published.empty())
     refuse_unknown(reader, "published", "paper", study.published, {papers.begin(), papers.end()});
-  read_table("path", [&](TomlReader path) { study.path = read_path(PathReader(std::move(path))); });
-  read_table("urdf", [&](TomlReader urdf) {
-    if (!is_urdf_file(study.robot))
-      throw reader.mistake("urdf", fmt::format("[urdf] is about a URDF file, but robot is \"{}\"; expected one such as "
-                                               "\"my_arm.urdf\"",
-                                               study.robot));
-    read_part(std::move(urdf), study.urdf);
-  });
-  read_table("stop", [&](const TomlReader& stop) {
-    read_part(stop, study.stop);
-    check_stop(stop, study);
-  });
+  study.path = read_path(PathReader(reader.part("path")));
+  if (reader.find("urdf") != nullptr && !is_urdf_file(study.robot))
+    throw reader.mistake("urdf", fmt::format("[urdf] is about a URDF file, but robot is \"{}\"; expected one such as "
+                                             "\"my_arm.urdf\"",
+                                             study.robot));
+  read_part(reader.part("urdf"), study.urdf);
+  const TomlReader stop = reader.part("stop"), analysis = reader.part("analysis"), figures = reader.part("figures");
+  read_part(stop, study.stop);
+  check_stop(stop, study);
   const Robot arm = read_arm(reader, study);
   const Configuration units = joint_units(arm.chain);
   if (study.initial.size() == 0) {  // zeros, or the nearest that the limits allow
@@ -615,17 +609,13 @@ Study read_study(const toml::table& table, std::string_view source) {
   }
   read_solvers(reader, study, arm);
   const std::vector<std::string> labels = labels_of(study);
-  read_table("analysis", [&](const TomlReader& analysis) {
-    read_part(analysis, study.plan);
-    const std::string& control = study.plan.control;
-    if (!control.empty() && std::ranges::find(study.solvers, control, &SolverEntry::family) == study.solvers.end())
-      refuse_unknown(analysis, "control", "label", control, labels);
-    drop_lost_control(study);
-  });
-  read_table("figures", [&](const TomlReader& figures) {
-    read_style(figures, study.figures);
-    for (const std::string& label : study.figures.solvers) refuse_unknown(figures, "solvers", "label", label, labels);
-  });
+  read_part(analysis, study.plan);
+  const std::string& control = study.plan.control;
+  if (!control.empty() && std::ranges::find(study.solvers, control, &SolverEntry::family) == study.solvers.end())
+    refuse_unknown(analysis, "control", "label", control, labels);
+  drop_lost_control(study);
+  read_style(figures, study.figures);
+  for (const std::string& label : study.figures.solvers) refuse_unknown(figures, "solvers", "label", label, labels);
   reader.refuse_unknown_keys();
   check_study(reader, study, arm);
   return study;

@@ -168,6 +168,12 @@ const toml::table* TomlReader::subtable(std::string_view key) {
   return node == nullptr ? nullptr : node->as_table();
 }
 
+TomlReader TomlReader::part(std::string_view key) {
+  static const toml::table none;
+  const toml::table* const table = subtable(key);
+  return nested(table == nullptr ? none : *table, fmt::format("{}{}.", prefix_, key));
+}
+
 std::vector<const toml::table*> TomlReader::tables(std::string_view key, std::size_t most, std::string_view expected) {
   const toml::node* node = find(key);
   if (node == nullptr) throw mistake(key, fmt::format("{}{} is missing; expected {}", prefix_, key, expected));

@@ -43,6 +43,8 @@ class TomlReader : public Fields {
   const toml::node* find(std::string_view key);
   // The same for a key whose value must be a table.
   const toml::table* subtable(std::string_view key);
+  // A reader of it, which reads nothing if it is not given.
+  TomlReader part(std::string_view key);
   // The same for a key that must be given, whose value must be a list of 1 to `most` tables.
   std::vector<const toml::table*> tables(std::string_view key, std::size_t most, std::string_view expected);
   // Call it after all keys were read.

@@ -74,25 +74,19 @@ Plan plan_of(std::string_view json) {
 Definition definition_of(std::string_view json) {
   const Json all = parsed_json(json);
   if (!all.is_object()) throw std::invalid_argument("the definition of a study is no JSON object");
-  const toml::table table = toml_of(all), none;
+  const toml::table table = toml_of(all);
   TomlReader reader(table, fmt::format("study {}", table["name"].value_or("without a name")), "");
-  const auto part = [&](std::string_view key) {
-    const toml::table* const found = reader.subtable(key);
-    return reader.nested(found == nullptr ? none : *found, fmt::format("{}.", key));
-  };
-  TomlReader path = part("path"), stop = part("stop"), reach = part("out_of_reach"), figures = part("figures"),
-             analysis = part("analysis"), arm = part("arm");
+  TomlReader path = reader.part("path"), stop = reader.part("stop"), reach = reader.part("out_of_reach"),
+             figures = reader.part("figures"), colours = figures.part("colours"), analysis = reader.part("analysis"),
+             arm = reader.part("arm");
   constexpr std::pair<std::int64_t, std::int64_t> counts{0, std::numeric_limits<int>::max()};
   Definition study;
   list_fields(reader, study);
   list_fields(stop, study.stop);
   list_fields(analysis, study.plan);
   list_fields(figures, study.figures);
-  if (const toml::table* const colours = figures.subtable("colours")) {
-    TomlReader colour = figures.nested(*colours, "figures.colours.");
-    for (const auto& [label, node] : *colours)
-      colour.text(label.str(), study.figures.colours[std::string(label.str())]);
-  }
+  for (const auto& [label, node] : colours.table())
+    colours.text(label.str(), study.figures.colours[std::string(label.str())]);
   if (const auto mistake = mistake_in(study.figures))
     throw std::invalid_argument(fmt::format("figures: {}; expected {}", mistake->first, mistake->second));
   std::string targets;

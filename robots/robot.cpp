@@ -49,13 +49,12 @@ LimitedLink read_link(TomlReader reader, Bounds lengths) {
 
 Frame read_frame(TomlReader& reader, const std::string& key, Bounds lengths) {
   Frame frame;
-  const toml::table* const table = reader.subtable(key);
-  if (table == nullptr) return frame;
-  TomlReader frame_reader = reader.nested(*table, key + ".");
+  TomlReader frame_reader = reader.part(key);
   list_fields(frame_reader, frame);
   frame_reader.refuse_unknown_keys();
   if (!(frame.position.cwiseAbs().maxCoeff() <= lengths.second))
-    frame_reader.fail("position_m", *table->get("position_m"), fmt::format("lengths within +-{}", lengths.second));
+    frame_reader.fail("position_m", *frame_reader.find("position_m"),
+                      fmt::format("lengths within +-{}", lengths.second));
   return frame;
 }
 

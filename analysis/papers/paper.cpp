@@ -26,10 +26,8 @@ constexpr EmbeddedFile files[]{
 using Texts = std::map<std::string, std::string>;
 
 void read_texts(TomlReader& reader, std::string_view key, Texts& field) {
-  const toml::table* const table = reader.subtable(key);
-  if (table == nullptr) return;
-  TomlReader texts = reader.nested(*table, fmt::format("{}.", key));
-  for (const auto& [name, value] : *table) texts.text(name.str(), field[std::string(name.str())], "");
+  TomlReader texts = reader.part(key);
+  for (const auto& [name, value] : texts.table()) texts.text(name.str(), field[std::string(name.str())], "");
 }
 
 Claim read_claim(TomlReader reader, const std::string& papers_own) {
