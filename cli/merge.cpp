@@ -12,9 +12,9 @@
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/shard.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
+#include "results/study.hpp"
 
 namespace ikbench::cli {
 
@@ -84,7 +84,8 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     const Store store(out, Store::Mode::read);
     numerics::OrderedJson missing = numerics::OrderedJson::object();
     for (const StudyEntry& study : store.studies()) {
-      const std::int64_t all = experiments::solves_of({}, experiments::size_of(study));
+      const Definition definition = definition_of(study.definition);
+      const std::int64_t all = std::int64_t{definition.runs} * definition.points * std::ssize(study.series);
       const std::int64_t lacks = all - store.number_of_solves(study);
       if (lacks == 0) continue;
       say(fmt::format("{} lacks {} of {} solves; solve its missing shards, then merge again", study.name, lacks, all));

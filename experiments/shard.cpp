@@ -10,8 +10,6 @@
 
 namespace ikbench::experiments {
 
-using namespace results;
-
 namespace {
 
 constexpr int most_shards = 100'000;
@@ -28,14 +26,6 @@ StudySize size_of(const Study& study) {
           .points = study.path->points(),
           .solvers = static_cast<int>(study.solvers.size()),
           .is_chained = study.is_chained()};
-}
-
-StudySize size_of(const StudyEntry& study) {
-  const Definition definition = definition_of(study.definition);
-  return {.runs = definition.runs,
-          .points = definition.points,
-          .solvers = static_cast<int>(study.series.size()),
-          .is_chained = definition.is_chained()};
 }
 
 Shard shard_from(std::string_view text) {

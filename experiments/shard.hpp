@@ -5,8 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "results/store.hpp"
-
 namespace ikbench::experiments {
 
 struct Study;
@@ -21,7 +19,6 @@ struct StudySize {
 };
 
 StudySize size_of(const Study& study);
-StudySize size_of(const results::StudyEntry& study);
 
 // Shard I of N has the parts I, I + N, I + 2N, ...: more runs leave each part where it is.
 struct Shard {
