@@ -429,10 +429,15 @@ std::vector<Series> series_of(const Study& study) {
     Settings options = effective_options(study, entry);
     if (entry.program) options["process"] = fmt::format("{}", fmt::join(entry.program->choice.process, " "));
     if (entry.population > 0) options["population"] = std::to_string(entry.population);  // its own
+    Json values = Json::object();
+    for (const auto& [name, text] : options) {
+      const Json number = Json::parse(text, nullptr, false);
+      values[name] = number.is_number() ? number : Json(text);
+    }
     all.push_back({.key = series_key(study, entry),
                    .label = entry.label,
                    .algorithm = entry.solver,
-                   .options = numerics::text_of(Json(options))});
+                   .options = numerics::text_of(values)});
   }
   return all;
 }

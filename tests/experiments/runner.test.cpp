@@ -102,7 +102,7 @@ TEST_CASE("a study from the store's point of view: name, series in order, option
   REQUIRE(entry.series.size() == 3);
   CHECK(entry.series[0].label == "IK-BA");
   CHECK(entry.series[1].algorithm == "bat");
-  CHECK(nlohmann::json::parse(entry.series[1].options)["alpha"] == "0.25");
+  CHECK(nlohmann::json::parse(entry.series[1].options)["alpha"] == 0.25);
   CHECK(entry.series[2].key == series_key(study, study.solvers[2]));
   const nlohmann::json definition = nlohmann::json::parse(entry.definition);
   CHECK(definition["runs"] == 2);
