@@ -66,12 +66,12 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
       "A solve that two stores have must have the same bits in both. What is missing is counted; the exit code is\n"
-      "then 5. A merge that was killed has added nothing, or all: give the same command again.");
+      "then 5. After a merge that was killed give the same command again.");
   command->callback([arguments, &invocation] {
     const fs::path out = store_in(arguments->out);
     std::vector<fs::path> stores;
     for (const std::string& place : arguments->places) std::ranges::copy(stores_in(place), std::back_inserter(stores));
-    const EndOnSignal signals("Stopped. All was merged, or nothing; give the same command again.");
+    const EndOnSignal signals("Stopped. Give the same command again, which goes on.");
     const Merged merged = [&] {
       ProgressBar bar("merging", "stores");
       return merge(out, stores, [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });

@@ -1,13 +1,9 @@
 #include "results/merge.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -16,7 +12,6 @@
 #include <utility>
 
 #include "numerics/json.hpp"
-#include "results/files.hpp"
 #include "results/fingerprint.hpp"
 #include "results/store_codec.hpp"
 
@@ -77,28 +72,24 @@ void refuse_another_study(Studies& known, const fs::path& place) {
   }
 }
 
-// The place that a session came from.
-using PlaceOf = std::function<fs::path(std::int64_t session)>;
-
 // Refuses a solve that has other bits in the database `source` than in `main`.
-void refuse_other_bits(SQLite::Database& sqlite, const PlaceOf& ours, const PlaceOf& theirs) {
+void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs::path& theirs) {
   if (sqlite.execAndGet("SELECT NOT EXISTS (SELECT 1 FROM main.solves)").getInt() != 0) return;  // spares a whole scan
   std::vector<std::string> differ;
   for (const std::string_view column : in_fingerprint)
     if (column != "study")  // the same solve may belong to two studies
       differ.push_back(fmt::format("iif(theirs.{0} IS NOT ours.{0}, ' {0}', '')", column));
   SQLite::Statement query(
-      sqlite, fmt::format("SELECT theirs.run, theirs.point, theirs.solver, theirs.session, ours.session, {} AS others "
+      sqlite, fmt::format("SELECT theirs.run, theirs.point, theirs.solver, {} AS others "
                           "FROM source.solves AS theirs JOIN main.solves AS ours USING (series, run, point) "
                           "WHERE others <> '' LIMIT 1",
                           fmt::join(differ, " || ")));
   if (!query.executeStep()) return;
   throw std::invalid_argument(
-      fmt::format("the solve of run {}, point {} by {} has other bits in {} than in {} ({}); nothing was merged; find "
+      fmt::format("the solve of run {}, point {} by {} has other bits in {} than in {} ({}); it was not merged; find "
                   "out which machine, compiler or edit changed them (ikbench export --format fingerprint)",
                   query.getColumn(0).getInt64(), query.getColumn(1).getInt64(), excerpt(query.getColumn(2).getString()),
-                  quoted(theirs(query.getColumn(3).getInt64())), quoted(ours(query.getColumn(4).getInt64())),
-                  query.getColumn(5).getString().substr(1)));
+                  quoted(theirs), quoted(ours), query.getColumn(3).getString().substr(1)));
 }
 
 // Copies from the database `source` what `main` lacks, sessions of new solves under new numbers. Of two numbers of runs
@@ -124,13 +115,6 @@ std::int64_t copy_missing(SQLite::Database& sqlite) {
                   "INSERT OR IGNORE INTO main.series SELECT * FROM source.series",
                   session, row));
   return added;
-}
-
-// Renames a file, unless the name exists: then EEXIST.
-std::error_code publish(const fs::path& file, const fs::path& name) {
-  if (::renameat2(AT_FDCWD, file.c_str(), AT_FDCWD, name.c_str(), RENAME_NOREPLACE) == 0) return {};
-  if (errno != EEXIST && ::link(file.c_str(), name.c_str()) == 0) return {};  // NFS knows no RENAME_NOREPLACE
-  return {errno, std::generic_category()};
 }
 
 }  // namespace
@@ -160,43 +144,20 @@ Merged merge(const fs::path& out, const std::vector<fs::path>& stores, const Mer
   Studies studies;
   std::error_code none;
   if (fs::exists(out, none)) refuse_another_study(studies, out);
-
-  // SQLite attaches few files at once, so all are gathered in a new store, which becomes `out` or is copied into it.
-  const TemporaryFolder scratch(out.parent_path(), out);
-  const fs::path gathered = scratch.path() / "gathered";
-  std::map<std::int64_t, fs::path> places;  // by the last session of each
-  const PlaceOf place_of = [&](std::int64_t session) {
-    const auto found = places.lower_bound(session);
-    return found == places.end() ? out : found->second;
-  };
+  for (const fs::path& place : stores) refuse_another_study(studies, place);
+  Store all(out, Store::Mode::write_shared);
   Merged merged;
-  {
-    Store all(gathered, Store::Mode::write_shared);
-    std::int64_t done = 0;
-    for (const fs::path& place : stores) {
-      if (progress) progress(done++, std::ssize(stores));
-      refuse_another_study(studies, place);
-      all.write_from(place, [&](SQLite::Database& sqlite) {
-        refuse_other_bits(sqlite, place_of, [&](std::int64_t) { return place; });
-        const std::int64_t added = copy_missing(sqlite);
-        merged.added += added;
-        merged.known += sqlite.execAndGet("SELECT count(*) FROM source.solves").getInt64() - added;
-        places.try_emplace(sqlite.execAndGet("SELECT coalesce(max(id), 0) FROM main.sessions").getInt64(), place);
-      });
-    }
+  std::int64_t done = 0;
+  for (const fs::path& place : stores) {
+    if (progress) progress(done++, std::ssize(stores));
+    if (fs::equivalent(place, out, none)) continue;
+    all.write_from(place, [&](SQLite::Database& sqlite) {
+      refuse_other_bits(sqlite, out, place);
+      const std::int64_t added = copy_missing(sqlite);
+      merged.added += added;
+      merged.known += sqlite.execAndGet("SELECT count(*) FROM source.solves").getInt64() - added;
+    });
   }
-  const std::error_code error = publish(gathered, out);
-  if (!error) return merged;
-  if (error != std::errc::file_exists)
-    throw std::invalid_argument(
-        fmt::format("cannot write {}: {}; choose a place that you can write to", quoted(out), error.message()));
-  Store(out, Store::Mode::write_shared).write_from(gathered, [&](SQLite::Database& sqlite) {
-    refuse_other_bits(
-        sqlite, [&](std::int64_t) { return out; }, place_of);
-    const std::int64_t added = copy_missing(sqlite);
-    merged.known += merged.added - added;
-    merged.added = added;
-  });
   return merged;
 }
 

@@ -81,7 +81,6 @@ rows() {
 study=(run slim2023 --set runs=12 --set path.points=8 --set stop.iterations=60 --set population=20 --no-report)
 succeeds "${study[@]}" --out whole
 numbers whole/store.sqlite >whole.csv
-all=$(rows whole/store.sqlite)
 for i in 1 2 3; do succeeds "${study[@]}" --shard $i/3 --out shards/$i-of-3; done
 as_whole() {
   numbers "$1" | cmp - whole.csv || fail "other numbers after $2"
@@ -103,8 +102,8 @@ kill_run() {
   done
 }
 
-kill_merge() { # all or nothing, into a new store and into one that is there
-  local k kind signal found begun
+kill_merge() { # into a new store and into one that is there
+  local k kind signal begun
   look() { echo 0; }
   ends 5 merge begun shards/2-of-3
   begun=$(rows begun/store.sqlite)
@@ -115,8 +114,7 @@ kill_merge() { # all or nothing, into a new store and into one that is there
         rm -rf merged
         [ $kind = new ] || cp -r begun merged
         signalled $signal merge merged shards
-        found=$(rows merged/store.sqlite)
-        [ "$found" = "$all" ] || equal "solves after SIG$signal of a merge" "$found" "$([ $kind = new ] && echo 0 || echo "$begun")"
+        [ "$(rows merged/store.sqlite)" -ge "$([ $kind = new ] && echo 0 || echo "$begun")" ] || fail "SIG$signal of a merge lost solves"
         succeeds merge merged shards
         as_whole merged/store.sqlite "a merge with SIG$signal"
         equal "files of a merge" "$(ls merged)" store.sqlite
