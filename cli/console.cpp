@@ -251,11 +251,6 @@ std::filesystem::path default_folder(std::string_view study) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.') c = '_';
   }
   if (name.empty() || name.front() == '.') name = '_' + name;
-  if (name != study) {
-    std::uint32_t hash = 0x811c9dc5u;  // FNV-1a
-    for (const char c : study) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193u;
-    name += fmt::format("-{:08x}", hash);
-  }
   return std::filesystem::path("out") / name;
 }
 

@@ -113,8 +113,7 @@ class ProgressBar {
   ProgressText text_;
 };
 
-// out/<name>, where '_' replaces all but letters, digits, '-', '_' and '.' in the name. A hash then tells names apart
-// that become equal.
+// out/<name>, where '_' replaces all but letters, digits, '-', '_' and '.' in the name.
 std::filesystem::path default_folder(std::string_view study);
 
 }  // namespace ikbench::cli
