@@ -18,7 +18,6 @@
 #include "experiments/workers.hpp"
 #include "numerics/number.hpp"
 #include "numerics/units.hpp"
-#include "results/files.hpp"
 
 namespace ikbench::experiments {
 
@@ -127,7 +126,6 @@ SeriesMeans::SeriesMeans(std::filesystem::path file) : file_(std::move(file)) {
                                               file_.string(), head_of_means.substr(0, head_of_means.size() - 1)));
     }
     auto [key, means] = series_in(line, fmt::format("{}:{}", file_.string(), number));
-    if (!known_.empty() && key <= known_.rbegin()->first) is_sorted_ = false;
     RunMeans& known = known_[key];
     if (means.error_cm.size() > known.error_cm.size()) known = std::move(means);
   }
@@ -153,15 +151,6 @@ void SeriesMeans::keep(const std::string& key, RunMeans means) {
                                          file_.string(), std::generic_category().message(errno)));
   }
   known_[key] = std::move(means);
-  is_sorted_ = false;
-}
-
-void SeriesMeans::sort() {
-  if (is_sorted_) return;
-  std::string text(head_of_means);
-  for (const auto& [key, means] : known_) text += line_of(key, means);
-  write_file(file_, text);
-  is_sorted_ = true;
 }
 
 std::vector<RunMeans> solve_series(const std::vector<Study>& series, SeriesMeans& kept, const SeriesRequest& request) {
@@ -215,7 +204,6 @@ std::vector<RunMeans> solve_series(const std::vector<Study>& series, SeriesMeans
       throw;
     }
   });
-  kept.sort();
   std::vector<RunMeans> means;
   for (std::size_t i = 0; i < series.size() && solved[i]; ++i) means.push_back(std::move(*solved[i]));
   return means;

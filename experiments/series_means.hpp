@@ -27,13 +27,10 @@ class SeriesMeans {
   // The means of the first `runs` runs of a series; null if fewer were solved.
   const RunMeans* find(const std::string& key, std::size_t runs) const;
   void keep(const std::string& key, RunMeans means);  // appends to the file at once
-  // Sorts the lines by their keys.
-  void sort();
 
  private:
   std::filesystem::path file_;
   std::map<std::string, RunMeans> known_;
-  bool is_sorted_ = true;  // about the file's lines
 };
 
 struct SeriesRequest {
@@ -44,7 +41,7 @@ struct SeriesRequest {
 };
 
 // The means of series of one solver each, in their order; after Ctrl-C, those before the first missing one. Each is
-// kept at once. Finally the file is sorted, so it is the same for any number of jobs.
+// kept at once.
 std::vector<RunMeans> solve_series(const std::vector<Study>& series, SeriesMeans& kept, const SeriesRequest& request);
 
 }  // namespace ikbench::experiments

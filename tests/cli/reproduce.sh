@@ -65,10 +65,10 @@ few=(multiverse slim2023 "${small[@]}" --dimensions bounds,IK-BA.step_factor,BA.
 succeeds "${few[@]}" --jobs 2 --out folder --json
 json '[row["claim"] for row in of] and all(row["holds"] + row["fails"] + row["not_decided"] == 12 for row in of)'
 succeeds "${few[@]}" --out again
-cmp folder/series.csv again/series.csv || fail "other series with one job"
+cmp <(sort folder/series.csv) <(sort again/series.csv) || fail "other series with one job"
 head -c 1500 folder/series.csv >again/series.csv
 succeeds "${few[@]}" --out again
-diff -r folder again || fail "other readings after a cut"
+diff -r -x series.csv folder again && cmp <(sort folder/series.csv) <(sort again/series.csv) || fail "other readings after a cut"
 sed -i '2s/,.*,/,-1,/' again/series.csv
 refused series.csv:2 "${few[@]}" --out again
 echo "edited" >folder/series.csv
