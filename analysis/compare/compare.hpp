@@ -15,7 +15,7 @@ namespace ikbench::compare {
 
 using results::Plan;
 
-// Of the first.
+// Of the first. same: within the margin. undecided: p decides nothing. not_tested: for the reason of Why.
 enum class Verdict { better, worse, same, undecided, not_tested };
 std::string_view name_of(Verdict verdict);
 

@@ -18,7 +18,7 @@ using namespace results;
 
 // What vanished is not equal; what the candidate has more is left out, so that each number is of what is compared.
 // Returns how many those are.
-std::size_t keep_common(const StudyResults& baseline, StudyResults& candidate) {
+std::size_t leave_out_further(const StudyResults& baseline, StudyResults& candidate) {
   const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
   const auto left_out = std::erase_if(candidate.solves, [&](const Solve& solve) {
     return !std::ranges::binary_search(baseline.solves, place(solve), {}, place);
@@ -173,7 +173,7 @@ std::optional<double> visible_loss(const Judged& judged) {
 
 Gate gate(StudyResults baseline, StudyResults candidate) {
   refuse_other_task(baseline, candidate);
-  const auto left_out = static_cast<double>(keep_common(baseline, candidate));
+  const auto left_out = static_cast<double>(leave_out_further(baseline, candidate));
   const auto common = static_cast<double>(candidate.solves.size());
   StudyResults study = study_of_both(baseline, candidate);
   Gate gate{.are_same = have_same_solves(study.of(study.solvers.front()), study.of(study.solvers.back()))};
@@ -230,7 +230,7 @@ void decide(std::vector<Gate>& gates) {
     const auto size = [&](std::size_t i) {
       return std::max(deciding.described[i].n, deciding.observations.groups[i].copies);
     };
-    gate.compared = deciding.observations.is_paired ? deciding.findings.front().n : std::min(size(0), size(1));
+    gate.size = deciding.observations.is_paired ? deciding.findings.front().n : std::min(size(0), size(1));
     for (Judged& judged : study.metrics) {
       for (Group& group : judged.observations.groups) group.values = {};
     }
@@ -238,7 +238,7 @@ void decide(std::vector<Gate>& gates) {
 }
 
 std::string compared_of(const Gate& gate) {
-  return numerics::counted(gate.compared, gate.judged.study.definition.is_chained() ? "runs" : "targets");
+  return numerics::counted(gate.size, gate.judged.study.definition.is_chained() ? "runs" : "targets");
 }
 
 std::string sight_of(const Gate& gate) {

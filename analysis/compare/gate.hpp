@@ -17,7 +17,7 @@ struct Gate {
   std::vector<std::string> worse, better, not_decided, not_tested;  // quantities, but time
   std::optional<Verdict> time = {};    // better or worse, if it is; it depends on the load, and decides nothing
   bool are_same = false;               // all solves, bit for bit: then nothing is left to decide
-  int compared = 0;                    // targets, or runs of chained solves
+  int size = 0;                        // targets, or runs of chained solves
   std::optional<double> visible_loss;  // smallest loss of the share solved that the test would show
 };
 

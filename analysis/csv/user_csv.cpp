@@ -146,7 +146,7 @@ Index number_of(std::string_view text, std::unordered_map<std::string_view, Inde
 }
 
 // Refuses a row that repeats another in all but this text.
-void refuse_other(const Sheet& sheet, Index row, Index other, std::size_t column) {
+void refuse_other_text(const Sheet& sheet, Index row, Index other, std::size_t column) {
   const std::string_view text = sheet.cell(row, column);
   if (sheet.cell(other, column) == text) return;
   sheet.refuse(other, column,
@@ -202,7 +202,8 @@ void refuse_mixed(const Sheet& sheet, const Layout& layout, const Items& items) 
     if (different.size() == items.values.size()) continue;  // times of day and the like
     for (std::size_t i = 1; i < items.values.size(); ++i) {
       const Value &before = items.values[i - 1], &each = items.values[i];
-      if (before.group == each.group && before.unit == each.unit) refuse_other(sheet, before.row, each.row, column);
+      if (before.group == each.group && before.unit == each.unit)
+        refuse_other_text(sheet, before.row, each.row, column);
     }
   }
 }
@@ -243,7 +244,7 @@ Better better_of(const Sheet& sheet, const Request& request, const std::string& 
   return said == "larger" ? Better::larger : Better::smaller;
 }
 
-void refuse_others(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles) {
+void refuse_unknown_better(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles) {
   for (const std::string& each : request.better) {
     const std::string title = each.substr(0, each.rfind('='));
     if (title != each && std::ranges::count(titles, title) == 0)
@@ -384,13 +385,13 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   const Layout layout = layout_of(sheet, request);
   if (const Column metric = sheet.column_like(metric_names);
       metric && !layout.has(*metric) && !sheet.has_numbers(*metric)) {
-    for (const Index row : sheet.rows()) refuse_other(sheet, sheet.rows().front(), row, *metric);
+    for (const Index row : sheet.rows()) refuse_other_text(sheet, sheet.rows().front(), row, *metric);
   }
   Quantities quantities;
   std::vector<std::string> titles;
   for (const std::size_t each : layout.values) titles.push_back(sheet.titles()[each]);
   if (!layout.label) titles = {"value"};
-  refuse_others(sheet, request, titles);
+  refuse_unknown_better(sheet, request, titles);
   Column rows = layout.rows;
   for (std::size_t i = 0; i < titles.size(); ++i) {
     const Items items = items_of(sheet, layout, layout.label ? std::vector{layout.values[i]} : layout.values);
@@ -457,7 +458,7 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
       quantities.observed[static_cast<std::size_t>(place)].doubts.push_back(
           {.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
   }
-  refuse_others(sheet, request, titles);
+  refuse_unknown_better(sheet, request, titles);
   return quantities;
 }
 

@@ -138,9 +138,9 @@ TEST_CASE("what the baseline has and the candidate lacks is refused, what it has
   CHECK_THROWS_WITH(gate_of(version(1, more), version(1)),
                     StartsWith("not compared: mine lacks 100 of the 200 solves"));
   CHECK_THROWS_AS(gate_of(study(of_100, [](SolveRecord&) {}, {"A"}), part), std::invalid_argument);
-  CHECK(gate_of(version(1), version(1)).compared == 100);
+  CHECK(gate_of(version(1), version(1)).size == 100);
   const Gate gate = gate_of(part, version(1));
-  CHECK(gate.compared == 23);
+  CHECK(gate.size == 23);
   for (const Judged& judged : gate.judged.metrics) CHECK(judged.described.front().n == judged.described.back().n);
   CHECK(words_of(gate.judged.doubts.back()) ==
         "77 of 100 solves are left out, since the baseline lacks them (candidate)");
