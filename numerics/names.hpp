@@ -23,6 +23,9 @@ std::string counted(std::int64_t count, std::string_view nouns);
 // The first bytes, at most `most`, without a cut character of UTF-8 at the end.
 std::string_view front(std::string_view text, std::size_t most);
 
+std::string_view trimmed(std::string_view text);  // without blanks and tabs at its ends
+std::string lower_case(std::string_view text);    // ASCII letters
+
 // True for a text that is safe in a message, a table or a file's name.
 bool is_plain(std::string_view text);
 constexpr std::string_view plain_text = "a text of at most 200 bytes without control characters";

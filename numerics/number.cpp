@@ -1,11 +1,12 @@
 // Numbers as text and back, by std::to_chars and std::from_chars, which know no locale.
 #include "numerics/number.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
+
+#include "numerics/names.hpp"
 
 namespace ikbench::numerics {
 
@@ -23,9 +24,7 @@ std::string text_of(double value) {
 }
 
 std::optional<double> number_from(std::string_view text) {
-  constexpr std::string_view blanks = " \t";
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-  text = text.substr(0, text.find_last_not_of(blanks) + 1);
+  text = trimmed(text);
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);  // from_chars takes no plus
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -40,12 +40,6 @@ double last_digit(std::string_view number, double value) {
   return number_from(fmt::format("1e{:.0f}", places)).value_or(0);
 }
 
-std::string lowered(std::string_view text) {
-  std::string lower(text);
-  for (char& letter : lower) letter = 'A' <= letter && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  return lower;
-}
-
 bool is_joint(const XMLElement& element) { return std::string_view(element.Name()) == "joint"; }
 
 // A file, for messages about places in it.
@@ -85,7 +79,7 @@ class Place {
     const std::vector<std::string> read{"origin", "axis", "limit", "mimic", "parent", "child", "safety_controller"};
     std::set<std::string> seen;
     for (const XMLElement* each = joint.FirstChildElement(); each != nullptr; each = each->NextSiblingElement()) {
-      const std::string name = each->Name(), lower = lowered(name), meant = nearest_name(lower, read);
+      const std::string name = each->Name(), lower = lower_case(name), meant = nearest_name(lower, read);
       if (name.starts_with("xacro:")) fail_as_xacro(*each);
       if (meant.empty() || meant.front() != lower.front()) continue;  // a tag of another program
       if (meant != name) fail(*each, fmt::format("unknown <{}>; did you mean <{}>?", shown(name), meant));
@@ -460,7 +454,7 @@ const XMLElement& parsed(tinyxml2::XMLDocument& document, std::string_view text,
 }  // namespace
 
 bool is_urdf_file(std::string_view name) {
-  const std::string ending = lowered(name.substr(std::min(name.rfind('.'), name.size())));
+  const std::string ending = lower_case(name.substr(std::min(name.rfind('.'), name.size())));
   return ending == ".urdf" || ending == ".xacro";
 }
 

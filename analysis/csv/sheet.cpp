@@ -13,13 +13,10 @@
 #include "numerics/number.hpp"
 
 namespace ikbench::csv {
-namespace {
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t";
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-  return text.substr(0, text.find_last_not_of(blanks) + 1);
-}
+using numerics::lower_case, numerics::trimmed;
+
+namespace {
 
 bool is_missing(std::string_view cell) {
   return cell.size() <= 4 &&
@@ -72,12 +69,6 @@ char separator_of(std::string_view text) {
 }
 
 }  // namespace
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  return lower;
-}
 
 bool is_one_of(std::string_view text, const Words& words) {
   return std::ranges::find(words, lower_case(text)) != words.end();

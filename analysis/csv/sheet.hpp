@@ -15,7 +15,6 @@ namespace ikbench::csv {
 constexpr std::ptrdiff_t most_lines = 10'000'000;  // of solves a study may have as many
 
 using Words = std::initializer_list<std::string_view>;
-std::string lower_case(std::string_view text);              // ASCII letters
 bool is_one_of(std::string_view text, const Words& words);  // in any case
 std::string in_quotes(std::string_view text);               // one line, cut, for messages
 

@@ -23,6 +23,7 @@ namespace ikbench::csv {
 namespace {
 
 using namespace compare;
+using numerics::lower_case;
 using Index = std::uint32_t;
 using Column = std::optional<std::size_t>;
 

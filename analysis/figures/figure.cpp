@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cctype>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -19,6 +18,7 @@
 #include <utility>
 
 #include "numerics/embedded_file.hpp"
+#include "numerics/names.hpp"
 #include "numerics/number.hpp"
 #include "results/child_process.hpp"
 #include "results/files.hpp"
@@ -182,13 +182,9 @@ void refuse_missing_font(const std::string& font) {
     const ChildProcess::Ran result = ChildProcess::run(words, ".", {});
     return result.succeeded ? result.output : "";
   };
-  const auto lower = [](std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-  };
   if (font == FigureStyle().font) return;
   const std::string nearest = told({"fc-match", "--format=,%{family},", "--", font});  // the names of one font
-  if (nearest.empty() || lower(nearest).find("," + lower(font) + ",") != std::string::npos) return;
+  if (nearest.empty() || lower_case(nearest).find("," + lower_case(font) + ",") != std::string::npos) return;
   std::set<std::string> there;
   std::istringstream lines(told({"fc-list", "--format=%{family[0]}\n", ":lang=en:slant=0"}));
   for (std::string line; std::getline(lines, line);) there.insert(line);

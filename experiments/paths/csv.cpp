@@ -50,12 +50,6 @@ struct Column {
   std::string_view name;
 };
 
-std::string_view without_blanks(std::string_view text) {
-  constexpr std::string_view blanks = " \t";
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-  return text.substr(0, text.find_last_not_of(blanks) + 1);
-}
-
 // Quotes a text for a message.
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 40;
@@ -77,7 +71,7 @@ class Table {
 
   std::size_t columns() const { return csv_.header.size(); }
   std::string_view cell(std::size_t place) const {
-    return without_blanks(row_ == 0 ? csv_.header[place] : csv_.cell(row_ - 1, place));
+    return trimmed(row_ == 0 ? csv_.header[place] : csv_.cell(row_ - 1, place));
   }
   [[noreturn]] void refuse(std::string_view what) const {
     throw std::invalid_argument(fmt::format("{}:{}: {}", file_, row_ == 0 ? 1 : csv_.line(row_ - 1), what));
