@@ -113,8 +113,6 @@ void bury(pid_t process, int* status = nullptr) {
 
 ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder,
                            std::vector<std::string> variables) {
-  // Writing to a program that has ended is then an error of write(), not the end of our process.
-  [[maybe_unused]] static const auto before = ::signal(SIGPIPE, SIG_IGN);
   Pipe input, output, errors, lifeline;
   guard_ = start_guard(lifeline.ends[0]);
   if (guard_ < 0) throw std::runtime_error(fmt::format("cannot start a process: {}", std::strerror(errno)));
@@ -199,6 +197,8 @@ bool ChildProcess::has_line() {
 }
 
 void ChildProcess::write(std::string_view text, Clock::time_point deadline) {
+  // Writing to a program that has ended is then an error of write(), not the end of our process.
+  [[maybe_unused]] static const auto before = ::signal(SIGPIPE, SIG_IGN);
   while (!text.empty()) {
     const ssize_t size = ::write(input_, text.data(), text.size());
     if (size >= 0)
