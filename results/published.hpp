@@ -8,10 +8,8 @@
 
 namespace ikbench::results::published {
 
-// The table as printed, e.g. table("slim2023", "table-3"); std::invalid_argument if there is none.
+// The table as printed, e.g. table("slim2023", "table-3"); without rows if there is none.
 CsvTable table(std::string_view paper, std::string_view name);
 std::vector<std::string_view> papers();
-// Names of a paper's tables; none for an unknown paper.
-std::vector<std::string_view> tables(std::string_view paper);
 
 }  // namespace ikbench::results::published

@@ -11,6 +11,7 @@
 #include "analysis/show/text.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/toml_table.hpp"
+#include "results/published.hpp"
 
 namespace ikbench::papers {
 
@@ -183,7 +184,7 @@ const JudgedStudy* Repeated::part(std::string_view part) const {
 std::vector<RatesOfArm> rates_of(const Repeated& of) {
   const Rates& plan = of.paper.rates;
   std::vector<RatesOfArm> arms;
-  const results::CsvTable printed = printed_table(of.paper.name, plan.table);
+  const results::CsvTable printed = results::published::table(of.paper.name, plan.table);
   for (std::size_t row = 0; row < printed.rows(); ++row) {
     for (const JudgedStudy* each : of.all()) {
       const StudyResults& study = each->study;

@@ -44,8 +44,6 @@ using PrintedRows = std::vector<PrintedRow>;
 
 const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver);  // null if there is none
 
-// As printed; without rows if the paper has no such table.
-results::CsvTable printed_table(std::string_view paper, std::string_view name);
 // Of a table with the columns algorithm, metric, n and the statistics.
 PrintedRows printed_means(std::string_view paper, std::string_view table, std::string_view metric);
 // Of a table with n, mean_ms, median_ms and so on; its solvers are named "12 bats" from its first column, bats.

@@ -80,14 +80,9 @@ const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver) {
   return row == rows.end() ? nullptr : &*row;
 }
 
-CsvTable printed_table(std::string_view paper, std::string_view name) {
-  const auto names = results::published::tables(paper);
-  return std::ranges::find(names, name) == names.end() ? CsvTable() : results::published::table(paper, name);
-}
-
 PrintedRows printed_means(std::string_view paper, std::string_view name, std::string_view metric) {
   PrintedRows rows;
-  const CsvTable table = printed_table(paper, name);
+  const CsvTable table = results::published::table(paper, name);
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (table.cell(i, table.column("metric")) == metric)
       rows.push_back(read_row(table, i, std::string(table.cell(i, table.column("algorithm"))), ""));
@@ -97,7 +92,7 @@ PrintedRows printed_means(std::string_view paper, std::string_view name, std::st
 
 PrintedRows printed_times(std::string_view paper, std::string_view name) {
   PrintedRows rows;
-  const CsvTable table = printed_table(paper, name);
+  const CsvTable table = results::published::table(paper, name);
   for (std::size_t i = 0; i < table.rows(); ++i)
     rows.push_back(read_row(table, i, fmt::format("{} {}", table.cell(i, 0), table.header[0]), "_ms"));
   return rows;

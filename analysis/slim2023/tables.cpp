@@ -8,6 +8,7 @@
 #include "analysis/show/text.hpp"
 #include "analysis/slim2023/slim2023.hpp"
 #include "numerics/units.hpp"
+#include "results/published.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -65,7 +66,7 @@ std::vector<Table> anova_tables(const Repeated& of) {
         Table{.name = number,
               .caption = fmt::format("Table {}: ANOVA of the {} [{}]", anova, name, metric_named(column).unit),
               .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
-    const results::CsvTable printed = printed_table(of.paper.name, number);
+    const results::CsvTable printed = results::published::table(of.paper.name, number);
     if (!judged->anova) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
     const auto ours = rows_of(judged->anova);
     for (std::size_t r = 0; r < ours.size(); ++r) {
@@ -105,7 +106,7 @@ std::optional<Table> table_7(const Repeated& of) {
 
 std::optional<Table> table_8(const Repeated& of) {
   const StudyResults& study = of.study.study;
-  const results::CsvTable printed = printed_table(of.paper.name, "table-8");
+  const results::CsvTable printed = results::published::table(of.paper.name, "table-8");
   if (study.definition.path != "circle" || study.solves.empty()) return {};
   Table table{.name = "table-8",
               .caption = "Table 8: joint angles and position error along the circle",

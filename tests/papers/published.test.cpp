@@ -31,7 +31,6 @@ TEST_CASE("printed rows have their digits, and the names that a table gives by i
   REQUIRE(row_of(times, "30 bats") != nullptr);
   CHECK(row_of(times, "30 bats")->numbers.largest == 448.44);
   CHECK(row_of(times, "13 bats") == nullptr);
-  CHECK(printed_table("slim2023", "table-99").rows() == 0);
 }
 
 TEST_CASE("printed means are compared as summaries, and give the printed ANOVA but for rounding", "[papers]") {
