@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "analysis/show/text.hpp"
-#include "numerics/utf8.hpp"
+#include "numerics/names.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::cli {

@@ -1,5 +1,5 @@
-// Names that people type: choices of them, lists of them in messages, the nearest one to a misspelt name, and long ones
-// cut for messages.
+// Names that people type: choices of them, lists of them in messages, the nearest one to a misspelt name, and any text
+// (labels and titles come from files of users) as one line of whole characters, short or cut.
 #pragma once
 
 #include <cstddef>
@@ -36,5 +36,11 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
 
 // `unknown solver "ik_bta"; did you mean "ik_bat"? There are: ik_bat, bat, ...`
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates);
+
+// One line of valid UTF-8: control characters become blanks, bytes that are none U+FFFD.
+std::string one_line(std::string_view text);
+std::size_t character_count(std::string_view utf8);
+// One line of at most so many characters; an ellipsis stands for its middle, because variants differ at their ends.
+std::string shortened(std::string_view text, std::size_t length);
 
 }  // namespace ikbench::numerics

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "numerics/names.hpp"
 #include "numerics/number.hpp"
-#include "numerics/utf8.hpp"
 
 namespace ikbench::figures {
 

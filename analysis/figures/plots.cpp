@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "analysis/figures/parts.hpp"
+#include "numerics/names.hpp"
 #include "numerics/number.hpp"
-#include "numerics/utf8.hpp"
 
 namespace ikbench::figures {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "numerics/utf8.hpp"
+#include "numerics/names.hpp"
 
 namespace ikbench::show {
 
