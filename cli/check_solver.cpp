@@ -13,6 +13,7 @@
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/verifier.hpp"
 #include "numerics/json.hpp"
+#include "numerics/names.hpp"
 #include "robots/urdf.hpp"
 
 namespace ikbench::cli {
