@@ -96,11 +96,15 @@ Pose Chain::follow_kind(const ConfigurationRef& q, Visit& visit) const {
   }
   sines_and_cosines(angles, sines, cosines);
 
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  // Vectors of their own, as a compiler keeps them in registers.
+  Eigen::Vector3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), p(0, 0, 0);
   [[maybe_unused]] Eigen::Vector3d run = Eigen::Vector3d::Zero();  // the sum of coupled links in a row
   const auto moved = [&](const Eigen::Vector3d& by) -> Eigen::Vector3d {
-    return p + (by.x() * R.col(0) + by.y() * R.col(1) + by.z() * R.col(2));
+    return p + (by.x() * x + by.y() * y + by.z() * z);
+  };
+  const auto twist = [&](double ca, double sa, const Eigen::Vector3d untwisted) {
+    y = ca * untwisted + sa * z;
+    z = ca * z - sa * untwisted;
   };
   for (int j = 0; j < joints(); ++j) {
     const DhLink& link = links_[static_cast<std::size_t>(j)];
@@ -109,36 +113,33 @@ Pose Chain::follow_kind(const ConfigurationRef& q, Visit& visit) const {
     if constexpr (kind == Kind::any) {
       if (link.joint == Joint::coupled) {
         const Eigen::Vector3d by(link.a * c + link.d * s, 0, link.d * c - link.a * s);
-        visit(j, R, p, &by);
+        visit(j, x, z, p, &by);
         run += by;
         if (ca == 1 && sa == 0) continue;
       }
       if (!run.isZero(0)) p = moved(run);
       run.setZero();
       if (link.joint == Joint::coupled) {
-        R = (R * Eigen::Matrix3d{{1, 0, 0}, {0, ca, -sa}, {0, sa, ca}}).eval();
+        twist(ca, sa, y);
         continue;
       }
     }
-    visit(j, R, p, nullptr);
-    // R, p times the link's transform, Eqs. 18 and 26; in Eq. 18, element (2,3) is -cos(theta) sin(alpha).
-    const Eigen::Vector3d x = c * R.col(0) + s * R.col(1);
-    const Eigen::Vector3d y = c * R.col(1) - s * R.col(0);
-    const Eigen::Vector3d z = R.col(2);
+    visit(j, x, z, p, nullptr);
+    // The frame times the link's transform, Eqs. 18 and 26; in Eq. 18, element (2,3) is -cos(theta) sin(alpha).
+    const Eigen::Vector3d turned = c * y - s * x;
+    x = c * x + s * y;
     p += link.d * z + link.a * x;
     if (kind == Kind::any && link.joint == Joint::slides) p += q[j] * z;
-    R.col(0) = x;
-    R.col(1) = ca * y + sa * z;
-    R.col(2) = ca * z - sa * y;
+    twist(ca, sa, turned);
   }
   Pose T = Pose::Identity();
-  T.linear() = R;
+  T.linear() << x, y, z;
   T.translation() = moved(kind == Kind::any ? Eigen::Vector3d(run + tool_.position) : tool_.position);
   return T;
 }
 
 Pose Chain::forward(const ConfigurationRef& q) const {
-  const auto nothing = [](int, const Eigen::Matrix3d&, const Eigen::Vector3d&, const Eigen::Vector3d*) {};
+  const auto nothing = [](auto&&...) {};
   return whole(follow(q, nothing));
 }
 
@@ -161,10 +162,11 @@ Pose Chain::pose_jacobian(const ConfigurationRef& q, Eigen::Ref<Matrix6Xd> jacob
 Pose Chain::follow_motions(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> motions,
                            Eigen::Ref<Eigen::Matrix3Xd> axes) const {
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most_joints> origins(3, joints());
-  const auto column = [&](int j, const Eigen::Matrix3d& R, const Eigen::Vector3d& p, const Eigen::Vector3d* coupled) {
-    axes.col(j) = R.col(2);
+  const auto column = [&](int j, const Eigen::Vector3d& x, const Eigen::Vector3d& z, const Eigen::Vector3d& p,
+                          const Eigen::Vector3d* coupled) {
+    axes.col(j) = z;
     origins.col(j) = p;
-    if (coupled != nullptr) motions.col(j) = coupled->z() * R.col(0) - coupled->x() * R.col(2);
+    if (coupled != nullptr) motions.col(j) = coupled->z() * x - coupled->x() * z;
   };
   const Pose T = follow(q, column);
   for (int j = 0; j < joints(); ++j) {
@@ -202,14 +204,15 @@ void Chain::axis_errors(const CandidatesRef& q, const Pose& target, double rotat
 void Chain::errors_of_points(const CandidatesRef& q, const Pose& target, const Eigen::Matrix<double, 3, 2>& points,
                              Eigen::Ref<Eigen::VectorXd> errors) const {
   check_sizes(q, errors);
-  const Pose seen = T_first_base_ * target;
+  const Pose seen = has_base_ ? T_first_base_ * target : target;
   const auto copy = [](const Eigen::Vector3d& from, double* to) { std::copy(from.begin(), from.end(), to); };
   KernelPose goal;
   copy(seen.translation(), goal.target);
   copy(seen.linear() * points.col(0), goal.target_axes.x);
   copy(seen.linear() * points.col(1), goal.target_axes.y);
-  copy(T_last_tool_.linear() * points.col(0), goal.tool_axes.x);
-  copy(T_last_tool_.linear() * points.col(1), goal.tool_axes.y);
+  const Eigen::Matrix<double, 3, 2> of_tool = tool_is_turned_ ? T_last_tool_.linear() * points : points;
+  copy(of_tool.col(0), goal.tool_axes.x);
+  copy(of_tool.col(1), goal.tool_axes.y);
   kernels().pose_errors(kernel_chain(), goal, q.data(), q.outerStride(), q.cols(), errors.data());
 }
 

@@ -94,7 +94,8 @@ class Chain {
     double cosine, sine;
   };
   // Follows the frames from the first joint to the tool, without the tool's own turn. `visit` gets each joint's number
-  // and its frame before it moves; for a coupled link also the way from its joint to its end, in that frame, else null.
+  // and its frame's x, z and place before it moves; for a coupled link also the way from its joint to its end, in that
+  // frame, else null.
   template <class Visit>
   Pose follow(const ConfigurationRef& q, Visit&& visit) const;
   // Turns the pose that `follow` gives into the tool's pose in the frame of the base.

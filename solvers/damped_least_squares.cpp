@@ -107,7 +107,9 @@ class DampedLeastSquares final : public Solver {
   double propose() {
     damped_step(jacobian_, to_go_, mu_, step_);
     candidate_ = q_ + step_;
-    return mu_ * step_.squaredNorm() + (jacobian_.topRows<rows>() * step_).dot(to_go_.head<rows>());
+    Eigen::Matrix<double, rows, 1> moved = Eigen::Matrix<double, rows, 1>::Zero();
+    for (Eigen::Index j = 0; j < step_.size(); ++j) moved += step_[j] * jacobian_.col(j).head<rows>();
+    return mu_ * step_.squaredNorm() + moved.dot(to_go_.head<rows>());
   }
 
   template <int rows>
