@@ -62,7 +62,7 @@ class DampedLeastSquares final : public Solver {
       const double gain = (merit_ * merit_ - merit * merit) / predicted;
       mu_ *= std::max(1.0 / 3, 1 - power(2 * gain - 1, 3));
       growth_ = 2;
-      arrive(merit, objective);
+      arrive(merit);
     } else {
       mu_ *= growth_;
       growth_ *= 2;
@@ -74,7 +74,7 @@ class DampedLeastSquares final : public Solver {
  private:
   // Starts a descent from the candidate.
   void begin(Objective& objective) {
-    arrive(evaluate(objective), objective);
+    arrive(evaluate(objective));
     mu_ = options_.damping * (objective.rows() == 3 ? largest_diagonal<3>() : largest_diagonal<6>());
     growth_ = 2;
     failures_ = 0;
@@ -82,24 +82,18 @@ class DampedLeastSquares final : public Solver {
 
   // The merit that the descent reduces, at the candidate: the norm of the linearized residual. For a position it is the
   // error. For a pose it is not, and following the slope of one but judging by the other would refuse good steps. So
-  // there the residual is evaluated too, and the error only decides which candidate is the best.
+  // there the error only decides which candidate is the best.
   double evaluate(Objective& objective) {
-    const double error = objective.error(candidate_);
-    best_.improve(candidate_, error);
-    if (objective.rows() == 3) return error;
-    trial_to_go_ = objective.linearize(candidate_, trial_jacobian_);
-    return trial_to_go_.norm();
+    trial_ = objective.linearize(candidate_, trial_jacobian_);
+    best_.improve(candidate_, trial_.error);
+    return objective.rows() == 3 ? trial_.error : trial_.to_go.norm();
   }
 
-  void arrive(double merit, Objective& objective) {
+  void arrive(double merit) {
     q_ = candidate_;
     merit_ = merit;
-    if (objective.rows() == 3) {
-      to_go_ = objective.linearize(q_, jacobian_);
-    } else {
-      to_go_ = trial_to_go_;
-      jacobian_.swap(trial_jacobian_);
-    }
+    to_go_ = trial_.to_go;
+    jacobian_.swap(trial_jacobian_);
   }
 
   // Makes the next candidate; returns how much the squared merit falls if the residual is linear.
@@ -121,7 +115,8 @@ class DampedLeastSquares final : public Solver {
   Problem problem_;
   Configuration q_, candidate_, step_;
   Eigen::MatrixXd jacobian_, trial_jacobian_;
-  Residual to_go_, trial_to_go_;
+  Residual to_go_;
+  Linearized trial_;
   double merit_ = 0, mu_ = 0, growth_ = 2;
   int failures_ = 0;
   Best best_;

@@ -13,7 +13,7 @@ namespace {
 // Computes the step as J^T (J J^T + mu I)^-1 e, whose size does not depend on the number of joints. The factors L D L^T
 // are those of Eigen's LDLT, bit for bit, with the larger diagonals first; but its loops do not know their length.
 template <int rows>
-void step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
+double step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
   using Column = Eigen::Matrix<double, rows, 1>;
   Column diagonal = Column::Zero();
   for (Eigen::Index joint = 0; joint < jacobian.cols(); ++joint)
@@ -56,16 +56,18 @@ void step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, double
   step.resize(jacobian.cols());
   for (Eigen::Index joint = 0; joint < jacobian.cols(); ++joint)
     step[joint] = jacobian.col(joint).head<rows>().dot(in_order);
+
+  // The determinant over what the larger eigenvalues are at most together.
+  const double sum = diagonal.sum();
+  double smallest = LD(0, 0);
+  for (int k = 1; k < rows; ++k) smallest *= (rows - 1) * LD(k, k) / sum;
+  return smallest > 1e-8 * sum ? smallest : 0;
 }
 
 }  // namespace
 
-void damped_step(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
-  if (jacobian.rows() == 3) {
-    step_of_rows<3>(jacobian, to_go, mu, step);
-  } else {
-    step_of_rows<6>(jacobian, to_go, mu, step);
-  }
+double damped_step(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
+  return jacobian.rows() == 3 ? step_of_rows<3>(jacobian, to_go, mu, step) : step_of_rows<6>(jacobian, to_go, mu, step);
 }
 
 }  // namespace ikbench::solvers

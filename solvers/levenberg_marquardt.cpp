@@ -60,7 +60,7 @@ class LevenbergMarquardt final : public Solver {
     } else {
       ++searched_;
       // dq = (J^T J + W)^-1 J^T e
-      damped_step(jacobian_, to_go_, damping(), step_);
+      damped_step(jacobian_, linearized_.to_go, damping(), step_);
       const Configuration before = q_;
       q_ += step_;
       keep_inside(options_.bounds, problem_, q_);
@@ -80,12 +80,12 @@ class LevenbergMarquardt final : public Solver {
 
  private:
   void arrive(Objective& objective) {
-    best_.improve(q_, objective.error(q_));
-    to_go_ = linearize_twist(objective, q_, jacobian_);
+    linearized_ = linearize_twist(objective, q_, jacobian_);
+    best_.improve(q_, linearized_.error);
   }
 
   double damping() const {
-    const double E = to_go_.squaredNorm() / 2;
+    const double E = linearized_.to_go.squaredNorm() / 2;
     if (options_.rule == Rule::chan) return options_.damping * E;
     return options_.rule == Rule::sugihara ? E + options_.damping : options_.damping;
   }
@@ -94,7 +94,7 @@ class LevenbergMarquardt final : public Solver {
   Problem problem_;
   Configuration q_, step_;
   Eigen::MatrixXd jacobian_;
-  Residual to_go_;
+  Linearized linearized_;
   int searched_ = 0;  // iterations of this search
   int restarts_ = 0;
   Best best_;

@@ -32,6 +32,12 @@ struct Deviation {
 // The residual of a goal: 3 or 6 numbers, not on the heap.
 using Residual = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 
+// What is known of a candidate after a linearization: its error [m], and its residual.
+struct Linearized {
+  double error;
+  Residual to_go;
+};
+
 class Objective {
  public:
   Objective(const robots::Chain& arm, Goal goal) : arm_(arm), goal_(std::move(goal)) {}
@@ -91,13 +97,12 @@ class Objective {
 
   // Rows of a residual: 3 for a position, else 6.
   int rows() const { return goal_.has_direction() ? 6 : 3; }
-  // The residual: target - position [m] and, but for a position, rotation_weight times the remaining rotation vector
-  // [m], in the axes of the base; of an axis its shortest turn, and the Jacobian has no turn about it. Writes the
-  // geometric Jacobian in the same units into `jacobian`, rows() x joints. J dq = residual is Newton's step. The norm
-  // of a residual of 6 rows differs from the error. Counts one evaluation.
-  Residual linearize(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
-    ++evaluations_;
-    return evaluate_linear(q, jacobian);
+  // The error, and the residual: target - position [m] and, but for a position, rotation_weight times the remaining
+  // rotation vector [m], in the axes of the base; of an axis its shortest turn, and the Jacobian has no turn about it.
+  // Writes the geometric Jacobian in the same units into `jacobian`, rows() x joints. J dq = residual is Newton's step.
+  // The norm of a residual of 6 rows differs from the error. Counts one evaluation, as it is one candidate.
+  Linearized linearize(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
+    return {error(q), evaluate_linear(q, jacobian)};
   }
 
   // Deviation of a configuration from the goal's pose, also if only a position is searched. It judges answers and does

@@ -7,12 +7,12 @@
 namespace ikbench::solvers {
 
 // Like Objective::linearize, but the rows of a rotation are in radians.
-inline Residual linearize_twist(Objective& objective, const robots::ConfigurationRef& q, Eigen::MatrixXd& jacobian) {
-  Residual to_go = objective.linearize(q, jacobian);
-  if (objective.rows() == 3) return to_go;
-  to_go.tail<3>() /= objective.goal().rotation_weight;
+inline Linearized linearize_twist(Objective& objective, const robots::ConfigurationRef& q, Eigen::MatrixXd& jacobian) {
+  Linearized linearized = objective.linearize(q, jacobian);
+  if (objective.rows() == 3) return linearized;
+  linearized.to_go.tail<3>() /= objective.goal().rotation_weight;
   jacobian.bottomRows<3>() /= objective.goal().rotation_weight;
-  return to_go;
+  return linearized;
 }
 
 }  // namespace ikbench::solvers

@@ -48,6 +48,10 @@ class Evaluations {
     if (solve_.best.improve(q, error) && problem_.improvements != nullptr)
       problem_.improvements->add(objective_.evaluations(), error);
   }
+  Residual found(const robots::ConfigurationRef& q, const Linearized& at) {
+    found(q, at.error);
+    return at.to_go;
+  }
   bool is_over() {
     is_over_ = is_over_ || left() <= 0 || tolerance_.is_reached(solve_.best) ||
                (problem_.stop.seconds > 0 && seconds_left() <= 0);

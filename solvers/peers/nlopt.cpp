@@ -120,20 +120,21 @@ class NloptSolver final : public Solver {
     const Call& call = *static_cast<Call*>(data);
     const Eigen::Map<const Eigen::VectorXd> q(x, joints);
     Evaluations& evaluations = call.evaluations;
-    // Some algorithms ask once more after a forced stop.
-    const double error = evaluations.is_over() ? Evaluations::no_error : evaluations.error(q);
-    const bool is_over = evaluations.is_over();
-    if (is_over) nlopt_force_stop(call.opt);
-    if (gradient == nullptr) return error;
-    Eigen::Map<Eigen::VectorXd> written(gradient, joints);
+    Eigen::Map<Eigen::VectorXd> written(gradient, gradient == nullptr ? 0 : joints);
     written.setZero();
-    if (is_over) return Evaluations::no_error;
-    Eigen::MatrixXd& jacobian = call.solver.jacobian_;
-    const Residual to_go = evaluations.objective().linearize(q, jacobian);
-    const Configuration slope = -jacobian.transpose() * to_go;
-    const bool is_number = slope.allFinite() && to_go.allFinite();
-    if (is_number) written = slope;
-    return is_number ? to_go.squaredNorm() / 2 : Evaluations::no_error;
+    double merit = Evaluations::no_error;
+    if (!evaluations.is_over() && gradient == nullptr) merit = evaluations.error(q);
+    if (!evaluations.is_over() && gradient != nullptr) {
+      Eigen::MatrixXd& jacobian = call.solver.jacobian_;
+      const Residual to_go = evaluations.found(q, evaluations.objective().linearize(q, jacobian));
+      const Configuration slope = -jacobian.transpose() * to_go;
+      if (slope.allFinite() && to_go.allFinite()) {
+        written = slope;
+        merit = to_go.squaredNorm() / 2;
+      }
+    }
+    if (evaluations.is_over()) nlopt_force_stop(call.opt);  // some algorithms ask once more after that
+    return merit;
   }
 
   Options options_;

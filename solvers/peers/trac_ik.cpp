@@ -60,9 +60,7 @@ class TracIk final : public Solver {
   };
 
   bool is_over(Evaluations& evaluations) const {
-    const std::int64_t most = solve_.problem.stop.evaluations;
-    const bool has_no_step_left = most > 0 && evaluations.objective().evaluations() > most - 2;  // of Newton's
-    return evaluations.is_over() || has_no_step_left || newton_->finished() || steps_ >= solve_.problem.stop.iterations;
+    return evaluations.is_over() || newton_->finished() || steps_ >= solve_.problem.stop.iterations;
   }
 
   // A step of Newton's, then the squared twist and its slope for SLSQP.
@@ -74,10 +72,11 @@ class TracIk final : public Solver {
       evaluations.found(solver.newton_->best().q, solver.newton_->best().error);
     }
     const Eigen::Map<const Eigen::VectorXd> q(x, joints);
-    if (!solver.is_over(evaluations)) evaluations.error(q);
     if (gradient != nullptr) Eigen::Map<Eigen::VectorXd>(gradient, joints).setZero();
+    Residual to_go;
+    if (!solver.is_over(evaluations))
+      to_go = evaluations.found(q, linearize_twist(evaluations.objective(), q, solver.jacobian_));
     if (solver.is_over(evaluations)) return nlopt_force_stop(opt), Evaluations::no_error;
-    const Residual to_go = linearize_twist(evaluations.objective(), q, solver.jacobian_);
     if (!to_go.allFinite() || !solver.jacobian_.allFinite()) return Evaluations::no_error;
     if (gradient != nullptr)  // half of the slope, as theirs
       Eigen::Map<Eigen::VectorXd>(gradient, joints) = -solver.jacobian_.transpose() * to_go;

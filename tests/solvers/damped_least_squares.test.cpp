@@ -1,9 +1,11 @@
 // Damped least squares: its steps by hand, its convergence and its restarts.
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "solvers/damped_step.hpp"
 #include "tests/solvers/objectives.hpp"
 
 TEST_CASE("a damped step is (J^T J + mu I)^-1 J^T e, and the gain ratio sets the next damping", "[dls]") {
@@ -98,5 +100,23 @@ TEST_CASE("damped least squares starts at the limits where the arm is outside th
   Random random{Key(1)};
   solver("damped_least_squares").make({})->start(task.problem, objective, random);
   CHECK(objective.candidates.front() == Eigen::Vector2d(1, -0.2));
-  CHECK(objective.linearized.front() == Eigen::Vector2d(1, -0.2));
+}
+
+TEST_CASE("a damped step gives a bound of the eigenvalues, and none where it may have lost its digits", "[dls]") {
+  Random random{Key(1)};
+  int bounded = 0;
+  for (const int rows : {3, 6}) {
+    for (int repeat = 0; repeat < 100; ++repeat) {
+      Eigen::MatrixXd J = drawn_uniforms(random, rows, 7);
+      Configuration step;
+      const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(J * J.transpose()).eigenvalues();
+      const double bound = damped_step(J, Residual::Ones(rows), 0, step);
+      CHECK(bound <= values[0] * (1 + 1e-12));
+      if (bound > 0) CHECK((J * step - Eigen::VectorXd::Ones(rows)).norm() < 1e-7);
+      bounded += bound > 0;
+      J.row(1) = J.row(0);
+      CHECK(damped_step(J, Residual::Ones(rows), 0, step) == 0);
+    }
+  }
+  CHECK(bounded > 150);
 }

@@ -46,7 +46,6 @@ TEST_CASE("Levenberg and Marquardt's method takes a step that makes it worse, wi
   descent->start(task.problem, objective, random);
   for (int iteration = 0; iteration < 3; ++iteration) {
     descent->step(objective, random);
-    CHECK(objective.linearized.back() == objective.candidates.back());
     CHECK((objective.candidates.back().array().abs() <= 1).all());
   }
   CHECK(descent->best().q == task.problem.start);

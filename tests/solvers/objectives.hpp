@@ -28,7 +28,6 @@ class RecordingObjective final : public solvers::Objective {
 
   std::vector<Eigen::VectorXd> candidates;
   std::vector<double> given;  // the error of each
-  std::vector<Eigen::VectorXd> linearized;
 
  private:
   void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) override {
@@ -39,10 +38,6 @@ class RecordingObjective final : public solvers::Objective {
       candidates.push_back(q.col(i));
       given.push_back(errors[i]);
     }
-  }
-  solvers::Residual evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) override {
-    linearized.push_back(q);
-    return solvers::Objective::evaluate_linear(q, jacobian);
   }
 
   bool scripted_ = false;

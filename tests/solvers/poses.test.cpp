@@ -80,12 +80,12 @@ TEST_CASE("an axis' error does not change as the tool turns about it, and otherw
   }
   Objective near(task.arm.chain, moved(moved(here, {1e-3, -2e-3, 3e-3}, 2, z), {0, 0, 0}, 0.03, x));
   Eigen::MatrixXd jacobian(near.rows(), q.size());
-  Residual residual = near.linearize(q, jacobian);
+  Residual residual = near.linearize(q, jacobian).to_go;
   CHECK((residual.tail<3>() - weight * 0.03 * x).norm() < 1e-14);
   CHECK((z.transpose() * jacobian.bottomRows<3>()).norm() < 1e-14);
   for (int step = 0; step < 5; ++step) {
     q += pseudo_inverse_times(jacobian, residual, 1e-9);
-    residual = near.linearize(q, jacobian);
+    residual = near.linearize(q, jacobian).to_go;
   }
   CHECK(near.error(q) < 1e-14);
 }
@@ -100,7 +100,7 @@ TEST_CASE("a pose's residual is the way and the weighted turn that are left, and
     Objective objective(task.arm.chain, moved(here, by, 0.3, axis));
     Eigen::MatrixXd jacobian(objective.rows(), q.size());
     REQUIRE(objective.rows() == 6);
-    const Residual residual = objective.linearize(q, jacobian);
+    const Residual residual = objective.linearize(q, jacobian).to_go;
     CHECK((residual.head<3>() - by).norm() < 1e-15);
     CHECK((residual.tail<3>() - weight * 0.3 * axis).norm() < 1e-15);
     CHECK(objective.evaluations() == 1);
@@ -111,10 +111,10 @@ TEST_CASE("a pose's residual is the way and the weighted turn that are left, and
     // Newton's steps towards a pose that is near converge quadratically.
     Objective near(task.arm.chain, moved(here, 0.1 * by, 0.03, axis));
     for (int step = 0; step < 5; ++step) {
-      const Eigen::VectorXd to_go = near.linearize(q, jacobian);
+      const Eigen::VectorXd to_go = near.linearize(q, jacobian).to_go;
       q += pseudo_inverse(jacobian) * to_go;
     }
-    CHECK(near.linearize(q, jacobian).norm() < 1e-14);
+    CHECK(near.linearize(q, jacobian).to_go.norm() < 1e-14);
     CHECK(near.error(q) < 1e-14);
   }
 }
@@ -202,14 +202,14 @@ TEST_CASE("a damped step towards a pose reduces the norm of the residual that it
   Eigen::MatrixXd J(6, 6), ignored(6, 6);
   double mu = 0;
   for (int iteration = 0; iteration < 5; ++iteration) {
-    const Eigen::VectorXd e = by_hand.linearize(q, J);
+    const Eigen::VectorXd e = by_hand.linearize(q, J).to_go;
     const Eigen::MatrixXd A = J.transpose() * J;
     if (iteration == 0) mu = 0.1 * A.diagonal().maxCoeff();
     const Eigen::VectorXd h = (A + mu * Eigen::MatrixXd::Identity(6, 6)).llt().solve(J.transpose() * e);
     descent->step(objective, random);
     const Eigen::VectorXd candidate = (q + h).cwiseMax(task.problem.lower).cwiseMin(task.problem.upper);
     REQUIRE((objective.candidates.back() - candidate).norm() < 1e-12);
-    const double norm = by_hand.linearize(candidate, ignored).norm();
+    const double norm = by_hand.linearize(candidate, ignored).to_go.norm();
     REQUIRE(norm < e.norm());
     const double gain = (e.squaredNorm() - norm * norm) / h.dot(mu * h + J.transpose() * e);
     mu *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
