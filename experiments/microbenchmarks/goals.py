@@ -108,7 +108,7 @@ def main():
             print(f"| {' | '.join(row(goal, context, costs, errors))} |")
     print("\n| benchmark | least |\n|---|---|")
     for name, each in costs.items():
-        per = " an evaluation" if name.startswith("solvers/") else ""
+        per = " an evaluation" if name.startswith(("solvers/", "textbook/")) else ""
         print(f"| {name} | {time_text(min(each))}{per} |")
 
 

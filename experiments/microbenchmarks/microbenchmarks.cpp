@@ -139,18 +139,25 @@ void count(benchmark::State& state, double error, double evaluations) {
   state.counters["evaluations"] = benchmark::Counter(evaluations, benchmark::Counter::kAvgIterations);
 }
 
-void registered(benchmark::State& state, const char* name) {
-  const Reach reach;
-  const std::unique_ptr<Solver> solver = solvers::solver(name).make({});
+// Solves for all goals in turn. A library's iterations, which nobody counts, are `of_library`.
+void solves(benchmark::State& state, Solver& solver, const Chain& arm, const Problem& problem,
+            const std::vector<Goal>& goals, const StopRule& stop, int of_library = 0) {
   Random random{Key(1)};
   double error = 0, evaluations = 0;
   for (auto _ : state) {
-    Objective objective(reach.arm.chain, reach.target);
-    const Solution solution = solve(*solver, reach.problem, objective, random, {.iterations = iterations});
-    error += solution.best.error;
-    evaluations += static_cast<double>(solution.evaluations);
+    for (const Goal& goal : goals) {
+      Objective objective(arm, goal);
+      const Solution solution = solve(solver, problem, objective, random, stop);
+      error += solution.best.error / static_cast<double>(goals.size());
+      evaluations += of_library > 0 ? of_library : static_cast<double>(solution.evaluations);
+    }
   }
   count(state, error, evaluations);
+}
+
+void registered(benchmark::State& state, const char* name) {
+  const Reach reach;
+  solves(state, *solver(name).make({}), reach.arm.chain, reach.problem, {reach.target}, {.iterations = iterations});
 }
 
 // How often an iteration evaluates all candidates, and draws a number for each of them, or for each of their joints.
@@ -216,6 +223,71 @@ SOLVER(particle_swarm, .uniforms_of_joints = 2);
 SOLVER(k_artificial_bee_colony, .evaluations = 2, .uniforms = 5);
 SOLVER(multi_objective_swarm, .uniforms = 2, .uniforms_of_joints = 2);
 BENCHMARK(growth)->Args({4, 50})->Args({32, 50})->Args({7, 50})->Args({7, 5000})->Unit(benchmark::kMillisecond);
+
+// ---- an iteration, which is an evaluation, towards 50 poses of the Panda by textbook solvers and KDL, and the least
+// that one needs
+
+void textbook(benchmark::State& state, const char* name, const Settings& settings, int of_library) {
+  const Robot arm = robot("franka_panda");
+  const auto& [lower, upper] = arm.limits;
+  const Problem problem{.start = (lower + upper) / 2, .lower = lower, .upper = upper};
+  std::vector<Goal> goals;
+  for (Random random{Key(1)}; goals.size() < 50;) {
+    Configuration q(arm.joints());
+    draw_one_within_limits(problem, random, q);
+    goals.emplace_back(arm.chain.forward(q), 0.3);
+  }
+  solves(state, *solver(name).make(settings), arm.chain, problem, goals,
+         {.iterations = 1000, .tolerance = 1e-6, .angle_tolerance = 1e-6}, of_library);
+}
+
+// Forward kinematics, Jacobian and damped step in plain Eigen, with known sizes and the sines of the C library.
+void textbook_floor(benchmark::State& state) {
+  const Robot arm = robot("franka_panda");
+  const Eigen::Matrix<double, 7, 1> goal = (arm.limits.lower + arm.limits.upper) / 2;
+  const Pose target = arm.chain.forward(goal);
+  Eigen::Matrix<double, 7, 1> q;
+  Eigen::Matrix<double, 7, 4> links;
+  for (int j = 0; j < 7; ++j) {
+    const auto& [a, alpha, d, offset, joint] = arm.chain.links()[static_cast<std::size_t>(j)];
+    links.row(j) << a, d, std::cos(alpha), std::sin(alpha);
+  }
+  std::int64_t turn = 0;
+  for (auto _ : state) {
+    if (turn++ % 10 == 0) q = goal.array() + 0.1;  // a descent
+    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    Eigen::Matrix<double, 3, 7> origins;
+    Eigen::Matrix<double, 6, 7> J;
+    for (int j = 0; j < 7; ++j) {
+      const Eigen::Vector3d z = R.col(2);
+      J.col(j).tail<3>() = z;
+      origins.col(j) = p;
+      const double c = std::cos(q[j]), s = std::sin(q[j]);
+      const Eigen::Vector3d x = c * R.col(0) + s * R.col(1), y = c * R.col(1) - s * R.col(0);
+      p += links(j, 0) * x + links(j, 1) * z;
+      R << x, links(j, 2) * y + links(j, 3) * z, links(j, 2) * z - links(j, 3) * y;
+    }
+    p += R * arm.chain.tool().position;
+    for (int j = 0; j < 7; ++j) J.col(j).head<3>() = J.col(j).tail<3>().cross(p - origins.col(j));
+    Eigen::Matrix<double, 6, 1> left;
+    left << target.translation() - p, Eigen::Vector3d::Zero();
+    for (int i = 0; i < 3; ++i) left.tail<3>() += 0.5 * R.col(i).cross(target.linear().col(i));
+    Eigen::Matrix<double, 6, 6> damped = J * J.transpose();
+    damped.diagonal().array() += 1e-3;
+    q += J.transpose() * damped.ldlt().solve(left);
+  }
+  count(state, (q - goal).norm(), static_cast<double>(state.iterations()));
+}
+
+#define TEXTBOOK(name, ...) BENCHMARK_CAPTURE(textbook, name, #name, __VA_ARGS__)->Name("textbook/" #name)
+BENCHMARK(textbook_floor)->Name("textbook/floor");
+TEXTBOOK(levenberg_marquardt, {}, 0);
+TEXTBOOK(damped_least_squares, {}, 0);
+TEXTBOOK(newton, {}, 0);
+#ifdef IKBENCH_HAS_KDL
+TEXTBOOK(kdl_newton, {{"accuracy", "1e-300"}, {"iterations", "100"}}, 100);
+#endif
 
 // ---- the whole helix study, slim2023: six solvers, 2400 solves, with timing and verifier, without store and report;
 // by one thread and by two
