@@ -56,14 +56,14 @@ void tell_of_log(const std::vector<std::filesystem::path>& files) {
 }
 
 void warn_of_unreachable(const Study& study) {
-  const std::vector<Unreachable> found = unreachable(study);
+  const std::vector<Unreachable> beyond = unreachable(study);
   constexpr std::size_t most = 10;
-  for (std::size_t i = 0; i < std::min(found.size(), most); ++i) {
+  for (std::size_t i = 0; i < std::min(beyond.size(), most); ++i) {
     warn(fmt::format("point {} is out of reach: it is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
-                     found[i].point, found[i].distance * 100, found[i].reach * 100));
+                     beyond[i].point, beyond[i].distance * 100, beyond[i].reach * 100));
   }
-  if (found.size() > most)
-    warn(fmt::format("out of reach as well: {}", counted(std::ssize(found) - std::int64_t{most}, "points")));
+  if (beyond.size() > most)
+    warn(fmt::format("out of reach as well: {}", counted(std::ssize(beyond) - std::int64_t{most}, "points")));
 }
 
 // Name and meaning of each figure that some report has.
@@ -85,13 +85,13 @@ void refuse_unknown_figures(const std::vector<std::string>& names) {
   std::vector<std::string> all;
   for (const auto& [name, meaning] : all_figures()) all.push_back(name);
   for (const std::string& name : names) {
-    if (std::ranges::none_of(all, [&](const auto& each) { return is_meant(each, name) || is_meant(name, each); }))
+    if (std::ranges::none_of(all, [&](const auto& figure) { return is_meant(figure, name) || is_meant(name, figure); }))
       throw std::invalid_argument(unknown_name("figure", name, all));
   }
 }
 
 // Leaves the figures of these names or first words: "error" is error-boxes and error-by-point.
-void choose_figures(show::Reported& of, const std::vector<std::string>& names) {
+void choose_figures(show::Reported& reported, const std::vector<std::string>& names) {
   std::vector<std::string> there;
   std::set<std::string> unknown(names.begin(), names.end());
   const auto is_left_out = [&](const figures::Figure& figure) {
@@ -102,8 +102,8 @@ void choose_figures(show::Reported& of, const std::vector<std::string>& names) {
       return is_chosen;
     });
   };
-  std::erase_if(of.figures, is_left_out);
-  for (show::Blocks& blocks : of.additions) {
+  std::erase_if(reported.figures, is_left_out);
+  for (show::Blocks& blocks : reported.additions) {
     std::erase_if(blocks, [&](const show::Block& block) {
       const auto* const figure = std::get_if<figures::Figure>(&block);
       return figure != nullptr && is_left_out(*figure);
@@ -168,7 +168,8 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
 
 void add_paper_option(CLI::App& command, std::string& paper) {
   std::vector<std::string> names;
-  for (const papers::Paper& each : papers::papers()) names.push_back(fmt::format("{} ({})", each.name, each.in_short));
+  for (const papers::Paper& known : papers::papers())
+    names.push_back(fmt::format("{} ({})", known.name, known.in_short));
   paper = papers::papers().front().name;
   command.add_option("PAPER", paper, fmt::format("one of: {}", fmt::join(names, ", ")))->capture_default_str();
 }
@@ -257,7 +258,7 @@ std::optional<std::string> run_study(const Study& study, const StudyEntry& store
   for (const std::string& note : study.notes) say(note);
   warn_of_unreachable(study);
   std::map<std::string, std::vector<std::string>> left_out;  // labels by why
-  for (const LeftOut& each : study.left_out) left_out[each.why].push_back(each.label);
+  for (const LeftOut& entry : study.left_out) left_out[entry.why].push_back(entry.label);
   std::string without;
   for (const auto& [why, labels] : left_out)
     without += fmt::format("{}{} ({})", without.empty() ? "" : "; ", fmt::join(labels, ", "), why);

@@ -60,8 +60,8 @@ struct Work {
     return {.stored = std::vector<bool>(static_cast<std::size_t>(points)), .configuration = study.initial};
   }
   Chained chain(std::size_t index) const {
-    const auto found = begun.find(index);
-    return found == begun.end() ? fresh_chain() : found->second;
+    const auto entry = begun.find(index);
+    return entry == begun.end() ? fresh_chain() : entry->second;
   }
   // The first point from `point` on that the shard has and the store has not; `points` + 1 if there is none.
   int next_point(const Chained& chain, int run, int point) const {
@@ -156,9 +156,9 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
     const SolveRunner& solve_runner = work.solve_runner(index);
     const std::unique_ptr<Solver> solver = solve_runner.make_solver();
     if (task.run != run) task = {run, targets(work.study, work.arm, run), starts(work.study, work.arm, run)};
-    const auto target = [&](int of) -> const Pose& { return task.targets[static_cast<std::size_t>(of - 1)]; };
-    const auto start = [&](int of) -> const Configuration& {
-      return task.starts.empty() ? chain.configuration : task.starts[static_cast<std::size_t>(of - 1)];
+    const auto target = [&](int place) -> const Pose& { return task.targets[static_cast<std::size_t>(place - 1)]; };
+    const auto start = [&](int place) -> const Configuration& {
+      return task.starts.empty() ? chain.configuration : task.starts[static_cast<std::size_t>(place - 1)];
     };
     solve_runner.warm_up(*solver, target(point), start(point));
     for (; point <= work.points && !is_over(); point = work.next_point(chain, run, point + 1)) {
@@ -228,6 +228,15 @@ void solve_missing(Work& work, Store& store, const RunRequest& request, Progress
   }
 }
 
+void refuse_another(const StudyEntry& ours, const StudyEntry& now) {
+  if (ours.definition == now.definition && std::ranges::equal(ours.series, now.series, {}, &Series::key, &Series::key))
+    return;
+  throw std::invalid_argument(fmt::format(
+      "another ikbench has meanwhile saved a different study named '{}' in this store; no solve is lost; give the other "
+      "study another name or --out, then run this one again for its report",
+      ours.name));
+}
+
 }  // namespace
 
 Progress run(const Study& study, Store& store, const RunRequest& request) {
@@ -242,6 +251,7 @@ Progress run(const Study& study, const StudyEntry& stored, Store& store, const R
   progress.done = progress.reused = move_past_stored(work, store);
   if (request.progress) request.progress(progress);
   if (progress.done < progress.total) solve_missing(work, store, request, progress);
+  if (progress.done == progress.total) refuse_another(stored, store.study(study.name));
   return progress;
 }
 

@@ -30,8 +30,9 @@ struct RunRequest {
 // of solvers, or on what the store already had.
 // Each solve is timed as often as the study says, and its time is the median, if times are comparable: one job, no
 // debug build, and no end by wall time. Otherwise it is solved once.
+// Once all is solved, throws std::invalid_argument if another process has saved another study of that name.
 Progress run(const Study& study, results::Store& store, const RunRequest& request);
-// The same for who has its stored_study, by which it can be read even if another process saves one of its name.
+// The same for who has its stored_study.
 Progress run(const Study& study, const results::StudyEntry& stored, results::Store& store, const RunRequest& request);
 
 // The stored solves that another version of the source made, for solvers without solves by this version. `run` leaves

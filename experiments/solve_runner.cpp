@@ -161,8 +161,8 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
   const double interrupted_before = thread_interruptions();
   std::vector<Timed> all = repeated(solver, posed(target, start, run, point));
   const double interruptions = thread_interruptions() - interrupted_before;
-  for (const Timed& other : all) {
-    if (same_answer(other.solution, all.front().solution) && same_bits(other.answer, all.front().answer)) continue;
+  for (const Timed& repeat : all) {
+    if (same_answer(repeat.solution, all.front().solution) && same_bits(repeat.answer, all.front().answer)) continue;
     throw std::runtime_error(
         fmt::format("{} gives another answer when it solves run {}, point {} again; a solver that is started must "
                     "remember nothing and take its random numbers from the stream that it is given",

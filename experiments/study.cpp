@@ -97,15 +97,15 @@ std::vector<Unreachable> unreachable(const Study& study) {
       study.search == Search::wrist ? std::optional<SphericalWrist>(arm.chain) : std::nullopt;
   const Chain& searched = wrist ? wrist->arm() : arm.chain;
   const Chain::Ball ball = searched.reach();
-  std::vector<Unreachable> found;
+  std::vector<Unreachable> beyond;
   int point = 0;
   for (const Pose& target : targets(study, arm, 1)) {
     ++point;
     const Eigen::Vector3d goal = wrist ? wrist->centre(target) : target.translation();
     const double distance = (goal - ball.centre).norm();
-    if (distance > ball.radius) found.push_back({point, distance, ball.radius});
+    if (distance > ball.radius) beyond.push_back({point, distance, ball.radius});
   }
-  return found;
+  return beyond;
 }
 
 }  // namespace ikbench::experiments

@@ -59,9 +59,9 @@ void insert(toml::table& table, std::string_view key, const std::string& text) {
 
 toml::table& subtable(toml::table& table, std::string_view key) {
   if (!table.contains(key)) table.insert(key, toml::table{});
-  toml::table* found = table.get(key)->as_table();
-  if (found == nullptr) throw std::invalid_argument(fmt::format("--set {}: {} of the study is not a table", key, key));
-  return *found;
+  toml::table* part = table.get(key)->as_table();
+  if (part == nullptr) throw std::invalid_argument(fmt::format("--set {}: {} of the study is not a table", key, key));
+  return *part;
 }
 
 constexpr std::string_view population_key = "population";
@@ -90,7 +90,7 @@ void override_one(toml::table& study, const std::string& text) {
   }
   std::vector<std::string> owners{"analysis", "figures", "path", "stop", "urdf"};
   if (is_swept || std::ranges::find(owners, owner) != owners.end()) return insert(subtable(study, owner), field, value);
-  bool found = false;
+  bool is_known = false;
   if (toml::array* const entries = study["solvers"].as_array()) {
     for (toml::node& element : *entries) {
       toml::table* const entry = element.as_table();
@@ -101,14 +101,14 @@ void override_one(toml::table& study, const std::string& text) {
         insert(field == population_key || field == "colour" || field == "patience_s" ? *entry
                                                                                      : subtable(*entry, "options"),
                field, value);
-        found = true;
+        is_known = true;
       }
       for (const std::string& name : {label, solver}) {
         if (!name.empty() && std::ranges::find(owners, name) == owners.end()) owners.push_back(name);
       }
     }
   }
-  if (!found) throw std::invalid_argument(fmt::format("--set {}: {}", key, unknown_name("solver", owner, owners)));
+  if (!is_known) throw std::invalid_argument(fmt::format("--set {}: {}", key, unknown_name("solver", owner, owners)));
 }
 
 // ---- parts of a study ---------------------------------------------------------------------------------------------
@@ -475,12 +475,12 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
   std::vector<SweptKey> sweep = swept_keys(reader);
   std::set<std::string> labels;
   for (const toml::table* const table : reader.tables(key, 1000, expected)) {
-    const TomlReader own = reader.nested(*table, "solvers.");
-    if (const std::optional<LeftOut> left_out = left_out_of(own)) {
+    const TomlReader of_entry = reader.nested(*table, "solvers.");
+    if (const std::optional<LeftOut> left_out = left_out_of(of_entry)) {
       study.left_out.push_back(*left_out);
       continue;
     }
-    for (SolverEntry& entry : read_entry(own, sweep)) {
+    for (SolverEntry& entry : read_entry(of_entry, sweep)) {
       if (!labels.insert(entry.label).second) {
         throw std::invalid_argument(
             fmt::format("{}label \"{}\" is used twice; expected a different label for each of [[solvers]]",

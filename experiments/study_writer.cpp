@@ -60,7 +60,7 @@ std::string toml_text(const OrderedJson& value) {
   if (value.is_string()) return toml_string(value.get<std::string>());
   if (value.is_array()) {
     std::vector<std::string> texts;
-    for (const OrderedJson& each : value) texts.push_back(toml_text(each));
+    for (const OrderedJson& element : value) texts.push_back(toml_text(element));
     return fmt::format("[{}]", fmt::join(texts, ", "));
   }
   if (!value.is_number_float()) return numerics::text_of(value);
@@ -111,9 +111,9 @@ class Written final : public Fields {
   }
 
   void add(Name name, OrderedJson json, std::string text, const std::vector<std::string>& choices = {}) {
-    const std::string of = choices.empty() ? "" : fmt::format("{}: ", fmt::join(choices, " | "));
+    const std::string names = choices.empty() ? "" : fmt::format("{}: ", fmt::join(choices, " | "));
     fields.push_back(
-        {std::string(name.key), std::move(json), std::move(text), of + std::string(name.meaning), name.in_key});
+        {std::string(name.key), std::move(json), std::move(text), names + std::string(name.meaning), name.in_key});
   }
 };
 
@@ -165,8 +165,8 @@ OrderedJson definition(const Study& study) {
 OrderedJson arm_definition(const Robot& arm) {
   OrderedJson json;
   for (Eigen::Index j = 0; j < arm.joints(); ++j) {
-    LimitedLink one{arm.chain.links()[static_cast<std::size_t>(j)], {arm.limits.lower[j], arm.limits.upper[j]}};
-    json["links"].push_back(json_of(written(one)));
+    LimitedLink link{arm.chain.links()[static_cast<std::size_t>(j)], {arm.limits.lower[j], arm.limits.upper[j]}};
+    json["links"].push_back(json_of(written(link)));
   }
   std::size_t joint = 0;
   for (const DescribedJoint& described : arm.description) {
@@ -201,7 +201,7 @@ auto find_solver(const Study& study, const std::string& label) {
 // The settings in which a study differs from the original. These may differ freely: name, title, seed, trace, repeats,
 // the analysis, further solvers, and the arm where each has random targets of its own, as a row of a table.
 std::vector<std::string> departures(const Study& study, const Study& original) {
-  std::vector<std::string> found;
+  std::vector<std::string> keys;
   const auto ours = definition(study).flatten(), theirs = definition(original).flatten();
   for (const auto& [pointer, value] : theirs.items()) {
     const bool of_arm = pointer == "/robot" || pointer.starts_with("/initial_deg");  // which its limits may move
@@ -209,19 +209,19 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
                          pointer == "/repeats" || (of_arm && original.path->name() == "random") ||
                          pointer.starts_with("/analysis/") || pointer.starts_with("/figures/");
     if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
-    std::string key = pointer.substr(1);
-    std::replace(key.begin(), key.end(), '/', '.');
-    found.push_back(key);
+    std::string name = pointer.substr(1);
+    std::replace(name.begin(), name.end(), '/', '.');
+    keys.push_back(name);
   }
   for (const SolverEntry& entry : original.solvers) {
     const auto same = find_solver(study, entry.label);
     if (same == study.solvers.end()) continue;
     if (same->solver != entry.solver || same->population != entry.population ||
         effective_options(study, *same) != effective_options(original, entry)) {
-      found.push_back("options of " + entry.label);
+      keys.push_back("options of " + entry.label);
     }
   }
-  return found;
+  return keys;
 }
 
 void add_departures(OrderedJson& json, const Study& study) {
@@ -336,9 +336,10 @@ std::string to_toml(const Study& study) {
   text += "\n[stop]\n" + lines_of(written(fields.stop)) + '\n' + to_toml(fields.path);
   for (const LeftOut& left_out : study.left_out)
     text += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.why);
-  for (auto of = study.solvers.begin(); of != study.solvers.end(); of = end_of_family(of, study.solvers.end())) {
-    const SolverEntry& entry = *of;
-    const SweptValues axes = swept_values(of, end_of_family(of, study.solvers.end()));
+  for (auto first = study.solvers.begin(); first != study.solvers.end();
+       first = end_of_family(first, study.solvers.end())) {
+    const SolverEntry& entry = *first;
+    const SweptValues axes = swept_values(first, end_of_family(first, study.solvers.end()));
     const auto value = [&](const std::string& setting, const std::string& of_entry) {
       const auto axis = axes.find(setting);
       return axis == axes.end() ? toml_value(of_entry) : fmt::format("[{}]", fmt::join(axis->second, ", "));
@@ -372,9 +373,9 @@ std::string to_json(const Study& study) {
   json["points"] = study.path->points();
   json["arm"] = arm_definition(arm_of(study));
   add_departures(json, study);
-  if (const std::vector<Unreachable> found = unreachable(study); !found.empty()) {
-    const Unreachable& farthest = *std::ranges::max_element(found, {}, &Unreachable::distance);
-    json["out_of_reach"] = {{"points", found.size()},
+  if (const std::vector<Unreachable> beyond = unreachable(study); !beyond.empty()) {
+    const Unreachable& farthest = *std::ranges::max_element(beyond, {}, &Unreachable::distance);
+    json["out_of_reach"] = {{"points", beyond.size()},
                             {"farthest_point", farthest.point},
                             {"farthest_cm", farthest.distance / centimetre},
                             {"reach_cm", farthest.reach / centimetre}};

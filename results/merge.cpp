@@ -119,9 +119,9 @@ std::int64_t copy_missing(SQLite::Database& sqlite) {
 
 }  // namespace
 
-std::string difference_in_solves(const std::string& definition, const std::string& other) {
-  const auto left = numerics::parsed_json(definition);
-  const auto right = numerics::parsed_json(other);
+std::string difference_in_solves(const std::string& first, const std::string& second) {
+  const auto left = numerics::parsed_json(first);
+  const auto right = numerics::parsed_json(second);
   const auto text_of = [](const nlohmann::json& json, const std::string& key) {
     constexpr std::size_t most = 60;
     if (!json.contains(key)) return std::string("not there");
@@ -134,8 +134,8 @@ std::string difference_in_solves(const std::string& definition, const std::strin
   for (const std::string& key : keys) {
     if (decide_no_solve.contains(key)) continue;
     if (left.contains(key) && right.contains(key) && left[key] == right[key]) continue;
-    const std::string one = text_of(left, key), two = text_of(right, key);
-    return one == two ? fmt::format("{} is another", key) : fmt::format("{} is {} and {}", key, one, two);
+    const std::string before = text_of(left, key), after = text_of(right, key);
+    return before == after ? fmt::format("{} is another", key) : fmt::format("{} is {} and {}", key, before, after);
   }
   return "";
 }

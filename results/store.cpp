@@ -208,8 +208,8 @@ struct Store::Database {
       throw Damage("it is truncated");
     // A view may be endless, and a column be computed.
     if (schema_of(sqlite) != our_schema()) throw Damage("its tables and views are not those that ikbench makes");
-    const std::string found = sqlite.execAndGet("PRAGMA quick_check(1)").getString();
-    if (found != "ok") throw Damage(found.substr(found.rfind('\n') + 1));
+    const std::string verdict = sqlite.execAndGet("PRAGMA quick_check(1)").getString();
+    if (verdict != "ok") throw Damage(verdict.substr(verdict.rfind('\n') + 1));
   }
 
   // The file at the path, by device and number.
@@ -251,10 +251,10 @@ struct Store::Database {
   }
 
   // The studies, or the one of that name.
-  std::vector<StudyEntry> studies(const std::string* one = nullptr) {
+  std::vector<StudyEntry> studies(const std::string* wanted = nullptr) {
     SQLite::Statement query(sqlite, fmt::format("SELECT name, definition FROM studies {} ORDER BY position",
-                                                one == nullptr ? "" : "WHERE name = ?"));
-    if (one != nullptr) query.bind(1, *one);
+                                                wanted == nullptr ? "" : "WHERE name = ?"));
+    if (wanted != nullptr) query.bind(1, *wanted);
     SQLite::Statement of_study(sqlite,
                                "SELECT key, label, algorithm, options FROM series WHERE study = ? ORDER BY position");
     std::vector<StudyEntry> list;
@@ -334,7 +334,7 @@ std::vector<StudyEntry> Store::studies() const {
 
 StudyEntry Store::study(const std::string& name) const {
   return guarded(database_->name, [&] {
-    if (std::vector<StudyEntry> found = database_->studies(&name); !found.empty()) return std::move(found.front());
+    if (std::vector<StudyEntry> named = database_->studies(&name); !named.empty()) return std::move(named.front());
     const std::string names = database_->sqlite
                                   .execAndGet(
                                       "SELECT coalesce(group_concat(name, ', '), '(the store is empty)') "

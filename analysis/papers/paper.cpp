@@ -10,6 +10,7 @@
 #include "analysis/papers/claims.hpp"
 #include "analysis/show/text.hpp"
 #include "numerics/embedded_file.hpp"
+#include "numerics/names.hpp"
 #include "numerics/toml_table.hpp"
 #include "results/published.hpp"
 

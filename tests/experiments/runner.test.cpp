@@ -309,28 +309,36 @@ TEST_CASE("what a study never had solved is not left aside", "[runner]") {
   CHECK(left_aside(stored_study(other), scratch.store).solves == 0);
 }
 
-TEST_CASE("a run whose study another process replaces keeps its solves, and is read as it was asked", "[runner]") {
+TEST_CASE("a run whose study another process replaces is refused, keeps its solves, and is told what to do",
+          "[runner]") {
   for (const int jobs : {1, 4}) {
     const ScratchFolder folder;
     Store store(folder.path / "store.sqlite", Store::Mode::write);
     Study other = small_study();
     other.seed = 2;
-    other.runs = 1;
     const auto meddle = [&](const Progress& now) {
       if (now.done != 5) return;
       Store rival(folder.path / "store.sqlite", Store::Mode::write);
       run(other, rival, {});
     };
-    const StudyEntry stored = stored_study(small_study());
-    run(small_study(), stored, store, {.jobs = jobs, .progress = meddle});
+    const std::string said =
+        complaint<std::invalid_argument>([&] { run(small_study(), store, {.jobs = jobs, .progress = meddle}); });
+    CHECK_THAT(said, ContainsSubstring("saved a different study named 'small' in this store"));
+    CHECK_THAT(said, ContainsSubstring("run this one again for its report"));
     CHECK(store.study("small").definition == to_json(other));
-    CHECK(same_numbers(store.solves("small"), solves_of(other)));
-    std::vector<SolveRecord> solves;
-    store.each_of_study(stored, [&](const SolveRecord& solve) { solves.push_back(solve); });
-    CHECK(same_numbers(solves, solves_of(small_study())));
     CHECK(run(small_study(), store, {}).reused == 24);
     CHECK(same_numbers(store.solves("small"), solves_of(small_study())));
   }
+}
+
+TEST_CASE("a run whose analysis plan another process replaces is refused too", "[runner][analysis]") {
+  ScratchStore scratch;
+  Study other = small_study();
+  other.plan.significance = 0.01;
+  const auto meddle = [&](const Progress& now) {
+    if (now.done == now.total) run_for(other, scratch.store, 24);
+  };
+  CHECK_THROWS_AS(run(small_study(), scratch.store, {.progress = meddle}), std::invalid_argument);
 }
 
 TEST_CASE("a store that was edited is refused and says where", "[runner]") {
@@ -432,7 +440,7 @@ TEST_CASE("a solver's own population is the number of its candidates, and an opt
   }
   const std::vector<Series> series = scratch.store.study("small").series;
   CHECK_FALSE(nlohmann::json::parse(series[0].options).contains("population"));
-  CHECK(nlohmann::json::parse(series[1].options)["population"] == "9");
+  CHECK(nlohmann::json::parse(series[1].options)["population"] == 9);
 }
 
 // ---- limits, enforced ---------------------------------------------------------------------------------------------
