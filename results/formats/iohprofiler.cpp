@@ -161,14 +161,16 @@ std::vector<std::string> write_iohprofiler(const Exported& exported, const std::
         "ikbench run STUDY --set trace=best_error --out another folder",
         study.name));
   refuse_full(folder);
-  std::set<std::string> used;
-  for (const Series& series : study.series) {
-    if (!functions.contains(series.label)) continue;
-    std::string name = plain_name(series.label);
-    for (int next = 2; !used.insert(name).second; ++next) name = fmt::format("{}-{}", plain_name(series.label), next);
-    const SolverFolder solver_folder(folder / name, study, series);
-    for (const auto& [point, by_dimension] : functions[series.label]) solver_folder.write(point, by_dimension);
-  }
+  write_folder(folder, [&](const std::filesystem::path& place) {
+    std::set<std::string> used;
+    for (const Series& series : study.series) {
+      if (!functions.contains(series.label)) continue;
+      std::string name = plain_name(series.label);
+      for (int next = 2; !used.insert(name).second; ++next) name = fmt::format("{}-{}", plain_name(series.label), next);
+      const SolverFolder solver_folder(place / name, study, series);
+      for (const auto& [point, by_dimension] : functions[series.label]) solver_folder.write(point, by_dimension);
+    }
+  });
   std::vector<std::string> warnings;
   for (const std::string& solver : left_out)
     warnings.push_back(

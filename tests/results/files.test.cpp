@@ -2,11 +2,13 @@
 
 #include <signal.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 #include "tests/catch.hpp"
 #include "tests/results/processes.hpp"
@@ -36,9 +38,11 @@ TEST_CASE("what a killed process left a day ago is removed by the next write, an
   std::set<std::string> kept = names();
   age();
   const pid_t child = in_a_process([&] {
-    write_file(place / "c", [](const Write& write) {
-      write("half");
-      raise(SIGKILL);
+    write_folder(place / "b", [](const fs::path& half) {
+      write_file(half / "c", [](const Write& write) {
+        write("half");
+        raise(SIGKILL);
+      });
     });
     return false;
   });
@@ -50,6 +54,41 @@ TEST_CASE("what a killed process left a day ago is removed by the next write, an
   write_file(place / "a.csv", "whole");
   kept.insert("a.csv");
   CHECK(names() == kept);
+}
+
+TEST_CASE("a folder is whole or not there, and takes the place of an empty one alone", "[files]") {
+  const ScratchFolder folder;
+  CHECK_THROWS_AS(write_folder(folder.path / "a", [](const fs::path&) { throw std::logic_error("no"); }),
+                  std::logic_error);
+  CHECK(fs::is_empty(folder.path));
+  fs::create_directory(folder.path / "empty");
+  write_folder(folder.path / "empty/", [](const fs::path& place) { write_file(place / "c", "whole"); });
+  CHECK(text_in(folder.path / "empty" / "c") == "whole");
+  CHECK_THAT(complaint<std::invalid_argument>([&] { write_folder(folder.path / "empty", [](const fs::path&) {}); }),
+             ContainsSubstring("cannot write " + quoted(folder.path / "empty")));
+  CHECK(text_in(folder.path / "empty" / "c") == "whole");
+}
+
+TEST_CASE("a process that ends gives no half folder its name", "[files]") {
+  const ScratchFolder folder;
+  const pid_t child = in_a_process([&] {
+    std::atomic<bool> is_removed = false;
+    std::jthread ending;
+    write_folder(folder.path / "a", [&](const fs::path& place) {
+      write_file(place / "b" / "c", "half");
+      ending = std::jthread([&] {
+        remove_temporary_folders();
+        is_removed = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        _exit(3);
+      });
+      while (!is_removed) std::this_thread::yield();
+      write_file(place / "d" / "e", "half");
+    });
+    return true;
+  });
+  CHECK(exit_code(child) == 3);
+  CHECK_FALSE(fs::exists(folder.path / "a"));
 }
 
 TEST_CASE("a scratch folder is its owner's alone and gone at the end", "[files]") {
