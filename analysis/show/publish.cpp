@@ -4,6 +4,7 @@
 #include <array>
 #include <system_error>
 
+#include "analysis/figures/of_study.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
@@ -21,7 +22,20 @@ namespace {
 
 constexpr std::array<const char*, 4> own_files{"report.html", "report.md", "results.json", "solves.csv"};
 
-// What the report of a folder says that it has written into tables/ and figures/.
+bool has_word(std::string_view words, std::string_view word) {
+  return words.find(fmt::format(" {} ", word)) != std::string_view::npos;
+}
+
+// A table or figure of reports, without its number. One that is not here outlives its report.
+bool is_own(const fs::path& folder, std::string_view name) {
+  if (folder == "tables")
+    return has_word(" anova claims descriptives means multiverse pairs questions results solve-rates table- ", name);
+  const auto kinds = figures::kinds_of_figures();
+  return folder == "figures" && (has_word(" boxes boxes- figure- multiverse printed style ", name) ||
+                                 std::ranges::find(kinds, name, &figures::KindOfFigure::name) != kinds.end());
+}
+
+// Of what the report of a folder says that it has written what a report may have written.
 std::vector<std::string> files_of_earlier(const fs::path& folder) {
   const auto text = results::read_file(folder / own_files[2]);
   const Json json = text ? numerics::parsed_ordered_json(*text) : Json();
@@ -29,8 +43,12 @@ std::vector<std::string> files_of_earlier(const fs::path& folder) {
   if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) return files;
   for (const Json& each : json["files"]) {
     if (!each.is_string()) continue;
-    const fs::path file(each.get<std::string>()), place = file.parent_path();
-    if (place == "tables" || place == "figures") files.push_back(file);
+    const fs::path file(each.get<std::string>());
+    const std::string stem = file.stem();
+    const std::string_view name(stem.data(), stem.find_last_not_of("0123456789") + 1);
+    if (is_own(file.parent_path(), name) &&
+        has_word(" .csv .dat .gp .md .pdf .png .svg .tex ", file.extension().string()))
+      files.push_back(file);
   }
   return files;
 }

@@ -195,17 +195,20 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   CHECK(text.find("<script>") == std::string::npos);
 }
 
-TEST_CASE("only what an earlier report wrote into its folders is removed", "[show]") {
+TEST_CASE("only files that a report can have written are removed", "[show]") {
   const ScratchFolder folder;
-  for (const char* name : {"table-8.csv", "mine.csv"}) results::write_file(folder.path / "out" / "tables" / name, "");
+  for (const char* name : {"table-8.csv", "mine.csv", "results.xlsx"})
+    results::write_file(folder.path / "out" / "tables" / name, "");
   results::write_file(folder.path / "out" / "store.sqlite", "");
   results::write_file(folder.path / "precious", "");
   results::write_file(
       folder.path / "out" / "results.json",
-      R"({"files": ["tables/table-8.csv", "store.sqlite", "../precious", "tables/../../precious", 7]})");
+      R"({"files": ["tables/table-8.csv", "tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious",
+                                     "tables/../../precious", 7]})");
   publish(report_of(), folder.path / "out", {.render = false});
   CHECK_FALSE(fs::exists(folder.path / "out" / "tables" / "table-8.csv"));
-  for (const char* file : {"tables/mine.csv", "store.sqlite"}) CHECK(fs::exists(folder.path / "out" / file));
+  for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite"})
+    CHECK(fs::exists(folder.path / "out" / file));
   CHECK(fs::exists(folder.path / "precious"));
 }
 
