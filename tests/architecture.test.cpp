@@ -1,13 +1,6 @@
 // The architecture, as the includes build it: which folder may know which.
-#include <algorithm>
-#include <filesystem>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
 
-#include "tests/catch.hpp"
-#include "tests/sources.hpp"
+#include "tests/common.hpp"
 
 namespace {
 
@@ -65,7 +58,7 @@ std::vector<fs::path> sources_of(const std::string& folder) {
 }
 
 std::vector<std::string> includes_of(const fs::path& file) {
-  const std::string text = text_of(file), opening = "#include \"";
+  const std::string text = ikbench::text_in(file), opening = "#include \"";
   std::vector<std::string> found;
   for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
     at += opening.size();

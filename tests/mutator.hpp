@@ -1,13 +1,7 @@
 // Random changes of a text, as by somebody who edits it in haste, and worse ones.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <iterator>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
+#include "tests/common.hpp"
 
 namespace ikbench {
 
@@ -53,5 +47,26 @@ class Mutator {
 
   std::mt19937 random_;
 };
+
+// Reads texts with random changes: each is read, or refused in one sentence that begins with the place. Returns how
+// many were read; where hardly any is, the changes test the parser alone.
+template <class Read>
+int read_mutated(Mutator mutator, const std::string& whole, int times, const std::string& place, Read read) {
+  int count = 0;
+  for (int i = 0; i < times; ++i) {
+    const std::string text = mutator.mutated(whole);
+    CAPTURE(text);
+    try {
+      read(text);
+      ++count;
+    } catch (const std::invalid_argument& refused) {
+      const std::string said = refused.what();
+      CAPTURE(said);
+      REQUIRE(said.starts_with(place));
+      REQUIRE_FALSE(contains(said, "\n"));
+    }
+  }
+  return count;
+}
 
 }  // namespace ikbench

@@ -488,10 +488,9 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& a
                     left, p + 2));
   }
   figure.height_cm += 0.4;
-  figure.settings +=
-      fmt::format("set tmargin at screen 1 - up(0.7)\nset xrange [0:{}]\nset xtics ({})\n{}",
-                  pitch * static_cast<double>(panels.size()), fmt::join(ticks, ", "),
-                  fmt::format("set xlabel {} noenhanced\n", gnuplot_text(about.axis())));
+  figure.settings += fmt::format("set tmargin at screen 1 - up(0.7)\nset xrange [0:{}]\nset xtics ({})\n{}",
+                                 pitch * static_cast<double>(panels.size()), fmt::join(ticks, ", "),
+                                 fmt::format("set xlabel {} noenhanced\n", gnuplot_text(about.axis())));
   figure.plot = plotted(clauses);
   return figure;
 }

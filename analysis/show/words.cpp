@@ -59,8 +59,8 @@ std::string numbers_of(const Shown& shown, bool is_named) {
   const bool are_many = order.size() > most_named;
   const std::size_t best = std::max<std::size_t>(judged.headline.best.size(), 1);
   const auto equals = static_cast<std::size_t>(
-      std::ranges::find_if(
-          order, [&](std::size_t i) { return average_of(judged, i) != average_of(judged, order[0]); }) -
+      std::ranges::find_if(order,
+                           [&](std::size_t i) { return average_of(judged, i) != average_of(judged, order[0]); }) -
       order.begin());
   const bool are_equal = are_many && is_solved && equals > 1 && equals >= best;
   const std::size_t leaders = are_equal ? equals : best;

@@ -6,27 +6,7 @@ cp "$scripts/programs/planted.py" .
 
 # A fault, and words of each check that fails with it. A budget of 50 ms says nothing on a busy machine, except with the
 # fault "late". They mostly wait, so four at a time; only who hangs is given up soon.
-cat >table <<'END'
-good|
-whole|
-nothing|one of these
-silent|hello
-option|hello
-outside|for a position
-remembers|same seed
-of-process|same seed
-endless|without end
-lies|for a position; without end
-hangs|50 ms
-late|50 ms
-nan|for a position
-null|for a position
-again|for a position
-twice|answers once
-pose|for a pose
-slides|slides
-stays|standard input
-END
+cp "$scripts/programs/planted.faults" table
 cut -d'|' -f1 table | xargs -P 4 -I{} env FAULT={} bash -c '[ $FAULT = hangs ] && patience=3 || patience=60
   "$0" check-solver --json --patience $patience -- python3 planted.py >$FAULT.json 2>$FAULT.err; echo $? >$FAULT.code' "$program"
 python3 "$scripts/programs/failed.py" <table || fail "see above: $(cat ./*.err)"

@@ -18,7 +18,7 @@ sound() {
     AND smallest_seconds BETWEEN 0 AND seconds AND largest_seconds BETWEEN seconds AND 1000)")" 0
 }
 
-# The same solves, with one job and with two, begun, continued, in shards and merged.
+# The same solves, with one job and with two, begun and continued.
 for jobs in 1 2; do
   succeeds "${study[@]}" --set runs=2 --out "jobs-$jobs" --jobs $jobs
   touch -d 2001-01-01 "jobs-$jobs/store.sqlite"
@@ -28,25 +28,9 @@ for jobs in 1 2; do
   same_fingerprint "jobs-$jobs/store.sqlite" straight/store.sqlite
   sound "jobs-$jobs/store.sqlite"
 done
-for i in 1 2; do succeeds "${study[@]}" --shard $i/2 --out merged/shards/$i-of-2; done
-for _ in 1 2; do succeeds merge merged merged/shards; done
-same_fingerprint merged/store.sqlite straight/store.sqlite
-equal sessions "$(sqlite3 merged/store.sqlite "SELECT count(*) FROM sessions")" 2
 
 # A limit of wall time is as long as it says, also of a library's solver.
-cat >limit.toml <<'TOML'
-name = "limit"
-start = "initial"
-runs = 1
-stop = { seconds = 0.05, iterations = 100000000 }
-path = { kind = "random", points = 2 }
-solvers = [
-  { solver = "random_search" },
-  { solver = "bat" },
-  { solver = "nlopt", if_missing = "leave_out", options = { restarts = "random" } },
-]
-TOML
-succeeds run limit.toml --out limit --no-report
+succeeds run "$scripts/studies/limit.toml" --out limit --no-report
 sound limit/store.sqlite
 equal "solves that end too soon" "$(sqlite3 limit/store.sqlite "SELECT solver, stop_reason, seconds FROM solves
   WHERE stop_reason NOT IN ('time', 'finished') OR seconds < 0.05")" ""

@@ -4,7 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include "tests/catch.hpp"
+#include "tests/common.hpp"
 #include "tests/results/processes.hpp"
 
 using ikbench::cli::aligned;

@@ -1,24 +1,7 @@
 #!/usr/bin/env bash
 # An arm is a name, a file of joints, or a URDF: shown, run, and its mistakes.
 source "$(dirname "$0")/common.sh"
-cat >my_study.toml <<'TOML'
-robot = "my_arm.toml"
-search = "all_joints"
-[path]
-kind = "random"
-[[solvers]]
-solver = "damped_least_squares"
-TOML
-cat >my_arm.toml <<'TOML'
-summary = "SCARA: two turns and a slide"
-source = "an example"
-links = [
-  { d_m = 0.40, a_m = 0.30, limits_deg = [-130, 130] },
-  { a_m = 0.20, alpha_deg = 180, limits_deg = [-145, 145] },
-  { joint = "slides", limits_m = [0, 0.15] },
-]
-tool = { position_m = [0, 0, 0.05] }
-TOML
+cp "$scripts"/studies/my_*.toml .
 cp "$root"/tests/data/urdf/{fetch,ur5e,gen3}.urdf .
 
 # shows JOINTS X Y Z ARGUMENTS...: the number of joints and where the tool is, to a micrometre.
@@ -30,8 +13,6 @@ shows() {
 }
 shows 3 0.5 0 0.35 my_arm.toml
 shows 3 0.3 0.2 0.25 my_arm.toml --at 0,90,0.1
-shows 6 0.8172 0.2329 0.0628 ur5e --at 0,0,0,0,0,0
-shows 6 0.8172 0.2329 0.0628 ur5e.urdf --at 0,0,0,0,0,0
 shows 8 0.50165 0 0.25956 fetch.urdf --at 0.1,0,0,0,90,0,0,0
 json 'of["has_spherical_wrist"] and of["at"][0] == 0.1'
 shows 6 0.929 0 0.06 fetch.urdf --base shoulder_pan_link --tip wrist_roll_link --limits soft
@@ -72,20 +53,9 @@ sed 's/robot = .*/robot = "fetch.urdf"/' my_study.toml >urdf_study.toml
 succeeds run urdf_study.toml "${small[@]}" --set urdf.tip=wrist_roll_link --no-report --out described
 equal "solves" "$(column described/store.sqlite robot damped_least_squares | counted)" "6 fetch"
 
-# A path from a program that writes poses, as a CSV.
-python3 "$root/docs/examples/rectangle.py" >rectangle.csv
-sed -e 's/robot = .*/robot = "ur5e.urdf"\nruns = 2\ninitial_deg = [0, -90, 90, -90, -90, 0]\nstop = { iterations = 100, tolerance_cm = 0.001, tolerance_deg = 0.01 }/' \
-  -e 's/all_joints/pose/; s/kind = .*/kind = "csv"\nfile = "rectangle.csv"/' my_study.toml >rectangle.toml
-succeeds run rectangle.toml --figures none --out rectangle --json
-json '[(row["n"], row["mean"]) for row in of["groups"] if row["metric"] == "solved"] == [(1, 100)]'
-equal "solves of the rectangle" "$(solves rectangle/store.sqlite)" 62
-
 # Mistakes.
 sed -i 's/d_m = 0.40/d_m = 400/' my_arm.toml
 refused my_arm.toml:4:11 robot my_arm.toml
 refused none.toml run my_study.toml --set robot=none.toml
-refused '"gripper_link"' robot fetch.urdf --tip griper_link
-refused '"soft"' run urdf_study.toml --set urdf.limits=both
-refused planar_2 run urdf_study.toml --set robot=planar_2 --set urdf.tip=x
 echo '<robot name="r"><xacro:include filename="x"/></robot>' >macro.urdf
 refused macro.urdf:1 robot macro.urdf

@@ -63,71 +63,35 @@ cmp open/report/results.json made/results.json || fail "another report of a stor
 equal "read only" "$(ls closed)" store.sqlite
 chmod 755 closed
 
-# Jobs, the file of the study and the folder change no number; a seed does.
-numbers made/store.sqlite >made.csv
-"$program" list studies slim2023 >slim.toml
-succeeds run "${paper[@]}" --no-report --jobs 3
-numbers out/slim2023/store.sqlite | cmp - made.csv || fail "three jobs: other numbers"
-succeeds run slim.toml "${paper[@]:1}" --no-report --out file
-numbers file/store.sqlite | cmp - made.csv || fail "the study from its file: other numbers"
-succeeds run "${paper[@]}" --set seed=2 --no-report --out seed-2
-! numbers seed-2/store.sqlite | cmp -s - made.csv || fail "the same numbers with another seed"
-
-# Another plan costs no solve, and is told.
-succeeds run "${paper[@]}" --figures none --set analysis.significance=0.01 --out made --json
-json '"significance" in " ".join(of["doubts"])'
-equal "solves after another plan" "$(solves made/store.sqlite)" 90
-
 # Two studies in a store: the first, unless another is asked for. More runs: only those.
 succeeds run slim2023-context "${small[@]}" --no-report --out made
 succeeds report made/store.sqlite --study slim2023-context --figures none --out second --json
 json '{row["solver"] for row in of["groups"]} == {"Random", "DLS"}'
 succeeds run "${paper[@]}" --set runs=4 --no-report --out made
 has "$out" "90 were"
-numbers made/store.sqlite slim2023 | awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "run") run = i } NR == 1 || $run <= 3' |
-  cmp - made.csv || fail "more runs changed the others"
-
-# Targets that no configuration reaches are a doubt.
-succeeds run slim2023 "${small[@]}" --set 'path.centre_cm=[1000,0,0]' --figures none --out far --json
-json 'any("reach" in doubt and "3" in doubt for doubt in of["doubts"])'
 
 # Any arm and task: a stranger's URDF with a torso that slides, whole poses, eight solvers; nothing of a paper.
-cp "$root/tests/data/urdf/fetch.urdf" .
-{
-  printf 'name = "theirs"\nrobot = "fetch.urdf"\nsearch = "pose"\nstart = "middle"\nbounds = "clamp"\nruns = 4\npopulation = 10\n'
-  printf '[stop]\niterations = 200\nevaluations = 1000\ntolerance_cm = 0.1\ntolerance_deg = 0.5\n[path]\nkind = "random"\npoints = 3\n'
-  printf '[[solvers]]\nsolver = "%s"\n' ik_bat bat differential_evolution particle_swarm k_artificial_bee_colony random_search \
-    damped_least_squares newton
-} >theirs.toml
+cp "$root/tests/data/urdf/fetch.urdf" "$scripts/studies/theirs.toml" .
 succeeds run theirs.toml --figures none --out theirs
 equal "solves of a stranger's arm" "$(solves theirs/store.sqlite)" 96
 ! grep -v 'references.bib' theirs/report.html theirs/report.md | grep -i -n 'helix\|slim' || fail "the report speaks of a paper"
 json '[(row["solver"], round(row["mean"])) for row in of["groups"] if row["metric"] == "solved"][-2:] == [("damped_least_squares", 92), ("newton", 75)]' \
   theirs/results.json
 
-# Sweeps: every combination is an entry, the same from options, lists and a table.
-cat >sweep.toml <<'END'
-name = "sweep"
-robot = "planar_2"
-search = "all_joints"
-runs = 4
-[stop]
-iterations = 10
-[path]
-kind = "random"
-points = 3
-[[solvers]]
-label = "mine"
-solver = "ik_bat"
-population = 6
-[[solvers]]
-solver = "newton"
-END
-succeeds run sweep.toml --figures none --sweep population=4,8,200 --sweep mine.alpha=0.5,0.9 --json
+# Sweeps: every combination is an entry (sweep.test.cpp).
+succeeds run "$scripts/studies/sweep.toml" --figures none --sweep population=4,8,200 --sweep mine.alpha=0.5,0.9 --json
 json 'len({row["solver"] for row in of["groups"]}) == 9'
-sed 's/^population = 6/population = [4, 8, 200]\noptions = { alpha = [0.5, 0.9] }/' sweep.toml >lists.toml
-{ head -4 sweep.toml; printf '[sweep]\npopulation = [4, 8, 200]\nmine.alpha = [0.5, 0.9]\n'; tail -n +5 sweep.toml; } >table.toml
-succeeds run lists.toml --no-report --out out/sweep
-has "$out" "(72 were" # the other solver has one entry
-succeeds run table.toml --no-report --out out/sweep
-has "$out" "(108 were"
+
+# Every figure can be asked for alone, and no other is drawn; where solves were made by two machines, times are not compared.
+echo 'formats = ["svg"]' >svg.toml
+drawn=
+for figure in $("$program" help figures | sed -n 's/^  \([a-z-]*\)  .*/\1/p'); do
+  run_it report mine/store.sqlite --figures "$figure" --style svg.toml --out "only-$figure"
+  [ $code = 0 ] || { has "$err" "no figure \"$figure\""; continue; }
+  drawn+=" $figure"
+  equal "drawn for $figure" "$(cd "only-$figure/figures" && echo *.svg)" "$figure.svg"
+done
+equal "figures of the tutorial's study" "$drawn" " error-shares solved-by-evaluations solved-by-time differences"
+sqlite3 made/store.sqlite "UPDATE environment SET value = 'another' WHERE key = 'cpu' AND session = (SELECT max(session) FROM environment)"
+succeeds report made/store.sqlite --figures none --out machines --json
+json 'any("machine" in doubt and "times" in doubt for doubt in of["doubts"])'

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # A real Slurm on this machine: 12 tasks of a study, of which some are cancelled and some killed, give after all what one
-# machine gives. It waits for Slurm most of a minute. Skipped where Slurm is not installed (./setup --with-slurm) or this is
+# machine gives. It waits for Slurm most of a minute. Skipped where Slurm is not installed (./setup --with-all check) or this is
 # not root.
 source "$(dirname "$0")/common.sh"
 for daemon in munged slurmctld slurmd sbatch; do
-  command -v $daemon >/dev/null || { echo "skipped: no $daemon (./setup --with-slurm)"; exit 77; }
+  command -v $daemon >/dev/null || { echo "skipped: no $daemon (./setup --with-all check)"; exit 77; }
 done
 [ $EUID = 0 ] || { echo "skipped: only root starts slurmd with jobs of its own"; exit 77; }
 host=$(hostname -s) run=$work/slurm
@@ -34,41 +34,31 @@ chmod 400 "$run/munge/munge.key"
 # As root, in the test's own folders: munged warns of both.
 munged --force --key-file="$run/munge/munge.key" --socket="$run/munge/socket" --pid-file="$run/munged.pid" \
   --log-file="$run/log/munged.log" --seed-file="$run/munge/seed" 2>"$run/log/munged.err" || fail "no munged: $(<"$run/log/munged.err")"
-cat >"$run/slurm.conf" <<CONF
+{
+  cat "$scripts/studies/slurm.conf"
+  cat <<CONF
 ClusterName=test$port
 SlurmctldHost=$host(127.0.0.1)
 SlurmctldPort=$port
 SlurmdPort=$((port + 1))
-AuthType=auth/munge
 AuthInfo=socket=$run/munge/socket
-CredType=cred/munge
-SlurmUser=root
-SlurmdUser=root
 StateSaveLocation=$run/state
 SlurmdSpoolDir=$run/spool
 SlurmctldPidFile=$run/slurmctld.pid
 SlurmdPidFile=$run/slurmd.pid
 SlurmctldLogFile=$run/log/slurmctld.log
 SlurmdLogFile=$run/log/slurmd.log
-ProctrackType=proctrack/linuxproc
-TaskPlugin=task/none
-SelectType=select/cons_tres
-SelectTypeParameters=CR_Core
-ReturnToService=2
-MpiDefault=none
-JobAcctGatherType=jobacct_gather/none
-KillWait=2
-MinJobAge=300
 NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
 PartitionName=test Nodes=$host Default=YES MaxTime=INFINITE State=UP
 CONF
+} >"$run/slurm.conf"
 export SLURM_CONF=$run/slurm.conf
 slurmctld -f "$SLURM_CONF" && slurmd -f "$SLURM_CONF" || fail "no slurm: $(tail -n 5 "$run"/log/*.log)"
 for _ in $(seq 600); do [ "$(sinfo --noheader --format=%T 2>/dev/null)" != idle ] || break; sleep 0.2; done
 equal "state of the node" "$(sinfo --noheader --format=%T)" idle
 
 # The study: enough that a task can be met while it runs.
-study=(slim2023 --set runs=24 --set path.points=6 --set stop.iterations=1000 --set population=20)
+study=(slim2023 --set runs=24 --set path.points=6 --set stop.iterations=5000 --set population=20)
 mkdir bin "two words"
 ln -s "$program" bin/ikbench
 export PATH=$work/bin:$PATH

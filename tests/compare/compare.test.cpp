@@ -1,16 +1,4 @@
-#include "analysis/compare/compare.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
-#include <random>
-#include <stdexcept>
-
-#include "analysis/compare/describe.hpp"
-#include "tests/catch.hpp"
-
-using namespace ikbench::compare;
+#include "tests/compare/studies.hpp"
 
 namespace {
 

@@ -1,16 +1,4 @@
-#include "analysis/compare/describe.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "tests/catch.hpp"
-
-using namespace ikbench::compare;
+#include "tests/compare/studies.hpp"
 
 namespace {
 
@@ -88,31 +76,6 @@ TEST_CASE("ANOVA has the digits that NIST certifies, also where many equal leadi
     CHECK(anova(observed(groups)).value().statistic == Approx(f).epsilon(digits));
   }
   CHECK(anova(observed(of_nist("SiRstv").first))->p == Approx(0.349447493402193).epsilon(1e-12));  // R 4.2.2, aov
-}
-
-TEST_CASE("ANOVA of the paper's Table 3 is that of its Tables 4 to 6", "[describe]") {
-  // F of the printed means and standard deviations, recomputed with R 4.2.2.
-  std::ifstream file("results/published/slim2023/table-3.csv");
-  REQUIRE(file);
-  for (const auto& [metric, expected] :
-       {std::pair("position_error_cm", 40.7736), std::pair("variation_deg", 388.940), std::pair("seconds", 293.939)}) {
-    file.clear();
-    file.seekg(0);
-    Observations of{.metric = metric, .quantity = metric};
-    for (std::string line; std::getline(file, line);) {
-      std::istringstream cells(line);
-      std::string name, of_metric, n, mean, median, sd;
-      for (std::string* cell : {&name, &of_metric, &n, &mean, &median, &sd}) std::getline(cells, *cell, ',');
-      if (of_metric == metric)
-        of.groups.push_back({.name = name, .summary = Summary{std::stoi(n), std::stod(mean), std::stod(sd)}});
-    }
-    REQUIRE(of.groups.size() == 6);
-    const TestOfAll test = anova(of).value();
-    CHECK(test.statistic == Approx(expected).epsilon(2e-6));
-    CHECK(test.df == 5);
-    CHECK(test.df_within == 114);
-    CHECK_FALSE(kruskal_wallis(of));
-  }
 }
 
 TEST_CASE("Kruskal and Wallis's test is that of R", "[describe]") {

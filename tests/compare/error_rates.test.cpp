@@ -3,20 +3,7 @@
 // sets is at most 0.005.
 //
 //   IKBENCH_SETS=10000 build/check/tests/compare/test_compare '[error_rates]'
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <numbers>
-#include <random>
-#include <string>
-#include <vector>
-
-#include "analysis/compare/compare.hpp"
-#include "tests/catch.hpp"
+#include "tests/compare/studies.hpp"
 
 namespace ikbench::compare::error_rates {
 namespace {

@@ -1,13 +1,6 @@
-#include "analysis/compare/gate.hpp"
-
-#include <cmath>
-#include <random>
-
-#include "tests/catch.hpp"
 #include "tests/compare/studies.hpp"
 
 using namespace ikbench;
-using namespace ikbench::compare;
 
 namespace {
 
@@ -129,7 +122,6 @@ TEST_CASE("times decide nothing, and those of other sessions and of solves that 
 }
 
 TEST_CASE("what the baseline has and the candidate lacks is refused, what it has more is left out") {
-  using Catch::Matchers::StartsWith;
   Asked more = of_100;
   more.runs = 2;
   StudyResults part = version(1);

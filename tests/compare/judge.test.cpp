@@ -1,14 +1,4 @@
-#include "analysis/compare/judge.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-
-#include "tests/catch.hpp"
 #include "tests/compare/studies.hpp"
-
-using namespace ikbench::compare;
 
 namespace {
 
@@ -74,87 +64,6 @@ TEST_CASE("The plan's test, level, margin and control reach the comparison") {
   CHECK_FALSE(judged(R"({})").findings.front().is_within_margin);
   CHECK(judged(R"({"margin_cm": 0.6})").findings.front().is_within_margin);
   CHECK(judged(R"({"margin_cm": 0.6})").findings.back().verdict == Verdict::same);
-}
-
-TEST_CASE("A solver that fails on 3 of 20 targets stays in the error's table, described and not tested") {
-  const JudgedStudy of = judge(study({.start = "middle", .targets = "drawn"}, [](SolveRecord& solve) {
-    if (solve.solver != "A" || solve.run != 1 || solve.point > 3) return;
-    solve.status = Status::not_finite;
-    solve.position_error_cm = std::numeric_limits<double>::quiet_NaN();
-  }));
-  const Judged& error = metric(of, "error");
-  CHECK(error.described.front().n == 17);
-  CHECK(error.observations.groups.front().lost == 3);
-  CHECK(error.findings.front().verdict == Verdict::not_tested);
-  CHECK(error.findings.front().why == Why::lost);
-  CHECK(has_doubt(of.doubts, DoubtKind::without_answer));
-}
-
-TEST_CASE("Where a tolerance is set and both solve all, the share is equal and errors are at most the tolerance") {
-  const StudyResults made =
-      study({.start = "middle", .targets = "drawn", .runs = 20, .points = 5, .tolerance_cm = 0.01},
-            [](SolveRecord& solve) { solve.position_error_cm = solve.solver == "A" ? 0.001 : 0.002; });
-  const JudgedStudy of = judge(made);
-  const Finding& solved = metric(of, "solved").findings.front();
-  CHECK(solved.are_all_equal);
-  CHECK(solved.verdict == Verdict::same);
-  const Judged error = judge(made, metric_named("position_error_cm"));
-  CHECK(error.findings.front().are_all_equal);
-  CHECK(error.described.front().median == 0.01);
-  CHECK(std::isnan(error.described.front().sd));
-}
-
-TEST_CASE("A solver that makes three times the evaluations on what it solves is worse, whatever failures cost") {
-  const JudgedStudy of = judge(study(
-      {.start = "middle", .targets = "drawn", .runs = 20, .points = 5, .tolerance_cm = 1}, [](SolveRecord& solve) {
-        const bool is_failure = (solve.run * 5 + solve.point) % 3 == 0;
-        if (is_failure) solve.status = Status::tolerance_missed;
-        solve.evaluations = is_failure ? 1000 : (solve.solver == "A" ? 100 : 300) + solve.run;
-      }));
-  const Judged& evaluations = metric(of, "evaluations");
-  CHECK(evaluations.findings.front().verdict == Verdict::better);
-  CHECK(evaluations.findings.front().estimate.value() == Approx(110.5 / 310.5).epsilon(0.05));
-  CHECK(evaluations.described.front().largest == 120);
-  CHECK(metric(of, "solved").findings.front().are_all_equal);
-}
-
-TEST_CASE("Costs are compared on the targets that both solvers of a pair solved") {
-  // A solves runs 1 to 12, B 9 to 20: four targets in common, which decide nothing.
-  const JudgedStudy of = judge(study(
-      {.start = "middle", .targets = "drawn", .runs = 20, .points = 1, .tolerance_cm = 1}, [](SolveRecord& solve) {
-        const bool is_solved = solve.solver == "A" ? solve.run < 13 : solve.run > 8;
-        if (!is_solved) solve.status = Status::tolerance_missed;
-        solve.evaluations = solve.solver == "A" ? 100 : 300;
-      }));
-  const Finding& finding = metric(of, "evaluations").findings.front();
-  CHECK(finding.why == Why::too_few);
-  CHECK(finding.needed == 6);
-  CHECK(finding.estimate.value() == Approx(1.0 / 3));
-  CHECK(has_doubt(metric(of, "evaluations").observations.doubts, DoubtKind::too_few));
-  // Nothing in common at all.
-  const JudgedStudy apart = judge(study(
-      {.start = "middle", .targets = "drawn", .runs = 20, .points = 1, .tolerance_cm = 1}, [](SolveRecord& solve) {
-        if ((solve.solver == "A") == (solve.run > 10)) solve.status = Status::tolerance_missed;
-      }));
-  CHECK(metric(apart, "evaluations").findings.front().why == Why::too_few);
-  CHECK_FALSE(metric(apart, "evaluations").findings.front().estimate);
-}
-
-TEST_CASE("Times that are not comparable are described and not tested") {
-  const JudgedStudy of = judge(study({.runs = 10},
-                                     [](SolveRecord& solve) {
-                                       if (solve.solver == "C") solve.timing = Timing::process;
-                                       solve.seconds = solve.cpu_seconds =
-                                           (solve.solver == "A" ? 1 : 2) + 0.01 * solve.run;
-                                     },
-                                     {"A", "B", "C"}));
-  const Judged& time = metric(of, "time");
-  CHECK(time.described.back().n == 10);
-  REQUIRE(time.findings.size() == 3);
-  CHECK(time.findings[0].verdict == Verdict::better);
-  CHECK(time.findings[1].why == Why::apart);
-  CHECK(time.findings[2].verdict == Verdict::not_tested);
-  CHECK(has_doubt(time.observations.doubts, DoubtKind::times_not_comparable));
 }
 
 TEST_CASE("Too few runs and means that few values decide are told") {

@@ -1,15 +1,5 @@
-#include "analysis/compare/observe.hpp"
-
-#include <algorithm>
-#include <limits>
-#include <optional>
-#include <sstream>
-
-#include "numerics/units.hpp"
-#include "tests/catch.hpp"
 #include "tests/compare/studies.hpp"
 
-using namespace ikbench::compare;
 using ikbench::results::Session;
 using ikbench::results::StopReason;
 

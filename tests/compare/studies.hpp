@@ -2,12 +2,19 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <functional>
-#include <string>
-#include <vector>
-
+#include "analysis/compare/compare.hpp"
+#include "analysis/compare/describe.hpp"
+#include "analysis/compare/gate.hpp"
+#include "analysis/compare/judge.hpp"
+#include "analysis/compare/observe.hpp"
 #include "analysis/compare/study.hpp"
+#include "analysis/compare/tests_of_two.hpp"
+#include "numerics/units.hpp"
+#include "tests/common.hpp"
+
+using namespace ikbench::compare;
 
 namespace ikbench::compare {
 

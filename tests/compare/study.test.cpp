@@ -1,13 +1,7 @@
-#include "analysis/compare/study.hpp"
-
-#include "tests/catch.hpp"
 #include "tests/compare/studies.hpp"
-#include "tests/scratch_folder.hpp"
 
 using namespace ikbench;
-using namespace ikbench::compare;
 using namespace ikbench::results;
-using Catch::Matchers::StartsWith;
 
 TEST_CASE("A study has the solves of each solver by run and point, and the sessions that made them") {
   const Asked asked{.runs = 2, .points = 2};

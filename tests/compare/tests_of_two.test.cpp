@@ -1,13 +1,4 @@
-#include "analysis/compare/tests_of_two.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <vector>
-
-#include "tests/catch.hpp"
-
-using namespace ikbench::compare;
+#include "tests/compare/studies.hpp"
 
 namespace {
 

@@ -1,6 +1,4 @@
 // Departures of a study that claims to be the paper's study, as the store's definition lists them.
-#include <nlohmann/json.hpp>
-
 #include "tests/experiments/samples.hpp"
 
 namespace {

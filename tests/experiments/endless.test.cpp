@@ -1,12 +1,4 @@
 // Arms whose joints turn without end: the problems of their solvers, their answers, and their moves.
-#include <cmath>
-#include <limits>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <numbers>
-
-#include "experiments/foreign/protocol.hpp"
-#include "experiments/solve_runner.hpp"
 #include "tests/experiments/samples.hpp"
 
 namespace {
@@ -27,16 +19,6 @@ std::string an_entry(const std::string& label, const std::string& solver, const 
 }
 
 }  // namespace
-
-TEST_CASE("a problem has the limits of the arm, and none where a joint turns without end", "[endless]") {
-  const Study study = study_of_gen3("[[solvers]]\nsolver = \"bat\"\n");
-  const Robot arm = arm_of(study);
-  const Configuration start = Configuration::Constant(7, 0.2);
-  const Problem problem = Task(study, arm).problem(start, 50);
-  CHECK(problem.lower == arm.limits.lower);
-  CHECK(problem.upper == arm.limits.upper);
-  CHECK(problem.lower[0] == -without_end);
-}
 
 TEST_CASE("no solver's answer is held at half a turn from the start", "[endless]") {
   const Study study = study_of_gen3(

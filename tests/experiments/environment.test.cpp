@@ -1,7 +1,4 @@
 // The facts about the machine and the build.
-#include "experiments/environment.hpp"
-
-#include "experiments/source_digest.hpp"
 #include "tests/experiments/samples.hpp"
 
 TEST_CASE("the environment says something for each of its keys", "[environment]") {

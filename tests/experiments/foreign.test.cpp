@@ -1,15 +1,6 @@
-#include <fmt/format.h>
 #include <sched.h>
 
-#include <fstream>
-#include <optional>
-#include <thread>
-#include <vector>
-
-#include "experiments/foreign/protocol.hpp"
-#include "experiments/verifier.hpp"
 #include "tests/experiments/samples.hpp"
-#include "tests/scratch_folder.hpp"
 
 namespace {
 

@@ -1,16 +1,5 @@
-#include "experiments/multiverse.hpp"
-
-#include <algorithm>
-#include <atomic>
-#include <filesystem>
-#include <fstream>
-#include <set>
-#include <sstream>
-#include <stdexcept>
-#include <thread>
-
-#include "experiments/series_means.hpp"
 #include "tests/experiments/samples.hpp"
+#include "tests/mistakes.hpp"
 
 namespace {
 
@@ -109,7 +98,7 @@ TEST_CASE("a plan has every combination of the alternatives that go together, ea
   std::set<std::size_t> used;
   for (const MultiversePlan::OfStudy& study : plan.studies) {
     const auto has = [&](const std::string& set) {
-      return std::ranges::any_of(study.chosen, [&](const Choice& each) {
+      return std::ranges::any_of(study.chosen, [&](const results::Choice& each) {
         return plan.dimensions[each.dimension].alternatives[each.alternative].set == set;
       });
     };
@@ -144,7 +133,7 @@ TEST_CASE("the series of a universe are solved with what its choices say, defaul
     for (const MultiversePlan::ChosenSolver& own : of_solver) {
       const Study& part = plan.parts[own.parts.front()];
       if (own.chosen.empty()) continue;
-      const Choice& choice = own.chosen.front();
+      const results::Choice& choice = own.chosen.front();
       CHECK(plan.dimensions[choice.dimension].alternatives[choice.alternative].set.ends_with(
           "bounds=" + effective_options(part, part.solvers.front()).at("bounds")));
       ++checked;
@@ -294,24 +283,7 @@ TEST_CASE("a file of dimensions says in one sentence where it is wrong", "[multi
   REQUIRE(parsed(good).size() == 1);
   CHECK(parsed(good).front().name == "x");
   CHECK(parsed("{set='B.x=1', where='a'}, {set='B.x=2', where='b'}").front().solver == "B");
-  const auto refuses = [](const std::string& alternatives, const std::string& words) {
-    CAPTURE(alternatives);
-    CHECK_THROWS_WITH(parsed(alternatives),
-                      Catch::Matchers::StartsWith("open.toml:") && Catch::Matchers::Contains(words));
-  };
-  refuses("", "alternatives");
-  refuses("1", "tables");
-  refuses("{where='a'}", "set is missing");
-  refuses("{set='x', where='a'}", "what --set takes");
-  refuses("{set='x=1'}", "where is missing");
-  refuses("{set='x=1', where='a'}, {set='y=1', where='b'}", "another value of x");
-  refuses("{set='x=1', where='a'}, {set='x=1', where='b'}", "another value of x");
-  refuses("{set='x=1', where='a'}, {set='x=2', where='b', in='medium'}", "small");
-  refuses("{set='x=1', where='a'}, {set='x=2', where='b', except='y=1'}", "except");
-  refuses("{set='x=1', where='a'}, {set='x=2', where='b', except=[1]}", "except");
-  refuses("{set='x=1', where='a'}, {set='x=2', where='b', except=['x=1']}", "an earlier dimension");
-  refuses("{set='x=1', where='a', in='small'}", "unknown key \"in\"");
-  refuses("{set='x=1', where=\"a\\nb\"}", "control characters");
+  check_mistakes("alternatives", "open.toml:", parsed);
   const auto excepting = [](const std::string& solver, const std::string& other) {
     return "[[dimensions]]\nsection = '2.1'\nalternatives = [{set='A.x=1', where='a'}, {set='A.x=2', where='b'}]\n"
            "[[dimensions]]\nsection = '2.1'\nalternatives = [{set='" +
@@ -324,7 +296,7 @@ TEST_CASE("a file of dimensions says in one sentence where it is wrong", "[multi
   }
   std::string many;
   for (int i = 0; i < 30; ++i) many += "{set='x=" + std::to_string(i) + "', where='a'},";
-  refuses(many, "a list of 1 to 20 tables");
+  CHECK_THROWS_WITH(parsed(many), Catch::Matchers::Contains("a list of 1 to 20 tables"));
   CHECK_THROWS_AS(parse_dimensions("dimensions = 3", "open.toml", three_labels), std::invalid_argument);
   CHECK_THROWS_AS(parse_dimensions("", "open.toml", three_labels), std::invalid_argument);
   CHECK_THROWS_AS(parse_dimensions("[[dimensions", "open.toml", three_labels), std::invalid_argument);

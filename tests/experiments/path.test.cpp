@@ -1,14 +1,5 @@
 // Paths by hand. Helix of Slim et al. 2023, Sec. 5.2: centre (60, 0, 10) cm, radius 20 cm, length 50 cm, 2 turns,
 // 20 points; point k lies at t = 2 pi h k/20 (docs/papers/slim2023-notes.md 2.2).
-#include "experiments/path.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <numbers>
-#include <set>
-
-#include "experiments/orientation.hpp"
 #include "tests/experiments/samples.hpp"
 
 namespace {
@@ -232,20 +223,6 @@ TEST_CASE("a tool turns about its own axis, then about the vertical", "[path]") 
   // Eq. 27 points along y; a quarter turn back about the vertical, it points outward, along x.
   CHECK(R({"tool=eq27", "tool_yaw_deg=-90"}).col(2).isApprox(Eigen::Vector3d::UnitX(), 1e-15));
   CHECK(R({"tool=eq27", "tool_yaw_deg=-90", "tool_roll_deg=180"}).col(2).isApprox(Eigen::Vector3d::UnitX(), 1e-15));
-}
-
-TEST_CASE("roll, pitch and yaw turn about x, y and z, in that order about the fixed axes", "[path]") {
-  Eigen::Matrix3d expected;
-  expected << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // Rx(90 deg): y becomes z
-  CHECK(rotation_from_rpy({pi / 2, 0, 0}).isApprox(expected, 1e-15));
-  expected << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // Ry(90 deg): z becomes x
-  CHECK(rotation_from_rpy({0, pi / 2, 0}).isApprox(expected, 1e-15));
-  expected << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // Rz(90 deg): x becomes y
-  CHECK(rotation_from_rpy({0, 0, pi / 2}).isApprox(expected, 1e-15));
-  // First roll, then yaw: y becomes z and stays there; x becomes y.
-  const Eigen::Matrix3d both = rotation_from_rpy({pi / 2, 0, pi / 2});
-  CHECK((both * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm() < 1e-15);
-  CHECK((both * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm() < 1e-15);
 }
 
 TEST_CASE("tool down is a roll of 180 and a yaw of 180 degrees", "[path]") {

@@ -1,9 +1,5 @@
 // Studies with solvers of libraries that this program may have been built without.
-#include <algorithm>
-
-#include "solvers/registry.hpp"
 #include "tests/experiments/samples.hpp"
-#include "tests/solvers_for.hpp"
 
 namespace {
 
@@ -35,7 +31,7 @@ TEST_CASE("a study that names a peer that was not built is refused, or goes on w
     const std::string entry = "[[solvers]]\nsolver = \"" + peer.name + "\"\nlabel = \"theirs\"\n";
     const std::string said = said_of_study(entry + own_entry);
     CHECK(said.starts_with("my.toml:2"));
-    CHECK(said.find(peer.how) != std::string::npos);
+    CHECK(contains(said, peer.how));
     const Study without = study_from(entry + "if_missing = \"leave_out\"\n" + own_entry);
     REQUIRE(without.left_out.size() == 1);
     CHECK(without.left_out.front().label == "theirs");
@@ -50,7 +46,7 @@ TEST_CASE("a solver that cannot solve for the study's arm or search is refused w
   const std::string newton = "[[solvers]]\nsolver = \"kdl_newton\"\n";
   const std::string said = said_of_study("search = \"all_joints\"\n" + newton);
   CHECK(said.starts_with("my.toml:3:10: "));
-  CHECK(said.find("search = \"pose\"") != std::string::npos);
+  CHECK(contains(said, "search = \"pose\""));
   CHECK(study_from("search = \"pose\"\n" + newton).solvers.size() == 1);
 }
 

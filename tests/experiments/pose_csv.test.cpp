@@ -1,12 +1,6 @@
 // Poses from CSV files: by hand, and from arbitrary files.
-#include <cmath>
-#include <fstream>
-#include <numbers>
-#include <random>
-#include <stdexcept>
-
-#include "experiments/path.hpp"
 #include "tests/experiments/samples.hpp"
+#include "tests/mistakes.hpp"
 #include "tests/mutator.hpp"
 
 namespace {
@@ -58,10 +52,6 @@ TEST_CASE("a matrix is read row by row, and made a rotation", "[csv]") {
   const Eigen::Matrix3d R = poses_in(head + "0,0,0,0.866,-0.5,0,0.5,0.866,0,0,0,1\n")[0].linear();
   CHECK(R.isUnitary(1e-15));
   CHECK(R(0, 0) == Approx(std::sqrt(0.75)).epsilon(1e-3));
-  CHECK_THAT(refusal(head + "0,0,0,1,0,0,0,1,0,0,0,-1\n"),
-             ContainsSubstring("path.csv:2: r11 ... r33 are no rotation matrix"));
-  CHECK_THAT(refusal(head + "0,0,0,1,0.1,0,0,1,0,0,0,1\n"),
-             ContainsSubstring("path.csv:2: r11 ... r33 are no rotation matrix"));
 }
 
 TEST_CASE("without a rotation the tool points straight down", "[csv]") {
@@ -81,33 +71,9 @@ TEST_CASE("byte-order mark, carriage returns, blanks, quotes and empty lines cha
 }
 
 TEST_CASE("every mistake is told with its line, its column and what was expected", "[csv]") {
-  const std::vector<std::pair<std::string, std::string>> mistakes{
-      {"", "path.csv:1: the file is empty"},
-      {"x_m,y_m,z_m\n", "path.csv:1: there is no pose"},
-      {"1,2,3\n4,5,6\n", "path.csv:1: column 1 is \"1\"; expected x, y and z with _m, _cm or _mm"},
-      {"x,y,z\n1,2,3\n", "path.csv:1: column 1 is \"x\"; expected x, y and z with _m, _cm or _mm, such as x_cm"},
-      {"x_m;y_m;z_m\n1;2;3\n", "path.csv:1: column 1 is \"x_m;y_m;z_m\""},
-      {"x_m,y_m\n1,2\n", "path.csv:1: the column for z is missing"},
-      {"x_m,y_m,z_m,qw,qx,qz\n", "path.csv:1: the column for qy is missing"},
-      {"x_m,x_cm,y_m,z_m\n", "path.csv:1: there are two columns for x"},
-      {"x_m,y_m,z_m,time\n1,2,3,4\n", "path.csv:1: column 4 is \"time\""},
-      {"qw,qx,qy,qz\n1,0,0,0\n", "path.csv:1: there is no position"},
-      {"x_m,y_m,z_m,qw,qx,qy,qz,roll_deg,pitch_deg,yaw_deg\n", "path.csv:1: there are several kinds of rotation"},
-      {"x_m,y_m,z_m\n1,2,3\n\n1,2\n", "path.csv:4: 2 cells; expected 3"},
-      {"x_m,y_m,z_m\n1,2,3,4\n", "path.csv:2: 4 cells; expected 3"},
-      {"x_m,y_m,z_m\n1,nan,3\n", "path.csv:2: column 2 (y_m) is \"nan\"; expected a number from -1e6 to 1e6"},
-      {"x_m,y_m,z_m\n1,2,inf\n", "path.csv:2: column 3 (z_m) is \"inf\""},
-      {"x_m,y_m,z_m\n1,2,1e300\n", "path.csv:2: column 3 (z_m) is \"1e300\""},
-      {"x_m,y_m,z_m\n1,,3\n", "path.csv:2: column 2 (y_m) is \"\""},
-      {"x_m,y_m,z_m\n1,\"2\"\"\",3\n", "path.csv:2: column 2 (y_m)"},
-      {"x_m,y_m,z_m\n1,\x01,3\n", "path.csv:2: column 2 (y_m) is bytes that are no text"},
-      {"x_m,y_m,z_m,qw,qx,qy,qz\n1,2,3,1,1,0,0\n", "path.csv:2: the quaternion has the length 1.41421; expected 1"},
-      {"x_m,y_m,z_m,qw,qx,qy,qz\n1,2,3,0,0,0,0\n", "path.csv:2: the quaternion has the length 0; expected 1"},
-  };
-  for (const auto& [text, expected] : mistakes) {
-    CAPTURE(text);
-    CHECK_THAT(refusal(text), ContainsSubstring(expected));
-  }
+  check_mistakes("poses", "path.csv:", poses_in);
+  CHECK_THAT(refusal("x_m,y_m,z_m\n1,\x01,3\n"),
+             ContainsSubstring("path.csv:2: column 2 (y_m) is bytes that are no text"));
   std::string long_file = "x_m,y_m,z_m\n";
   for (int i = 0; i < 100'000; ++i) long_file += "1,2,3\n";
   CHECK(poses_in(long_file).size() == 100'000);
@@ -115,14 +81,7 @@ TEST_CASE("every mistake is told with its line, its column and what was expected
 }
 
 TEST_CASE("random changes and random bytes are read, or refused with their line", "[csv][fuzz]") {
-  Mutator mutator(5);
-  int was_read = 0;
-  for (int i = 0; i < 3000; ++i) {
-    const std::string message = refusal(mutator.mutated(quaternions));
-    if (!message.empty()) CHECK(message.starts_with("path.csv:"));
-    was_read += message.empty() ? 1 : 0;
-  }
-  CHECK(was_read > 30);
+  CHECK(read_mutated(Mutator(5), quaternions, 3000, "path.csv:", poses_in) > 30);
   std::mt19937 random(6);
   for (int i = 0; i < 300; ++i) {
     std::string bytes(random() % 400, '\0');

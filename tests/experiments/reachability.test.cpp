@@ -1,8 +1,5 @@
 // The readings of the paper's helix that the arm can follow at all: docs/papers/slim2023-notes.md 2.2. With the wrist
 // decoupled, the shoulder (0, 0, 36) cm must be within 42 + 40 = 82 cm of the wrist's centre, 12.6 cm behind the tool.
-#include <algorithm>
-
-#include "robots/spherical_wrist.hpp"
 #include "tests/experiments/samples.hpp"
 
 namespace {

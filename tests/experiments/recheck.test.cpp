@@ -1,11 +1,4 @@
 // A stored error that does not follow from its answer is found.
-#include <fmt/format.h>
-
-#include <functional>
-#include <limits>
-#include <memory>
-
-#include "experiments/runner.hpp"
 #include "tests/experiments/samples.hpp"
 
 namespace {

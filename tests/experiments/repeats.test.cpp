@@ -1,10 +1,5 @@
 // Each solve is timed several times, and the answer is the same every time.
-
-#include "experiments/environment.hpp"
-#include "experiments/solve_runner.hpp"
 #include "tests/experiments/samples.hpp"
-
-using Catch::Matchers::StartsWith;
 
 namespace {
 

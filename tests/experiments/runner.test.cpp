@@ -1,28 +1,5 @@
 // The runner: the same numbers in all circumstances, and a judgement of every answer.
-#include "experiments/runner.hpp"
-
-#include <SQLiteCpp/SQLiteCpp.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <numbers>
-#include <set>
-
-#include "experiments/environment.hpp"
-#include "experiments/orientation.hpp"
-#include "experiments/source_digest.hpp"
-#include "experiments/verifier.hpp"
-#include "numerics/units.hpp"
-#include "results/fingerprint.hpp"
-#include "results/published.hpp"
-#include "solvers/registry.hpp"
 #include "tests/experiments/samples.hpp"
-#include "tests/solvers_for.hpp"
 
 namespace {
 
@@ -72,14 +49,6 @@ Pose at(double x, double y, double z) {
 }  // namespace
 
 // ---- the same numbers ---------------------------------------------------------------------------------------------
-
-TEST_CASE("one, two and four jobs give the same numbers", "[runner]") {
-  const Study study = study_of_every_solver();
-  const std::vector<SolveRecord> alone = solves_of(study, 1);
-  REQUIRE(alone.size() == study.solvers.size() * 2 * 4);
-  CHECK(same_numbers(alone, solves_of(study, 2)));
-  CHECK(same_numbers(alone, solves_of(study, 4)));
-}
 
 TEST_CASE("adding, removing and reordering solvers changes no other solver's numbers", "[runner]") {
   const std::vector<SolveRecord> three = solves_of(small_study());
@@ -300,15 +269,6 @@ TEST_CASE("solves of other source are left aside, told and solved anew", "[runne
   CHECK(left_aside(stored_study(study), scratch.store).solves == 0);  // nothing is solved anew any more
 }
 
-TEST_CASE("what a study never had solved is not left aside", "[runner]") {
-  ScratchStore scratch;
-  CHECK(left_aside(stored_study(small_study()), scratch.store).labels.empty());
-  run(small_study(), scratch.store, {});
-  Study other = small_study();
-  other.seed = 7;
-  CHECK(left_aside(stored_study(other), scratch.store).solves == 0);
-}
-
 TEST_CASE("a run whose study another process replaces is refused, keeps its solves, and is told what to do",
           "[runner]") {
   for (const int jobs : {1, 4}) {
@@ -355,7 +315,7 @@ TEST_CASE("a store that was edited is refused and says where", "[runner]") {
             "run 2, point 1 by BA is not what"}}) {
     const std::string message = complaint_after(edit);
     CAPTURE(edit, message);
-    CHECK(message.find(part) != std::string::npos);
+    CHECK(contains(message, part));
   }
 }
 
@@ -385,15 +345,6 @@ TEST_CASE("the points of a run are chained: a solve starts where the one before 
     } else {
       CHECK(same(records[i].start_rad, records[i - 1].answer_rad));
     }
-  }
-}
-
-TEST_CASE("the targets of all solvers and runs are those of the path", "[runner]") {
-  const std::vector<Pose> poses = targets(small_study(), 1);
-  for (const SolveRecord& record : solves_of(small_study())) {
-    const Pose& pose = poses[static_cast<std::size_t>(record.point - 1)];
-    CHECK(Eigen::Vector3d(record.target_position_m.data()) == pose.translation());
-    CHECK(Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(record.target_rotation.data()) == pose.linear());
   }
 }
 
@@ -713,37 +664,6 @@ TEST_CASE("a run is continued after a solve that was not finite as if it had not
   ScratchStore scratch;
   for (int i = 0; i < 18; ++i) run_for(study, scratch.store, 1);
   CHECK(same_numbers(scratch.store.solves("small"), solves_of(study)));
-}
-
-TEST_CASE("an error above the tolerance is tolerance_missed, one below ends the solve", "[runner]") {
-  Study study = small_study();
-  study.solvers = {{"DLS", "damped_least_squares", {}}, {"Random", "random_search", {}}};
-  study.stop = {.iterations = 200, .tolerance = 1e-5};
-  const std::vector<SolveRecord> records = solves_of(study);
-  for (const SolveRecord& record : only("DLS", records)) {
-    CHECK(record.stop_reason == StopReason::tolerance);
-    CHECK(record.position_error_cm <= 1e-3);
-    CHECK(record.iterations < 200);
-  }
-  for (const SolveRecord& record : only("Random", records)) {
-    CHECK(record.stop_reason == StopReason::iterations);
-    CHECK(record.iterations == 200);
-    CHECK((record.status == Status::tolerance_missed || record.status == Status::limit_violated));
-  }
-}
-
-TEST_CASE("the analytic wrist does not know its own limits, and the record says so", "[runner][paper]") {
-  // slim2023-notes 2.4: many answers leave the limits; none of them may be ok.
-  Study study = load_study("slim2023");
-  study.solvers = {{"BA", "bat", {}}};
-  study.stop.iterations = 5;
-  study.runs = 3;
-  int outside = 0;
-  for (const SolveRecord& record : solves_of(study)) {
-    outside += record.limit_violation_deg > 0 ? 1 : 0;
-    CHECK((record.status == Status::limit_violated) == (record.limit_violation_deg > 1e-9 / degree));
-  }
-  CHECK(outside > 0);
 }
 
 // ---- stop rules, traces, times ------------------------------------------------------------------------------------

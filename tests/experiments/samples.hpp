@@ -1,14 +1,37 @@
 // Studies that are small enough to run many times.
 #pragma once
 
-#include <string>
-#include <vector>
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
 
+#include <Eigen/SVD>
+#include <nlohmann/json.hpp>
+
+#include "experiments/environment.hpp"
+#include "experiments/foreign/protocol.hpp"
+#include "experiments/multiverse.hpp"
+#include "experiments/orientation.hpp"
+#include "experiments/path.hpp"
 #include "experiments/runner.hpp"
+#include "experiments/series_means.hpp"
+#include "experiments/shard.hpp"
+#include "experiments/solve_runner.hpp"
+#include "experiments/source_digest.hpp"
+#include "experiments/study_fields.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
-#include "tests/catch.hpp"
+#include "experiments/verifier.hpp"
+#include "experiments/workers.hpp"
+#include "numerics/units.hpp"
+#include "results/fingerprint.hpp"
+#include "results/published.hpp"
+#include "results/record.hpp"
+#include "robots/spherical_wrist.hpp"
+#include "solvers/bounds.hpp"
+#include "solvers/registry.hpp"
+#include "tests/common.hpp"
 #include "tests/results/samples.hpp"
+#include "tests/solvers_for.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;

@@ -1,6 +1,4 @@
 // Shards divide a study, and together solve what one machine solves.
-#include "experiments/shard.hpp"
-
 #include "tests/experiments/samples.hpp"
 
 TEST_CASE("every part of a study is in one shard, and all solvers with it", "[shard]") {

@@ -1,14 +1,6 @@
 // Study files: written files are read again, and mistakes are reported with their places.
-
-#include <nlohmann/json.hpp>
-#include <numbers>
-#include <random>
-
-#include "experiments/orientation.hpp"
-#include "solvers/registry.hpp"
-#include "tests/contains.hpp"
 #include "tests/experiments/samples.hpp"
-#include "tests/sources.hpp"
+#include "tests/mistakes.hpp"
 
 namespace {
 
@@ -26,49 +18,6 @@ std::vector<std::string> keys_of(const Study& study) {
   std::vector<std::string> keys;
   for (const SolverEntry& one : study.solvers) keys.push_back(series_key(study, one));
   return keys;
-}
-
-// A file, and the complaint that it must get.
-struct Mistake {
-  std::string toml;
-  std::string starts;
-  std::vector<std::string> has;
-};
-
-void check(const std::vector<Mistake>& mistakes) {
-  for (const Mistake& mistake : mistakes) {
-    const std::string message = said_of(mistake.toml);
-    INFO(mistake.toml.substr(0, 200));
-    INFO(message);
-    CHECK(message.starts_with(mistake.starts));
-    for (const std::string& part : mistake.has) {
-      INFO(part);
-      CHECK(contains(message, part));
-    }
-    CHECK_FALSE(contains(message, "\n"));
-  }
-}
-
-std::vector<std::string> split(std::string text, const std::string& separator) {
-  std::vector<std::string> parts;
-  for (std::size_t end; (end = text.find(separator)) != std::string::npos; text.erase(0, end + separator.size()))
-    parts.push_back(text.substr(0, end));
-  parts.push_back(text);
-  return parts;
-}
-
-// A mistake a line, "FILE => PLACE => WORDS => WORDS": in the file | ends a line, and @ is `solver_entry`.
-void check(const std::string& table) {
-  std::vector<Mistake> mistakes;
-  for (const std::string& line : split(table, "\n")) {
-    if (line.empty()) continue;
-    const std::vector<std::string> parts = split(line, " => ");
-    REQUIRE(parts.size() >= 2);
-    std::string toml;
-    for (const char c : parts[0]) toml += c == '|' ? "\n" : c == '@' ? solver_entry : std::string(1, c);
-    mistakes.push_back({toml, "my.toml:" + parts[1], {parts.begin() + 2, parts.end()}});
-  }
-  check(mistakes);
 }
 
 }  // namespace
@@ -95,12 +44,6 @@ TEST_CASE("every built-in study comes back from its file with the same series", 
     CHECK(again.left_out.empty());  // for peers that are not built, the file has only comments
     again.left_out = study.left_out;
     CHECK(keys_of(again) == keys_of(study));
-    CHECK(again.name == study.name);
-    CHECK(again.figures == study.figures);
-    CHECK(again.solvers.back().colour == "#123456");
-    CHECK(again.title == study.title);
-    CHECK(again.published == study.published);
-    CHECK(again.runs == study.runs);
     CHECK(to_toml(again) == to_toml(study));
     CHECK(to_json(again) == to_json(study));
   }
@@ -158,14 +101,6 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   CHECK(to_toml(again) == to_toml(study));
   CHECK(to_json(again) == to_json(study));
   CHECK(keys_of(again) == keys_of(study));
-  CHECK(again.plan == study.plan);
-  CHECK(again.title == study.title);
-  CHECK(again.seed == study.seed);
-  CHECK(again.stop.evaluations == study.stop.evaluations);
-  CHECK(again.solvers[0].label == study.solvers[0].label);
-  CHECK(again.solvers[0].options == study.solvers[0].options);
-  CHECK(again.solvers[0].population == 0);
-  CHECK(again.solvers[1].population == 12);
 }
 
 TEST_CASE("a path of any kind comes back as it was", "[study]") {
@@ -279,16 +214,6 @@ TEST_CASE("options are numbers, or words in quotes", "[study]") {
   CHECK(options.at("bounds") == "clamp");
   CHECK_THROWS_WITH(read(solver_entry + "options = { f_max = \"1.5\" }\n"),
                     ContainsSubstring("f_max is \"1.5\"; expected a number, without quotes: 1.5"));
-}
-
-TEST_CASE("as JSON a study says its fields and its number of points", "[study]") {
-  const nlohmann::json json = nlohmann::json::parse(to_json(load_study("slim2023")));
-  CHECK(json["points"] == 20);
-  CHECK(json["runs"] == 20);
-  CHECK(json["robot"] == "kuka_iiwa14");
-  CHECK(json["path"]["radius_cm"] == 20);  // Sec. 5.2
-  CHECK(json["path"]["tool"] == "down");
-  CHECK(json["stop"]["iterations"] == 200);
 }
 
 TEST_CASE("as JSON a study says what its arm is made of", "[study]") {
@@ -424,206 +349,33 @@ TEST_CASE("the table of the analysis is read, and --set changes it as it does ot
 
 // ---- mistakes -----------------------------------------------------------------------------------------------------
 
-TEST_CASE("an unknown key is named with its place and the nearest known, at every level", "[study][mistakes]") {
-  check(R"(
-nmae = "x"|@ => 1:1: => unknown key "nmae" => did you mean "name"?
-[stop]|iteratons = 3|@ => 2:1: => "iteratons" => did you mean "iterations"?
-[path]|  radius = 3|@ => 2:3: => "radius" => did you mean "radius_cm"?
-[path]|kind = "circle"|turns = 3|@ => 3:1: => "turns" => radius_cm
-@labell = "x"| => 3:1: => did you mean "label"? => There are: solver, process, label, if_missing, colour, population, options
-@options = { alhpa = 0.5 }| => 3: => unknown option "alhpa" => did you mean "alpha"?
-[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], rpy_dg = [0, 0, 0] }]|@ => 3:37: => did you mean "rpy_deg"?
-[pth]|points = 3|@ => 1: => did you mean "path"?
-)");
+TEST_CASE("a mistake in a study file is told with its place, its value and what was expected", "[study][mistakes]") {
+  check_mistakes(
+      "study", "my.toml:", [](const std::string& text) { read(text); }, solver_entry);
+  for (const std::string& bytes : {std::string("\xff\xfe\x00", 3),
+                                   std::string("\x7f"
+                                               "ELF\x02\x01\x01"),
+                                   "runs = 3\n" + std::string(3, 0)})
+    CHECK(said_of(bytes + solver_entry).starts_with("my.toml:"));
 }
 
-TEST_CASE("a value of another type is shown with its place and what was expected", "[study][mistakes]") {
-  check(R"(
-name = 3|@ => 1:8: => name is 3 => expected a quoted string
-runs = "x"|@ => 1:8: => runs is "x" => a whole number from 1 to 1000000
-runs = 2.5|@ => 1:8: => runs is 2.5 => a whole number
-runs = true|@ => 1:8: => runs is true => a whole number
-runs = [3]|@ => 1:8: => runs is [ 3 ] => a whole number
-runs = 1979-05-27|@ => 1:8: => runs is 1979-05-27 => a whole number
-search = 3|@ => 1:10: => search is 3 => one of "wrist", "all_joints", "pose"
-search = "wirst"|@ => 1:10: => search is "wirst" => one of "wrist", "all_joints", "pose"
-initial_deg = 3|@ => 1:15: => initial_deg is 3 => a list of numbers
-initial_deg = [1, 2, "x"]|@ => 1:22: => initial_deg is "x" => a list of numbers
-stop = 3|@ => 1:8: => stop is 3 => expected a table: [stop]
-path = "helix"|@ => 1:8: => path is "helix" => expected a table: [path]
-[stop]|seconds = "3"|@ => 2:11: => stop.seconds is "3" => a number from 0 to
-[path]|centre_cm = [1, 2]|@ => 2:13: => path.centre_cm is [ 1, 2 ] => a list of 3 numbers
-[path]|kind = "zigzag"|@ => 2:8: => path.kind is "zigzag" => "helix", "circle", "random", "poses"
-@options = 3| => 3:11: => options is 3 => expected a table
-@options = { alpha = true }| => 3:21: => ik_bat.alpha is true => a number or a quoted string
-@label = 3| => 3:9: => label is 3 => a quoted string
-[[solvers]]|solver = 3| => 2:10: => solver is 3 => a quoted string
-)");
-}
-
-TEST_CASE("what an analysis cannot be is told with its place and what it can be", "[study][mistakes][analysis]") {
-  check(R"(
-analysis = 3|@ => 1:12: => analysis is 3 => expected a table: [analysis]
-[analysis]|signficance = 0.01|@ => 2:1: => did you mean "significance"?
-[analysis]|test = "t"|@ => 2:8: => analysis.test is "t" => "ranks", "means"
-[analysis]|significance = 0|@ => 2:16: => significance is 0 => from 0.0001 to 0.2
-[analysis]|significance = nan|@ => 2:16: => significance is nan
-[analysis]|margin_percent = -1|@ => 2:18: => margin_percent is -1 => from 0 to 99
-[analysis]|margin_cm = 1001|@ => 2:13: => margin_cm is 1001 => from 0 to 1000
-[analysis]|control = "IK"|@@label = "B"| => 2:11: => unknown label "IK" => ik_bat, B
-)");
-}
-
-TEST_CASE("what figures cannot be is told with its place and what they can be", "[study][mistakes]") {
-  check(R"(
-[figures]|font = "x'; !y"|@ => 2:8: figures.font => letters, digits
-[figures]|text_pt = 300|@ => 2:11: figures.text_pt => from 4 to 24
-[figures]|solvers = ["DE"]|@ => 2:11: => unknown label "DE"
-[figures]|color = 1|@ => 2: => color
-@colour = "blau"| => 3:10: solvers.colour => #1E8CF8
-)");
-  CHECK(read(solver_entry, {"figures.text_pt=10", "ik_bat.colour=#8D1804"}).figures.text_pt == 10);
+TEST_CASE("what is as good as what a mistake nearly was is read", "[study]") {
+  CHECK(read(solver_entry, {"figures.text_pt=10"}).figures.text_pt == 10);
   CHECK(read(solver_entry, {"ik_bat.colour=#8D1804"}).solvers[0].colour == "#8D1804");
-}
-
-TEST_CASE("a study that enforces the limits asks nothing that breaks them", "[study][mistakes]") {
-  const std::string enforced = "limits = \"enforced\"\n";
-  check(R"(
-limits = "enforced"|bounds = "initial"|@ => 2:10: => limits is "enforced"
-limits = "enforced"|@options = { bounds = "initial" }| => 4:22: => limits is "enforced"
-limits = "enforced"|initial_deg = [0, 120.5, 0, 0, 0, 0, 0]|@ => 2:15: => 0.5 deg outside the limits of joint 2 => ikbench robot kuka_iiwa14
-limits = "strict"|@ => 1:10: => "recorded", "enforced"
-start = "zero"|@ => 1:9: => "previous", "initial"
-)");
-  CHECK(read(enforced + "initial_deg = [0, 120, 0, -120, 0, 0, 175]\n" + solver_entry).limits == Limits::enforced);
-}
-
-TEST_CASE("a number out of its range is shown with the range", "[study][mistakes]") {
-  check(R"(
-runs = 0|@ => 1:8: => runs is 0 => from 1 to 1000000
-runs = 1000000|[path]|kind = "random"|points = 100000|@ => 1:8: => 100 000 000 solves
-@population = 0| => 3:14: => ik_bat.population is 0 => from 1 to 100000
-[[solvers]]|solver = "differential_evolution"|population = 3| => 3:14: => population is 3, but differential_evolution needs at least 4
-population = 3|[[solvers]]|solver = "differential_evolution"| => 1:14: => population is 3, but differential_evolution needs at least 4
-seed = -1|@ => 1:8: => seed is -1 => from 0 to 9223372036854775807
-seed = 9223372036854775808|@ => 1: => 9223372036854775808
-population = 100001|@ => 1:14: => population is 100001 => from 1 to 100000
-[stop]|iterations = -1|@ => 2:14: => stop.iterations is -1 => from 0 to
-[stop]|iterations = 0|@ => 2:14: => stop.iterations is 0 => at least 1
-[path]|points = 0|@ => 2:10: => path.points is 0 => from 1 to 100000
-[path]|radius_cm = -1|@ => 2:13: => path.radius_cm is -1 => from 0 to
-[path]|centre_cm = [0, 0, 1e7]|@ => 2:20: => path.centre_cm is => within +-1e6
-@options = { alpha = 1.5 }| => 3:21: => option alpha is "1.5" => a number from 0 to 1
-)");
-}
-
-TEST_CASE("what is not a finite number is refused wherever a number stands", "[study][mistakes]") {
-  for (const std::string bad : {"nan", "-nan", "inf", "-inf"}) {
-    check({{"[stop]\ntolerance_cm = " + bad + "\n" + solver_entry,
-            "my.toml:2:16: ",
-            {"stop.tolerance_cm is", "a number from 0"}},
-           {"[stop]\niterations = " + bad + "\n" + solver_entry, "my.toml:2:14: ", {"a whole number"}},
-           {"[path]\nturns = " + bad + "\n" + solver_entry, "my.toml:2:9: ", {"a number from"}},
-           {"[path]\ncentre_cm = [0, 0, " + bad + "]\n" + solver_entry, "my.toml:2:20: ", {"a list of 3 numbers"}},
-           {"initial_deg = [0, 0, 0, 0, 0, 0, " + bad + "]\n" + solver_entry, "my.toml:1:34: ", {"a list of numbers"}},
-           {solver_entry + "options = { alpha = " + bad + " }\n", "my.toml:3:21: ", {"a number from 0 to 1"}},
-           {"[path]\nkind = \"poses\"\nposes = [{ position_cm = [0, 0, " + bad + "] }]\n" + solver_entry,
-            "my.toml:3:33: ",
-            {"a list of 3 numbers"}}});
-  }
-}
-
-TEST_CASE("a study has solvers and an arm that there are, each label once", "[study][mistakes]") {
-  check(R"(
- => 1:1: => solvers is missing => [[solvers]]
-name = "x"| => 1:1: => solvers is missing
-solvers = []| => 1:11: => solvers is [] => at least one [[solvers]]
-solvers = 3| => 1:11: => solvers is 3
-solvers = [3]| => 1:12: => solvers is 3
-[[solvers]]|solver = "ik_bta"| => 2:10: => did you mean "ik_bat"?
-robot = "planr_2"|@ => 1:9: => did you mean "planar_2"?
-@@ => 3:1: => label "ik_bat" is used twice
-[[solvers]]|label = "x"| => 1:1: => has no `solver` => ikbench list solvers
-)");
-}
-
-TEST_CASE("what fields ask of each other is checked where one of them stands", "[study][mistakes]") {
-  check(R"(
-robot = "planar_2"|search = "wrist"|@ => 2:10: => search is "wrist" => planar_2 has no spherical wrist => expected "all_joints", "axis" or "pose"
-robot = "planar_2"|@ => 1:1: => search is "wrist" => expected "all_joints"
-robot = "planar_2"|search = "flange"|@ => 2:10: => search is "flange" => the last joint of planar_2 moves => expected "all_joints", "axis" or "pose"
-initial_deg = [0, 0]|@ => 1:15: => has 2 values => expected 7, one for each joint of kuka_iiwa14
-robot = "planar_2"|search = "all_joints"|initial_deg = [0, 0, 0]|@ => 3:15: => has 3 values => expected 2, one for each joint of planar_2
-)");
-}
-
-TEST_CASE("what a search for poses asks for, and what only it has", "[study][mistakes]") {
+  CHECK(read("limits = \"enforced\"\ninitial_deg = [0, 120, 0, -120, 0, 0, 175]\n" + solver_entry).limits ==
+        Limits::enforced);
+  CHECK(read("name = \"" + std::string(200, 'x') + "\"\n" + solver_entry).name.size() == 200);
+  const std::string much = said_of("name = \"" + std::string(100'000, 'x') + "\"\n" + solver_entry);
+  CHECK(contains(much, "...; expected a text of at most 200 bytes without control characters"));
+  CHECK(much.size() < 300);
   const std::string pose = "robot = \"ur5e\"\nsearch = \"pose\"\n";
-  const auto stop = [](const std::string& fields) { return "[stop]\n" + fields + solver_entry; };
-  check(R"(
-robot = "ur5e"|search = "pose"|[stop]|tolerance_cm = 0.01|@ => 4:16: => stop.tolerance_cm is 0.01 and stop.tolerance_deg is 0 => expects both, or neither
-robot = "ur5e"|search = "pose"|[stop]|tolerance_deg = 0.5|@ => 4:17: => stop.tolerance_cm is 0 and stop.tolerance_deg is 0.5 => expects both, or neither
-robot = "ur5e"|search = "pose"|[stop]|tolerance_cm = 1|tolerance_deg = 181|@ => 5:17: => stop.tolerance_deg is 181
-[stop]|tolerance_deg = 0.5|@ => 2:17: => about the orientation, which is not searched => expected search = "pose"
-rotation_weight_m = 0.1|@ => 1:21: => weighs the orientation, which is not searched => expected search = "pose"
-robot = "ur5e"|search = "pose"|rotation_weight_m = 0|@ => 3:21: => rotation_weight_m is 0
-)");
-  const Study study = read(pose + "rotation_weight_m = 0.1\n" + stop("tolerance_cm = 0.01\ntolerance_deg = 0.5\n"));
+  const Study study =
+      read(pose + "rotation_weight_m = 0.1\n[stop]\ntolerance_cm = 0.01\ntolerance_deg = 0.5\n" + solver_entry);
   CHECK(study.search == Search::pose);
   CHECK(study.rotation_weight == 0.1);
   CHECK(study.stop.angle_tolerance == Approx(0.5 * degree));
   CHECK(read(to_toml(study)).stop.angle_tolerance == study.stop.angle_tolerance);
   CHECK(read(pose + solver_entry).stop.angle_tolerance == 0);
-}
-
-TEST_CASE("a pose is a place and a rotation", "[study][mistakes]") {
-  check(R"(
-[path]|kind = "poses"|@ => 1:1: => path.poses is missing => position_cm
-[path]|kind = "poses"|poses = []|@ => 3:9: => path.poses is [] => a list of 1 to 100000 poses
-[path]|kind = "poses"|poses = [3]|@ => 3:10: => path.poses is 3
-[path]|kind = "poses"|poses = [{ rpy_deg = [0, 0, 0] }]|@ => 3:10: => a pose with either a position_cm or a position_m
-[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], position_m = [1, 2, 3] }]|@ => 3:10: => either
-[path]|kind = "poses"|poses = [{ position_cm = [1, 2] }]|@ => 3:26: => a list of 3 numbers
-[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0] }]|@ => 3:48: => a list of 9 numbers
-[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0, 2] }]|@ => 3:10: => a rotation matrix, row by row
-[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0, -1] }]|@ => 3:10: => a rotation matrix
-[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], rotation = [0, 0, 0, 0, 0, 0, 0, 0, 0] }]|@ => 3:10: => a rotation matrix
-)");
-}
-
-TEST_CASE("names and labels are short and without control characters", "[study][mistakes]") {
-  const std::string expected = "a text of at most 200 bytes without control characters";
-  check(R"(
-name = "a\u001b[31m"|@ => 1:8: => name is "a\u001B[31m" => a text of at most 200 bytes without control characters
-name = "a\nb"|@ => 1:8: => name is "a\nb" => a text of at most 200 bytes without control characters
-name = """|a|b"""|@ => 1:8: => a text of at most 200 bytes without control characters
-title = "a\u0000b"|@ => 1:9: => a text of at most 200 bytes without control characters
-title = "\u007f"|@ => 1:9: => a text of at most 200 bytes without control characters
-@label = "a\tb"| => 3:9: => a text of at most 200 bytes without control characters
-@options = { bounds = "cl\namp" }| => 3:22: => a text of at most 200 bytes without control characters
-name = ""|@ => 1:8: => a non-empty name
-@label = ""| => 3:9: => a label that is not empty
-@label = " a"| => 3:9: => without spaces at its ends
-)");
-  check({{"name = \"" + std::string(201, 'x') + "\"\n" + solver_entry, "my.toml:1:8: ", {"...", expected}}});
-  CHECK(read("name = \"" + std::string(200, 'x') + "\"\n" + solver_entry).name.size() == 200);
-  CHECK(said_of("name = \"" + std::string(100'000, 'x') + "\"\n" + solver_entry).size() < 300);
-}
-
-TEST_CASE("what is not TOML is refused with the place where it ceases to be", "[study][mistakes]") {
-  check(R"(
-a = = 3| => 1:5: not TOML:
-runs = 3|runs = 4| => 2: => not TOML => runs
-name = "open|@ => 1: => not TOML
-[path|@ => 1: => not TOML
-SQLite format 3 => 1: => not TOML
-)");
-  check({{"\xff\xfe\x00", "my.toml:1:", {}},
-         {std::string("runs = 3\n\0\0\0", 12) + solver_entry, "my.toml:2:", {"not TOML"}},
-         {"\x7f"
-          "ELF\x02\x01\x01",
-          "my.toml:1:",
-          {"not TOML"}}});
 }
 
 TEST_CASE("nesting deeper than anyone means is refused, not followed to the end of the stack", "[study][mistakes]") {
@@ -632,11 +384,11 @@ TEST_CASE("nesting deeper than anyone means is refused, not followed to the end 
     for (int i = 0; i < times; ++i) text += piece;
     return text;
   };
-  check({{"a = " + repeated("[", 100'000), "my.toml:1:", {"not TOML"}},
-         {"a = " + repeated("{a = ", 100'000), "my.toml:1:", {"not TOML"}},
-         {"a" + repeated(".a", 100'000) + " = 1\n", "my.toml:1:", {"expected less deeply nested keys"}},
-         {"\n[a" + repeated(". a", 100'000) + "]\n", "my.toml:2:", {"expected less deeply nested keys"}},
-         {repeated("a.", 400) + "a = 1\n" + solver_entry, "my.toml:1:1: ", {"unknown key \"a\""}}});
+  for (const std::string& text : {"a = " + repeated("[", 100'000), "a = " + repeated("{a = ", 100'000)})
+    CHECK(contains(said_of(text), "not TOML"));
+  for (const std::string& text : {"a" + repeated(".a", 100'000) + " = 1\n", "\n[a" + repeated(". a", 100'000) + "]\n"})
+    CHECK(contains(said_of(text), "expected less deeply nested keys"));
+  CHECK(contains(said_of(repeated("a.", 400) + "a = 1\n" + solver_entry), "unknown key \"a\""));
 }
 
 TEST_CASE("a file of more than 10 MB is not read", "[study][mistakes]") {
@@ -729,36 +481,7 @@ TEST_CASE("an override adds one value and nothing else", "[study][set]") {
 }
 
 TEST_CASE("a mistake in an override is reported as that of --set, not of the file", "[study][set][mistakes]") {
-  const std::vector<std::pair<std::string, std::string>> mistakes{
-      {"runs=0", "--set runs: runs is 0; expected a whole number from 1"},
-      {"runs=x", "--set runs: runs is \"x\"; expected a whole number from 1"},
-      {"runs=", "--set runs: "},
-      {"name=2023", "--set name: name is 2023; expected a quoted string"},
-      {"runz=3", "--set runz: unknown key \"runz\"; did you mean \"runs\"?"},
-      {"path.tool=sideways", "--set path.tool: path.tool is \"sideways\"; expected one of \"down\", \"eq27\""},
-      {"path.tol=eq27", "--set path.tol: unknown key \"tol\"; did you mean \"tool\"?"},
-      {"path.points=0", "--set path.points: "},
-      {"path.centre_cm=[0, 0, nan]", "--set path.centre_cm: "},
-      {"path={ tol = 1 }", "--set path.tol: unknown key"},
-      {"stop.iterations=-3", "--set stop.iterations: stop.iterations is -3"},
-      {"stop.iteration=3", "--set stop.iteration: unknown key"},
-      {"path=3", "--set path: path is 3; expected a table"},
-      {"ik_bat.alpha=7", "--set ik_bat.alpha: option alpha is \"7\"; expected a number from 0 to 1"},
-      {"ik_bat.alhpa=0.7", "--set ik_bat.alhpa: unknown option \"alhpa\"; did you mean \"alpha\"?"},
-      {"ik_bat.bounds=[1]", "--set ik_bat.bounds: "},
-      {"ik_bta.alpha=0.7", "--set ik_bta.alpha: unknown solver \"ik_bta\"; did you mean \"ik_bat\"?"},
-      {"initial_deg=[1, 2]", "--set initial_deg: initial_deg has 2 values; expected 7"},
-      {"robot=none", "--set robot: unknown robot \"none\""},
-      {"search=all", "--set search: "},
-      {"solvers=[]", "--set solvers: solvers is []"},
-      {"solvers=[{ solver = \"bta\" }]", "--set solvers.solver: unknown solver \"bta\""}};
-  for (const auto& [override, expected] : mistakes) {
-    INFO(override);
-    const std::string message = said_of("\n\n\n" + solver_entry, {override});
-    INFO(message);
-    CHECK(message.starts_with(expected));
-    CHECK_FALSE(contains(message, "my.toml"));
-  }
+  check_mistakes("set", "--set ", [](const std::string& override) { read(solver_entry, {override}); });
 }
 
 TEST_CASE("an override is key=value", "[study][set][mistakes]") {

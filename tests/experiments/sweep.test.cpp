@@ -1,22 +1,11 @@
 // Sweeps: lists of values in an entry, in [sweep], and by --sweep.
-#include <string>
-#include <vector>
-
-#include "experiments/study_reader.hpp"
-#include "experiments/study_writer.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::experiments;
 
 namespace {
 
 Study swept(const std::string& toml, const Overrides& overrides = {}) {
   return parse_study(toml, "my.toml", overrides);
 }
-
-bool has_words(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 std::string complaint_about(const std::string& toml, const Overrides& overrides = {}) {
   return complaint<std::invalid_argument>([&] { swept(toml, overrides); });
@@ -78,8 +67,8 @@ TEST_CASE("a swept study is written with its lists, and read again as it was", "
   const Study study = swept(two_bats, {sweep_override("population=10,20,50"), sweep_override("IK-BA.alpha=0.5,0.9"),
                                        sweep_override("IK-BA.bounds=clamp,initial")});
   const std::string text = to_toml(study);
-  CHECK(has_words(text, "population = [10, 20, 50]"));
-  CHECK(has_words(text, "alpha = [0.5, 0.9], bounds = ['clamp', 'initial']"));
+  CHECK(contains(text, "population = [10, 20, 50]"));
+  CHECK(contains(text, "alpha = [0.5, 0.9], bounds = ['clamp', 'initial']"));
   const Study again = swept(text);
   CHECK(to_toml(again) == text);
   CHECK(to_json(again) == to_json(study));
@@ -87,20 +76,12 @@ TEST_CASE("a swept study is written with its lists, and read again as it was", "
 }
 
 TEST_CASE("mistakes in a sweep are told with their place and what was expected", "[sweep]") {
-  CHECK(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = [20, 0]\n") ==
-        "my.toml:3:19: ik_bat.population is 0; expected a whole number from 1 to 100000");
-  CHECK(has_words(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\noptions = { alpha = [0.5, 7] }\n"), "alpha"));
-  CHECK(has_words(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = [20, 20]\n"), "each value once"));
-  CHECK(has_words(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = []\n"), "a list of 1 to 200 values"));
-  CHECK(has_words(complaint_about("[sweep]\nalpha = 0.5\n" + two_bats), "a list of 1 to 200 values"));
-  CHECK(has_words(complaint_about("[sweep]\nalhpa = [0.5]\n" + two_bats),
-                  "unknown setting to sweep \"alhpa\"; did you mean \"alpha\"?"));
-  CHECK(has_words(complaint_about(two_bats, {sweep_override("BB.alpha=0.5")}), "unknown solver \"BB\""));
-  CHECK(has_words(complaint_about(two_bats, {sweep_override("BA.alhpa=0.5")}), "alpha"));
-  CHECK(has_words(complaint_about(two_bats, {sweep_override("population=1,b")}), "a whole number"));
+  CHECK(contains(complaint_about(two_bats, {sweep_override("BB.alpha=0.5")}), "unknown solver \"BB\""));
+  CHECK(contains(complaint_about(two_bats, {sweep_override("BA.alhpa=0.5")}), "alpha"));
+  CHECK(contains(complaint_about(two_bats, {sweep_override("population=1,b")}), "a whole number"));
   for (const std::string text : {"population", "=1", "population="})
-    CHECK(has_words(complaint<std::invalid_argument>([&] { sweep_override(text); }), "expected setting=values"));
-  CHECK(has_words(complaint_about(two_bats, {sweep_override("alpha=nan,1")}), "a finite number"));
+    CHECK(contains(complaint<std::invalid_argument>([&] { sweep_override(text); }), "expected setting=values"));
+  CHECK(contains(complaint_about(two_bats, {sweep_override("alpha=nan,1")}), "a finite number"));
 }
 
 TEST_CASE("a sweep has at most 200 entries, and the message has the product", "[sweep]") {
@@ -108,10 +89,10 @@ TEST_CASE("a sweep has at most 200 entries, and the message has the product", "[
   for (int value = 2; value <= 20; ++value) values += "," + std::to_string(value);
   const Overrides both{sweep_override("IK-BA.population=" + values),
                        sweep_override("IK-BA.alpha=0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,0.95,0.99")};
-  CHECK(has_words(complaint_about(two_bats, both),
-                  "the sweep of IK-BA makes 11 x 20 = 220 solvers; expected at most 200"));
+  CHECK(contains(complaint_about(two_bats, both),
+                 "the sweep of IK-BA makes 11 x 20 = 220 solvers; expected at most 200"));
   const Overrides each{sweep_override("population=" + values), sweep_override("alpha=0.1,0.2,0.3,0.4,0.5,0.6")};
-  CHECK(has_words(complaint_about(two_bats, each), "the sweeps make 240 solvers; expected at most 200"));
+  CHECK(contains(complaint_about(two_bats, each), "the sweeps make 240 solvers; expected at most 200"));
 }
 
 TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]") {
@@ -125,9 +106,9 @@ TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]
   keep_only(whole, {"BA", "IK-BA"});
   CHECK(whole.plan.control == "BA");
   CHECK(whole.notes.empty());
-  CHECK(has_words(complaint<std::invalid_argument>([&] { keep_only(whole, {"AB"}); }), "unknown label \"AB\""));
+  CHECK(contains(complaint<std::invalid_argument>([&] { keep_only(whole, {"AB"}); }), "unknown label \"AB\""));
   keep_only(whole, {"IK-BA"});
   CHECK(labels_of(whole) == SweptLabels{"IK-BA"});
-  CHECK(whole.plan.control.empty());
-  CHECK(has_words(complaint_about(two_bats + "[analysis]\ncontrol = \"AB\"\n"), "unknown label \"AB\""));
+  CHECK(whole.analysis.control.empty());
+  CHECK(contains(complaint_about(two_bats + "[analysis]\ncontrol = \"AB\"\n"), "unknown label \"AB\""));
 }

@@ -1,11 +1,4 @@
 // Kinds of path besides the paper's, sets of random targets, and starts of solves: by hand, and by their promises.
-#include <Eigen/SVD>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "experiments/path.hpp"
-#include "experiments/verifier.hpp"
 #include "tests/experiments/samples.hpp"
 
 namespace {

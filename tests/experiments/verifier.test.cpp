@@ -1,15 +1,4 @@
 // The verifier's own kinematics and judgement, by hand and against the chain's.
-#include "experiments/verifier.hpp"
-
-#include <fmt/format.h>
-
-#include <Eigen/SVD>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <random>
-
-#include "experiments/path.hpp"
 #include "tests/experiments/samples.hpp"
 
 namespace {
@@ -27,21 +16,6 @@ Pose place(double x, double y, double z) { return Pose(Eigen::Translation3d(x, y
 constexpr Requirement any{.claimed_error = 0};
 
 }  // namespace
-
-TEST_CASE("the verifier's forward kinematics agrees with the chain's to 1e-12", "[verifier]") {
-  std::mt19937_64 random(12);
-  std::uniform_real_distribution<double> angle(-2 * pi, 2 * pi);
-  for (const Robot& arm : all_robots()) {
-    INFO(arm.name);
-    double largest = 0;
-    for (int i = 0; i < 2'000; ++i) {
-      Eigen::VectorXd q(arm.chain.joints());
-      for (double& joint : q) joint = angle(random);
-      largest = std::max(largest, (verified_pose(arm.chain, q) - arm.chain.forward(q).matrix()).cwiseAbs().maxCoeff());
-    }
-    CHECK(largest <= 1e-12);
-  }
-}
 
 TEST_CASE("joints of any kind, bases and tools are in both forward kinematics", "[verifier]") {
   std::mt19937_64 random(14);

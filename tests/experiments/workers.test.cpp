@@ -1,10 +1,4 @@
 // Workers side by side, and the queue of their records.
-#include "experiments/workers.hpp"
-
-#include <atomic>
-#include <stdexcept>
-#include <thread>
-
 #include "tests/experiments/samples.hpp"
 
 TEST_CASE("a worker is called as often as there are jobs, one job by the calling thread", "[workers]") {

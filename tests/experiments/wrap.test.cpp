@@ -1,8 +1,4 @@
 // wrap = "into_limits": answers turned back by whole turns.
-#include <cmath>
-#include <numbers>
-
-#include "solvers/bounds.hpp"
 #include "tests/experiments/samples.hpp"
 
 namespace {

@@ -1,10 +1,4 @@
-#include <numbers>
-
-#include "analysis/figures/of_study.hpp"
-#include "tests/catch.hpp"
-
-using namespace ikbench;
-using namespace ikbench::figures;
+#include "tests/figures/drawn.hpp"
 
 namespace {
 

@@ -1,21 +1,7 @@
 // Writing a file over what is already in its place.
-#include "results/files.hpp"
-
 #include <sys/stat.h>
 
-#include <fstream>
-#include <iterator>
-#include <set>
-#include <stdexcept>
-#include <string>
-
-#include "analysis/figures/figure.hpp"
-#include "tests/catch.hpp"
 #include "tests/figures/drawn.hpp"
-
-using namespace ikbench;
-using namespace ikbench::results;
-using namespace ikbench::figures;
 
 namespace {
 
@@ -48,7 +34,7 @@ TEST_CASE("a file that is written anew keeps its permissions, and a new one has 
     write_file(file, "old");
     fs::permissions(file, mode);
     write_file(file, "new");
-    CHECK(text_of_file(file) == "new");
+    CHECK(text_in(file) == "new");
     CHECK(mode_of(file) == mode);
   }
 }
@@ -62,9 +48,9 @@ TEST_CASE("a link in a folder of results is replaced, and what it leads to stays
     fs::create_symlink(target, link);
     write_file(link, "text");
     CHECK_FALSE(fs::is_symlink(link));
-    CHECK(text_of_file(link) == "text");
+    CHECK(text_in(link) == "text");
   }
-  CHECK(text_of_file(folder.path / "far" / "victim") == "precious");
+  CHECK(text_in(folder.path / "far" / "victim") == "precious");
   CHECK(files_in(folder.path) == std::set<std::string>{"far/victim", "link"});
 }
 
@@ -76,8 +62,8 @@ TEST_CASE("a file that has another name too is replaced, and the other stays", "
     fs::remove(folder.path / "file");
     fs::create_hard_link(folder.path / "victim", folder.path / "file");
     write(folder.path / "file");
-    CHECK(text_of_file(folder.path / "file") == "text");
-    CHECK(text_of_file(folder.path / "victim") == "precious");
+    CHECK(text_in(folder.path / "file") == "text");
+    CHECK(text_in(folder.path / "victim") == "precious");
   }
 }
 
@@ -91,7 +77,7 @@ TEST_CASE("a link that the user names is followed", "[files]") {
     through(folder.path / "link-to-link", text);
     CHECK(fs::read_symlink(folder.path / "link-to-link") == "link");
     CHECK(fs::read_symlink(link) == "far/target");
-    CHECK(text_of_file(target) == text);
+    CHECK(text_in(target) == text);
     fs::permissions(target, fs::perms{0600});
   }
   CHECK(mode_of(target) == fs::perms{0600});
@@ -107,7 +93,7 @@ TEST_CASE("a pipe that the user names is refused, and one in a folder of results
   CHECK(fs::is_fifo(pipe));
   CHECK_FALSE(read_file(pipe));
   write_file(pipe, "text");
-  CHECK(text_of_file(pipe) == "text");
+  CHECK(text_in(pipe) == "text");
   CHECK(files_in(folder.path) == std::set<std::string>{"pipe"});
 }
 
@@ -121,10 +107,10 @@ TEST_CASE("a picture takes the place of a link, and keeps the permissions of a f
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
   REQUIRE(write_figures({figure}, folder.path, {}).empty());
   CHECK(mode_of(svg) == fs::perms{0600});
-  CHECK(text_of_file(svg) != "old");
+  CHECK(text_in(svg) != "old");
   CHECK_FALSE(fs::is_symlink(png));
-  CHECK(text_of_file(png).starts_with("\x89PNG"));
-  CHECK(text_of_file(folder.path / "victim") == "precious");
+  CHECK(text_in(png).starts_with("\x89PNG"));
+  CHECK(text_in(folder.path / "victim") == "precious");
 }
 
 TEST_CASE("a script or a style that lies in the folder is written anew and never run", "[files][figure]") {
@@ -132,19 +118,19 @@ TEST_CASE("a script or a style that lies in the folder is written anew and never
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
   write_figures({figure}, folder.path, {});
   const fs::path pwned = folder.path / "pwned";
-  const std::string picture = text_of_file(folder.path / "f.svg");
+  const std::string picture = text_in(folder.path / "f.svg");
   for (const bool as_link : {false, true}) {
     for (const char* name : {"style.gp", "f.gp"}) {
       const fs::path place = folder.path / name, file = as_link ? folder.path / "far" / name : place;
       CAPTURE(file.string());
-      const std::string written = text_of_file(place);
+      const std::string written = text_in(place);
       write_file(file, written + "system 'touch " + pwned.string() + "'\nset style line 1 lc rgb '#010203'\n");
       if (as_link) fs::remove(place), fs::create_symlink(file, place);
       REQUIRE(write_figures({figure}, folder.path, {}).empty());
       CHECK_FALSE(fs::exists(pwned));
       CHECK_FALSE(fs::is_symlink(place));
-      CHECK(text_of_file(place) == written);
-      CHECK(text_of_file(folder.path / "f.svg") == picture);
+      CHECK(text_in(place) == written);
+      CHECK(text_in(folder.path / "f.svg") == picture);
     }
   }
 }
@@ -158,12 +144,12 @@ TEST_CASE("a figure that is not drawn is told, and its old picture goes", "[file
   const auto errors = write_figures({figure, other}, folder.path, {});
   REQUIRE(errors.size() == 1);
   CHECK(errors[0].starts_with("f is not drawn: "));
-  CHECK(errors[0].find("nonsense") != std::string::npos);
+  CHECK(contains(errors[0], "nonsense"));
   CHECK_FALSE(fs::exists(folder.path / "f.svg"));
   CHECK(fs::exists(folder.path / "g.svg"));
   const auto without = write_figures({other}, folder.path, {.gnuplot = "no-such-gnuplot"});
   REQUIRE(without.size() == 1);
-  CHECK(without[0].find("no-such-gnuplot") != std::string::npos);
+  CHECK(contains(without[0], "no-such-gnuplot"));
   CHECK_FALSE(fs::exists(folder.path / "g.svg"));
 }
 
@@ -175,13 +161,13 @@ TEST_CASE("a picture has a title, a width in points, and the same bytes each tim
                       .plot = "plot 'f.dat'",
                       .data = "1 1\n2 2\n"};
   write_figures({figure}, folder.path, {});
-  const std::string svg = text_of_file(folder.path / "f.svg"), pdf = text_of_file(folder.path / "f.pdf");
-  CHECK(svg.find("<title>Error of &lt;mine&gt; &amp; others</title>") != std::string::npos);
-  CHECK(svg.find("width=\"240pt\" height=\"181pt\"") != std::string::npos);
+  const std::string svg = text_in(folder.path / "f.svg"), pdf = text_in(folder.path / "f.pdf");
+  CHECK(contains(svg, "<title>Error of &lt;mine&gt; &amp; others</title>"));
+  CHECK(contains(svg, "width=\"240pt\" height=\"181pt\""));
   CHECK(pdf.find("CreationDate") == std::string::npos);
   write_figures({figure}, folder.path, {});
-  CHECK(text_of_file(folder.path / "f.svg") == svg);
-  CHECK(text_of_file(folder.path / "f.pdf") == pdf);
+  CHECK(text_in(folder.path / "f.svg") == svg);
+  CHECK(text_in(folder.path / "f.pdf") == pdf);
 }
 
 TEST_CASE("without drawing the pictures of an earlier report go", "[files][figure]") {
@@ -208,11 +194,11 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
                           .palette = {"#AA0001"},
                           .formats = {Picture::svg}};
   REQUIRE(write_figures({figure}, folder.path, {.style = style}).empty());
-  const std::string svg = text_of_file(folder.path / "f.svg");
+  const std::string svg = text_in(folder.path / "f.svg");
   for (const char* const part : {"width=\"360pt\" height=\"216pt\"", "font-family=\"Liberation Serif\"",
                                  "font-size=\"10.00\"", "rgb(170,   0,   1)"}) {
     CAPTURE(part);
-    CHECK(svg.find(part) != std::string::npos);
+    CHECK(contains(svg, part));
   }
   CHECK(!fs::exists(folder.path / "f.png"));  // of the look before
 }
@@ -221,7 +207,7 @@ TEST_CASE("an SVG is well-formed whatever a label has", "[files][figure]") {
   const ScratchFolder folder;
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot x title 'a]]>b'", .data = ""};
   REQUIRE(write_figures({figure}, folder.path, {.style = {.formats = {Picture::svg}}}).empty());
-  const std::string svg = text_of_file(folder.path / "f.svg");
-  CHECK(svg.find("a]]&gt;b") != std::string::npos);
+  const std::string svg = text_in(folder.path / "f.svg");
+  CHECK(contains(svg, "a]]&gt;b"));
   CHECK(svg.find("]]>") == std::string::npos);
 }

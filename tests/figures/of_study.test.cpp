@@ -1,17 +1,5 @@
 // Which figures a judged study has, and the rows that its solves give.
-#include "analysis/figures/of_study.hpp"
-
-#include <algorithm>
-
-#include "analysis/slim2023/slim2023.hpp"
-#include "tests/catch.hpp"
-#include "tests/compare/studies.hpp"
-#include "tests/contains.hpp"
 #include "tests/figures/drawn.hpp"
-
-using namespace ikbench;
-using namespace ikbench::compare;
-using namespace ikbench::figures;
 
 namespace {
 

@@ -1,17 +1,5 @@
 // The kinds of figures: what their data files have, and that gnuplot draws them whatever the labels are.
-#include "analysis/figures/plots.hpp"
-
-#include <fmt/core.h>
-
-#include <cmath>
-
-#include "analysis/figures/parts.hpp"
-#include "tests/catch.hpp"
-#include "tests/contains.hpp"
 #include "tests/figures/drawn.hpp"
-
-using namespace ikbench;
-using namespace ikbench::figures;
 
 namespace {
 
@@ -65,7 +53,7 @@ TEST_CASE("every kind is drawn, and no label of a user is run or breaks the pict
     for (const Figure& figure : figures) {
       if (figure.name == "xarm") continue;  // has no label
       CAPTURE(figure.name);
-      const std::string svg = text_of_file(folder.path / (figure.name + ".svg"));
+      const std::string svg = text_in(folder.path / (figure.name + ".svg"));
       CHECK(contains(svg, "touch pwned"));  // as text
       CHECK_FALSE(contains(svg, "<b>"));
     }

@@ -1,19 +1,5 @@
 // The colours of solvers: the same in every report, and no two looks alike.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <set>
-#include <string>
-#include <vector>
-
-#include "analysis/figures/of_study.hpp"
-#include "experiments/study_reader.hpp"
-#include "results/store.hpp"
-#include "tests/catch.hpp"
-
-using namespace ikbench;
-using namespace ikbench::figures;
-using namespace ikbench::results;
+#include "tests/figures/drawn.hpp"
 
 namespace {
 

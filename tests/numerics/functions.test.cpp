@@ -1,12 +1,7 @@
 // The elementary functions that decide numbers, against long double.
 #include "numerics/functions.hpp"
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
-
-#include "tests/catch.hpp"
+#include "tests/common.hpp"
 #include "tests/numerics/reference.hpp"
 
 using namespace ikbench;

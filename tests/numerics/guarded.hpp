@@ -4,10 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <cstddef>
-#include <cstring>
-
-#include "tests/catch.hpp"
+#include "tests/common.hpp"
 
 namespace ikbench {
 

@@ -1,8 +1,6 @@
 #include "numerics/json.hpp"
 
-#include <string>
-
-#include "tests/catch.hpp"
+#include "tests/common.hpp"
 
 using namespace ikbench::numerics;
 

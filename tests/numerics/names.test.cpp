@@ -1,9 +1,6 @@
 #include "numerics/names.hpp"
 
-#include <string>
-#include <vector>
-
-#include "tests/catch.hpp"
+#include "tests/common.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;

@@ -1,19 +1,12 @@
 // The random streams: the published generator, eight lanes of it, and the numbers made from it.
 #include "numerics/random.hpp"
 
-#include <algorithm>
-#include <array>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/uniform.hpp>
-#include <cmath>
-#include <cstring>
-#include <functional>
-#include <numbers>
-#include <vector>
 
 #include "numerics/instruction_set.hpp"
-#include "tests/catch.hpp"
+#include "tests/common.hpp"
 #include "tests/solvers/objectives.hpp"
 
 using namespace ikbench;

@@ -1,16 +1,11 @@
 // Compares our study of Slim et al. 2023 with the paper's printed numbers (Table 3). The readings of
 // docs/papers/slim2023-notes.md put each solver into these ranges, for the default seed and for the mean over seeds 1
 // to 5.
-#include <algorithm>
-#include <array>
-#include <map>
-#include <vector>
 
 #include "analysis/compare/judge.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
-#include "tests/catch.hpp"
-#include "tests/scratch_folder.hpp"
+#include "tests/common.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;

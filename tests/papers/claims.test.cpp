@@ -1,14 +1,5 @@
 // The rules, by the claims of both papers on hand-made studies.
-#include "analysis/papers/claims.hpp"
-
-#include <algorithm>
-
-#include "analysis/show/shown.hpp"
 #include "tests/papers/studies.hpp"
-
-using namespace ikbench;
-using namespace ikbench::compare;
-using namespace ikbench::papers;
 
 namespace {
 

@@ -1,14 +1,4 @@
-#include "analysis/papers/multiverse.hpp"
-
-#include <map>
-#include <set>
-
-#include "analysis/papers/claims.hpp"
 #include "tests/papers/studies.hpp"
-
-using namespace ikbench;
-using namespace ikbench::compare;
-using namespace ikbench::papers;
 
 namespace {
 

@@ -1,10 +1,4 @@
-#include "analysis/slim2023/slim2023.hpp"
-
 #include "tests/papers/studies.hpp"
-
-using namespace ikbench;
-using namespace ikbench::compare;
-using namespace ikbench::papers;
 
 namespace {
 

@@ -3,15 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "analysis/compare/judge.hpp"
 #include "analysis/papers/claims.hpp"
-#include "tests/catch.hpp"
-#include "tests/contains.hpp"
+#include "analysis/papers/multiverse.hpp"
+#include "analysis/show/shown.hpp"
+#include "analysis/slim2023/slim2023.hpp"
+#include "tests/common.hpp"
+
+using namespace ikbench;
+using namespace ikbench::compare;
+using namespace ikbench::papers;
 
 namespace ikbench::papers {
 

@@ -1,18 +1,7 @@
 // CSV after RFC 4180 (the examples are those of its section 2), and numbers as text.
-#include "results/csv.hpp"
-
 #include <clocale>
-#include <cmath>
-#include <limits>
-#include <random>
 
-#include "numerics/number.hpp"
-#include "tests/catch.hpp"
 #include "tests/results/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::results;
 
 namespace {
 

@@ -1,10 +1,5 @@
 // The definition of a study in a store, as judging reads it.
-#include <stdexcept>
-
-#include "results/study.hpp"
-#include "tests/catch.hpp"
-
-using namespace ikbench::results;
+#include "tests/results/samples.hpp"
 
 TEST_CASE("A definition is read into plain data") {
   const Definition of = definition_of(R"({"title": "T", "published": "p", "robot": "r", "search": "pose",

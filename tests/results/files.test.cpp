@@ -1,17 +1,5 @@
-#include "results/files.hpp"
-
 #include <signal.h>
 
-#include <atomic>
-#include <chrono>
-#include <filesystem>
-#include <set>
-#include <stdexcept>
-#include <system_error>
-#include <thread>
-
-#include "tests/catch.hpp"
-#include "tests/results/processes.hpp"
 #include "tests/results/samples.hpp"
 
 namespace ikbench::results {

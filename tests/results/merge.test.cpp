@@ -1,19 +1,7 @@
 // Merged stores: nothing twice, nothing lost, nothing mixed up.
-#include "results/merge.hpp"
-
-#include <SQLiteCpp/SQLiteCpp.h>
-#include <fmt/format.h>
 #include <signal.h>
 
-#include <numeric>
-
-#include "results/fingerprint.hpp"
-#include "tests/catch.hpp"
-#include "tests/results/processes.hpp"
 #include "tests/results/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::results;
 
 namespace {
 

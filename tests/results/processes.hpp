@@ -4,11 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <exception>
-#include <functional>
-
-#include "tests/catch.hpp"
+#include "tests/common.hpp"
 
 namespace ikbench {
 

@@ -1,14 +1,5 @@
 // The tables of Slim et al., Robotics 2023, 12, 38, as printed: each number below stands in the paper.
-#include "results/published.hpp"
-
-#include <algorithm>
-#include <set>
-
-#include "tests/catch.hpp"
 #include "tests/results/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::results;
 
 namespace {
 

@@ -1,60 +1,31 @@
 // Texts of files, and records to put into stores.
 #pragma once
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-#include <vector>
+#include <nlohmann/json.hpp>
 
+#include "numerics/number.hpp"
+#include "numerics/toml_table.hpp"
 #include "results/csv.hpp"
 #include "results/export.hpp"
+#include "results/figure_style.hpp"
+#include "results/files.hpp"
+#include "results/fingerprint.hpp"
+#include "results/merge.hpp"
+#include "results/published.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
-#include "tests/catch.hpp"
-#include "tests/scratch_folder.hpp"
+#include "results/study.hpp"
+#include "tests/common.hpp"
+#include "tests/results/processes.hpp"
+
+using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::results;
 
 namespace ikbench {
-
-inline std::string text_in(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-inline void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary) << text;
-}
-
-#if CATCH_VERSION_MAJOR >= 3
-using Catch::Matchers::ContainsSubstring;
-#else
-inline auto ContainsSubstring(const std::string& part) { return Catch::Matchers::Contains(part); }
-#endif
-
-// The cells of a CSV, row by row; the first is the header.
-using Cells = std::vector<std::vector<std::string>>;
-
-inline Cells cells_of(const results::CsvTable& table) {
-  Cells cells{table.header};
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    std::vector<std::string>& its = cells.emplace_back();
-    for (std::size_t column = 0; column < table.header.size(); ++column) its.emplace_back(table.cell(row, column));
-  }
-  return cells;
-}
-
-inline std::string to_csv(const Cells& cells) {
-  std::string text;
-  for (const auto& row : cells) results::append_csv_row(text, row);
-  return text;
-}
-
-inline std::string quoted(const std::filesystem::path& file) { return fmt::format("'{}'", file.string()); }
 
 // A record with a different value in every column, of the series and label of sample_study.
 inline results::SolveRecord sample_record(const std::string& series = "key-a", int run = 1, int point = 1) {

@@ -1,17 +1,5 @@
 // A store returns what it was given: every value, in the promised order.
-#include "results/store.hpp"
-
-#include <SQLiteCpp/SQLiteCpp.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
-
-#include "tests/catch.hpp"
 #include "tests/results/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::results;
 
 namespace {
 
@@ -206,20 +194,6 @@ TEST_CASE("the series of a configuration are counted, whatever source solved the
   CHECK(store.series_of_configuration("00") == Counts{{"00@1", 2}, {"00@2", 1}});
   CHECK(store.series_of_configuration("0") == Counts{{"0@1", 1}});
   CHECK(store.series_of_configuration("1").empty());
-}
-
-TEST_CASE("sessions are numbered and keep what is said of them", "[store]") {
-  const ScratchFolder folder;
-  Store store(folder.path / "a.ikb", Store::Mode::write);
-  const auto first = store.begin_session({{"cpu", "x"}, {"commit", "727e066"}});
-  const auto second = store.begin_session({});
-  CHECK(first != second);
-  const auto sessions = Store(folder.path / "a.ikb", Store::Mode::read).sessions();
-  REQUIRE(sessions.size() == 2);
-  CHECK(sessions[0].id == first);
-  CHECK(sessions[0].environment == std::map<std::string, std::string>{{"commit", "727e066"}, {"cpu", "x"}});
-  CHECK(sessions[1].id == second);
-  CHECK(sessions[1].environment.empty());
 }
 
 TEST_CASE("a solve that is already there is refused, and nothing of its batch is kept", "[store]") {

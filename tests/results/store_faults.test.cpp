@@ -1,21 +1,8 @@
 // A store in adversity: wrong files, damage, kill -9, rivals, no permission to write.
-#include <SQLiteCpp/SQLiteCpp.h>
 #include <signal.h>
 #include <unistd.h>
 
-#include <chrono>
-#include <functional>
-#include <future>
-#include <random>
-#include <thread>
-
-#include "results/store.hpp"
-#include "tests/catch.hpp"
-#include "tests/results/processes.hpp"
 #include "tests/results/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::results;
 
 namespace {
 

@@ -1,9 +1,4 @@
 // The library of arms: each tool is where its maker's description has it.
-#include <limits>
-#include <numbers>
-#include <vector>
-
-#include "robots/spherical_wrist.hpp"
 #include "tests/robots/random_configuration.hpp"
 
 namespace {

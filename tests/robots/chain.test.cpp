@@ -1,12 +1,3 @@
-#include "robots/chain.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include "numerics/functions.hpp"
-#include "tests/numerics/reference.hpp"
 #include "tests/robots/random_configuration.hpp"
 
 using std::numbers::pi;
@@ -20,31 +11,6 @@ Eigen::VectorXd degrees(std::initializer_list<double> angles) {
 }
 
 }  // namespace
-
-TEST_CASE("a link's transform has the elements of Eq. 18, with -cos(theta) sin(alpha) in place (2,3)",
-          "[chain][paper]") {
-  const double a = 0.3, alpha = 0.7, d = 0.2, theta = 1.1;
-  const Chain chain({{.a = a, .alpha = alpha, .d = d, .offset = 0.4}});
-  const Eigen::Matrix4d T = chain.forward(Eigen::VectorXd::Constant(1, theta - 0.4)).matrix();
-  const double c = std::cos(theta), s = std::sin(theta), ca = std::cos(alpha), sa = std::sin(alpha);
-  Eigen::Matrix4d expected;
-  expected << c, -s * ca, s * sa, a * c,  //
-      s, c * ca, -c * sa, a * s,          //
-      0, sa, ca, d,                       //
-      0, 0, 0, 1;
-  CHECK((T - expected).cwiseAbs().maxCoeff() < 1e-15);
-}
-
-TEST_CASE("a planar arm of two links is where the sums of its angles put it", "[chain]") {
-  const Chain chain = robot("planar_2").chain;
-  RandomConfigurations random;
-  for (int trial = 0; trial < 100; ++trial) {
-    const double t1 = random.between(-pi, pi), t2 = random.between(-pi, pi);
-    const Eigen::Vector3d expected(0.5 * std::cos(t1) + 0.5 * std::cos(t1 + t2),
-                                   0.5 * std::sin(t1) + 0.5 * std::sin(t1 + t2), 0);
-    CHECK((chain.position(Eigen::Vector2d(t1, t2)) - expected).norm() < 1e-15);
-  }
-}
 
 TEST_CASE("the iiwa is in its poses where its link lengths add up", "[chain]") {
   const Chain chain = robot("kuka_iiwa14").chain;

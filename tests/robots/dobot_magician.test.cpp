@@ -1,10 +1,4 @@
 // The Dobot Magician: its chain against its closed form, bit for bit, and against the angles that the paper prints.
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "numerics/functions.hpp"
-#include "numerics/units.hpp"
 #include "tests/robots/random_configuration.hpp"
 
 namespace {

@@ -1,10 +1,5 @@
 // Joints that slide and links that are coupled, bases and tools: by hand, by published numbers, and for random arms
 // against 4x4 products in long double.
-#include <cmath>
-#include <numbers>
-
-#include "robots/spherical_wrist.hpp"
-#include "tests/numerics/reference.hpp"
 #include "tests/robots/random_configuration.hpp"
 
 using std::numbers::pi;
@@ -88,27 +83,6 @@ TEST_CASE("base and tool are moved and then turned", "[joints]") {
   // About the point of the axis that is level with the tool.
   CHECK((arm.reach().centre - Eigen::Vector3d(1, 2, 3.1)).norm() < 1e-15);
   CHECK(arm.reach().radius == Approx(0.5));
-}
-
-TEST_CASE("the Stanford arm and the Puma 560 are where Corke's toolbox has them", "[joints]") {
-  // petercorke/robotics-toolbox-python, models/DH/Stanford.py and Puma560.py, at zeros and at (0.1, ..., 0.6).
-  const Chain stanford({{.alpha = -quarter, .d = 0.412},
-                        {.alpha = quarter, .d = 0.154},
-                        {.a = 0.0203, .offset = -quarter, .joint = Joint::slides},
-                        {.alpha = -quarter},
-                        {.alpha = quarter},
-                        {}});
-  const Chain puma({{.alpha = quarter, .d = 0.672},
-                    {.a = 0.4318},
-                    {.a = 0.0203, .alpha = -quarter, .d = 0.15005},
-                    {.alpha = quarter, .d = 0.4318},
-                    {.alpha = -quarter},
-                    {}});
-  const Eigen::VectorXd q = joints({0.1, 0.2, 0.3, 0.4, 0.5, 0.6});
-  CHECK((stanford.position(joints({0, 0, 0.5, 0, 0, 0})) - Eigen::Vector3d(0, 0.1337, 0.912)).norm() < 1e-15);
-  CHECK((stanford.position(q) - Eigen::Vector3d(0.045955315691, 0.138982208321, 0.706019973352)).norm() < 1e-12);
-  CHECK((puma.position(joints({0, 0, 0, 0, 0, 0})) - Eigen::Vector3d(0.4521, -0.15005, 1.1038)).norm() < 1e-15);
-  CHECK((puma.position(q) - Eigen::Vector3d(0.247802746924, -0.125940181452, 1.146457905695)).norm() < 1e-12);
 }
 
 TEST_CASE("an arm of any kind has the pose of 4x4 products, and its errors their distance, with all instruction sets",

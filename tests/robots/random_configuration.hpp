@@ -1,10 +1,16 @@
 // Random configurations for the tests of robots, which know nothing of the solvers' random streams.
 #pragma once
 
-#include <random>
-
+#include "numerics/functions.hpp"
+#include "numerics/inputs.hpp"
+#include "numerics/units.hpp"
+#include "robots/chain.hpp"
 #include "robots/robot.hpp"
-#include "tests/catch.hpp"
+#include "robots/rotation.hpp"
+#include "robots/spherical_wrist.hpp"
+#include "robots/urdf.hpp"
+#include "tests/common.hpp"
+#include "tests/numerics/reference.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;

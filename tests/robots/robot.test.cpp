@@ -1,7 +1,3 @@
-#include "robots/robot.hpp"
-
-#include <numbers>
-
 #include "tests/robots/random_configuration.hpp"
 
 TEST_CASE("every robot is found by its name, names its source, and has limits for each joint", "[robot]") {

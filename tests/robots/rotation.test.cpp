@@ -1,11 +1,4 @@
 // Rotation vectors against Rodrigues' formula in long double.
-#include "robots/rotation.hpp"
-
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include "tests/numerics/reference.hpp"
 #include "tests/robots/random_configuration.hpp"
 
 using std::numbers::pi;

@@ -1,9 +1,3 @@
-#include "robots/spherical_wrist.hpp"
-
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "tests/robots/random_configuration.hpp"
 
 using std::numbers::pi;

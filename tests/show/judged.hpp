@@ -1,18 +1,21 @@
 // A study of three solvers, judged: its values are made, its findings are those of compare().
 #pragma once
 
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
+#include <fmt/format.h>
 
 #include "analysis/compare/judge.hpp"
+#include "analysis/show/block.hpp"
 #include "analysis/show/report.hpp"
+#include "analysis/show/text.hpp"
+#include "analysis/show/words.hpp"
+#include "numerics/json.hpp"
+#include "numerics/names.hpp"
+#include "results/csv.hpp"
 #include "results/files.hpp"
-#include "tests/catch.hpp"
-#include "tests/sources.hpp"
+#include "tests/common.hpp"
+
+using namespace ikbench;
+using namespace ikbench::show;
 
 namespace ikbench::show {
 
@@ -97,7 +100,7 @@ inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
 inline void check_golden(const std::string& name, const std::string& text) {
   const std::filesystem::path file = "tests/show/golden/" + name;
   if (std::getenv("IKBENCH_GOLDEN")) results::write_file(file, text);
-  CHECK(text_of(file) == text);
+  CHECK(text_in(file) == text);
 }
 
 }  // namespace ikbench::show

@@ -1,15 +1,4 @@
-#include <algorithm>
-#include <string>
-
-#include "analysis/show/block.hpp"
-#include "analysis/show/text.hpp"
-#include "numerics/names.hpp"
-#include "results/csv.hpp"
-#include "tests/catch.hpp"
 #include "tests/show/judged.hpp"
-
-using namespace ikbench;
-using namespace ikbench::show;
 
 namespace {
 
@@ -61,7 +50,7 @@ TEST_CASE("an end that an interval excludes says so in every format, and none is
   for (const auto& text : {to_text(table), to_markdown(table), to_html(table), to_latex(table)}) {
     for (const char* words : {"above 0 to 0.8", "0.5 to below 1", "0.04998", "1.00002 to 1.0499"}) {
       INFO(words);
-      CHECK(text.find(words) != std::string::npos);
+      CHECK(contains(text, words));
     }
   }
   table.columns.pop_back();
@@ -79,8 +68,8 @@ TEST_CASE("readers see three digits, units, marks and small p-values", "[show]")
         "plain    1.5e-07 mm   0.0000    -            0.0005     -    ≤ 0.1\n"
         "mine\n");
   const std::string latex = to_latex(with_label("mine"));
-  CHECK(latex.find("mine & 0.123 & - & 0.333 to 2 & $<$ 0.0001 & 20 & 4200\\rlap{\\,{*}} \\\\") != std::string::npos);
-  CHECK(latex.find("plain & $1.5 \\times 10^{-7}$ & 0.0000 & - & 0.0005 & - & $\\le$ 0.1 \\\\") != std::string::npos);
+  CHECK(contains(latex, "mine & 0.123 & - & 0.333 to 2 & $<$ 0.0001 & 20 & 4200\\rlap{\\,{*}} \\\\"));
+  CHECK(contains(latex, "plain & $1.5 \\times 10^{-7}$ & 0.0000 & - & 0.0005 & - & $\\le$ 0.1 \\\\"));
   CHECK(number_text(3715.4) == "3715");
 }
 
@@ -137,5 +126,5 @@ TEST_CASE("no label breaks a page, Markdown, LaTeX or a screen", "[show]") {
   CHECK(pipes(markdown) == pipes(to_markdown(with_label("mine"))));
   CHECK(markdown.find("<script") == std::string::npos);
   CHECK(latex.find("\\input") == std::string::npos);
-  CHECK(latex.find("\\textbackslash{}input\\{x\\} \\& \\% \\_ \\textasciitilde{}") != std::string::npos);
+  CHECK(contains(latex, "\\textbackslash{}input\\{x\\} \\& \\% \\_ \\textasciitilde{}"));
 }

@@ -1,12 +1,5 @@
-#include "analysis/show/words.hpp"
-
-#include <fmt/format.h>
-
-#include "tests/catch.hpp"
 #include "tests/show/judged.hpp"
 
-using namespace ikbench;
-using namespace ikbench::show;
 using compare::Observations;
 
 namespace {

@@ -1,22 +1,21 @@
 // The contract of every registered solver, for each value of its options.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <stdexcept>
-#include <string>
-
-#include "tests/solvers/allocations.hpp"
 #include "tests/solvers/objectives.hpp"
-#include "tests/solvers_for.hpp"
+
+namespace ikbench::solvers {
+SolverInfo hill_climb();
+}
 
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Includes the peers that were built.
-std::vector<SolverInfo> solvers_of_positions() { return solvers_for(iiwa_task().chain, GoalKind::position); }
+// Includes the peers that were built, and docs/examples/hill_climb.cpp.
+std::vector<SolverInfo> solvers_of_positions() {
+  std::vector<SolverInfo> solvers = solvers_for(iiwa_task().chain, GoalKind::position);
+  solvers.push_back(hill_climb());
+  return solvers;
+}
 
 // Leaves out peers: their libraries allocate as they like, and some draw nothing.
 std::vector<SolverInfo> own_solvers_of_positions() {

@@ -1,11 +1,4 @@
 // Damped least squares: its steps by hand, its convergence and its restarts.
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include "solvers/damped_step.hpp"
 #include "tests/solvers/objectives.hpp"
 
 TEST_CASE("a damped step is (J^T J + mu I)^-1 J^T e, and the gain ratio sets the next damping", "[dls]") {

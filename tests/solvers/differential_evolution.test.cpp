@@ -1,10 +1,4 @@
 // DE's limits; one_by_one.test.cpp has its equations.
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <stdexcept>
-#include <vector>
-
 #include "tests/solvers/objectives.hpp"
 
 namespace {

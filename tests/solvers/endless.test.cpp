@@ -1,12 +1,5 @@
 // Arms whose joints turn without end: no solver stops at a whole turn, and first candidates are drawn from one.
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include "solvers/bounds.hpp"
 #include "tests/solvers/objectives.hpp"
-#include "tests/solvers_for.hpp"
 
 namespace {
 
@@ -90,11 +83,4 @@ TEST_CASE("first candidates of a joint without end are drawn from a turn about t
   CHECK(least < 2.5 - 0.95 * half);
   CHECK(most <= 2.5 + half);
   CHECK(most > 2.5 + 0.95 * half);
-}
-
-TEST_CASE("those who need finite limits get a whole turn each way of the start", "[endless]") {
-  const Task task = endless_task();
-  const JointLimits limits = finite_limits(task.problem);
-  CHECK(limits.lower == Eigen::Vector3d(2.5 - 2 * half, -1.5, 0));
-  CHECK(limits.upper == Eigen::Vector3d(2.5 + 2 * half, 1.5, 0.4));
 }

@@ -1,18 +1,5 @@
 // The solvers' kernels on every instruction set of this machine equal plain loops bit by bit. random.test.cpp has those
 // of random streams.
-#include "solvers/kernels.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <iterator>
-#include <limits>
-#include <numeric>
-#include <vector>
-
-#include "numerics/instruction_set.hpp"
-#include "tests/numerics/guarded.hpp"
-#include "tests/numerics/reference.hpp"
 #include "tests/solvers/objectives.hpp"
 
 namespace {

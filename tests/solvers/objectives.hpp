@@ -1,16 +1,26 @@
 // Objectives that record, script or spoil the evaluations of a solver, and tasks to evaluate it on.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <limits>
-#include <string_view>
-#include <utility>
-#include <vector>
+#include <Eigen/LU>
 
+#include "numerics/functions.hpp"
+#include "numerics/instruction_set.hpp"
+#include "numerics/units.hpp"
 #include "robots/robot.hpp"
+#include "solvers/bounds.hpp"
+#include "solvers/kernels.hpp"
+#include "solvers/options.hpp"
+#include "solvers/pseudo_inverse.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/solve.hpp"
-#include "tests/catch.hpp"
+#include "tests/common.hpp"
+#include "tests/numerics/guarded.hpp"
+#include "tests/numerics/reference.hpp"
+#include "tests/solvers/allocations.hpp"
+#include "tests/solvers/pseudo_inverse.hpp"
+#include "tests/solvers_for.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;
@@ -126,8 +136,11 @@ struct ReachablePose {
     Eigen::VectorXd q(arm.joints());
     for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(arm.limits.lower[j], arm.limits.upper[j]);
     goal = solvers::Goal(arm.chain.forward(q), weight);
-    problem = {
-        .start = (arm.limits.lower + arm.limits.upper) / 2, .lower = arm.limits.lower, .upper = arm.limits.upper};
+    problem = {.start = (arm.limits.lower + arm.limits.upper) / 2,
+               .lower = arm.limits.lower,
+               .upper = arm.limits.upper,
+               .population = 50,
+               .iterations = 50};
   }
 
   robots::Robot arm;

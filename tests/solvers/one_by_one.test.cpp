@@ -1,12 +1,5 @@
 // Solvers that look ahead in batches equal, bit for bit, the loops of their pseudo-code, which draw, evaluate and
 // decide one candidate after another.
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
-
-#include "numerics/functions.hpp"
-#include "numerics/units.hpp"
 #include "tests/solvers/objectives.hpp"
 
 namespace {

@@ -1,13 +1,5 @@
 // Values of options, and messages about wrong ones.
-#include "solvers/options.hpp"
-
-#include <clocale>
-#include <stdexcept>
-#include <string>
-
 #include "tests/solvers/objectives.hpp"
-
-using Catch::Matchers::StartsWith;
 
 namespace {
 
@@ -60,21 +52,4 @@ TEST_CASE("a refusal says which option, which value and what was expected", "[op
   CHECK_THROWS_WITH(example.list.set("rule", "best"), "option rule is \"best\"; expected one of greedy, loudness");
   CHECK_THROWS_WITH(example.list.set("alhpa", "1"),
                     "unknown option \"alhpa\"; did you mean \"alpha\"? There are: alpha, archive, rule");
-}
-
-TEST_CASE("numbers are read and written alike in every locale", "[options]") {
-  const std::string before = std::setlocale(LC_ALL, nullptr);
-  const bool comma = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;  // decimal comma, where it is installed
-  Example example;
-  example.list.set("alpha", "0.25");
-  CHECK(example.alpha == 0.25);
-  CHECK(example.list.values()["alpha"] == "0.25");
-  if (comma) std::setlocale(LC_ALL, before.c_str());
-}
-
-TEST_CASE("a solver is made only with options it has", "[options]") {
-  CHECK(solver("ik_bat").options({{"alpha", "0.5"}}).at("alpha") == "0.5");
-  CHECK(solver("ik_bat").options({}).at("alpha") == "0.97");  // Table 1
-  CHECK_THROWS_WITH(solver("ik_bat").make({{"aplha", "0.5"}}),
-                    StartsWith("unknown option \"aplha\"; did you mean \"alpha\"?"));
 }

@@ -1,40 +1,9 @@
 // Whole poses as goals: the objective's errors, the ends of solves, and the contract of every solver.
-#include <Eigen/Cholesky>
-#include <cmath>
-
-#include "numerics/units.hpp"
-#include "solvers/pseudo_inverse.hpp"
-#include "tests/numerics/reference.hpp"
-#include "tests/solvers/allocations.hpp"
 #include "tests/solvers/objectives.hpp"
-#include "tests/solvers/pseudo_inverse.hpp"
-#include "tests/solvers_for.hpp"
 
 namespace {
 
 constexpr double weight = 0.5;
-
-struct PoseTask {
-  Robot arm;
-  Goal goal;
-  Problem problem;
-};
-
-// A pose that the arm can reach, from the middle of its limits.
-PoseTask pose_task(std::string_view name, std::uint64_t seed = 1, int population = 50) {
-  const Robot arm = robot(name);
-  Random random{Key(seed)};
-  const JointLimits range = arm.limits.around(Eigen::VectorXd::Zero(arm.joints()));
-  Eigen::VectorXd q(arm.joints());
-  for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(range.lower[j], range.upper[j]);
-  return {arm,
-          {arm.chain.forward(q), weight},
-          {.start = (range.lower + range.upper) / 2,
-           .lower = range.lower,
-           .upper = range.upper,
-           .population = population,
-           .iterations = 50}};
-}
 
 Goal moved(const Goal& goal, const Eigen::Vector3d& by, double angle, const Eigen::Vector3d& axis) {
   Pose target = goal.target;
@@ -46,7 +15,7 @@ Goal moved(const Goal& goal, const Eigen::Vector3d& by, double angle, const Eige
 }  // namespace
 
 TEST_CASE("a pose's error is its distance where it is turned right, and grows with the weight of a turn", "[pose]") {
-  const PoseTask task = pose_task("ur5e");
+  const ReachablePose task("ur5e", 1, weight);
   const Eigen::VectorXd q = task.problem.start;
   const Goal here{task.arm.chain.forward(q), weight};
   const auto error = [&](const Goal& goal) { return Objective(task.arm.chain, goal).error(q); };
@@ -63,7 +32,7 @@ TEST_CASE("a pose's error is its distance where it is turned right, and grows wi
 }
 
 TEST_CASE("an axis' error does not change as the tool turns about it, and otherwise is that of a pose", "[axis]") {
-  const PoseTask task = pose_task("ur5e");
+  const ReachablePose task("ur5e", 1, weight);
   Eigen::VectorXd q = task.problem.start.array() + 0.7;  // nowhere near singular
   const Goal here{task.arm.chain.forward(q), weight, GoalKind::axis};
   const Eigen::Vector3d z = here.target.linear().col(2), x = here.target.linear().col(0), by(0.03, 0, 0.04);
@@ -93,7 +62,7 @@ TEST_CASE("an axis' error does not change as the tool turns about it, and otherw
 TEST_CASE("a pose's residual is the way and the weighted turn that are left, and its Jacobian is Newton's", "[pose]") {
   for (const char* const name : {"ur5e", "stanford", "kuka_iiwa14", "franka_panda"}) {
     CAPTURE(name);
-    const PoseTask task = pose_task(name);
+    const ReachablePose task(name, 1, weight);
     Eigen::VectorXd q = task.problem.start.array() + 0.2;
     const Goal here{task.arm.chain.forward(q), weight};
     const Eigen::Vector3d axis = Eigen::Vector3d(1, -2, 0.5).normalized(), by(0.01, -0.02, 0.03);
@@ -123,7 +92,7 @@ TEST_CASE("every solver's best is honest about a pose or an axis and never worse
           "[pose]") {
   const GoalKind kind = GENERATE(GoalKind::pose, GoalKind::axis);
   for (const char* const name : {"ur5e", "stanford", "puma560"}) {
-    PoseTask task = pose_task(name);
+    ReachablePose task(name, 1, weight);
     task.goal.kind = kind;
     for (const SolverInfo& info : solvers_for(task.arm.chain, task.goal.kind)) {
       CAPTURE(info.name, name, task.goal.kind);
@@ -147,7 +116,7 @@ TEST_CASE("every solver's best is honest about a pose or an axis and never worse
 }
 
 TEST_CASE("every solver gives the same answer to a pose, however far ahead it evaluates", "[pose]") {
-  PoseTask task = pose_task("puma560", 3);
+  ReachablePose task("puma560", 3, weight);
   task.goal.kind = GENERATE(GoalKind::pose, GoalKind::axis);
   for (const SolverInfo& info : solvers_for(task.arm.chain, task.goal.kind)) {
     CAPTURE(info.name);
@@ -164,7 +133,7 @@ TEST_CASE("every solver gives the same answer to a pose, however far ahead it ev
 
 TEST_CASE("a solve of a pose stops where position and angle are both within their tolerances, and not before",
           "[pose][solve]") {
-  PoseTask task = pose_task("ur5e");
+  ReachablePose task("ur5e", 1, weight);
   task.goal.kind = GENERATE(GoalKind::pose, GoalKind::axis);
   const StopRule both{.iterations = 400, .tolerance = 1e-3, .angle_tolerance = 1 * degree};
   for (const char* const name : {"damped_least_squares", "ik_bat"}) {
@@ -189,7 +158,7 @@ TEST_CASE("a solve of a pose stops where position and angle are both within thei
 }
 
 TEST_CASE("a damped step towards a pose reduces the norm of the residual that it linearizes", "[pose][dls]") {
-  PoseTask task = pose_task("ur5e");
+  ReachablePose task("ur5e", 1, weight);
   task.problem.start.setConstant(0.4);
   const Goal here{task.arm.chain.forward(task.problem.start), weight};
   task.goal = moved(here, {0.05, -0.04, 0.03}, 0.5, Eigen::Vector3d(1, -2, 0.5).normalized());

@@ -1,8 +1,4 @@
 // The loop of all solvers: its ends, its counts and its traces.
-#include "solvers/solve.hpp"
-
-#include <algorithm>
-
 #include "tests/solvers/objectives.hpp"
 
 namespace {
@@ -71,14 +67,6 @@ TEST_CASE("a solve stops where its solver has finished, unless it is within the 
   CHECK(solved({.iterations = 10, .tolerance = 10}).stopped == Stopped::tolerance);
 }
 
-TEST_CASE("the trace has the best error after each iteration and never grows", "[solve]") {
-  const Solution solution = solved({.iterations = 40}, Trace::best_error);
-  REQUIRE(solution.trace.size() == 40);
-  CHECK(std::is_sorted(solution.trace.rbegin(), solution.trace.rend()));
-  CHECK(solution.trace.back() == solution.best.error);
-  CHECK(solved({.iterations = 40}).trace.empty());
-}
-
 TEST_CASE("improvements go from evaluation 1 to the last, and are those of the trace", "[solve]") {
   const Solution solution = solved({.iterations = 40}, Trace::best_error);
   const std::vector<std::int64_t>& at = solution.improved.at;
@@ -100,37 +88,12 @@ TEST_CASE("improvements go from evaluation 1 to the last, and are those of the t
   CHECK(solved({.iterations = 40}).improved.at.empty());
 }
 
-TEST_CASE("an unknown solver is told the nearest name", "[solve]") {
-  CHECK_THROWS_AS(solver("ik_bta"), std::invalid_argument);
-  CHECK_THROWS_WITH(solver("ik_bta"),
-                    Catch::Matchers::StartsWith("unknown solver \"ik_bta\"; did you mean \"ik_bat\"?"));
-}
-
 TEST_CASE("planned are the iterations that the evaluations allow, if each has a whole population", "[solve]") {
   CHECK(planned_iterations({.iterations = 300}, 50) == 300);
   CHECK(planned_iterations({.iterations = 100'000, .evaluations = 10'000}, 50) == 200);
   CHECK(planned_iterations({.iterations = 100, .evaluations = 10'000}, 50) == 100);
   CHECK(planned_iterations({.iterations = 100, .evaluations = 20}, 50) == 1);
   CHECK(planned_iterations({.iterations = 0, .evaluations = 20}, 50) == 0);
-}
-
-TEST_CASE("every solver is told the planned iterations", "[solve]") {
-  struct Told final : Solver {
-    void start(const Problem& problem, Objective& objective, Random&) override {
-      best_ = {problem.start, objective.error(problem.start)};
-      planned_ = problem.iterations;
-    }
-    void step(Objective&, Random&) override {}
-    const Best& best() const override { return best_; }
-    int planned_ = 0;
-    Best best_;
-  };
-  Task task = iiwa_task(20);
-  Objective objective(task.chain, task.target);
-  Random random{Key(1)};
-  Told solver;
-  solve(solver, task.problem, objective, random, {.iterations = 5, .evaluations = 40});
-  CHECK(solver.planned_ == 2);
 }
 
 TEST_CASE("MO-PSO's mutation ends with the budget, whichever rule ends it", "[solve][mo_pso]") {

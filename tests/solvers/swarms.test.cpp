@@ -1,11 +1,4 @@
 // MO-PSO: velocities, positions, limits, mutation and the archive.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "tests/solvers/objectives.hpp"
 
 namespace {

@@ -2,7 +2,6 @@
 #include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 
-#include "robots/urdf.hpp"
 #include "tests/robots/random_configuration.hpp"
 
 namespace {

@@ -1,7 +1,4 @@
 // KDL's own ChainIkSolverPos_NR_JL beside our `newton`, on the same poses.
-#include <algorithm>
-#include <cmath>
-
 #include "tests/solvers/objectives.hpp"
 
 TEST_CASE("newton without restarts solves the poses that KDL solves, from the middle of the limits",

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Every file of docs/examples does what the page that shows it says.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+examples=$root/docs/examples
+cp "$root/tests/data/urdf/ur5e.urdf" .
+for file in "$examples"/*; do
+  grep -rqF "$(basename "$file")" "$root"/tests/{cli,solvers} || fail "no test of $(basename "$file")"
+done
+
+# The examples of docs/reference/protocol.md, below 50 lines each, find solutions that are near, and pass their
+# checks. One whose interpreter or compiler is not here is left out.
+cp "$examples"/{pso.py,descent.py,damped.m,search.cpp} .
+entries=()
+add() {
+  [ "$(wc -l <"$1")" -lt 50 ] || fail "$1 has 50 lines or more"
+  entries+=("$(printf '[[solvers]]\nlabel = "%s"\nprocess = [%s]\n' "$1" "$2")")
+  succeeds check-solver --patience 20 -- ${*:3}
+}
+add pso.py '"python3", "pso.py"' python3 pso.py
+add descent.py '"python3", "descent.py"' python3 descent.py
+! command -v octave-cli >/dev/null || add damped.m '"octave-cli", "--quiet", "damped.m"' octave-cli --quiet damped.m
+! c++ -std=c++17 -O2 -Wall -Wextra -Werror -o search search.cpp 2>cc.err || add search.cpp '"./search"' ./search
+study examples "${entries[@]}"
+sed -i 's/^repeats = 1/&\nrobot = "ur5e"\nstart = "near"\nnear_deg = 10/; s/points = 8/points = 3/; s/^iterations = 8/iterations = 60\ntolerance_cm = 0.5/' examples.toml
+succeeds run examples.toml --no-report --out examples
+echo "examples: $(column examples/store.sqlite status pso.py | wc -l) solves each of ${#entries[@]}"
+for label in pso.py search.cpp; do # which try at random
+  [[ "${entries[*]}" != *$label* || $(column examples/store.sqlite status $label | counted) == *ok* ]] || fail "$label solved nothing"
+done
+for label in descent.py damped.m; do
+  [[ "${entries[*]}" != *$label* ]] || [ "$(column examples/store.sqlite status $label | grep -cx ok)" -ge 4 ] ||
+    fail "$label: $(column examples/store.sqlite status $label | counted)"
+done
+
+# A library: by the Python that has it, else it is left out.
+for python in python3 /usr/bin/python3; do
+  $python -c 'import PyKDL' 2>/dev/null || continue
+  cp "$examples/kdl.py" .
+  [ "$(wc -l <kdl.py)" -le 35 ] || fail "kdl.py has more than 35 lines"
+  succeeds check-solver --patience 20 -- $python kdl.py
+  study library "$(printf '[[solvers]]\nlabel = "kdl.py"\nprocess = ["%s", "kdl.py"]\n' "$python")"
+  library=(run library.toml --no-report --set robot=ur5e.urdf --set search=pose --set start=near --set stop.iterations=100
+    --set stop.tolerance_cm=0.01 --set stop.tolerance_deg=0.1)
+  succeeds "${library[@]}" --out library
+  equal "solves of a library" "$(column library/store.sqlite status kdl.py | counted)" "16 ok"
+  refused "solves for pose" "${library[@]}" --set search=axis
+  break
+done
+
+# A path from a program that writes poses, as a CSV.
+python3 "$root/docs/examples/rectangle.py" >rectangle.csv
+sed -e 's/robot = .*/robot = "ur5e.urdf"\nruns = 2\ninitial_deg = [0, -90, 90, -90, -90, 0]\nstop = { iterations = 100, tolerance_cm = 0.001, tolerance_deg = 0.01 }/' \
+  -e 's/all_joints/pose/; s/kind = .*/kind = "csv"\nfile = "rectangle.csv"/' "$scripts/studies/my_study.toml" >rectangle.toml
+succeeds run rectangle.toml --figures none --out rectangle --json
+json '[(row["n"], row["mean"]) for row in of["groups"] if row["metric"] == "solved"] == [(1, 100)]'
+equal "solves of the rectangle" "$(solves rectangle/store.sqlite)" 62

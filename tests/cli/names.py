@@ -1,0 +1,15 @@
+# names.py STUDY FOLDER <LABELS: export.csv, export.json and the tables of FOLDER have the names as they are.
+import csv, json, sys
+labels = sys.stdin.read().split("\n")[:-1]
+solves, rows = json.load(open("export.json"))["solves"], list(csv.DictReader(open("export.csv", newline="")))
+assert len(solves) == len(rows) == 6 * len(labels), (len(solves), len(rows))
+texts = {chr(39) + label if label[0] in "=+-@" else label for label in labels}
+for found, named in ((solves, set(labels)), (rows, texts)):
+    assert {solve["solver"] for solve in found} == named, {solve["solver"] for solve in found} ^ named
+    assert {solve["study"] for solve in found} == {sys.argv[1]}
+results = json.load(open(sys.argv[2] + "/results.json"))
+assert {row["solver"] for row in results["groups"]} == set(labels)
+for name in ("results", "pairs", "descriptives", "anova"):
+    table = list(csv.reader(open(sys.argv[2] + f"/tables/{name}.csv", newline="")))
+    assert len({len(row) for row in table}) == 1, name
+    assert not [cell for row in table for cell in row if cell[:1] in tuple("=+@")], name

@@ -1,0 +1,56 @@
+"""extending.py PROGRAM CMAKE: every addition of the table of docs/extending.md is one file and one line. In a copy of the
+sources each file is added and found by the build, which reads each list; arm, study and poses of the page are run."""
+import pathlib, re, shutil, subprocess, sys, tempfile
+
+program, cmake = sys.argv[1:]
+root = pathlib.Path(__file__).resolve().parents[1]
+page = (root / "docs/extending.md").read_text()
+tracked = subprocess.run(["git", "ls-files"], cwd=root, capture_output=True, text=True).stdout.splitlines()
+if not tracked:
+    sys.exit(77)  # an archive without its history
+
+
+def run(*command, **options):
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, **options)
+    done.returncode == 0 or sys.exit(f"{command}: {done.stdout[-2000:]} {done.stderr[-2000:]}")
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    copy, built, added = pathlib.Path(scratch) / "copy", pathlib.Path(scratch) / "built", []
+    for name in tracked:
+        if (root / name).is_file() and not name.startswith(("tests/", "docs/pictures/")):
+            (copy / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(root / name, copy / name)
+    rows = re.findall(r"^\| (an? .*|what .*) \| (.*) \| (.*) \|$", page.split("\n## ")[0], re.M)
+    len(rows) >= 14 or sys.exit(f"the table has {len(rows)} rows")
+    for what, file, line in rows:
+        for path in re.findall(r"`([\w/]+\.\w+)`", file):
+            if "NAME" not in path:
+                (root / path).is_file() or sys.exit(f"{what}: there is no {path}")
+                continue
+            new = copy / path.replace("NAME", f"added_{len(added)}")
+            shutil.copy(next(f for f in sorted(new.parent.glob("*" + new.suffix))), new)
+            added.append(new.name)
+        for entry in re.findall(r"`([\w/]+\.(?:inc|bib))`", line):
+            found = [name for name in tracked if name == entry or name.endswith("/" + entry)]
+            len(found) == 1 or sys.exit(f"{what}: {entry} is {found}")
+            for macro in re.findall(r"`([A-Z]+)\(NAME\)`", line):
+                f"{macro}(" in (root / found[0]).read_text() or sys.exit(f"{what}: no {macro} in {entry}")
+                (copy / found[0]).open("a").write(f"{macro}(added_{len(added) - 1})\n")
+    run(cmake, "-S", copy, "-B", built, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=0",
+        "-DBUILD_TESTING=OFF")
+    read = "".join(file.read_text() for pattern in ("build.ninja", "Unity/*.cxx", "*.inc") for file in built.rglob(pattern))
+    lost = [name for name in added if name not in read]
+    (len(added) >= 8 and not lost) or sys.exit(f"of {added} the build does not find {lost}")
+
+    after = lambda heading, kind: re.search(rf"## {heading}\n.*?```{kind}\n(.*?)```", page, re.S)[1]
+    mine = pathlib.Path(scratch) / "mine"
+    mine.mkdir()
+    (mine / "my_arm.toml").write_text(after("An arm", "toml"))
+    (mine / "study.toml").write_text(after("A study", "toml"))
+    (mine / "path.csv").write_text(after("A study", "csv"))
+    small = ["--set", "runs=2", "--set", "stop.iterations=5", "--no-report", "--out", "out"]
+    run(program, "robot", "my_arm.toml", cwd=mine)
+    run(program, "run", "study.toml", "--set", "path.points=3", *small, cwd=mine)
+    (mine / "poses.toml").write_text(re.sub(r"(?s)\[path\].*?\n\n", '[path]\nkind = "csv"\nfile = "path.csv"\n\n', (mine / "study.toml").read_text()))
+    run(program, "run", "poses.toml", "--set", "name=poses", *small, cwd=mine)
