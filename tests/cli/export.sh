@@ -22,6 +22,7 @@ succeeds run "${traced[@]}" --set seed=2 --out seed-2
   fail "the same fingerprint with another seed"
 
 # -o follows a link, and writes into no pipe and no device (files.test.cpp has all of it).
+echo old >private.csv
 ln -s private.csv link.csv
 succeeds export made/store.sqlite -o link.csv
 [ -z "$out" ] && [ -L link.csv ] && cmp private.csv first.csv || fail "-o through a link"

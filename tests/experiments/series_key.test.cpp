@@ -82,7 +82,7 @@ TEST_CASE("each field of a study decides the series, unless the list of fields s
   for (int field = 0;; ++field) {  // how it is judged and drawn
     Study study = plain;
     Changer changer(field);
-    list_fields(changer, study.analysis);
+    list_fields(changer, study.plan);
     list_fields(changer, study.figures);
     if (changer.changed.empty()) break;
     INFO(changer.changed);

@@ -109,6 +109,6 @@ TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]
   CHECK(contains(complaint<std::invalid_argument>([&] { keep_only(whole, {"AB"}); }), "unknown label \"AB\""));
   keep_only(whole, {"IK-BA"});
   CHECK(labels_of(whole) == SweptLabels{"IK-BA"});
-  CHECK(whole.analysis.control.empty());
+  CHECK(whole.plan.control.empty());
   CHECK(contains(complaint_about(two_bats + "[analysis]\ncontrol = \"AB\"\n"), "unknown label \"AB\""));
 }

@@ -116,8 +116,8 @@ TEST_CASE("a screen has the solvers up to 20, at most six pairs and 100 columns"
   const std::string text = screen(shown(judged_study(hostile)));
   CHECK(text.find('\x1b') == std::string::npos);
   CHECK(text.find(std::string(40, 'x')) == std::string::npos);  // nor in a warning
-  const std::string of_two = screen(
-      shown({judged(numbers("v", "a\nb\x1b", "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}))}, {}));
+  const std::string of_two =
+      screen(shown({judged(numbers("v", "a\nb\x1b", "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}))}));
   CHECK(contains(of_two, "a b"));
   CHECK(of_two.find('\x1b') == std::string::npos);
 }

@@ -1,4 +1,7 @@
 // Damped least squares: its steps by hand, its convergence and its restarts.
+#include <Eigen/Eigenvalues>
+
+#include "solvers/damped_step.hpp"
 #include "tests/solvers/objectives.hpp"
 
 TEST_CASE("a damped step is (J^T J + mu I)^-1 J^T e, and the gain ratio sets the next damping", "[dls]") {
