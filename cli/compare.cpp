@@ -42,7 +42,7 @@ double margin_from(const std::string& text) {
 
 struct Source {
   results::Store store;
-  results::StudyEntry entry;
+  results::StoredStudy entry;
 
   Source(const std::string& file, const std::string& name)
       : store(file, results::Store::Mode::read), entry(chosen_study(store, name)) {}
@@ -52,7 +52,7 @@ struct Source {
   StudyResults side(const std::string& label, const CompareArguments& arguments) const {
     if (std::ranges::count(labels(), label) == 0)
       throw std::invalid_argument(numerics::unknown_name("label", label, labels()));
-    results::StudyEntry own = entry;
+    results::StoredStudy own = entry;
     std::erase_if(own.series, [&](const results::Series& series) { return series.label != label; });
     StudyResults study = checked_study(store, own);
     if (!arguments.margin.empty()) study.definition.plan.margin = margin_from(arguments.margin);

@@ -60,7 +60,7 @@ void add_export(CLI::App& app, Invocation&) {
       "Columns: ikbench list columns");
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
-    const StudyEntry study = chosen_study(store, arguments->study);
+    const StoredStudy study = chosen_study(store, arguments->study);
     if (arguments->format == fingerprint_format) {
       const auto [text, solves] = fingerprint(store, study);
       const std::string line = fmt::format("{}  {}  {}\n", text, solves, printable(study.name));

@@ -83,7 +83,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     }
     const Store store(out, Store::Mode::read);
     numerics::OrderedJson missing = numerics::OrderedJson::object();
-    for (const StudyEntry& study : store.studies()) {
+    for (const StoredStudy& study : store.studies()) {
       const Definition definition = definition_of(study.definition);
       const std::int64_t all = std::int64_t{definition.runs} * definition.points * std::ssize(study.series);
       const std::int64_t lacks = all - store.number_of_solves(study);

@@ -35,7 +35,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   std::set<std::string> solvers;
   for (const std::string& file : files) {
     const Store store(file, Store::Mode::read);
-    const StudyEntry entry = chosen_study(store, study);
+    const StoredStudy entry = chosen_study(store, study);
     const compare::JudgedStudy judged = compare::judge(checked_study(store, entry));
     names.push_back(entry.name);
     arms.push_back(judged.study.definition.robot);
@@ -89,7 +89,7 @@ void add_report(CLI::App& app, Invocation&) {
     const std::filesystem::path folder =
         arguments->out.empty() ? std::filesystem::path(file).parent_path() : std::filesystem::path(arguments->out);
     const Store store(file, Store::Mode::read);
-    const StudyEntry study = chosen_study(store, arguments->study);
+    const StoredStudy study = chosen_study(store, arguments->study);
     write_and_announce(store, study, folder.empty() ? "." : folder, arguments->report);
   });
 }

@@ -38,7 +38,7 @@ using namespace experiments;
 namespace {
 
 // Explains why solves that look done are made anew.
-void warn_of_left_aside(const StudyEntry& study, const Store& store) {
+void warn_of_left_aside(const StoredStudy& study, const Store& store) {
   const LeftAside aside = left_aside(study, store);
   if (aside.solves == 0) return;
   warn(fmt::format(
@@ -149,11 +149,11 @@ FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, co
   return style;
 }
 
-FigureStyle styled(const StudyEntry& entry, const ReportArguments& arguments) {
+FigureStyle styled(const StoredStudy& entry, const ReportArguments& arguments) {
   return styled(definition_of(entry.definition).figures, labels_of(entry), arguments);
 }
 
-std::vector<std::string> labels_of(const StudyEntry& stored) {
+std::vector<std::string> labels_of(const StoredStudy& stored) {
   std::vector<std::string> labels;
   for (const Series& series : stored.series) labels.push_back(series.label);
   return labels;
@@ -221,7 +221,7 @@ void announce(show::Reported reported, const std::filesystem::path& folder, cons
                                             : fmt::format("{}Report: {}\n", screen, page)));
 }
 
-void write_and_announce(const Store& store, const StudyEntry& study, const std::filesystem::path& folder,
+void write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
   const FigureStyle style = styled(study, arguments);
   compare::JudgedStudy judged = compare::judge(exported_study(store, study, folder));
@@ -229,27 +229,28 @@ void write_and_announce(const Store& store, const StudyEntry& study, const std::
   announce(show::reported(std::move(judged), std::move(pictures)), folder, arguments, style);
 }
 
-compare::StudyResults checked_study(const Store& store, const StudyEntry& entry, const TakeSolve& also) {
+compare::StudyResults checked_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
   return compare::read_study(store, entry, [&, check = recheck_of(entry)](const SolveRecord& solve) {
     check(solve);
     if (also) also(solve);
   });
 }
 
-compare::StudyResults exported_study(const Store& store, const StudyEntry& entry, const std::filesystem::path& folder) {
+compare::StudyResults exported_study(const Store& store, const StoredStudy& entry,
+                                     const std::filesystem::path& folder) {
   compare::StudyResults study;
   write_csv(folder / "solves.csv", [&](const TakeSolve& take) { study = checked_study(store, entry, take); });
   return study;
 }
 
-StudyEntry chosen_study(const Store& store, const std::string& name) {
+StoredStudy chosen_study(const Store& store, const std::string& name) {
   if (!name.empty()) return store.study(name);
-  std::vector<StudyEntry> studies = store.studies();
+  std::vector<StoredStudy> studies = store.studies();
   if (studies.empty()) throw std::invalid_argument("the store contains no study");
   return std::move(studies.front());
 }
 
-std::optional<std::string> run_study(const Study& study, const StudyEntry& stored, const std::filesystem::path& folder,
+std::optional<std::string> run_study(const Study& study, const StoredStudy& stored, const std::filesystem::path& folder,
                                      RunRequest request, Store::Mode mode) {
   if (const auto& arm = study.robot_of_file; arm != nullptr && !arm->tip_link.empty()) {
     say(fmt::format("arm: {}", arm->summary));
@@ -271,7 +272,7 @@ std::optional<std::string> run_study(const Study& study, const StudyEntry& store
   // A transaction for each solve would cost more than many a solve; in a shared store each waits for the disk.
   request.patience = std::chrono::milliseconds(mode == Store::Mode::write_shared ? 1000 : 20);
   Store store(store_in(folder), mode);
-  for (const StudyEntry& earlier : store.studies()) {
+  for (const StoredStudy& earlier : store.studies()) {
     if (earlier.name != study.name || earlier.definition == stored.definition) continue;
     const std::string difference = difference_in_solves(earlier.definition, stored.definition);
     if (difference.empty()) {

@@ -32,8 +32,8 @@ void add_report_options(CLI::App& command, ReportArguments& arguments);
 results::FigureStyle styled(results::FigureStyle style, const std::vector<std::string>& labels,
                             const ReportArguments& arguments);
 // The same of a stored study.
-results::FigureStyle styled(const results::StudyEntry& entry, const ReportArguments& arguments);
-std::vector<std::string> labels_of(const results::StudyEntry& stored);
+results::FigureStyle styled(const results::StoredStudy& entry, const ReportArguments& arguments);
+std::vector<std::string> labels_of(const results::StoredStudy& stored);
 // Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
 void check_plan(const experiments::Study& study);
 
@@ -43,18 +43,18 @@ std::vector<std::string> references_of(std::string_view name);
 void announce(show::Reported reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const results::FigureStyle& style, const std::string& screen = {});
 // The report of a study of the store, written and announced.
-void write_and_announce(const results::Store& store, const results::StudyEntry& study,
+void write_and_announce(const results::Store& store, const results::StoredStudy& study,
                         const std::filesystem::path& folder, const ReportArguments& arguments);
 
 // Reads a study, computes the errors of all its solves again (experiments/runner.hpp), and passes each on to `also`.
-compare::StudyResults checked_study(const results::Store& store, const results::StudyEntry& entry,
+compare::StudyResults checked_study(const results::Store& store, const results::StoredStudy& entry,
                                     const results::TakeSolve& also = {});
 // The same, and writes the solves into the folder's solves.csv, which belongs to its report.
-compare::StudyResults exported_study(const results::Store& store, const results::StudyEntry& entry,
+compare::StudyResults exported_study(const results::Store& store, const results::StoredStudy& entry,
                                      const std::filesystem::path& folder);
 
 // The study of that name, or the store's first if the name is empty.
-results::StudyEntry chosen_study(const results::Store& store, const std::string& name);
+results::StoredStudy chosen_study(const results::Store& store, const std::string& name);
 
 struct RunArguments {
   std::string out;
@@ -66,7 +66,7 @@ void add_run_options(CLI::App& command, RunArguments& arguments);
 // Runs a study, and its stored_study, into the folder's store.sqlite, opened in this mode, with progress, and warns of
 // targets out of reach. Returns "six: 288 solves in out/six/store.sqlite"; after Ctrl-C it says how to continue, and
 // returns nothing.
-std::optional<std::string> run_study(const experiments::Study& study, const results::StudyEntry& stored,
+std::optional<std::string> run_study(const experiments::Study& study, const results::StoredStudy& stored,
                                      const std::filesystem::path& folder, experiments::RunRequest request,
                                      results::Store::Mode mode = results::Store::Mode::write);
 

@@ -69,7 +69,7 @@ std::string fingerprints_of(const Store& store, const std::vector<compare::Judge
   std::vector<std::string> different;
   std::size_t compared = 0;
   for (std::size_t i = 0; i < studies.size(); ++i) {
-    StudyEntry study = studies[i].study.entry;
+    StoredStudy study = studies[i].study.entry;
     const std::string_view reference =
         study.definition == to_json(as_built_in[i]) ? reference_fingerprint(study.name) : "";
     if (reference.empty()) continue;
@@ -188,7 +188,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     const auto stop = [&] { invocation.exit_code = cancelled_exit_code(); };
     std::vector<compare::JudgedStudy> judged;
     for (const Study& study : studies_of(paper, *arguments)) {
-      const StudyEntry stored = stored_study(study);
+      const StoredStudy stored = stored_study(study);
       if (!run_study(study, stored, folder, {.jobs = arguments->run.jobs, .command = invocation.command}))
         return stop();
       const EndOnSignal signals(stopped);

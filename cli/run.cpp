@@ -88,7 +88,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (arguments->run.out.empty() && is_part)
       folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
     const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
-    const StudyEntry stored = stored_study(study);
+    const StoredStudy stored = stored_study(study);
     const auto solved =
         run_study(study, stored, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write);
     if (!solved) {

@@ -88,7 +88,7 @@ void check(const Definition& study, const Robot& arm, const Left& before, const 
 
 }  // namespace
 
-TakeSolve recheck_of(const StudyEntry& study) {
+TakeSolve recheck_of(const StoredStudy& study) {
   const Definition definition = definition_of(study.definition);
   std::optional<Robot> stored = stored_arm(definition.arm);
   if (!stored)

@@ -228,7 +228,7 @@ void solve_missing(Work& work, Store& store, const RunRequest& request, Progress
   }
 }
 
-void refuse_another(const StudyEntry& ours, const StudyEntry& now) {
+void refuse_another(const StoredStudy& ours, const StoredStudy& now) {
   if (ours.definition == now.definition && std::ranges::equal(ours.series, now.series, {}, &Series::key, &Series::key))
     return;
   throw std::invalid_argument(fmt::format(
@@ -243,7 +243,7 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
   return run(study, stored_study(study), store, request);
 }
 
-Progress run(const Study& study, const StudyEntry& stored, Store& store, const RunRequest& request) {
+Progress run(const Study& study, const StoredStudy& stored, Store& store, const RunRequest& request) {
   const bool times_count = request.jobs == 1 && !is_debug_build();
   Work work(study, stored.series, times_count ? study.repeats : 1, request.jobs, request.shard);
   store.save_study(stored);
@@ -255,7 +255,7 @@ Progress run(const Study& study, const StudyEntry& stored, Store& store, const R
   return progress;
 }
 
-LeftAside left_aside(const StudyEntry& study, const Store& store) {
+LeftAside left_aside(const StoredStudy& study, const Store& store) {
   LeftAside aside;
   for (const Series& series : study.series) {
     const std::map<std::string, std::int64_t> solves = store.series_of_configuration(configuration_of(series.key));

@@ -33,7 +33,7 @@ struct RunRequest {
 // Once all is solved, throws std::invalid_argument if another process has saved another study of that name.
 Progress run(const Study& study, results::Store& store, const RunRequest& request);
 // The same for who has its stored_study.
-Progress run(const Study& study, const results::StudyEntry& stored, results::Store& store, const RunRequest& request);
+Progress run(const Study& study, const results::StoredStudy& stored, results::Store& store, const RunRequest& request);
 
 // The stored solves that another version of the source made, for solvers without solves by this version. `run` leaves
 // them in place and solves anew.
@@ -41,7 +41,7 @@ struct LeftAside {
   std::vector<std::string> labels;
   std::int64_t solves = 0;
 };
-LeftAside left_aside(const results::StudyEntry& study, const results::Store& store);
+LeftAside left_aside(const results::StoredStudy& study, const results::Store& store);
 
 // Makes all solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time, in a
 // run in the order of its points. Each is made once, whatever the study's `repeats`. `cancelled` is checked before
@@ -59,6 +59,6 @@ results::SolveRecord solve_once(const Study& study, const SolverEntry& entry, co
 // A check that computes errors, joint motion and status of a study's solves again, from arm, target, start and answer
 // of each, which come by solver, run and point. It throws std::invalid_argument, with the solve's place, where they
 // differ, or where an arm jumped between two solves of a chain; recheck_of throws it if there is no arm.
-results::TakeSolve recheck_of(const results::StudyEntry& study);
+results::TakeSolve recheck_of(const results::StoredStudy& study);
 
 }  // namespace ikbench::experiments

@@ -443,7 +443,7 @@ std::vector<Series> series_of(const Study& study) {
   return all;
 }
 
-StudyEntry stored_study(const Study& study) {
+StoredStudy stored_study(const Study& study) {
   return {.name = study.name, .definition = to_json(study), .series = series_of(study)};
 }
 

@@ -35,6 +35,6 @@ std::string series_key(const Study& study, const SolverEntry& entry);
 // The solvers' parts of the study, and all of it, as the store keeps them. A key is a hash of all targets, so a run
 // makes it once.
 std::vector<results::Series> series_of(const Study& study);
-results::StudyEntry stored_study(const Study& study);
+results::StoredStudy stored_study(const Study& study);
 
 }  // namespace ikbench::experiments

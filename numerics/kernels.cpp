@@ -45,8 +45,8 @@ IKBENCH_LANES void close(const Stream& stream, RandomState& state) {
 IKBENCH_LANES Bits rotated(Bits x, int left) { return (x << left) | (x >> (64 - left)); }
 
 // xoshiro256++ (Blackman and Vigna 2019): the next numbers of a group of lanes.
-IKBENCH_LANES Bits next(Stream& of, int g) {
-  Bits &s0 = of.s0[g], &s1 = of.s1[g], &s2 = of.s2[g], &s3 = of.s3[g];
+IKBENCH_LANES Bits next(Stream& stream, int g) {
+  Bits &s0 = stream.s0[g], &s1 = stream.s1[g], &s2 = stream.s2[g], &s3 = stream.s3[g];
   const Bits drawn = rotated(s0 + s3, 23) + s0;
   const Bits t = s1 << 17;
   s2 ^= s0;

@@ -30,7 +30,7 @@ using PassSolves = std::function<void(const TakeSolve& take)>;
 
 // The exported solves and their study. The solves are in the order solver, run, point.
 struct Exported {
-  const StudyEntry& study;
+  const StoredStudy& study;
   const std::vector<Session>& sessions;
   PassSolves each_solve;
 };

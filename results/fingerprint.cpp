@@ -106,7 +106,7 @@ std::string fingerprint(std::vector<SolveRecord> records) {
   return hash.text();
 }
 
-Fingerprint fingerprint(const Store& store, StudyEntry study) {
+Fingerprint fingerprint(const Store& store, StoredStudy study) {
   std::ranges::sort(study.series, {}, [](const Series& series) { return std::tie(series.label, series.key); });
   Hash hash;
   std::int64_t solves = 0;

@@ -47,7 +47,7 @@ struct Fingerprint {
   std::int64_t solves = 0;
 };
 // That of a study's solves in a store, read one by one.
-Fingerprint fingerprint(const Store& store, StudyEntry study);
+Fingerprint fingerprint(const Store& store, StoredStudy study);
 
 // The committed fingerprint of a built-in study (results/reference.inc); empty if there is none.
 std::string_view reference_fingerprint(std::string_view study);

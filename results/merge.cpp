@@ -35,13 +35,13 @@ Store opened(const fs::path& place) {
 // what follows from the rest.
 const std::set<std::string> decide_no_solve{"analysis", "departures", "figures", "out_of_reach", "repeats", "runs"};
 
-std::vector<std::string> keys_of(const StudyEntry& study) {
+std::vector<std::string> keys_of(const StoredStudy& study) {
   std::vector<std::string> keys;
   for (const Series& series : study.series) keys.push_back(series.key);
   return keys;
 }
 
-std::vector<std::string> configurations_of(const StudyEntry& study) {
+std::vector<std::string> configurations_of(const StoredStudy& study) {
   std::vector<std::string> keys = keys_of(study);
   for (std::string& key : keys) key = configuration_of(key);
   return keys;
@@ -49,7 +49,7 @@ std::vector<std::string> configurations_of(const StudyEntry& study) {
 
 // Says why two studies of one name cannot be merged; empty if they can. Different numbers of runs can: the larger
 // counts.
-std::string why_not_one(const StudyEntry& study, const StudyEntry& other) {
+std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
   const std::string difference = difference_in_solves(study.definition, other.definition);
   if (!difference.empty()) return difference;
   if (configurations_of(study) != configurations_of(other)) return "its solvers or their options are others";
@@ -59,10 +59,10 @@ std::string why_not_one(const StudyEntry& study, const StudyEntry& other) {
 }
 
 // The first study of each name, with its place.
-using Studies = std::map<std::string, std::pair<StudyEntry, fs::path>>;
+using Studies = std::map<std::string, std::pair<StoredStudy, fs::path>>;
 
 void refuse_another_study(Studies& known, const fs::path& place) {
-  for (const StudyEntry& study : opened(place).studies()) {
+  for (const StoredStudy& study : opened(place).studies()) {
     const auto& [first, first_place] = known.try_emplace(study.name, study, place).first->second;
     if (const std::string why = why_not_one(first, study); !why.empty())
       throw std::invalid_argument(

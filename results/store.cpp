@@ -251,20 +251,20 @@ struct Store::Database {
   }
 
   // The studies, or the one of that name.
-  std::vector<StudyEntry> studies(const std::string* wanted = nullptr) {
+  std::vector<StoredStudy> studies(const std::string* wanted = nullptr) {
     SQLite::Statement query(sqlite, fmt::format("SELECT name, definition FROM studies {} ORDER BY position",
                                                 wanted == nullptr ? "" : "WHERE name = ?"));
     if (wanted != nullptr) query.bind(1, *wanted);
     SQLite::Statement of_study(sqlite,
                                "SELECT key, label, algorithm, options FROM series WHERE study = ? ORDER BY position");
-    std::vector<StudyEntry> list;
+    std::vector<StoredStudy> list;
     const auto object = [](SQLite::Column column) {
       if (!numerics::parsed_json(column.getString()).is_object())
         throw Damage(fmt::format("{} {} is no JSON object", column.getName(), excerpt(column.getString())));
       return column.getString();
     };
     while (query.executeStep()) {
-      StudyEntry study{.name = query.getColumn(0).getString(), .definition = object(query.getColumn(1)), .series = {}};
+      StoredStudy study{.name = query.getColumn(0).getString(), .definition = object(query.getColumn(1)), .series = {}};
       for (of_study.bind(1, study.name); of_study.executeStep();)
         study.series.push_back({.key = of_study.getColumn(0).getString(),
                                 .label = of_study.getColumn(1).getString(),
@@ -303,7 +303,7 @@ Store::Store(const fs::path& file, Mode mode)
 
 Store::~Store() = default;
 
-void Store::save_study(const StudyEntry& study) {
+void Store::save_study(const StoredStudy& study) {
   guarded(database_->name, [&] {
     database_->write([&] {
       SQLite::Statement save(
@@ -328,13 +328,13 @@ void Store::save_study(const StudyEntry& study) {
   });
 }
 
-std::vector<StudyEntry> Store::studies() const {
+std::vector<StoredStudy> Store::studies() const {
   return guarded(database_->name, [&] { return database_->studies(); });
 }
 
-StudyEntry Store::study(const std::string& name) const {
+StoredStudy Store::study(const std::string& name) const {
   return guarded(database_->name, [&] {
-    if (std::vector<StudyEntry> named = database_->studies(&name); !named.empty()) return std::move(named.front());
+    if (std::vector<StoredStudy> named = database_->studies(&name); !named.empty()) return std::move(named.front());
     const std::string names = database_->sqlite
                                   .execAndGet(
                                       "SELECT coalesce(group_concat(name, ', '), '(the store is empty)') "
@@ -446,7 +446,7 @@ std::map<std::string, std::int64_t> Store::series_of_configuration(std::string_v
   });
 }
 
-void Store::each_of_study(const StudyEntry& study, const Take& take) const {
+void Store::each_of_study(const StoredStudy& study, const Take& take) const {
   guarded(database_->name, [&] {
     const Definition definition = definition_of(study.definition);
     SQLite::Statement query(
@@ -471,7 +471,7 @@ std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
   return list;
 }
 
-std::int64_t Store::number_of_solves(const StudyEntry& study) const {
+std::int64_t Store::number_of_solves(const StoredStudy& study) const {
   return guarded(database_->name, [&] {
     const Definition definition = definition_of(study.definition);
     SQLite::Statement query(database_->sqlite,

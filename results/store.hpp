@@ -33,7 +33,7 @@ struct Series {
 };
 
 // A study as defined at its last run.
-struct StudyEntry {
+struct StoredStudy {
   std::string name;
   std::string definition;  // JSON object: robot, path, search, bounds, population, stop rule, runs, points, seed, ...
   std::vector<Series> series;  // in the order of the study
@@ -62,9 +62,9 @@ class Store {
   ~Store();
 
   // Writes the study and replaces one of the same name (its solves stay; only those of the new series are current).
-  void save_study(const StudyEntry& study);
-  std::vector<StudyEntry> studies() const;          // in the order of their first save
-  StudyEntry study(const std::string& name) const;  // std::invalid_argument if there is none
+  void save_study(const StoredStudy& study);
+  std::vector<StoredStudy> studies() const;          // in the order of their first save
+  StoredStudy study(const std::string& name) const;  // std::invalid_argument if there is none
 
   std::int64_t begin_session(const std::map<std::string, std::string>& environment);
   // Adds facts that are known at a session's end; it must not have these keys yet.
@@ -94,10 +94,10 @@ class Store {
   // The current solves of a study are those of its series, without runs and points beyond those of the definition.
   // Calls `take` with each, in the order of its series, then run, then point. The solver of each is the label of its
   // series.
-  void each_of_study(const StudyEntry& study, const Take& take) const;
+  void each_of_study(const StoredStudy& study, const Take& take) const;
   // All of these at once, for a small study, or one that is not walked in this order.
   std::vector<SolveRecord> solves(const std::string& study) const;
-  std::int64_t number_of_solves(const StudyEntry& study) const;
+  std::int64_t number_of_solves(const StoredStudy& study) const;
 
  private:
   struct Database;

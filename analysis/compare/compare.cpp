@@ -34,12 +34,13 @@ bool is_by_difference(Method method) {
                    {Method::signed_ranks, Method::sign, Method::sign_and_ranks, Method::paired_t, Method::mcnemar});
 }
 
-Method method_of(const Observations& of, const Plan& plan, const Group& a, const Group& b) {
+Method method_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
   if (a.summary || b.summary) return Method::welch;
   if (a.copies > 0 || b.copies > 0) return Method::sign;
-  if (of.scale == Scale::share && of.trials == 1) return of.is_paired ? Method::mcnemar : Method::fisher;
-  const bool by_means = of.scale == Scale::share || plan.test == Plan::Test::means;
-  if (of.is_paired) return by_means ? Method::paired_t : Method::signed_ranks;
+  if (observed.scale == Scale::share && observed.trials == 1)
+    return observed.is_paired ? Method::mcnemar : Method::fisher;
+  const bool by_means = observed.scale == Scale::share || plan.test == Plan::Test::means;
+  if (observed.is_paired) return by_means ? Method::paired_t : Method::signed_ranks;
   if (by_means) return Method::welch;
   return a.may_repeat != b.may_repeat ? Method::sign_and_ranks : Method::ranks;
 }
@@ -59,8 +60,8 @@ struct Pair {
   Finding finding = {};
 };
 
-bool are_on_logs(const Observations& of, const Pair& pair) {
-  return of.scale == Scale::ratio && is_by_ranks(pair.method);
+bool are_on_logs(const Observations& observed, const Pair& pair) {
+  return observed.scale == Scale::ratio && is_by_ranks(pair.method);
 }
 
 // Relative: smaller than a difference in the fifteenth digit, the last that every double can tell.
@@ -83,15 +84,15 @@ struct Two {
   std::vector<double> a, b, differences;
   double no_answer = 0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
 
-  Two(const Observations& of, const Pair& pair, bool are_logs) {
+  Two(const Observations& observed, const Pair& pair, bool are_logs) {
     std::vector<double> all = pair.a.values;
     all.insert(all.end(), pair.b.values.begin(), pair.b.values.end());
     if (are_logs) {
-      for (double& value : all) value = std::max(value, of.floor);
+      for (double& value : all) value = std::max(value, observed.floor);
     }
-    remove_rounding(all, of.rounding);
+    remove_rounding(all, observed.rounding);
     if (are_logs) std::ranges::transform(all, all.begin(), [](double value) { return std::log(value); });
-    double most = std::max(of.absolute_margin, are_logs ? 100.0 : 0.0);
+    double most = std::max(observed.absolute_margin, are_logs ? 100.0 : 0.0);
     for (const double value : all) most = std::isinf(value) ? most : std::max(most, std::abs(value));
     for (double& value : all) {
       if (std::isinf(value)) value = no_answer = most > 0 ? 1e4 * most : 1;
@@ -126,8 +127,8 @@ double smallest_p(Method method, std::size_t m, std::size_t n) {
 }
 
 // From the value of the solver that repeats itself.
-int runs_that_differ(const Observations& of, const Pair& pair) {
-  const std::vector<double> differences = Two(of, pair, false).differences;
+int runs_that_differ(const Observations& observed, const Pair& pair) {
+  const std::vector<double> differences = Two(observed, pair, false).differences;
   return static_cast<int>(std::ranges::count_if(differences, [](double each) { return each != 0; }));
 }
 
@@ -145,12 +146,12 @@ Tested tested_by(Method method, const Two& two, const Summary& one, const Summar
 }
 
 // Tests a pair on one scale, whose numbers it returns, and says in the finding what does not depend on their unit.
-Tested examined(const Observations& of, const Plan& plan, const Pair& pair, bool are_logs, double alpha,
+Tested examined(const Observations& observed, const Plan& plan, const Pair& pair, bool are_logs, double alpha,
                 Finding& finding) {
-  const Two two(of, pair, are_logs);
+  const Two two(observed, pair, are_logs);
   const Summary one = pair.a.summary ? *pair.a.summary : summarise(two.a);
   const Summary other = pair.b.summary ? *pair.b.summary : summarise(two.b);
-  const bool is_share = of.scale == Scale::share, are_constant = one.sd == 0 && other.sd == 0;
+  const bool is_share = observed.scale == Scale::share, are_constant = one.sd == 0 && other.sd == 0;
   Tested tested = tested_by(pair.method, two, one, other, alpha);
   std::optional<Interval>& interval = tested.interval;
   std::optional<double> share_larger;
@@ -164,17 +165,17 @@ Tested examined(const Observations& of, const Plan& plan, const Pair& pair, bool
     finding.are_all_equal = are_constant && one.mean == other.mean;
     if (!two.a.empty() && !two.b.empty()) share_larger = a12(two.a, two.b);
   }
-  if (share_larger) finding.effect = of.better == Better::larger ? *share_larger : 1 - *share_larger;
+  if (share_larger) finding.effect = observed.better == Better::larger ? *share_larger : 1 - *share_larger;
   if (is_share && interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
   if (is_share && are_constant && finding.are_all_equal && !interval)
     interval = newcombe(one.mean, one.n, other.mean, other.n, alpha);
   if (!is_share && finding.are_all_equal) interval.reset();
 
   const double relative = two.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(one.mean), std::abs(other.mean));
-  const double margin = is_share                ? plan.margin
-                        : are_logs              ? std::log1p(plan.margin)
-                        : are_on_logs(of, pair) ? of.absolute_margin
-                                                : std::max(of.absolute_margin, relative);
+  const double margin = is_share                      ? plan.margin
+                        : are_logs                    ? std::log1p(plan.margin)
+                        : are_on_logs(observed, pair) ? observed.absolute_margin
+                                                      : std::max(observed.absolute_margin, relative);
   const auto lies_within = [margin](const Tested& each) {  // values without spread have their difference alone
     const Interval held = each.interval.value_or(Interval{each.estimate, each.estimate});
     return held.low >= -margin && held.high <= margin;
@@ -201,7 +202,7 @@ bool does_one_value_decide(const Group& group) {
 }
 
 // The verdict of p, with an estimate and an interval that cannot refute it.
-void judge(const Observations& of, const Plan& plan, const Pair& pair, int direction, Finding& finding) {
+void judge(const Observations& observed, const Plan& plan, const Pair& pair, int direction, Finding& finding) {
   const double none = finding.scale == Scale::ratio ? 1 : 0;
   std::optional<Interval>& interval = finding.interval;
   if (*finding.p >= plan.significance) {
@@ -211,7 +212,7 @@ void judge(const Observations& of, const Plan& plan, const Pair& pair, int direc
     if (finding.verdict == Verdict::undecided && !has_width) interval.reset();  // most values are equal, but not all
     return;
   }
-  if (is_by_t(pair.method) && of.scale != Scale::share &&
+  if (is_by_t(pair.method) && observed.scale != Scale::share &&
       (does_one_value_decide(pair.a) || does_one_value_decide(pair.b))) {
     finding.verdict = Verdict::undecided;
     finding.why = Why::few_decide;
@@ -220,7 +221,7 @@ void judge(const Observations& of, const Plan& plan, const Pair& pair, int direc
     interval.reset();
     return;
   }
-  finding.verdict = (direction > 0) == (of.better == Better::larger) ? Verdict::better : Verdict::worse;
+  finding.verdict = (direction > 0) == (observed.better == Better::larger) ? Verdict::better : Verdict::worse;
   if (finding.estimate && (*finding.estimate - none) * direction <= 0) {
     finding.estimate.reset();
     interval.reset();
@@ -233,12 +234,12 @@ void judge(const Observations& of, const Plan& plan, const Pair& pair, int direc
 
 // Keeps the values of blocks that both have.
 void keep_common_blocks(Group& one, Group& other) {
-  const auto keep = [](Group& of, const std::vector<int>& blocks) {
+  const auto keep = [](Group& group, const std::vector<int>& blocks) {
     std::vector<double> values;
-    for (std::size_t i = 0; i < of.blocks.size(); ++i) {
-      if (std::ranges::binary_search(blocks, of.blocks[i])) values.push_back(of.values[i]);
+    for (std::size_t i = 0; i < group.blocks.size(); ++i) {
+      if (std::ranges::binary_search(blocks, group.blocks[i])) values.push_back(group.values[i]);
     }
-    of.values = std::move(values);
+    group.values = std::move(values);
   };
   if (one.blocks == other.blocks) return;
   keep(one, other.blocks);
@@ -246,12 +247,12 @@ void keep_common_blocks(Group& one, Group& other) {
 }
 
 // The pairs that the plan asks for.
-std::vector<Pair> pairs_of(const Observations& of, const Plan& plan) {
+std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
   std::vector<Pair> pairs;
-  for (auto a = of.groups.begin(); a != of.groups.end(); ++a) {
-    for (auto b = a + 1; b != of.groups.end(); ++b) {
+  for (auto a = observed.groups.begin(); a != observed.groups.end(); ++a) {
+    for (auto b = a + 1; b != observed.groups.end(); ++b) {
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
-      Pair& pair = pairs.emplace_back(Pair{.a = *a, .b = *b, .method = method_of(of, plan, *a, *b)});
+      Pair& pair = pairs.emplace_back(Pair{.a = *a, .b = *b, .method = method_of(observed, plan, *a, *b)});
       keep_common_blocks(pair.a, pair.b);
       Finding& finding = pair.finding = {.first = a->name, .second = b->name};
       finding.n = static_cast<int>(std::min(size_of(pair.a), size_of(pair.b)));
@@ -262,7 +263,7 @@ std::vector<Pair> pairs_of(const Observations& of, const Plan& plan) {
       if (finding.why != Why::tested || finding.n == 0) continue;
       pair.smallest_p = smallest_p(pair.method, size_of(pair.a), size_of(pair.b));
       if (!is_one_of(pair.method, {Method::sign, Method::sign_and_ranks})) continue;
-      finding.n = runs_that_differ(of, pair);
+      finding.n = runs_that_differ(observed, pair);
       const double by_sign = smallest_p_paired(static_cast<std::size_t>(finding.n));
       pair.smallest_p = pair.method == Method::sign ? by_sign : std::max(by_sign, pair.smallest_p);
     }
@@ -271,16 +272,18 @@ std::vector<Pair> pairs_of(const Observations& of, const Plan& plan) {
 }
 
 // Empty unless the mean or the median of the better one lies the other way.
-Headline usually_better(const Observations& of, const Plan& plan, const std::string& winner, const std::string& loser) {
-  Group better = of.groups[place_of(of, winner)], other = of.groups[place_of(of, loser)];
+Headline usually_better(const Observations& observed, const Plan& plan, const std::string& winner,
+                        const std::string& loser) {
+  Group better = observed.groups[place_of(observed, winner)], other = observed.groups[place_of(observed, loser)];
   keep_common_blocks(better, other);
   const auto is_worse = [&](double one, double two) {
-    if (of.scale == Scale::ratio) one = std::max(one, of.floor), two = std::max(two, of.floor);
-    const double relative = plan.margin * (of.scale == Scale::share ? 1 : std::min(std::abs(one), std::abs(two)));
-    return (of.better == Better::smaller ? one - two : two - one) > std::max(of.absolute_margin, relative);
+    if (observed.scale == Scale::ratio) one = std::max(one, observed.floor), two = std::max(two, observed.floor);
+    const double relative = plan.margin * (observed.scale == Scale::share ? 1 : std::min(std::abs(one), std::abs(two)));
+    return (observed.better == Better::smaller ? one - two : two - one) > std::max(observed.absolute_margin, relative);
   };
   const Description its = describe(better), theirs = describe(other);
-  const bool is_median_worse = is_by_ranks(method_of(of, plan, better, other)) && is_worse(its.median, theirs.median);
+  const bool is_median_worse =
+      is_by_ranks(method_of(observed, plan, better, other)) && is_worse(its.median, theirs.median);
   if (!is_median_worse && !is_worse(its.mean, theirs.mean)) return {};
   return {.usual = winner, .other = loser, .is_median_worse = is_median_worse};
 }
@@ -316,21 +319,21 @@ std::string_view name_of(Verdict verdict) {
 
 bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }
 
-std::vector<Finding> compare(const Observations& of, const Plan& plan) {
-  if (!plan.control.empty() && place_of(of, plan.control) == of.groups.size())
+std::vector<Finding> compare(const Observations& observed, const Plan& plan) {
+  if (!plan.control.empty() && place_of(observed, plan.control) == observed.groups.size())
     throw std::invalid_argument("the control '" + plan.control + "' is no group");
-  std::vector<Pair> pairs = pairs_of(of, plan);
+  std::vector<Pair> pairs = pairs_of(observed, plan);
   const auto tested_pairs = static_cast<double>(std::max<std::size_t>(1, testable(pairs, plan.significance)));
   const double alpha = plan.significance / tested_pairs;
   for (Pair& pair : pairs) {
     Finding& finding = pair.finding;
-    const bool are_logs = are_on_logs(of, pair), is_tested = finding.why == Why::tested;
-    finding.scale = of.scale == Scale::ratio && !are_logs ? Scale::difference : of.scale;
+    const bool are_logs = are_on_logs(observed, pair), is_tested = finding.why == Why::tested;
+    finding.scale = observed.scale == Scale::ratio && !are_logs ? Scale::difference : observed.scale;
     if (finding.why == Why::lost || finding.why == Why::apart || size_of(pair.a) * size_of(pair.b) == 0) continue;
-    const Tested tested = examined(of, plan, pair, are_logs, alpha, finding);
-    if (are_logs && of.absolute_margin > 0) {
+    const Tested tested = examined(observed, plan, pair, are_logs, alpha, finding);
+    if (are_logs && observed.absolute_margin > 0) {
       Finding plain = finding;
-      examined(of, plan, pair, false, alpha, plain);
+      examined(observed, plan, pair, false, alpha, plain);
       finding.is_within_margin |= plain.is_within_margin;
     }
     const auto shown = [&](double value) { return are_logs ? std::exp(value) : value; };
@@ -341,7 +344,7 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan) {
     if (tested.interval && finding.estimate)
       finding.interval = Interval{shown(tested.interval->low), shown(tested.interval->high)};
     finding.p = std::min(1.0, tested.p * tested_pairs);
-    judge(of, plan, pair, tested.direction, finding);
+    judge(observed, plan, pair, tested.direction, finding);
   }
   std::vector<Finding> findings;
   for (Pair& pair : pairs) findings.push_back(std::move(pair.finding));
@@ -374,9 +377,9 @@ std::set<std::string> losers_of(const std::vector<Finding>& findings) {
   return losers;
 }
 
-Headline headline(const Observations& of, const Plan& plan, const std::vector<Finding>& findings) {
+Headline headline(const Observations& observed, const Plan& plan, const std::vector<Finding>& findings) {
   const std::set<std::string> losers = losers_of(findings);
-  const std::size_t best = of.groups.size() - losers.size();
+  const std::size_t best = observed.groups.size() - losers.size();
   if (losers.empty() || best == 0) return {.is_circle = !losers.empty()};
   Headline said;
   std::size_t known = 0;  // pairs of two unbeaten ones that were tested, and of one that beats a loser
@@ -386,11 +389,11 @@ Headline headline(const Observations& of, const Plan& plan, const std::vector<Fi
     if (is_first_best == is_second_best || !is_difference(each.verdict)) continue;
     ++known;
     if (said.usual.empty())
-      said =
-          usually_better(of, plan, is_first_best ? each.first : each.second, is_first_best ? each.second : each.first);
+      said = usually_better(observed, plan, is_first_best ? each.first : each.second,
+                            is_first_best ? each.second : each.first);
   }
   if (known < best * losers.size() + best * (best - 1) / 2) return {};
-  for (const Group& group : of.groups) {
+  for (const Group& group : observed.groups) {
     if (said.usual.empty() && !losers.contains(group.name)) said.best.push_back(group.name);
   }
   return said;

@@ -55,7 +55,7 @@ struct Finding {
 //
 // Throws std::invalid_argument if the control is no group. Paired groups have one size without blocks, and ratios are
 // of values above 0, or have a floor above it.
-std::vector<Finding> compare(const Observations& of, const Plan& plan);
+std::vector<Finding> compare(const Observations& observed, const Plan& plan);
 
 // better or worse
 bool is_difference(Verdict verdict);
@@ -75,6 +75,6 @@ struct Headline {
   bool is_median_worse = false;
   bool is_circle = false;  // each is worse than another
 };
-Headline headline(const Observations& of, const Plan& plan, const std::vector<Finding>& findings);
+Headline headline(const Observations& observed, const Plan& plan, const std::vector<Finding>& findings);
 
 }  // namespace ikbench::compare

@@ -18,8 +18,9 @@ double quantile(const std::vector<double>& sorted, double share) {
   return low == high || part == 0 ? low : (1 - part) * low + part * high;
 }
 
-bool can_differ(const Observations& of) {
-  return of.groups.size() > 1 && !of.is_paired && std::ranges::all_of(of.groups, [](const Group& group) {
+bool can_differ(const Observations& observed) {
+  return observed.groups.size() > 1 && !observed.is_paired &&
+         std::ranges::all_of(observed.groups, [](const Group& group) {
            return group.copies == 0 && group.lost == 0 && !group.is_apart && (group.summary || !group.values.empty());
          });
 }
@@ -44,15 +45,15 @@ Description describe(const Group& group) {
           .largest = sorted.back()};
 }
 
-std::optional<TestOfAll> anova(const Observations& of) {
-  if (!can_differ(of)) return {};
+std::optional<TestOfAll> anova(const Observations& observed) {
+  if (!can_differ(observed)) return {};
   // Means less a common value keep the digits that many equal leading ones would cost.
   const bool have_values =
-      std::ranges::none_of(of.groups, [](const Group& group) { return group.summary.has_value(); });
-  const double shift = have_values ? of.groups.front().values.front() : 0;
+      std::ranges::none_of(observed.groups, [](const Group& group) { return group.summary.has_value(); });
+  const double shift = have_values ? observed.groups.front().values.front() : 0;
   std::vector<Summary> groups;
   double n = 0, sum = 0;
-  for (const Group& group : of.groups) {
+  for (const Group& group : observed.groups) {
     std::vector<double> shifted = group.values;
     for (double& value : shifted) value -= shift;
     groups.push_back(group.summary ? *group.summary : summarise(shifted));
@@ -74,20 +75,20 @@ std::optional<TestOfAll> anova(const Observations& of) {
   return test;
 }
 
-std::optional<TestOfAll> kruskal_wallis(const Observations& of) {
+std::optional<TestOfAll> kruskal_wallis(const Observations& observed) {
   std::vector<double> all;
-  for (const Group& group : of.groups) {
+  for (const Group& group : observed.groups) {
     if (group.summary) return {};
     all.insert(all.end(), group.values.begin(), group.values.end());
   }
-  if (!can_differ(of)) return {};
+  if (!can_differ(observed)) return {};
   const Ranks ranks = midranks(all);
   const auto n = static_cast<double>(all.size());
   const double variance = n * (n + 1) / 12 - ranks.tie_sum / (12 * (n - 1));
   if (ranks.tie_sum == n * n * n - n) return {};
-  TestOfAll test{.df = static_cast<double>(of.groups.size()) - 1};
+  TestOfAll test{.df = static_cast<double>(observed.groups.size()) - 1};
   auto rank = ranks.ranks.begin();
-  for (const Group& group : of.groups) {
+  for (const Group& group : observed.groups) {
     double sum = 0;
     for (std::size_t i = 0; i < group.values.size(); ++i) sum += *rank++;
     const auto size = static_cast<double>(group.values.size());

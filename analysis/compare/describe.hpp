@@ -31,8 +31,8 @@ struct TestOfAll {
 };
 
 // None for fewer than two groups, paired ones, copies, lost values, or groups without spread.
-std::optional<TestOfAll> anova(const Observations& of);
+std::optional<TestOfAll> anova(const Observations& observed);
 // By the ranks of all, corrected for ties (JASA 47 (1952) 583). None also for summaries.
-std::optional<TestOfAll> kruskal_wallis(const Observations& of);
+std::optional<TestOfAll> kruskal_wallis(const Observations& observed);
 
 }  // namespace ikbench::compare

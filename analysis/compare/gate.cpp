@@ -53,7 +53,7 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
 StudyResults study_of_both(StudyResults& baseline, StudyResults& candidate) {
   const bool are_named = baseline.solvers != candidate.solvers;
   const bool is_other_seed = candidate.definition.seed != baseline.definition.seed;
-  StudyEntry entry = candidate.entry;
+  StoredStudy entry = candidate.entry;
   entry.series.clear();
   std::vector<Solve> solves;
   solves.reserve(candidate.solves.size() + baseline.solves.size());
@@ -107,14 +107,14 @@ std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyRes
 
 // Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
 Judged judged_answers(const StudyResults& study, bool machine_decides) {
-  Observations of{
+  Observations observed{
       .metric = "answers", .quantity = "solves with an answer", .better = Better::larger, .scale = Scale::share};
   for (const std::string& solver : study.solvers) {
-    Group& group = of.groups.emplace_back(Group{.name = solver});
+    Group& group = observed.groups.emplace_back(Group{.name = solver});
     for (const Solve& solve : study.of(solver))
       group.values.push_back(gave_answer(solve) || (machine_decides && solve.status == results::Status::over_budget));
   }
-  return judge(std::move(of), study.definition.plan);
+  return judge(std::move(observed), study.definition.plan);
 }
 
 bool is_time(const Judged& judged) { return judged.observations.metric == metric_named("seconds").slug; }
@@ -128,13 +128,14 @@ bool takes_significance(const Judged& judged) {
 // Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where none was
 // missing or none is left.
 bool is_lost_for_sure(const Judged& judged) {
-  const Observations& of = judged.observations;
+  const Observations& observed = judged.observations;
   const Description &candidate = judged.described.front(), &baseline = judged.described.back();
-  if (of.metric == "answers") return candidate.mean < baseline.mean && (baseline.mean == 1 || candidate.mean == 0);
+  if (observed.metric == "answers")
+    return candidate.mean < baseline.mean && (baseline.mean == 1 || candidate.mean == 0);
   if (judged.findings.front().why != Why::fact) return false;
-  const double loss = (candidate.mean - baseline.mean) * (of.better == Better::smaller ? 1 : -1);
-  const double share = of.scale == Scale::share ? 1 : std::min(std::abs(candidate.mean), std::abs(baseline.mean));
-  return loss > std::max(of.absolute_margin, judged.plan.margin * share) + of.rounding;
+  const double loss = (candidate.mean - baseline.mean) * (observed.better == Better::smaller ? 1 : -1);
+  const double share = observed.scale == Scale::share ? 1 : std::min(std::abs(candidate.mean), std::abs(baseline.mean));
+  return loss > std::max(observed.absolute_margin, judged.plan.margin * share) + observed.rounding;
 }
 
 // A metric of which all values vanished, though there are answers.
@@ -152,12 +153,12 @@ void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
 // Takes solved targets from the baseline, until the test of this size shows it.
 std::optional<double> visible_loss(const Judged& judged) {
   const auto after = [&](std::int64_t losses) -> std::optional<double> {
-    Observations of = judged.observations;
-    of.groups.front() = of.groups.back();
-    for (double& value : of.groups.front().values) {
+    Observations observed = judged.observations;
+    observed.groups.front() = observed.groups.back();
+    for (double& value : observed.groups.front().values) {
       if (value != 0 && losses-- > 0) value = 0;
     }
-    const Finding finding = compare(of, judged.plan).front();
+    const Finding finding = compare(observed, judged.plan).front();
     return finding.verdict == Verdict::worse && !finding.is_within_margin ? finding.estimate : std::nullopt;
   };
   std::int64_t too_few = 0, enough = std::ssize(judged.observations.groups.back().values);
@@ -204,7 +205,7 @@ void decide(std::vector<Gate>& gates) {
     if (shares > 1) plan.significance /= static_cast<double>(shares);
     for (Judged& judged : study.metrics) {
       if (shares > 1) judged = judge(std::move(judged.observations), plan);
-      const Observations& of = judged.observations;
+      const Observations& observed = judged.observations;
       Finding& finding = judged.findings.front();
       if (is_lost_for_sure(judged)) {
         finding.verdict = Verdict::worse;
@@ -213,18 +214,19 @@ void decide(std::vector<Gate>& gates) {
         finding.p.reset();
         finding.interval.reset();
       }
-      if (of.metric == "solved") gate.visible_loss = visible_loss(judged);
-      const bool is_equal = gate.are_same || (finding.are_all_equal &&
-                                              (of.is_paired || of.scale != Scale::share || of.metric == "answers"));
+      if (observed.metric == "solved") gate.visible_loss = visible_loss(judged);
+      const bool is_equal =
+          gate.are_same || (finding.are_all_equal &&
+                            (observed.is_paired || observed.scale != Scale::share || observed.metric == "answers"));
       const bool is_open = !is_equal && finding.why != Why::fact;
       const bool is_other = is_difference(finding.verdict) && !finding.is_within_margin;
       if (is_time(judged)) {
         if (is_other) gate.time = finding.verdict;
         continue;
       }
-      if (is_other) (finding.verdict == Verdict::worse ? gate.worse : gate.better).push_back(of.quantity);
-      if (finding.verdict == Verdict::undecided && is_open) gate.not_decided.push_back(of.quantity);
-      if (finding.verdict == Verdict::not_tested && is_open) gate.not_tested.push_back(of.quantity);
+      if (is_other) (finding.verdict == Verdict::worse ? gate.worse : gate.better).push_back(observed.quantity);
+      if (finding.verdict == Verdict::undecided && is_open) gate.not_decided.push_back(observed.quantity);
+      if (finding.verdict == Verdict::not_tested && is_open) gate.not_tested.push_back(observed.quantity);
     }
     const Judged& deciding = study.metrics[study.deciding];
     const auto size = [&](std::size_t i) {

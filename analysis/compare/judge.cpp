@@ -14,8 +14,8 @@ namespace {
 
 // One doubt of all findings that have this reason.
 void add_doubt(Judged& judged, Why why, DoubtKind kind) {
-  const Observations& of = judged.observations;
-  Doubt doubt{.kind = kind, .count = std::numeric_limits<double>::infinity(), .what = of.quantity};
+  const Observations& observed = judged.observations;
+  Doubt doubt{.kind = kind, .count = std::numeric_limits<double>::infinity(), .what = observed.quantity};
   std::set<std::string> names;
   for (const Finding& finding : judged.findings) {
     if (finding.why != why) continue;
@@ -24,19 +24,21 @@ void add_doubt(Judged& judged, Why why, DoubtKind kind) {
     doubt.of = std::max(doubt.of, static_cast<double>(finding.needed));
   }
   if (names.empty()) return;
-  for (std::size_t i = 0; i < of.groups.size(); ++i) {
+  for (std::size_t i = 0; i < observed.groups.size(); ++i) {
     const Description& its = judged.described[i];
     const bool has_mean = why == Why::few_decide && 2 * its.largest <= its.n * its.mean;
-    const bool has_enough = why == Why::too_few && (its.n > doubt.count || of.groups[i].copies > 0);
-    if (names.contains(of.groups[i].name) && !has_mean && !has_enough) doubt.who.push_back(of.groups[i].name);
+    const bool has_enough = why == Why::too_few && (its.n > doubt.count || observed.groups[i].copies > 0);
+    if (names.contains(observed.groups[i].name) && !has_mean && !has_enough)
+      doubt.who.push_back(observed.groups[i].name);
   }
   judged.observations.doubts.push_back(std::move(doubt));
 }
 
 // Some observation has a value, and if this is no share one is not 0.
-bool has_meaning(const Observations& of) {
-  return std::ranges::any_of(of.groups, [&](const Group& group) {
-    return std::ranges::any_of(group.values, [&](double value) { return value != 0 || of.scale == Scale::share; });
+bool has_meaning(const Observations& observed) {
+  return std::ranges::any_of(observed.groups, [&](const Group& group) {
+    return std::ranges::any_of(group.values,
+                               [&](double value) { return value != 0 || observed.scale == Scale::share; });
   });
 }
 
@@ -44,12 +46,12 @@ bool has_meaning(const Observations& of) {
 
 Judged judge(Observations observations, const Plan& plan) {
   Judged judged{.observations = std::move(observations), .plan = plan};
-  const Observations& of = judged.observations;
-  for (const Group& group : of.groups) judged.described.push_back(describe(group));
-  judged.anova = anova(of);
-  judged.kruskal_wallis = kruskal_wallis(of);
-  judged.findings = compare(of, plan);
-  judged.headline = headline(of, plan, judged.findings);
+  const Observations& observed = judged.observations;
+  for (const Group& group : observed.groups) judged.described.push_back(describe(group));
+  judged.anova = anova(observed);
+  judged.kruskal_wallis = kruskal_wallis(observed);
+  judged.findings = compare(observed, plan);
+  judged.headline = headline(observed, plan, judged.findings);
   for (const auto& [why, kind] :
        {std::pair(Why::too_few, DoubtKind::too_few), {Why::few_decide, DoubtKind::few_decide_mean}}) {
     std::erase_if(judged.observations.doubts, [kind = kind](const Doubt& doubt) { return doubt.kind == kind; });
@@ -72,7 +74,7 @@ double average_of(const Judged& judged, std::size_t group) {
 
 std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judged>& all) {
   const auto evaluations =
-      std::ranges::find(all, "evaluations", [](const Judged& of) { return of.observations.metric; });
+      std::ranges::find(all, "evaluations", [](const Judged& metric) { return metric.observations.metric; });
   const auto cost = [&](const std::string& name) {
     if (evaluations == all.end()) return 0.0;
     const std::size_t group = place_of(evaluations->observations, name);
@@ -105,10 +107,10 @@ JudgedStudy judge(StudyResults study) {
     const bool is_deciding = &metric == &deciding;
     const bool is_told_by_solved = metric.kind == Kind::error && definition.has_tolerance();
     if (!is_deciding && (!metric.is_reported || is_told_by_solved)) continue;
-    Observations of = observe(study, metric);
-    if (!is_deciding && !has_meaning(of)) continue;
+    Observations observed = observe(study, metric);
+    if (!is_deciding && !has_meaning(observed)) continue;
     if (is_deciding) judged.deciding = judged.metrics.size();
-    judged.metrics.push_back(judge(std::move(of), definition.plan));
+    judged.metrics.push_back(judge(std::move(observed), definition.plan));
   }
   judged.doubts = doubts_of(study);
   judged.study = std::move(study);

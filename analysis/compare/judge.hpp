@@ -22,7 +22,7 @@ struct Judged {
 };
 
 // The doubts of the findings stand with those of the observations.
-Judged judge(Observations of, const Plan& plan);
+Judged judge(Observations observed, const Plan& plan);
 
 // What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
 // median; NaN where values are lost.

@@ -80,8 +80,8 @@ struct Observations {
 };
 
 // The place of a group; their number if there is none of this name.
-inline std::size_t place_of(const Observations& of, std::string_view name) {
-  return static_cast<std::size_t>(std::ranges::find(of.groups, name, &Group::name) - of.groups.begin());
+inline std::size_t place_of(const Observations& observed, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(observed.groups, name, &Group::name) - observed.groups.begin());
 }
 
 }  // namespace ikbench::compare

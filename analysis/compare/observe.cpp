@@ -407,32 +407,33 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
 
 Observations observe(const StudyResults& study, const Metric& metric) {
   const Design design = design_of(study, metric.of_run != nullptr);
-  Observations of{.metric = std::string(metric.slug),
-                  .quantity = std::string(metric.name),
-                  .unit = std::string(metric.unit),
-                  .better = metric.kind == Kind::share ? Better::larger : Better::smaller,
-                  .scale = metric.scale,
-                  .absolute_margin = metric.unit == "cm" ? study.definition.plan.margin_cm : 0,
-                  .floor = metric.floor,
-                  .rounding = metric.rounding,
-                  .is_paired = design.is_paired,
-                  .is_of_solved = is_of_solved(study, metric),
-                  .trials = design.solves};
-  std::vector<Group>& groups = of.groups;
+  Observations observed{.metric = std::string(metric.slug),
+                        .quantity = std::string(metric.name),
+                        .unit = std::string(metric.unit),
+                        .better = metric.kind == Kind::share ? Better::larger : Better::smaller,
+                        .scale = metric.scale,
+                        .absolute_margin = metric.unit == "cm" ? study.definition.plan.margin_cm : 0,
+                        .floor = metric.floor,
+                        .rounding = metric.rounding,
+                        .is_paired = design.is_paired,
+                        .is_of_solved = is_of_solved(study, metric),
+                        .trials = design.solves};
+  std::vector<Group>& groups = observed.groups;
   for (const std::string& solver : study.solvers) groups.push_back(group_of(study, metric, design, solver));
   const auto has_same_blocks = [&](const Group& group) { return group.blocks == groups.front().blocks; };
   if (std::ranges::all_of(groups, has_same_blocks)) {
     for (Group& group : groups) group.blocks.clear();
   }
-  of.doubts = metric.kind == Kind::time ? doubts_of_times(study) : doubts_of_clock(study);
-  if (metric.column == "evaluations") std::ranges::move(doubts_of_evaluations(study), std::back_inserter(of.doubts));
-  for (const Doubt& doubt : of.doubts) {
+  observed.doubts = metric.kind == Kind::time ? doubts_of_times(study) : doubts_of_clock(study);
+  if (metric.column == "evaluations")
+    std::ranges::move(doubts_of_evaluations(study), std::back_inserter(observed.doubts));
+  for (const Doubt& doubt : observed.doubts) {
     // Counted by one and the same.
     if (doubt.kind == DoubtKind::budgets_differ && doubt.who.size() == groups.size()) continue;
     for (Group& group : groups)
       group.is_apart |= doubt.who.empty() || std::ranges::find(doubt.who, group.name) != doubt.who.end();
   }
-  return of;
+  return observed;
 }
 
 }  // namespace ikbench::compare

@@ -124,7 +124,7 @@ void refuse_other_targets(const StudyResults& study) {
 }
 
 // Of an entry, without its solves.
-StudyResults begun(const StudyEntry& entry) {
+StudyResults begun(const StoredStudy& entry) {
   StudyResults study{.entry = entry, .definition = definition_of(entry.definition)};
   study.runs = study.definition.runs;
   study.points = study.definition.points;
@@ -167,7 +167,7 @@ std::span<const SolveRecord> StudyResults::first_run_of(std::string_view solver)
   return {first, end};
 }
 
-StudyResults study_of(const StudyEntry& entry, const std::vector<SolveRecord>& records,
+StudyResults study_of(const StoredStudy& entry, const std::vector<SolveRecord>& records,
                       const std::vector<Session>& sessions) {
   StudyResults study = begun(entry);
   Adder adder(study);
@@ -175,7 +175,7 @@ StudyResults study_of(const StudyEntry& entry, const std::vector<SolveRecord>& r
   return complete(std::move(study), sessions);
 }
 
-StudyResults study_of(const StudyEntry& entry, std::vector<Solve> solves, const std::vector<Session>& sessions,
+StudyResults study_of(const StoredStudy& entry, std::vector<Solve> solves, const std::vector<Session>& sessions,
                       bool had_same_targets) {
   StudyResults study = begun(entry);
   study.had_same_targets = had_same_targets;
@@ -183,7 +183,7 @@ StudyResults study_of(const StudyEntry& entry, std::vector<Solve> solves, const 
   return complete(std::move(study), sessions);
 }
 
-StudyResults read_study(const Store& store, const StudyEntry& entry, const TakeSolve& also) {
+StudyResults read_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
   const std::int64_t all = store.number_of_solves(entry);
   if (all > most_solves)
     throw std::invalid_argument(

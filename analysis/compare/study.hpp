@@ -35,7 +35,7 @@ struct Solve {
 };
 
 struct StudyResults {
-  results::StudyEntry entry;                // name, definition as JSON, series
+  results::StoredStudy entry;               // name, definition as JSON, series
   results::Definition definition;           // the same, read; a control that is no solver is empty
   std::vector<std::string> solvers;         // labels, in the order of the study
   int runs = 0, points = 0;                 // as defined
@@ -58,13 +58,13 @@ constexpr std::size_t most_traces = 2'000'000;
 
 // Reads the current solves of a study, and passes each on to `also`. Throws std::invalid_argument for more than
 // `most_solves`, or more than `most_traces` with a trace; and, as all do, if solvers had other targets or starts.
-StudyResults read_study(const results::Store& store, const results::StudyEntry& entry,
+StudyResults read_study(const results::Store& store, const results::StoredStudy& entry,
                         const results::TakeSolve& also = {});
 // The same from records by solver, run and point, whose solvers are those of the entry.
-StudyResults study_of(const results::StudyEntry& entry, const std::vector<results::SolveRecord>& records,
+StudyResults study_of(const results::StoredStudy& entry, const std::vector<results::SolveRecord>& records,
                       const std::vector<results::Session>& sessions = {});
 // The same from solves, whose targets may differ if they are said to. Nothing of it can be drawn.
-StudyResults study_of(const results::StudyEntry& entry, std::vector<Solve> solves,
+StudyResults study_of(const results::StoredStudy& entry, std::vector<Solve> solves,
                       const std::vector<results::Session>& sessions, bool had_same_targets);
 
 }  // namespace ikbench::compare

@@ -341,9 +341,9 @@ Tested signed_rank_test(Values differences, double alpha) {
 }
 
 Tested t_test(Values differences, double alpha) {
-  const Summary of = summarise(differences);
-  const double n = of.n;
-  return t_of(of.mean, of.sd / std::sqrt(n), n - 1, smallest_p_paired(differences.size()), alpha);
+  const Summary summary = summarise(differences);
+  const double n = summary.n;
+  return t_of(summary.mean, summary.sd / std::sqrt(n), n - 1, smallest_p_paired(differences.size()), alpha);
 }
 
 Tested sign_test(Values differences, double alpha) {

@@ -258,18 +258,18 @@ void refuse_unknown_better(const Sheet& sheet, const Request& request, const std
 Observations quantity_of(const std::string& title) {
   const bool is_bracketed = title.ends_with(']');
   const std::size_t at = title.rfind(is_bracketed ? '[' : '_');
-  Observations of{.metric = "", .quantity = title, .tells_incomplete = true};
-  for (const char c : lower_case(title)) of.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
-  if (at == std::string::npos || at == 0) return of;
+  Observations observed{.metric = "", .quantity = title, .tells_incomplete = true};
+  for (const char c : lower_case(title)) observed.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
+  if (at == std::string::npos || at == 0) return observed;
   const std::string unit = title.substr(at + 1, title.size() - at - (is_bracketed ? 2 : 1));
-  if (!is_bracketed && !is_one_of(unit, {"cm", "mm", "m", "deg", "rad", "ms", "s"})) return of;
-  of.quantity = title.substr(0, title.find_last_not_of(' ', at - 1) + 1);
-  of.unit = unit;
-  return of;
+  if (!is_bracketed && !is_one_of(unit, {"cm", "mm", "m", "deg", "rad", "ms", "s"})) return observed;
+  observed.quantity = title.substr(0, title.find_last_not_of(' ', at - 1) + 1);
+  observed.unit = unit;
+  return observed;
 }
 
 // The values of each group: means of the rows of a unit.
-void fill(const Layout& layout, const Items& items, Observations& of) {
+void fill(const Layout& layout, const Items& items, Observations& observed) {
   struct Mean {
     Index group, unit, rows;
     long double sum;  // by which the same rows in another order have the same mean
@@ -285,13 +285,13 @@ void fill(const Layout& layout, const Items& items, Observations& of) {
   std::vector<Index> most(layout.block ? items.units : 1);
   const auto most_of = [&](const Mean& mean) -> Index& { return most[layout.block ? mean.unit : 0]; };
   for (const Mean& each : means) most_of(each) = std::max(most_of(each), each.rows);
-  of.is_paired = layout.block.has_value();
-  of.trials = static_cast<int>(std::ranges::max(most));
+  observed.is_paired = layout.block.has_value();
+  observed.trials = static_cast<int>(std::ranges::max(most));
   std::vector<std::size_t> complete(items.units);  // groups that have the block
   std::vector<int> all(items.groups.size());
-  for (const std::string& name : items.groups) of.groups.push_back({.name = name});
+  for (const std::string& name : items.groups) observed.groups.push_back({.name = name});
   for (const Mean& each : means) {
-    Group& group = of.groups[each.group];
+    Group& group = observed.groups[each.group];
     ++all[each.group];
     const bool is_lost = std::isnan(each.value()) || each.rows < most_of(each);
     group.lost += is_lost;
@@ -303,8 +303,8 @@ void fill(const Layout& layout, const Items& items, Observations& of) {
                      : layout.run ? "runs are incomplete"
                                   : "values are missing"};
   Doubt without{.kind = DoubtKind::without_answer, .what = "values, by ranks larger than any"};
-  for (std::size_t i = 0; i < of.groups.size(); ++i) {
-    Group& group = of.groups[i];
+  for (std::size_t i = 0; i < observed.groups.size(); ++i) {
+    Group& group = observed.groups[i];
     if (layout.block) group.lost += static_cast<int>(items.units) - all[i];
     if (group.lost > 0) {
       lost.who.push_back(group.name);
@@ -325,7 +325,7 @@ void fill(const Layout& layout, const Items& items, Observations& of) {
               .of = unlabelled + static_cast<double>(items.values.size()),
               .what = "rows have no label and are left out"};
   for (Doubt* doubt : {&lost, &without, &stray}) {
-    if (doubt->count > 0) of.doubts.push_back(std::move(*doubt));
+    if (doubt->count > 0) observed.doubts.push_back(std::move(*doubt));
   }
 }
 
@@ -336,18 +336,18 @@ bool are_shares(const Items& items) {
 }
 
 // Chooses shares, ratios or differences by all values.
-void settle(const Items& items, Observations& of, std::vector<std::string>& notes) {
+void settle(const Items& items, Observations& observed, std::vector<std::string>& notes) {
   if (are_shares(items)) {
-    of.scale = Scale::share;
-    notes.push_back(fmt::format("All values of {} are 0 or 1: shares are compared.", of.quantity));
+    observed.scale = Scale::share;
+    notes.push_back(fmt::format("All values of {} are 0 or 1: shares are compared.", observed.quantity));
     return;
   }
-  of.trials = 1;
+  observed.trials = 1;
   const auto low = std::ranges::count_if(items.values, [](const Value& each) { return each.value <= 0; });
   if (low == 0) return;
-  of.scale = Scale::difference;
+  observed.scale = Scale::difference;
   notes.push_back(fmt::format("{} of {} values of {} are 0 or below: differences are compared, not ratios.", low,
-                              items.values.size(), of.quantity));
+                              items.values.size(), observed.quantity));
 }
 
 // The first column that has the same texts in all groups, and several: its rows look paired.
@@ -396,21 +396,23 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   Column rows = layout.rows;
   for (std::size_t i = 0; i < titles.size(); ++i) {
     const Items items = items_of(sheet, layout, layout.label ? std::vector{layout.values[i]} : layout.values);
-    Observations of = quantity_of(titles[i]);
-    const auto has_its_name = [&](const std::string& title) { return quantity_of(title).quantity == of.quantity; };
-    if (std::ranges::count_if(titles, has_its_name) > 1) of.quantity = titles[i], of.unit.clear();
+    Observations observed = quantity_of(titles[i]);
+    const auto has_its_name = [&](const std::string& title) {
+      return quantity_of(title).quantity == observed.quantity;
+    };
+    if (std::ranges::count_if(titles, has_its_name) > 1) observed.quantity = titles[i], observed.unit.clear();
     refuse_mixed(sheet, layout, items);
     if (layout.label && !layout.run) rows = shared_by_groups(sheet, layout, items);
-    of.better = better_of(sheet, request, titles[i], are_shares(items));
+    observed.better = better_of(sheet, request, titles[i], are_shares(items));
     for (const Value& each : items.values) {
-      if (std::isinf(each.value) && (each.value < 0 || of.better == Better::larger))
+      if (std::isinf(each.value) && (each.value < 0 || observed.better == Better::larger))
         sheet.refuse(each.row, layout.values[layout.label ? i : each.group],
                      "is no worst value: inf stands for no answer where smaller is better; else write NA");
     }
-    fill(layout, items, of);
-    settle(items, of, quantities.notes);
-    for (Group& group : of.groups) group.may_repeat = is_constant(group);
-    quantities.observed.push_back(std::move(of));
+    fill(layout, items, observed);
+    settle(items, observed, quantities.notes);
+    for (Group& group : observed.groups) group.may_repeat = is_constant(group);
+    quantities.observed.push_back(std::move(observed));
   }
   if (rows && !layout.block)
     quantities.notes.insert(
@@ -435,11 +437,11 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
   std::vector<std::string> titles;
   for (const Index row : sheet.rows()) {
     const std::string title(quantity ? sheet.cell(row, *quantity) : "value");
-    Observations of = quantity_of(title);
-    of.better = better_of(sheet, request, title, false);
-    of.scale = Scale::difference;
+    Observations observed = quantity_of(title);
+    observed.better = better_of(sheet, request, title, false);
+    observed.scale = Scale::difference;
     const auto place = std::ranges::find(titles, title) - titles.begin();
-    if (place == std::ssize(titles)) titles.push_back(title), quantities.observed.push_back(of);
+    if (place == std::ssize(titles)) titles.push_back(title), quantities.observed.push_back(observed);
     std::vector<Group>& groups = quantities.observed[static_cast<std::size_t>(place)].groups;
     const std::string name(sheet.cell(row, label));
     if (name.empty() || std::ranges::count(groups, name, &Group::name) > 0)
@@ -463,13 +465,13 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
   return quantities;
 }
 
-Plan with_margin(Plan plan, const std::string& margin, Observations& of) {
+Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {
   const auto is_negative = [](const Group& group) {
     return group.summary ? group.summary->mean < 0
                          : std::ranges::any_of(group.values, [](double each) { return each < 0; });
   };
-  const bool is_share = of.scale == Scale::share;
-  const bool has_no_share = of.scale == Scale::difference && std::ranges::any_of(of.groups, is_negative);
+  const bool is_share = observed.scale == Scale::share;
+  const bool has_no_share = observed.scale == Scale::difference && std::ranges::any_of(observed.groups, is_negative);
   if (margin.empty()) {
     if (has_no_share) plan.margin = 0;
     return plan;
@@ -484,7 +486,7 @@ Plan with_margin(Plan plan, const std::string& margin, Observations& of) {
                                                  : nullptr;
   if (wrong) throw std::invalid_argument(fmt::format("--margin {}: {}", in_quotes(margin), wrong));
   plan.margin = is_relative ? *number / 100 : 0;
-  of.absolute_margin = is_relative ? 0 : *number;
+  observed.absolute_margin = is_relative ? 0 : *number;
   return plan;
 }
 

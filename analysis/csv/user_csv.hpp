@@ -42,6 +42,6 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
 
 // The plan with a margin, "5%"; or "0.1" in the unit of the values, which becomes theirs. Empty: the plan's, but none
 // of values that may be negative, of which a share means nothing.
-compare::Plan with_margin(compare::Plan plan, const std::string& margin, compare::Observations& of);
+compare::Plan with_margin(compare::Plan plan, const std::string& margin, compare::Observations& observed);
 
 }  // namespace ikbench::csv

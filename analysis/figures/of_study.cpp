@@ -264,8 +264,8 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
   const Judged *const errors = judged_of(judged, error), *const motions = judged_of(judged, motion);
   if (errors == nullptr || motions == nullptr || motions->observations.is_of_solved) return std::nullopt;
   const std::string average = motions->plan.test == results::Plan::Test::means ? "mean" : "median";
-  const auto value = [](const Judged& of, const std::string& solver) {
-    return average_of(of, place_of(of.observations, solver));
+  const auto value = [](const Judged& metric, const std::string& solver) {
+    return average_of(metric, place_of(metric.observations, solver));
   };
   std::vector<Dot> dots;
   const double factor = drawn_unit(judged.study, errors->observations.unit).factor;
@@ -285,7 +285,7 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
 
 std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
                                      const Look& look) {
-  const Observations& of = metric.observations;
+  const Observations& observed = metric.observations;
   constexpr std::size_t most_pairs = 15;
   Look brief = look;  // two names a row
   brief.names = short_names(shown, 24);
@@ -321,16 +321,16 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
                                                      : "not decided";
     if (is_decided) row.style = style_of(look, better);
   }
-  const std::string quantity = of.metric == "solved" ? "share solved" : of.quantity;
+  const std::string quantity = observed.metric == "solved" ? "share solved" : observed.quantity;
   const std::string what = are_ratios ? "ratio" : "difference";
   return differences(
       {.name = "differences",
        .caption = fmt::format("Pairs: {} of {}, with intervals for all pairs at once; at the right who is better.{}",
                               what, quantity, only),
        .quantity = fmt::format("{} of {}", what, quantity),
-       .unit = are_ratios                 ? ""
-               : of.scale == Scale::share ? "points"
-                                          : unit.name},
+       .unit = are_ratios                       ? ""
+               : observed.scale == Scale::share ? "points"
+                                                : unit.name},
       rows, are_ratios);
 }
 
@@ -454,16 +454,17 @@ std::vector<Figure> of_file(const std::vector<Judged>& metrics, const Look& look
   };
   std::vector<std::string> shown = look.style.solvers;
   for (const Judged& metric : metrics) {
-    const Observations& of = metric.observations;
-    if (shown.empty()) std::ranges::transform(of.groups, std::back_inserter(shown), &Group::name);
-    const bool has_values = std::ranges::any_of(of.groups, [](const Group& group) { return !group.values.empty(); });
-    if (!has_values || (of.scale == Scale::share && of.trials == 1)) continue;
+    const Observations& observed = metric.observations;
+    if (shown.empty()) std::ranges::transform(observed.groups, std::back_inserter(shown), &Group::name);
+    const bool has_values =
+        std::ranges::any_of(observed.groups, [](const Group& group) { return !group.values.empty(); });
+    if (!has_values || (observed.scale == Scale::share && observed.trials == 1)) continue;
     const std::string number = all.empty() ? "" : fmt::format("-{}", all.size() + 1);
     add(boxes({.name = "boxes" + number,
-               .caption = caption_of_boxes(of.quantity, "a value"),
-               .quantity = of.quantity,
-               .unit = of.unit},
-              box_rows(metric, {of.unit}, shown, look)));
+               .caption = caption_of_boxes(observed.quantity, "a value"),
+               .quantity = observed.quantity,
+               .unit = observed.unit},
+              box_rows(metric, {observed.unit}, shown, look)));
   }
   const Judged& first = metrics.front();
   add(differences_of(first, {first.observations.unit}, shown, look));

@@ -60,13 +60,13 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
 
 std::string_view name_of(Holds holds) { return verdicts[static_cast<std::size_t>(holds)]; }
 
-std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<Condition>& conditions) {
-  const JudgedStudy* const other = of.part(of.paper.other_reading);
+std::vector<JudgedClaim> judged_claims(const Repeated& repeated, const std::vector<Condition>& conditions) {
+  const JudgedStudy* const other = repeated.part(repeated.paper.other_reading);
   const std::vector<JudgedClaim> otherwise =
-      other == nullptr ? std::vector<JudgedClaim>() : judged_claims({.paper = of.paper, .study = *other});
+      other == nullptr ? std::vector<JudgedClaim>() : judged_claims({.paper = repeated.paper, .study = *other});
   std::vector<JudgedClaim> all;
-  for (const Claim& claim : of.paper.claims) {
-    Found found = claim.rule ? claim.rule->judge(claim, of) : Found();
+  for (const Claim& claim : repeated.paper.claims) {
+    Found found = claim.rule ? claim.rule->judge(claim, repeated) : Found();
     const bool is_of_many = claim.sentence.find('{') != std::string::npos;
     if (found.empty() && !claim.is_ours && !is_of_many) {
       found.push_back(begun(claim));

@@ -39,7 +39,7 @@ struct JudgedClaim {
 
 // In the order of the paper's file. A claim that the report cannot judge is not tested; our own questions, and claims
 // that are made of each solver, are left out instead.
-std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<Condition>& conditions = {});
+std::vector<JudgedClaim> judged_claims(const Repeated& repeated, const std::vector<Condition>& conditions = {});
 
 const JudgedClaim* claim_named(const std::vector<JudgedClaim>& claims, std::string_view id);  // null if it is not there
 std::string tally_words(const std::vector<JudgedClaim>& claims);  // "3 claims: holds 2, fails 1."
@@ -57,7 +57,7 @@ using Found = std::vector<JudgedClaim>;
 
 struct Rule {
   std::string_view name;
-  Found (*judge)(const Claim& claim, const Repeated& of);
+  Found (*judge)(const Claim& claim, const Repeated& repeated);
   bool is_of_metrics = true;
 };
 // better: its solvers are better than the others in each metric. ahead: its solver is better than each other in some
@@ -80,7 +80,7 @@ Holds holds_of(const std::vector<Holds>& parts);  // all hold, some, or none
 
 // Each value as its distance from its group's median (Brown and Forsythe, JASA 69 (1974) 364), whose means are compared
 // in place of spreads.
-compare::Observations deviations(compare::Observations of);
+compare::Observations deviations(compare::Observations observed);
 
 // Of the first, in the findings of either order.
 compare::Verdict verdict_between(const compare::Judged& judged, std::string_view first, std::string_view second);

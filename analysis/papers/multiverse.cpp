@@ -50,13 +50,13 @@ Plan plan_of_pairs(const Plan& plan, std::size_t solvers) {
 
 Verdict verdict_of(const Group& own, const Group& theirs, const Claim& claim, const Plan& plan) {
   const Metric& metric = *claim.metrics.front();
-  Observations of{.metric = std::string(metric.slug),
-                  .quantity = std::string(metric.name),
-                  .scale = metric.scale,
-                  .floor = metric.floor,
-                  .rounding = metric.rounding,
-                  .groups = {own, theirs}};
-  return compare::compare(claim.of == Of::spread ? deviations(of) : of, plan).front().verdict;
+  Observations observed{.metric = std::string(metric.slug),
+                        .quantity = std::string(metric.name),
+                        .scale = metric.scale,
+                        .floor = metric.floor,
+                        .rounding = metric.rounding,
+                        .groups = {own, theirs}};
+  return compare::compare(claim.of == Of::spread ? deviations(observed) : observed, plan).front().verdict;
 }
 
 // How the claim's solvers, by one choice of the study and of each of them, do against each choice of each rival.

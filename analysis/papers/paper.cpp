@@ -182,12 +182,12 @@ const JudgedStudy* Repeated::part(std::string_view part) const {
   return nullptr;
 }
 
-std::vector<RatesOfArm> rates_of(const Repeated& of) {
-  const Rates& plan = of.paper.rates;
+std::vector<RatesOfArm> rates_of(const Repeated& repeated) {
+  const Rates& plan = repeated.paper.rates;
   std::vector<RatesOfArm> arms;
-  const results::CsvTable printed = results::published::table(of.paper.name, plan.table);
+  const results::CsvTable printed = results::published::table(repeated.paper.name, plan.table);
   for (std::size_t row = 0; row < printed.rows(); ++row) {
-    for (const JudgedStudy* each : of.all()) {
+    for (const JudgedStudy* each : repeated.all()) {
       const StudyResults& study = each->study;
       const auto arm = plan.rows.find(study.definition.robot);
       if (arm == plan.rows.end() || printed.cell(row, printed.column("arm")) != arm->second) continue;
@@ -201,10 +201,10 @@ std::vector<RatesOfArm> rates_of(const Repeated& of) {
   return arms;
 }
 
-std::vector<std::string> rates_sentences(const Repeated& of) {
+std::vector<std::string> rates_sentences(const Repeated& repeated) {
   std::vector<std::string> counts, sentences;
-  const std::vector<RatesOfArm> arms = of.paper.rates.level > 0 ? rates_of(of) : std::vector<RatesOfArm>();
-  for (const auto& [solver, column] : of.paper.rates.columns) {
+  const std::vector<RatesOfArm> arms = repeated.paper.rates.level > 0 ? rates_of(repeated) : std::vector<RatesOfArm>();
+  for (const auto& [solver, column] : repeated.paper.rates.columns) {
     std::vector<std::string> others;
     std::size_t all = 0;
     for (const RatesOfArm& arm : arms) {
@@ -242,11 +242,11 @@ std::vector<show::Cell> beside(const Judged& judged, const std::string& solver, 
   return cells;
 }
 
-Explained explained_by(const Repeated& of) {
+Explained explained_by(const Repeated& repeated) {
   Explained count;
-  for (const Judged& judged : of.study.metrics) {
+  for (const Judged& judged : repeated.study.metrics) {
     const auto metric = std::ranges::find(metrics(), judged.observations.metric, &Metric::slug);
-    for (const PrintedRow& row : printed_rows(of.paper, *metric)) {
+    for (const PrintedRow& row : printed_rows(repeated.paper, *metric)) {
       for (const show::Cell& cell : beside(judged, row.solver, &row)) {
         const auto* const printed = std::get_if<show::Printed>(&cell);
         if (printed == nullptr || printed->sign.empty()) continue;
@@ -260,17 +260,17 @@ Explained explained_by(const Repeated& of) {
 
 std::string unit_beside(const Metric& metric) { return metric.unit == "s" ? "ms" : std::string(metric.unit); }
 
-show::Table means_table(const Repeated& of) {
-  const StudyResults& study = of.study.study;
+show::Table means_table(const Repeated& repeated) {
+  const StudyResults& study = repeated.study.study;
   show::Table table{.name = "means",
                     .caption = "Means, and as printed",
                     .columns = {{"solver"}},
                     .notes = {std::string(meaning_of_signs)}};
   for (const std::string& solver : study.solvers) table.rows.push_back({solver});
-  for (const Judged& judged : of.study.metrics) {
+  for (const Judged& judged : repeated.study.metrics) {
     const Observations& observations = judged.observations;
     const auto metric = std::ranges::find(metrics(), observations.metric, &Metric::slug);
-    const PrintedRows printed = printed_rows(of.paper, *metric);
+    const PrintedRows printed = printed_rows(repeated.paper, *metric);
     if (printed.empty()) continue;
     table.columns.push_back({observations.quantity, unit_beside(*metric)});
     for (std::size_t i = 0; i < table.rows.size(); ++i)
@@ -280,14 +280,14 @@ show::Table means_table(const Repeated& of) {
   return table;
 }
 
-show::Table rates_table(const Repeated& of, bool has_intervals) {
-  const Rates& plan = of.paper.rates;
+show::Table rates_table(const Repeated& repeated, bool has_intervals) {
+  const Rates& plan = repeated.paper.rates;
   show::Table table{.name = plan.table, .caption = "Solved targets, as printed and here", .columns = {{"arm"}}};
   for (const auto& [solver, column] : plan.columns) {
     table.columns.push_back({solver, "%"});
     if (has_intervals) table.columns.push_back({solver + " interval"});
   }
-  for (const RatesOfArm& arm : rates_of(of)) {
+  for (const RatesOfArm& arm : rates_of(repeated)) {
     auto& row = table.rows.emplace_back(std::vector<show::Cell>{arm.arm + (arm.is_picked ? " *" : "")});
     for (const Rate& rate : arm.rates) {
       const Interval& of_ours = rate.interval;
@@ -308,10 +308,10 @@ show::Table rates_table(const Repeated& of, bool has_intervals) {
   return table;
 }
 
-std::optional<figures::Figure> rates_figure(const Repeated& of) {
+std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
   std::vector<figures::IntervalRow> rows;
-  const std::vector<RatesOfArm> arms = rates_of(of);
-  for (const auto& [solver, column] : of.paper.rates.columns) {
+  const std::vector<RatesOfArm> arms = rates_of(repeated);
+  for (const auto& [solver, column] : repeated.paper.rates.columns) {
     for (const RatesOfArm& arm : arms) {
       const Rate& rate = *std::ranges::find(arm.rates, solver, &Rate::solver);
       if (!rate.share) continue;

@@ -17,9 +17,9 @@
 namespace ikbench::papers {
 
 // These throw std::invalid_argument for a text that is no number.
-double half_unit(std::string_view printed);                          // of the last digit: 5e-9 of "1.7824e-4"
-bool agrees(double ours, std::string_view printed);                  // our number rounds to the printed digits
-bool can_be(const compare::Interval& of, std::string_view printed);  // a number in it does
+double half_unit(std::string_view printed);                                // of the last digit: 5e-9 of "1.7824e-4"
+bool agrees(double ours, std::string_view printed);                        // our number rounds to the printed digits
+bool can_be(const compare::Interval& interval, std::string_view printed);  // a number in it does
 
 std::string in_thousandths(std::string_view printed);  // "243.9" of "0.2439"
 
@@ -153,9 +153,9 @@ struct Repeated {
 };
 
 // The arms of all studies that the printed table has, in its order.
-std::vector<RatesOfArm> rates_of(const Repeated& of);
+std::vector<RatesOfArm> rates_of(const Repeated& repeated);
 // "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then who fails where; none if none is printed.
-std::vector<std::string> rates_sentences(const Repeated& of);
+std::vector<std::string> rates_sentences(const Repeated& repeated);
 
 // A solver's statistics beside a printed row, with signs. Times are in ms and have no sign, for machines differ.
 std::vector<show::Cell> beside(const compare::Judged& judged, const std::string& solver, const PrintedRow* row);
@@ -166,13 +166,13 @@ constexpr std::string_view meaning_of_signs =
 struct Explained {
   std::size_t explained = 0, all = 0;
 };
-Explained explained_by(const Repeated& of);
+Explained explained_by(const Repeated& repeated);
 
 // Means beside the printed ones, a row a solver.
-show::Table means_table(const Repeated& of);
+show::Table means_table(const Repeated& repeated);
 // The same of shares solved; without rows if none is printed. The intervals make it too wide for a screen.
-show::Table rates_table(const Repeated& of, bool has_intervals = true);
+show::Table rates_table(const Repeated& repeated, bool has_intervals = true);
 // Ours minus the printed ones, with their intervals.
-std::optional<figures::Figure> rates_figure(const Repeated& of);
+std::optional<figures::Figure> rates_figure(const Repeated& repeated);
 
 }  // namespace ikbench::papers

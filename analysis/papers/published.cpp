@@ -65,9 +65,9 @@ bool agrees(double ours, std::string_view printed) {
   return std::abs(ours - parsed(printed)) <= half_unit(printed) * room;
 }
 
-bool can_be(const compare::Interval& of, std::string_view printed) {
+bool can_be(const compare::Interval& interval, std::string_view printed) {
   const double number = parsed(printed), half = half_unit(printed);
-  return of.low <= number + half && number - half <= of.high;
+  return interval.low <= number + half && number - half <= interval.high;
 }
 
 std::string in_thousandths(std::string_view printed) {
@@ -99,12 +99,12 @@ PrintedRows printed_times(std::string_view paper, std::string_view name) {
 }
 
 compare::Observations observations_of(const PrintedRows& rows, const compare::Observations& ours) {
-  compare::Observations of = ours;
-  of.is_paired = false;
-  of.groups.clear();
+  compare::Observations observed = ours;
+  observed.is_paired = false;
+  observed.groups.clear();
   for (const auto& [solver, numbers, digits] : rows)
-    of.groups.push_back({.name = solver, .summary = compare::Summary{numbers.n, numbers.mean, numbers.sd}});
-  return of;
+    observed.groups.push_back({.name = solver, .summary = compare::Summary{numbers.n, numbers.mean, numbers.sd}});
+  return observed;
 }
 
 show::Cell beside(double ours, const PrintedRow* row, std::size_t statistic) {

@@ -33,9 +33,9 @@ Holds always_or_on_average(bool always, bool on_average) {
 }
 
 // The study that the claim is about; with a part, only where numbers are taken from it.
-const JudgedStudy* study_of(const Claim& claim, const Repeated& of, bool is_of_part = true) {
+const JudgedStudy* study_of(const Claim& claim, const Repeated& repeated, bool is_of_part = true) {
   const bool is_part = is_of_part && !claim.study.empty();
-  return is_part ? of.part(claim.study) : &of.study;
+  return is_part ? repeated.part(claim.study) : &repeated.study;
 }
 
 // A rival has the name of one of the claim's solvers only where it is another study's, and asked for.
@@ -76,9 +76,9 @@ std::optional<Judged> about(const Claim& claim, Judged judged) {
 }
 
 // The claim's solvers and others, each from its study.
-std::optional<Judged> judged_here(const Claim& claim, const Repeated& of, const Metric& metric) {
-  const JudgedStudy* const own = study_of(claim, of, claim.from != From::others);
-  const JudgedStudy* const others = study_of(claim, of, claim.from != From::solvers);
+std::optional<Judged> judged_here(const Claim& claim, const Repeated& repeated, const Metric& metric) {
+  const JudgedStudy* const own = study_of(claim, repeated, claim.from != From::others);
+  const JudgedStudy* const others = study_of(claim, repeated, claim.from != From::solvers);
   if (own == nullptr || others == nullptr) return {};
   Judged judged = judged_in(*own, metric);
   if (own != others) {  // no report has a finding of these pairs
@@ -98,13 +98,13 @@ std::optional<Judged> judged_here(const Claim& claim, const Repeated& of, const 
 }
 
 // The printed numbers of the study's solvers, by means; none if the claim is not about this study.
-std::optional<Judged> judged_print(const Claim& claim, const Repeated& of, const Metric& metric) {
-  const StudyResults& study = of.study.study;
-  PrintedRows rows = printed_rows(of.paper, metric);
+std::optional<Judged> judged_print(const Claim& claim, const Repeated& repeated, const Metric& metric) {
+  const StudyResults& study = repeated.study.study;
+  PrintedRows rows = printed_rows(repeated.paper, metric);
   std::erase_if(rows, [&](const PrintedRow& row) { return !has(study.solvers, row.solver); });
   if (!claim.study.empty() || claim.of != Of::means || rows.empty()) return {};
   const Plan& plan = study.definition.plan;
-  return about(claim, judge(observations_of(rows, judged_in(of.study, metric).observations),
+  return about(claim, judge(observations_of(rows, judged_in(repeated.study, metric).observations),
                             {.test = Plan::Test::means, .significance = plan.significance, .margin = plan.margin}));
 }
 
@@ -158,11 +158,11 @@ std::string relations(const Judged& judged, const std::string& solver, const Nam
 }
 
 // Solvers of the companion that give the claim's solver's answers to the last bit.
-Names same_there(const Claim& claim, const Repeated& of) {
+Names same_there(const Claim& claim, const Repeated& repeated) {
   Names same;
-  if (claim.from != From::others || study_of(claim, of) == nullptr) return same;
-  const std::span<const Solve> ours = study_of(claim, of, false)->study.of(claim.solvers.front());
-  const StudyResults& there = study_of(claim, of)->study;
+  if (claim.from != From::others || study_of(claim, repeated) == nullptr) return same;
+  const std::span<const Solve> ours = study_of(claim, repeated, false)->study.of(claim.solvers.front());
+  const StudyResults& there = study_of(claim, repeated)->study;
   for (const std::string& rival : there.solvers) {
     if (is_rival(rival, claim) && have_same_solves(ours, there.of(rival))) same.push_back(name_of_rival(rival, claim));
   }
@@ -170,12 +170,12 @@ Names same_there(const Claim& claim, const Repeated& of) {
 }
 
 // A larger share in each study, which are arms, than the best of the rivals.
-Found better_in_each_study(const Claim& claim, const Repeated& of) {
+Found better_in_each_study(const Claim& claim, const Repeated& repeated) {
   const std::string& own = claim.solvers.front();
   JudgedClaim result = begun(claim);
   Tally tally;
   Names arms;
-  for (const JudgedStudy* each : of.all()) {
+  for (const JudgedStudy* each : repeated.all()) {
     const std::optional<Judged> judged = about(claim, judged_in(*each, *claim.metrics.front()));
     if (!judged) continue;
     const std::string best = rivals_of(*judged, {own}).back();  // read_claim takes shares alone
@@ -191,15 +191,16 @@ Found better_in_each_study(const Claim& claim, const Repeated& of) {
   return {result};
 }
 
-Found better(const Claim& claim, const Repeated& of) {
-  if (claim.of == Of::each_study) return better_in_each_study(claim, of);
+Found better(const Claim& claim, const Repeated& repeated) {
+  if (claim.of == Of::each_study) return better_in_each_study(claim, repeated);
   const Names& own = claim.solvers;
   JudgedClaim result = begun(claim);
   std::vector<Holds> here, in_print;
   Names lists;
-  const Names same = same_there(claim, of);
+  const Names same = same_there(claim, repeated);
   for (const Metric* metric : claim.metrics) {
-    const std::optional<Judged> found = judged_here(claim, of, *metric), printed = judged_print(claim, of, *metric);
+    const std::optional<Judged> found = judged_here(claim, repeated, *metric),
+                                printed = judged_print(claim, repeated, *metric);
     if (!found) return {};
     Names rivals = rivals_of(*found, own), means;
     std::erase_if(rivals, [&](const std::string& rival) { return has(same, rival); });
@@ -240,11 +241,12 @@ Tally dominance(const std::vector<Judged>& metrics, const std::string& solver) {
   return tally;
 }
 
-Found ahead(const Claim& claim, const Repeated& of) {
+Found ahead(const Claim& claim, const Repeated& repeated) {
   const std::string& solver = claim.solvers.front();
   std::vector<Judged> here, in_print;
   for (const Metric* metric : claim.metrics) {
-    std::optional<Judged> found = judged_here(claim, of, *metric), printed = judged_print(claim, of, *metric);
+    std::optional<Judged> found = judged_here(claim, repeated, *metric),
+                          printed = judged_print(claim, repeated, *metric);
     if (!found || !printed) return {};
     here.push_back(std::move(*found));
     in_print.push_back(std::move(*printed));
@@ -258,12 +260,13 @@ Found ahead(const Claim& claim, const Repeated& of) {
   return {result};
 }
 
-Found differ(const Claim& claim, const Repeated& of) {
+Found differ(const Claim& claim, const Repeated& repeated) {
   std::vector<Holds> here, in_print;
   for (const Metric* metric : claim.metrics) {
-    const std::optional<Judged> found = judged_here(claim, of, *metric), printed = judged_print(claim, of, *metric);
+    const std::optional<Judged> found = judged_here(claim, repeated, *metric),
+                                printed = judged_print(claim, repeated, *metric);
     if (!found) return {};
-    const double significance = of.study.study.definition.plan.significance;
+    const double significance = repeated.study.study.definition.plan.significance;
     const auto verdict = [&](const std::optional<TestOfAll>& anova) {
       return anova ? always_or_on_average(anova->p < significance, false) : Holds::not_tested;
     };
@@ -278,8 +281,8 @@ Found differ(const Claim& claim, const Repeated& of) {
 }
 
 // At most ten times the spacing of doubles at the farthest target.
-Found at_rounding(const Claim& claim, const Repeated& of) {
-  const JudgedStudy* const judged = study_of(claim, of);
+Found at_rounding(const Claim& claim, const Repeated& repeated) {
+  const JudgedStudy* const judged = study_of(claim, repeated);
   const std::string& solver = claim.solvers.front();
   if (judged == nullptr || judged->study.of(solver).empty()) return {};
   const StudyResults& study = judged->study;
@@ -302,10 +305,10 @@ Found at_rounding(const Claim& claim, const Repeated& of) {
 }
 
 // A claim of each solver, over all arms.
-Found as_printed(const Claim& claim, const Repeated& of) {
+Found as_printed(const Claim& claim, const Repeated& repeated) {
   Found found;
-  const std::vector<RatesOfArm> arms = rates_of(of);
-  for (const auto& [solver, column] : of.paper.rates.columns) {
+  const std::vector<RatesOfArm> arms = rates_of(repeated);
+  for (const auto& [solver, column] : repeated.paper.rates.columns) {
     std::vector<Holds> repeats;
     for (const RatesOfArm& arm : arms) {
       const Rate& rate = *std::ranges::find(arm.rates, solver, &Rate::solver);
@@ -321,10 +324,10 @@ Found as_printed(const Claim& claim, const Repeated& of) {
   return found;
 }
 
-Found ratios(const Claim& claim, const Repeated& of) {
-  const JudgedStudy* const judged = study_of(claim, of);
+Found ratios(const Claim& claim, const Repeated& repeated) {
+  const JudgedStudy* const judged = study_of(claim, repeated);
   if (judged == nullptr) return {};
-  const Paper& paper = of.paper;
+  const Paper& paper = repeated.paper;
   const std::string& base = claim.solvers.front();
   const Metric& metric = *claim.metrics.front();
   const PrintedRows printed =
@@ -382,12 +385,12 @@ Holds holds_of(const std::vector<Holds>& parts) {
   return has_any(Holds::fails) ? Holds::fails : has_any(Holds::undecided) ? Holds::undecided : Holds::not_tested;
 }
 
-Observations deviations(Observations of) {
-  for (Group& group : of.groups) {
+Observations deviations(Observations observed) {
+  for (Group& group : observed.groups) {
     const double median = describe(group).median;
     for (double& value : group.values) value = std::abs(value - median);
   }
-  return of;
+  return observed;
 }
 
 Verdict verdict_between(const Judged& judged, std::string_view first, std::string_view second) {

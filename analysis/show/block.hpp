@@ -49,7 +49,7 @@ struct Table {
 };
 
 // "0.1 to 0.8", "above 0 to 0.8"
-std::string interval_text(const compare::Interval& of, std::string (*number)(double, int),
+std::string interval_text(const compare::Interval& interval, std::string (*number)(double, int),
                           const std::vector<double>& ends);
 
 // All escape what they are given. An interval and a printed number take two columns of CSV, and two members of JSON;

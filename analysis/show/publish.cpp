@@ -78,13 +78,13 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
 
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
 // warnings; a caption says of what. `brief` is what is shown, with short names.
-Table for_article(Table table, const Reported& of, const Shown& brief) {
+Table for_article(Table table, const Reported& reported, const Shown& brief) {
   if (table.name == "results") table = results_table(brief);
   if (table.name == "pairs") table = pairs_table(brief);
   if (table.name == "descriptives") table = descriptives_table(brief);
   const bool are_pairs = table.name == "pairs";
   if (are_pairs) {
-    const std::string& metric = of.shown.decisive().observations.quantity;
+    const std::string& metric = reported.shown.decisive().observations.quantity;
     std::erase_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) != metric; });
     table.caption += ": " + metric;
     const auto is_untested = [](const std::vector<Cell>& row) {
@@ -110,10 +110,11 @@ Table for_article(Table table, const Reported& of, const Shown& brief) {
     if (const std::size_t at = note.find(" (--better"); at != std::string::npos)
       note.erase(at, note.find(')', at) + 1 - at);
   }
-  const std::string& name = of.study.entry.name;
+  const std::string& name = reported.study.entry.name;
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
-  if (!of.study.entry.series.empty())
-    table.caption += fmt::format(". {}. A solve ends at {}.", what_is_studied(of.study), stops_of(of.study));
+  if (!reported.study.entry.series.empty())
+    table.caption +=
+        fmt::format(". {}. A solve ends at {}.", what_is_studied(reported.study), stops_of(reported.study));
   else if (!name.empty())
     table.caption += fmt::format(" of {}", name);
   return table;
@@ -141,50 +142,50 @@ void write_table(const Table& table, const fs::path& folder, const std::string& 
   write_table(table, table, folder, program);
 }
 
-Published publish(const Reported& of, const fs::path& folder, const figures::RenderOptions& options,
+Published publish(const Reported& reported, const fs::path& folder, const figures::RenderOptions& options,
                   const std::string& program) {
   for (const char* name : {"tables", "figures"}) results::refuse_link(folder / name);
   for (const char* name : own_files) numerics::refuse_input(folder / name);
   const std::vector<std::string> earlier = files_of_earlier(folder);
   for (const std::string& file : earlier) numerics::refuse_input(folder / file);
-  const std::vector<Blocks> sections = sections_of(of);
+  const std::vector<Blocks> sections = sections_of(reported);
   const std::vector<figures::Figure> figures = figures_in(sections);
   Published published{.page = folder / own_files[0]};
   published.warnings = figures::write_figures(figures, folder / "figures", options);
 
   std::vector<std::string>& files = published.files;
   std::ranges::copy(own_files, std::back_inserter(files));
-  const bool is_of_study = !of.study.entry.series.empty();
+  const bool is_of_study = !reported.study.entry.series.empty();
   if (!is_of_study || !fs::is_regular_file(folder / own_files[3])) files.pop_back();
-  const Shown brief = with_short_names(of.shown, 20);
+  const Shown brief = with_short_names(reported.shown, 20);
   for (const Blocks& blocks : sections) {
     for (const Block& block : blocks) {
       if (!std::holds_alternative<Table>(block)) continue;
       const Table& table = std::get<Table>(block);
       if (table.name.empty()) continue;
-      write_table(table, for_article(table, of, brief), folder / "tables", program);
+      write_table(table, for_article(table, reported, brief), folder / "tables", program);
       for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table.name, type));
     }
   }
   std::ranges::move(files_of(figures, folder), std::back_inserter(files));
   std::ranges::sort(files);
 
-  Json json = to_json(of.shown);
+  Json json = to_json(reported.shown);
   json["files"] = files;
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
   results::write_file(folder / "report.md", to_markdown(sections, folder));
-  const std::string& title = of.study.definition.title;
+  const std::string& title = reported.study.definition.title;
   std::optional<std::string> arm;
   if (is_of_study) {
     std::vector<std::string> order;
-    for (const std::size_t i : best_first(of.shown.decisive(), of.shown.metrics))
-      order.push_back(of.shown.decisive().observations.groups[i].name);
-    arm = moving_arm(of.study, order);
+    for (const std::size_t i : best_first(reported.shown.decisive(), reported.shown.metrics))
+      order.push_back(reported.shown.decisive().observations.groups[i].name);
+    arm = moving_arm(reported.study, order);
   }
   if (arm && !drawing_library())
     published.warnings.emplace_back("the page has no moving arm: three.js (libjs-three) is missing or cannot be read");
   results::write_file(published.page,
-                      to_page(title.empty() ? of.study.entry.name : title, sections, arm, folder, program));
+                      to_page(title.empty() ? reported.study.entry.name : title, sections, arm, folder, program));
   for (const std::string& file : earlier) {
     std::error_code none;
     if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, none);

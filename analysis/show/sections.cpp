@@ -20,61 +20,64 @@ Blocks with_heading(std::string heading, Blocks blocks) {
   return blocks;
 }
 
-Blocks first(const Reported& of) {
-  if (!of.first.empty()) return of.first;
-  Blocks blocks{Heading{headline(of.shown)}};
-  if (!of.study.entry.series.empty()) blocks.emplace_back(what_is_studied(of.study) + '.');
-  blocks.emplace_back(results_table(of.shown));
+Blocks first(const Reported& reported) {
+  if (!reported.first.empty()) return reported.first;
+  Blocks blocks{Heading{headline(reported.shown)}};
+  if (!reported.study.entry.series.empty()) blocks.emplace_back(what_is_studied(reported.study) + '.');
+  blocks.emplace_back(results_table(reported.shown));
   Table pairs{.caption = "Pairs", .columns = {{"pair"}, {"verdict"}, {"difference"}, {"p"}}};
-  for (const std::vector<std::string>& row : pair_rows(of.shown)) pairs.rows.emplace_back(row.begin(), row.end());
+  for (const std::vector<std::string>& row : pair_rows(reported.shown)) pairs.rows.emplace_back(row.begin(), row.end());
   if (!pairs.rows.empty()) blocks.emplace_back(std::move(pairs));
   return blocks;
 }
 
-Blocks claims(const Reported& of) { return of.claims; }
+Blocks claims(const Reported& reported) { return reported.claims; }
 
-Blocks pictures(const Reported& of) { return with_heading("Pictures", {of.figures.begin(), of.figures.end()}); }
+Blocks pictures(const Reported& reported) {
+  return with_heading("Pictures", {reported.figures.begin(), reported.figures.end()});
+}
 
 Blocks table_if_any(std::string heading, Table table) {
   return table.rows.empty() ? Blocks() : Blocks{Heading{std::move(heading)}, std::move(table)};
 }
 
-Blocks pairs(const Reported& of) { return table_if_any("Who is better?", pairs_table(of.shown)); }
-Blocks descriptives(const Reported& of) {
-  return of.has_own_numbers ? Blocks() : table_if_any("All numbers", descriptives_table(of.shown));
+Blocks pairs(const Reported& reported) { return table_if_any("Who is better?", pairs_table(reported.shown)); }
+Blocks descriptives(const Reported& reported) {
+  return reported.has_own_numbers ? Blocks() : table_if_any("All numbers", descriptives_table(reported.shown));
 }
-Blocks anova(const Reported& of) {
-  return of.has_own_numbers ? Blocks() : table_if_any("All solvers at once", anova_table(of.shown));
+Blocks anova(const Reported& reported) {
+  return reported.has_own_numbers ? Blocks() : table_if_any("All solvers at once", anova_table(reported.shown));
 }
 
-Blocks warnings(const Reported& of) {
+Blocks warnings(const Reported& reported) {
   Blocks blocks;
-  for (const Doubt& doubt : of.shown.all_doubts()) blocks.emplace_back(words_of(doubt) + '.');
-  for (const std::string& warning : of.warnings) blocks.emplace_back(warning);
+  for (const Doubt& doubt : reported.shown.all_doubts()) blocks.emplace_back(words_of(doubt) + '.');
+  for (const std::string& warning : reported.warnings) blocks.emplace_back(warning);
   return with_heading("Warnings", std::move(blocks));
 }
 
-Blocks setup(const Reported& of) {
-  if (of.study.entry.series.empty()) return {};  // of a user's file
-  return with_heading("Set-up", {methods_of(of.shown, of.study, of.keys), study_table(of.study),
-                                 options_table(of.study), plan_table(of.study), machine_table(of.study)});
+Blocks setup(const Reported& reported) {
+  if (reported.study.entry.series.empty()) return {};  // of a user's file
+  return with_heading("Set-up",
+                      {methods_of(reported.shown, reported.study, reported.keys), study_table(reported.study),
+                       options_table(reported.study), plan_table(reported.study), machine_table(reported.study)});
 }
 
 }  // namespace
 
 Reported reported(JudgedStudy judged, std::vector<figures::Figure> figures) {
-  Reported of{.shown = shown(judged), .figures = std::move(figures)};
-  of.study = std::move(judged.study);
-  return of;
+  Reported reported{.shown = shown(judged), .figures = std::move(figures)};
+  reported.study = std::move(judged.study);
+  return reported;
 }
 
-std::vector<Blocks> sections_of(const Reported& of) {
+std::vector<Blocks> sections_of(const Reported& reported) {
   std::vector<Blocks> sections;
   const auto add = [&](std::string_view name, Blocks blocks) {
     if (!blocks.empty()) sections.push_back(std::move(blocks));
-    if (name == "pictures") std::ranges::copy(of.additions, std::back_inserter(sections));
+    if (name == "pictures") std::ranges::copy(reported.additions, std::back_inserter(sections));
   };
-#define SECTION(name) add(#name, name(of));
+#define SECTION(name) add(#name, name(reported));
 #include "analysis/show/sections.inc"
 #undef SECTION
   return sections;

@@ -19,10 +19,10 @@ namespace {
 void scale(double factor, auto&... values) { ((values *= factor), ...); }
 
 Judged in_unit(Judged judged, double factor, std::string unit) {
-  Observations& of = judged.observations;
-  of.unit = std::move(unit);
-  scale(factor, of.floor, of.rounding, of.absolute_margin);
-  for (Group& group : of.groups) {
+  Observations& observed = judged.observations;
+  observed.unit = std::move(unit);
+  scale(factor, observed.floor, observed.rounding, observed.absolute_margin);
+  for (Group& group : observed.groups) {
     for (double& value : group.values) scale(factor, value);
     scale(factor, group.at_most);
     if (group.summary) scale(factor, group.summary->mean, group.summary->sd);
@@ -76,17 +76,18 @@ Shown shown(const JudgedStudy& judged) {
   all.doubts = judged.doubts;
   const bool are_runs = definition.is_chained() || (judged.study.points == 1 && !definition.draws_targets);
   all.noun = are_runs ? "runs" : "targets";
-  if (std::ranges::any_of(all.metrics, [](const Judged& of) { return of.observations.metric == "evaluations"; }))
+  if (std::ranges::any_of(all.metrics,
+                          [](const Judged& metric) { return metric.observations.metric == "evaluations"; }))
     all.notes.emplace_back("Jacobians are not counted as evaluations.");
   for (Judged& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
-    const Observations& of = metric.observations;
-    const auto is_below_floor = [&](const Description& its) { return its.smallest < of.floor; };
+    const Observations& observed = metric.observations;
+    const auto is_below_floor = [&](const Description& its) { return its.smallest < observed.floor; };
     const auto is_ratio = [](const Finding& finding) { return finding.scale == Scale::ratio; };
     if (std::ranges::any_of(metric.findings, is_ratio) && std::ranges::any_of(metric.described, is_below_floor))
-      all.notes.push_back(
-          fmt::format("In ratios, {} below {} {} counts as that.", of.quantity, number_text(of.floor), of.unit));
+      all.notes.push_back(fmt::format("In ratios, {} below {} {} counts as that.", observed.quantity,
+                                      number_text(observed.floor), observed.unit));
   }
   return all;
 }

@@ -110,8 +110,9 @@ Table results_table(const Shown& shown) {
         kinds.insert(marked->to_reference == Scale::ratio ? "times that" : "differences from it");
     }
   };
-  const Observations& of = decisive.observations;
-  add(decisive, is_share(decisive) || of.is_of_solved ? of.quantity : fmt::format("{} {}", average, of.quantity));
+  const Observations& observed = decisive.observations;
+  add(decisive, is_share(decisive) || observed.is_of_solved ? observed.quantity
+                                                            : fmt::format("{} {}", average, observed.quantity));
   for (const Judged& judged : shown.metrics) {
     if (&judged != &decisive) add(judged, judged.observations.quantity);
   }
@@ -176,7 +177,7 @@ Table studies_table(const std::vector<Shown>& studies, const std::vector<std::st
     const auto& [sum, count] = places.at(std::get<std::string>(row[0]));
     return sum / count;
   });
-  const bool are_shares = std::ranges::all_of(studies, [](const Shown& of) { return is_share(of.decisive()); });
+  const bool are_shares = std::ranges::all_of(studies, [](const Shown& shown) { return is_share(shown.decisive()); });
   table.caption = are_shares ? "Share of targets solved" : "What decides each study";
   table.notes = {"* worse than the best of its study or its control; each study is judged alone"};
   return table;
@@ -278,22 +279,22 @@ Table descriptives_table(const Shown& shown) {
                           {"lost"}}};
   bool is_any_lost = false, is_any_share = false, is_any_of_solved = false;
   for (const Judged& judged : shown.metrics) {
-    const Observations& of = judged.observations;
-    for (std::size_t i = 0; i < of.groups.size(); ++i) {
+    const Observations& observed = judged.observations;
+    for (std::size_t i = 0; i < observed.groups.size(); ++i) {
       const Description& its = judged.described[i];
-      const Group& group = of.groups[i];
+      const Group& group = observed.groups[i];
       auto& row = table.rows.emplace_back();
-      row = {of.quantity, group.name, std::int64_t{its.n}, value_cell(group, its.mean)};
+      row = {observed.quantity, group.name, std::int64_t{its.n}, value_cell(group, its.mean)};
       const std::optional<Interval> interval = interval_of(judged, its);
       for (const double value :
            {its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest, its.largest})
         row.push_back(interval ? Cell() : value_cell(group, value));
       row.push_back(interval ? Cell(*interval) : Cell());
       is_any_share |= interval.has_value();
-      row.emplace_back(of.unit);
+      row.emplace_back(observed.unit);
       row.push_back(group.lost > 0 ? Cell(std::int64_t{group.lost}) : Cell());
       is_any_lost |= group.lost > 0;
-      is_any_of_solved |= of.is_of_solved;
+      is_any_of_solved |= observed.is_of_solved;
     }
   }
   table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", shown.noun,
@@ -339,24 +340,28 @@ numerics::OrderedJson to_json(const Shown& shown) {
 }
 
 Table study_table(const StudyResults& study) {
-  const results::Definition& of = study.definition;
+  const results::Definition& definition = study.definition;
   Table table = settings("Study");
-  add_setting(table, "study", of.title.empty() ? study.entry.name : fmt::format("{}: {}", study.entry.name, of.title));
-  add_setting(
-      table, "arm",
-      of.tip_link.empty() ? of.robot : fmt::format("{}, from link {} to {}", of.robot, of.base_link, of.tip_link));
-  for (const std::string& note : of.arm_notes) add_setting(table, "arm as read", note);
+  add_setting(table, "study",
+              definition.title.empty() ? study.entry.name : fmt::format("{}: {}", study.entry.name, definition.title));
+  add_setting(table, "arm",
+              definition.tip_link.empty()
+                  ? definition.robot
+                  : fmt::format("{}, from link {} to {}", definition.robot, definition.base_link, definition.tip_link));
+  for (const std::string& note : definition.arm_notes) add_setting(table, "arm as read", note);
   add_setting(table, "targets",
-              fmt::format("{} a run, {}{}", study.points, with_blanks(of.path),
-                          of.draws_targets ? ", drawn for each run anew" : ""));
-  add_setting(table, "search", with_blanks(name_of(of.search)));
-  add_setting(table, "start", of.is_chained() ? "where the last solve left the arm" : with_blanks(name_of(of.start)));
-  add_setting(table, "candidates outside limits", with_blanks(name_of(of.bounds)));
-  add_setting(table, "answers outside limits", std::string(name_of(of.limits)));
+              fmt::format("{} a run, {}{}", study.points, with_blanks(definition.path),
+                          definition.draws_targets ? ", drawn for each run anew" : ""));
+  add_setting(table, "search", with_blanks(name_of(definition.search)));
+  add_setting(table, "start",
+              definition.is_chained() ? "where the last solve left the arm" : with_blanks(name_of(definition.start)));
+  add_setting(table, "candidates outside limits", with_blanks(name_of(definition.bounds)));
+  add_setting(table, "answers outside limits", std::string(name_of(definition.limits)));
   add_setting(table, "a solve ends at", stops_of(study));
   add_setting(table, "runs", fmt::to_string(study.runs));
-  add_setting(table, "seed", fmt::to_string(of.seed));
-  for (const std::string& departure : of.departures) add_setting(table, "departs from the published study", departure);
+  add_setting(table, "seed", fmt::to_string(definition.seed));
+  for (const std::string& departure : definition.departures)
+    add_setting(table, "departs from the published study", departure);
   return table;
 }
 
@@ -371,13 +376,13 @@ std::string stops_of(const StudyResults& study) {
 }
 
 std::string what_is_studied(const StudyResults& study) {
-  const results::Definition& of = study.definition;
-  return fmt::format("{}: {}, {} of {} ({})", study.entry.name, of.robot, numerics::counted(study.runs, "runs"),
-                     numerics::counted(study.points, "targets"), with_blanks(of.path));
+  const results::Definition& definition = study.definition;
+  return fmt::format("{}: {}, {} of {} ({})", study.entry.name, definition.robot, numerics::counted(study.runs, "runs"),
+                     numerics::counted(study.points, "targets"), with_blanks(definition.path));
 }
 
 std::string methods_of(const Shown& shown, const StudyResults& study, const std::vector<std::string>& keys) {
-  const results::Definition& of = study.definition;
+  const results::Definition& definition = study.definition;
   std::set<std::string> tests, programs;
   for (const Judged& judged : shown.metrics) {
     for (const Finding& finding : judged.findings) {
@@ -398,9 +403,9 @@ std::string methods_of(const Shown& shown, const StudyResults& study, const std:
       "{} had the same {} ({} a run, {}; search: {}) with the arm {}; each solve started {} and ended at {}; the "
       "machine was {}.",
       numerics::counted(std::ssize(study.solvers), "solvers"),
-      numerics::counted(std::int64_t{study.runs} * study.points, "targets"), study.points, with_blanks(of.path),
-      with_blanks(name_of(of.search)), of.robot,
-      of.is_chained() ? "at the last answer" : "from a " + with_blanks(name_of(of.start)) + " position",
+      numerics::counted(std::int64_t{study.runs} * study.points, "targets"), study.points, with_blanks(definition.path),
+      with_blanks(name_of(definition.search)), definition.robot,
+      definition.is_chained() ? "at the last answer" : "from a " + with_blanks(name_of(definition.start)) + " position",
       stops_of(study), given(machines));
   if (!tests.empty())
     text += fmt::format(

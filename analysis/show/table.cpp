@@ -34,19 +34,23 @@ struct Readable {
     const std::string text = column.is_p ? p_text(value, column.ends) : number(value, digits_apart(value, column.ends));
     return text == "-" ? text : text + unit;
   }
-  std::string operator()(const compare::Interval& of) const { return interval_text(of, number, column.ends) + unit; }
-  std::string operator()(const Printed& of) const { return of.printed + (of.sign.empty() ? "" : ' ' + of.sign); }
-  std::string operator()(const Marked& of) const {
+  std::string operator()(const compare::Interval& interval) const {
+    return interval_text(interval, number, column.ends) + unit;
+  }
+  std::string operator()(const Printed& printed) const {
+    return printed.printed + (printed.sign.empty() ? "" : ' ' + printed.sign);
+  }
+  std::string operator()(const Marked& marked) const {
     const auto digits = [](double size, double small) { return std::abs(size) < small ? 3 : 2; };
-    std::string text = (of.is_bound ? at_most : "") + (*this)(of.value);
-    if (of.to_reference == compare::Scale::ratio)
-      text = number(of.value, digits_apart(of.value, {1}, digits(of.value - 1, 0.1))) + " times";
-    if (of.to_reference == compare::Scale::difference && of.value > 0) text.insert(0, "+");
-    if (const auto& its = of.interval) {
+    std::string text = (marked.is_bound ? at_most : "") + (*this)(marked.value);
+    if (marked.to_reference == compare::Scale::ratio)
+      text = number(marked.value, digits_apart(marked.value, {1}, digits(marked.value - 1, 0.1))) + " times";
+    if (marked.to_reference == compare::Scale::difference && marked.value > 0) text.insert(0, "+");
+    if (const auto& its = marked.interval) {
       const int wide = digits(its->high - its->low, 3);
       text += fmt::format(" ({}{}{})", number(its->low, wide), dash, number(its->high, wide));
     }
-    return text + (of.mark.empty() ? "" : ' ' + of.mark);
+    return text + (marked.mark.empty() ? "" : ' ' + marked.mark);
   }
 };
 
@@ -129,15 +133,15 @@ std::vector<std::pair<std::string_view, Json>> members(const Table& table, std::
   };
   for (const auto& [scale, name] :
        {std::pair(compare::Scale::ratio, times), {compare::Scale::difference, "difference"}}) {
-    const auto is_so = [scale = scale](const Marked& of) { return of.to_reference == scale; };
+    const auto is_so = [scale = scale](const Marked& each) { return each.to_reference == scale; };
     if (is_any(is_so)) all.emplace_back(name, marked && is_so(*marked) ? number(marked->value) : Json());
   }
-  if (is_any([](const Marked& of) { return of.interval.has_value(); })) {
+  if (is_any([](const Marked& each) { return each.interval.has_value(); })) {
     const auto its = marked ? marked->interval : std::nullopt;
     all.emplace_back("low", its ? number(its->low) : Json());
     all.emplace_back("high", its ? number(its->high) : Json());
   }
-  if (is_any([](const Marked& of) { return !of.mark.empty(); }))
+  if (is_any([](const Marked& each) { return !each.mark.empty(); }))
     all.emplace_back(mark, marked && !marked->mark.empty() ? Json(marked->mark) : Json());
   return all;
 }
@@ -188,12 +192,12 @@ std::string pill(const std::string& verdict) {
 
 }  // namespace
 
-std::string interval_text(const compare::Interval& of, Number number, const Ends& ends) {
+std::string interval_text(const compare::Interval& interval, Number number, const Ends& ends) {
   const auto end = [&](double value) {
     return std::isinf(value) ? "no bound" : number(value, digits_apart(value, ends));
   };
-  return fmt::format("{}{} to {}{}", of.excludes_low ? "above " : "", end(of.low), of.excludes_high ? "below " : "",
-                     end(of.high));
+  return fmt::format("{}{} to {}{}", interval.excludes_low ? "above " : "", end(interval.low),
+                     interval.excludes_high ? "below " : "", end(interval.high));
 }
 
 std::string to_csv(const Table& table) {

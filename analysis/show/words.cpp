@@ -37,10 +37,10 @@ std::string number_of(const Shown& shown, const Judged& judged, std::size_t grou
     if (is_first) return fmt::format("{} of {}", count, numerics::counted(its.n, shown.noun));
     return its.n == n_of_first ? count : fmt::format("{} of {}", count, its.n);
   }
-  const Observations& of = judged.observations;
-  const bool is_bound = value == of.groups[group].at_most && value > 0;
+  const Observations& observed = judged.observations;
+  const bool is_bound = value == observed.groups[group].at_most && value > 0;
   return fmt::format("{}{}{}{}", is_bound ? "at most " : "", number_text(value),
-                     is_first && !of.unit.empty() ? " " : "", is_first ? of.unit : "");
+                     is_first && !observed.unit.empty() ? " " : "", is_first ? observed.unit : "");
 }
 
 // "median error", "mean error", "solved"
@@ -114,15 +114,16 @@ std::string all_or_none(const Shown& shown) {
 }
 
 std::string usual(const Judged& judged) {
-  const Observations& of = judged.observations;
+  const Observations& observed = judged.observations;
   const Headline& head = judged.headline;
-  const Description &its = judged.described[place_of(of, head.usual)],
-                    &theirs = judged.described[place_of(of, head.other)];
+  const Description &its = judged.described[place_of(observed, head.usual)],
+                    &theirs = judged.described[place_of(observed, head.other)];
   const auto two = [&](double one, double other) {
-    return fmt::format("{} and {}{}{}", number_text(one), number_text(other), of.unit.empty() ? "" : " ", of.unit);
+    return fmt::format("{} and {}{}{}", number_text(one), number_text(other), observed.unit.empty() ? "" : " ",
+                       observed.unit);
   };
   const auto [usually, not_so] =
-      of.better == Better::smaller ? std::pair("smaller", "larger") : std::pair("larger", "smaller");
+      observed.better == Better::smaller ? std::pair("smaller", "larger") : std::pair("larger", "smaller");
   const std::string medians = two(its.median, theirs.median), means = two(its.mean, theirs.mean);
   std::string how = "medians " + medians, but = fmt::format("mean is {} ({})", not_so, means);
   if (head.is_median_worse) {
@@ -133,8 +134,8 @@ std::string usual(const Judged& judged) {
   } else if (2 * its.largest > its.n * its.mean || 2 * theirs.largest > theirs.n * theirs.mean) {
     but += ": one value decides it";
   }
-  return fmt::format("{} usually has {} {} than {} ({}), but its {}", head.usual, usually, of.quantity, head.other, how,
-                     but);
+  return fmt::format("{} usually has {} {} than {} ({}), but its {}", head.usual, usually, observed.quantity,
+                     head.other, how, but);
 }
 
 std::string against_control(const Shown& shown) {
@@ -350,14 +351,14 @@ std::vector<std::vector<std::string>> pair_rows(const Shown& shown) {
     const auto place = [&](const std::string& name) {
       return std::ranges::find(order, name, [&](std::size_t i) { return name_of(judged, i); });
     };
-    std::ranges::stable_sort(findings, {}, [&](const Finding& of) {
-      return std::minmax({place(of.first), place(of.second)});
+    std::ranges::stable_sort(findings, {}, [&](const Finding& finding) {
+      return std::minmax({place(finding.first), place(finding.second)});
     });
-    for (const Finding& of : findings)
-      rows.push_back(
-          {one_line(fmt::format("{}{} vs {}", has_two ? judged.observations.quantity + ": " : "", of.first, of.second)),
-           verdict_words(of, judged), amount_words(of, judged),
-           of.p ? p_sentence(*of.p, {judged.plan.significance}) : ""});
+    for (const Finding& finding : findings)
+      rows.push_back({one_line(fmt::format("{}{} vs {}", has_two ? judged.observations.quantity + ": " : "",
+                                           finding.first, finding.second)),
+                      verdict_words(finding, judged), amount_words(finding, judged),
+                      finding.p ? p_sentence(*finding.p, {judged.plan.significance}) : ""});
   }
   return rows;
 }

@@ -25,12 +25,12 @@ constexpr std::array<PaperMetric, 3> paper_metrics{{{"position_error_cm", "posit
                                                     {"seconds", "computing time", 6, 8, 12}}};
 
 // Solvers and their statistics by error, variation and time.
-show::Table table_3(const papers::Repeated& of);
+show::Table table_3(const papers::Repeated& repeated);
 // Tables 4 to 6: of error, variation and time.
-std::vector<show::Table> anova_tables(const papers::Repeated& of);
+std::vector<show::Table> anova_tables(const papers::Repeated& repeated);
 // Of random targets and of the circle; none for other studies.
-std::optional<show::Table> table_7(const papers::Repeated& of);
-std::optional<show::Table> table_8(const papers::Repeated& of);
+std::optional<show::Table> table_7(const papers::Repeated& repeated);
+std::optional<show::Table> table_8(const papers::Repeated& repeated);
 
 // Does the paper's conclusion repeat, and how many of its numbers? On what does it depend that IK-BA is the most
 // accurate?
@@ -38,7 +38,7 @@ std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claim
                                    const std::optional<double>& expected = {});
 
 // Further sections of the report; `figures_of_circle` stand by Table 8.
-std::vector<show::Blocks> sections(const papers::Repeated& of,
+std::vector<show::Blocks> sections(const papers::Repeated& repeated,
                                    const std::vector<figures::Figure>& figures_of_circle = {});
 
 // Of its helix 5 the path with the arm, 6 to 8 error, variation and time by point, 9 the joint angles, 10 to 12 box

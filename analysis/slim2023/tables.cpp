@@ -22,17 +22,17 @@ namespace {
 
 // The rows of an ANOVA: between, within, total; sum of squares, degrees of freedom, mean square, F, p.
 std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& anova) {
-  const TestOfAll of = anova.value_or(TestOfAll{unknown, unknown, unknown, unknown, unknown, unknown});
-  const double between = of.ss_between, within = of.ss_within;
-  return {{{between, of.df, between / of.df, of.statistic, of.p},
-           {within, of.df_within, within / of.df_within, unknown, unknown},
-           {between + within, of.df + of.df_within, unknown, unknown, unknown}}};
+  const TestOfAll test = anova.value_or(TestOfAll{unknown, unknown, unknown, unknown, unknown, unknown});
+  const double between = test.ss_between, within = test.ss_within;
+  return {{{between, test.df, between / test.df, test.statistic, test.p},
+           {within, test.df_within, within / test.df_within, unknown, unknown},
+           {between + within, test.df + test.df_within, unknown, unknown, unknown}}};
 }
 
 }  // namespace
 
-Table table_3(const Repeated& of) {
-  const std::vector<std::string>& solvers = of.study.study.solvers;
+Table table_3(const Repeated& repeated) {
+  const std::vector<std::string>& solvers = repeated.study.study.solvers;
   Table table{.name = "table-3",
               .caption = "Table 3: statistics of the runs",
               .columns = {{"solver"}, {"statistic"}},
@@ -44,10 +44,10 @@ Table table_3(const Repeated& of) {
   }
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const Metric& metric = metric_named(column);
-    const Judged* const judged = figures::judged_of(of.study, column);
+    const Judged* const judged = figures::judged_of(repeated.study, column);
     if (judged == nullptr) continue;
     table.columns.push_back({std::string(name), unit_beside(metric)});
-    const PrintedRows printed = printed_rows(of.paper, metric);
+    const PrintedRows printed = printed_rows(repeated.paper, metric);
     for (std::size_t i = 0; i < solvers.size(); ++i) {
       const std::vector<Cell> cells = beside(*judged, solvers[i], row_of(printed, solvers[i]));
       for (std::size_t s = 0; s < cells.size(); ++s) table.rows[s * solvers.size() + i].push_back(cells[s]);
@@ -56,17 +56,17 @@ Table table_3(const Repeated& of) {
   return table;
 }
 
-std::vector<Table> anova_tables(const Repeated& of) {
+std::vector<Table> anova_tables(const Repeated& repeated) {
   std::vector<Table> tables;
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const std::string number = fmt::format("table-{}", anova);
-    const Judged* const judged = figures::judged_of(of.study, column);
+    const Judged* const judged = figures::judged_of(repeated.study, column);
     if (judged == nullptr) continue;
     Table& table = tables.emplace_back(
         Table{.name = number,
               .caption = fmt::format("Table {}: ANOVA of the {} [{}]", anova, name, metric_named(column).unit),
               .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
-    const results::CsvTable printed = results::published::table(of.paper.name, number);
+    const results::CsvTable printed = results::published::table(repeated.paper.name, number);
     if (!judged->anova) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
     const auto ours = rows_of(judged->anova);
     for (std::size_t r = 0; r < ours.size(); ++r) {
@@ -80,10 +80,10 @@ std::vector<Table> anova_tables(const Repeated& of) {
   return tables;
 }
 
-std::optional<Table> table_7(const Repeated& of) {
+std::optional<Table> table_7(const Repeated& repeated) {
   constexpr double limit_ms = 50;
-  const StudyResults& study = of.study.study;
-  const PrintedRows printed = printed_times(of.paper.name, "table-7");
+  const StudyResults& study = repeated.study.study;
+  const PrintedRows printed = printed_times(repeated.paper.name, "table-7");
   if (study.definition.path != "random" || study.solves.empty()) return {};
   const double tolerance = study.definition.stop.tolerance_cm();
   Table table{.name = "table-7",
@@ -104,9 +104,9 @@ std::optional<Table> table_7(const Repeated& of) {
   return table;
 }
 
-std::optional<Table> table_8(const Repeated& of) {
-  const StudyResults& study = of.study.study;
-  const results::CsvTable printed = results::published::table(of.paper.name, "table-8");
+std::optional<Table> table_8(const Repeated& repeated) {
+  const StudyResults& study = repeated.study.study;
+  const results::CsvTable printed = results::published::table(repeated.paper.name, "table-8");
   if (study.definition.path != "circle" || study.solves.empty()) return {};
   Table table{.name = "table-8",
               .caption = "Table 8: joint angles and position error along the circle",
@@ -181,19 +181,19 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   return all;
 }
 
-std::vector<show::Blocks> sections(const Repeated& of, const std::vector<figures::Figure>& figures_of_circle) {
+std::vector<show::Blocks> sections(const Repeated& repeated, const std::vector<figures::Figure>& figures_of_circle) {
   std::vector<show::Blocks> sections;
   const auto add = [&](std::string heading, show::Blocks blocks) {
     if (blocks.empty()) return;
     blocks.insert(blocks.begin(), show::Heading{std::move(heading)});
     sections.push_back(std::move(blocks));
   };
-  add("Table 3", {table_3(of)});
+  add("Table 3", {table_3(repeated)});
   show::Blocks anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
-  for (Table& table : anova_tables(of)) anovas.emplace_back(std::move(table));
+  for (Table& table : anova_tables(repeated)) anovas.emplace_back(std::move(table));
   add("Tables 4 to 6", std::move(anovas));
-  for (const JudgedStudy* each : of.all()) {
-    const Repeated part{.paper = of.paper, .study = *each};
+  for (const JudgedStudy* each : repeated.all()) {
+    const Repeated part{.paper = repeated.paper, .study = *each};
     if (auto table = table_7(part)) times.emplace_back(std::move(*table));
     if (auto table = table_8(part)) circle.emplace_back(std::move(*table));
   }

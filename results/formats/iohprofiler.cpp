@@ -90,7 +90,7 @@ void add_run(Function& function, const SolveRecord& solve, std::size_t dimension
 // Writes one solver's functions into its own folder.
 class SolverFolder {
  public:
-  SolverFolder(std::filesystem::path folder, const StudyEntry& study, const Series& series)
+  SolverFolder(std::filesystem::path folder, const StoredStudy& study, const Series& series)
       : folder_(std::move(folder)), suite_(plain_name("ikbench_" + study.name)), series_(series) {}
 
   void write(int point, const std::map<std::size_t, Function>& by_dimension) const {
@@ -136,7 +136,7 @@ void refuse_full(const std::filesystem::path& folder) {
 // program gave no answer, evaluation 1 has the error at the start and is the last. Warns of solvers that are left out.
 // Refuses a study without traces, with more points or runs than IOHprofiler's numbers, and a folder that is not empty.
 std::vector<std::string> write_iohprofiler(const Exported& exported, const std::filesystem::path& folder) {
-  const StudyEntry& study = exported.study;
+  const StoredStudy& study = exported.study;
   const Json definition = numerics::parsed_ordered_json(study.definition);
   std::map<std::string, std::map<int, std::map<std::size_t, Function>>> functions;  // by solver, point and dimension
   std::set<std::string> left_out;

@@ -41,7 +41,7 @@ TEST_CASE("A control that is no solver is none") {
 
 TEST_CASE("A study is read from a store, and solves of another version are counted where its own are missing") {
   const Asked asked{.runs = 2, .points = 2};
-  const StudyEntry entry = entry_of(asked, {"A", "B"});
+  const StoredStudy entry = entry_of(asked, {"A", "B"});
   const ScratchFolder folder;
   Store store(folder.path / "store.sqlite", Store::Mode::write);
   store.save_study(entry);

@@ -3,8 +3,8 @@
 
 namespace {
 
-StudyEntry entry_of(const Study& study) {
-  StudyEntry entry{.name = study.name, .definition = to_json(study), .series = {}};
+StoredStudy entry_of(const Study& study) {
+  StoredStudy entry{.name = study.name, .definition = to_json(study), .series = {}};
   for (const SolverEntry& solver : study.solvers)
     entry.series.push_back({.key = series_key(study, solver), .label = solver.label, .algorithm = solver.solver});
   return entry;
@@ -20,7 +20,7 @@ Study study_with(const std::string& robot) {
 }
 
 // The complaint about the solves; empty if there is none.
-std::string refused_row(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
+std::string refused_row(const StoredStudy& entry, const std::vector<SolveRecord>& solves) {
   return complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, recheck_of(entry)); });
 }
 

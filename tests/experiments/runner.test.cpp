@@ -67,7 +67,7 @@ TEST_CASE("a study from the store's point of view: name, series in order, option
   Study study = small_study();
   study.solvers[1].options["alpha"] = "0.25";
   run(study, scratch.store, {});
-  const StudyEntry entry = scratch.store.study("small");
+  const StoredStudy entry = scratch.store.study("small");
   REQUIRE(entry.series.size() == 3);
   CHECK(entry.series[0].label == "IK-BA");
   CHECK(entry.series[1].algorithm == "bat");
@@ -244,7 +244,7 @@ TEST_CASE("solves of other source are left aside, told and solved anew", "[runne
     return fmt::format("{}@0123456789abcdef", configuration_of(key));
   };
   ScratchStore scratch;
-  StudyEntry entry{.name = study.name, .definition = to_json(study), .series = {}};
+  StoredStudy entry{.name = study.name, .definition = to_json(study), .series = {}};
   std::vector<SolveRecord> records = solves_of(study);
   for (SolveRecord& record : records) {
     record.series = of_other_source(record.series);

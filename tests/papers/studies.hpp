@@ -40,7 +40,7 @@ inline double as_printed(const std::string& solver, const std::string& metric, i
 
 // Each solve has the printed numbers, unless `change` says otherwise.
 inline compare::JudgedStudy study_of(const Made& made, const Change& change = {}) {
-  results::StudyEntry entry{
+  results::StoredStudy entry{
       .name = made.name,
       .definition = fmt::format(
           R"({{"published": "{}", "robot": "{}", "search": "wrist", "start": "{}", "runs": {}, "points": {},

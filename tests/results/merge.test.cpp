@@ -106,7 +106,7 @@ TEST_CASE("times and what a NaN was may differ and be the same", "[merge]") {
 TEST_CASE("another study of the same name is refused with the field that differs", "[merge]") {
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1});
-  StudyEntry other = sample_study();
+  StoredStudy other = sample_study();
   other.definition = R"({"robot":"iiwa7","runs":20,"points":20})";
   Store(folder.path / "b", Store::Mode::write).save_study(other);
   other = sample_study();
@@ -137,7 +137,7 @@ TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1});
   make_store(folder.path / "b", "two", {30});
-  StudyEntry larger = sample_study();
+  StoredStudy larger = sample_study();
   larger.definition = R"({"robot":"iiwa14","runs":30,"points":20,"analysis":{"significance":0.01}})";
   Store(folder.path / "b", Store::Mode::write).save_study(larger);
   for (const auto& order : {std::vector{"a", "b"}, std::vector{"b", "a"}}) {

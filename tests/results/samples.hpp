@@ -75,7 +75,7 @@ inline results::SolveRecord sample_record(const std::string& series = "key-a", i
           .trace_cm = {12.5, 0.25, 0.0019}};
 }
 
-inline results::StudyEntry sample_study(const std::string& name = "table-3") {
+inline results::StoredStudy sample_study(const std::string& name = "table-3") {
   return {.name = name,
           .definition = R"({"robot":"iiwa14","runs":20,"points":20})",
           .series = {{.key = "key-a", .label = "IK-BA", .algorithm = "ik_ba", .options = R"({"gamma":0.1})"},

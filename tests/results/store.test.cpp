@@ -83,7 +83,7 @@ TEST_CASE("any text comes back as it was", "[store]") {
 
     const ScratchFolder folder;
     Store store(folder.path / "a.ikb", Store::Mode::write);
-    StudyEntry study = sample_study(text);
+    StoredStudy study = sample_study(text);
     study.series[0].key = study.series[0].algorithm = text;
     study.series[0].label = record.solver = text.substr(0, 1000);
     store.save_study(study);
@@ -101,7 +101,7 @@ TEST_CASE("studies come back with their series, in the order in which they were 
   Store store(folder.path / "a.ikb", Store::Mode::write);
   store.save_study(sample_study("zebra"));
   store.save_study(sample_study("aardvark"));
-  StudyEntry changed = sample_study("zebra");
+  StoredStudy changed = sample_study("zebra");
   changed.definition = R"({"runs":3,"points":1})";
   std::swap(changed.series[0], changed.series[1]);
   store.save_study(changed);
@@ -133,7 +133,7 @@ TEST_CASE("a study that is not there is told which are", "[store]") {
 TEST_CASE("solves of a study are those of its current series, runs and points, in its order", "[store]") {
   const ScratchFolder folder;
   Store store(folder.path / "a.ikb", Store::Mode::write);
-  StudyEntry study = sample_study();
+  StoredStudy study = sample_study();
   study.definition = R"({"runs":2,"points":2})";
   study.series = {{.key = "z", .label = "IK-BA", .algorithm = "ba", .options = "{}"},
                   {.key = "a", .label = "second", .algorithm = "ba", .options = "{}"}};
@@ -161,7 +161,7 @@ TEST_CASE("the views have the current solves under the present labels, and the m
   const auto file = folder.path / "a.ikb";
   {
     Store store(file, Store::Mode::write);
-    StudyEntry study = sample_study();
+    StoredStudy study = sample_study();
     study.definition = R"({"runs":2,"points":2})";
     study.series = {{.key = "key-a", .label = "now", .algorithm = "ba", .options = "{}"}};
     store.save_study(study);
