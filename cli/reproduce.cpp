@@ -103,7 +103,7 @@ std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& argumen
 // The printed table beside ours is what the user waits for, so it comes as soon as its studies are solved.
 void show_table(const show::Table& table, const Arguments& arguments) {
   if (table.rows.empty() || arguments.report.is_json) return;
-  fmt::print("{}\n", printable(show::to_text(table)));
+  fmt::print("{}\n{}\n", printable(table.caption), printable(show::to_text(table)));
   std::fflush(stdout);
 }
 

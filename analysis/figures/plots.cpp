@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view grey = "lc rgb '#808080'", black = "lc rgb '#000000'";
 constexpr std::size_t most_rows = 60;     // of a figure, which fits a page
 constexpr std::size_t most_values = 200;  // drawn of a group
-constexpr std::size_t most_bands = 6;     // more would cover each other
+constexpr std::size_t most_bands = 3;     // more would cover each other
 
 Figure begun(const About& about) { return {.name = about.name, .caption = about.caption}; }
 
@@ -482,10 +482,10 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& a
         figure.settings += fmt::format("set label '{}' at first {}, first {} left offset 0.3, 0 noenhanced front\n",
                                        fmt::format("{:.3g} {}", share, panels[p].marks[r]), left + share / 100, r + 1);
     }
-    clauses.push_back(
-        fmt::format("data using ({0}):1:({0}):({0}+${1}/100.0):($1-0.3):($1+0.3) with boxxyerror fs solid "
-                    "0.6 noborder lc rgb colour_of(1)",
-                    left, p + 2));
+    clauses.push_back(fmt::format(
+        "data using (${1}==${1}?{0}:NaN):1:({0}):({0}+${1}/100.0):($1-0.3):($1+0.3) with boxxyerror fs solid "
+        "0.6 noborder lc rgb colour_of(1)",
+        left, p + 2));
   }
   figure.height_cm += 0.4;
   figure.settings += fmt::format("set tmargin at screen 1 - up(0.7)\nset xrange [0:{}]\nset xtics ({})\n{}",

@@ -263,7 +263,7 @@ std::string unit_beside(const Metric& metric) { return metric.unit == "s" ? "ms"
 show::Table means_table(const Repeated& repeated) {
   const StudyResults& study = repeated.study.study;
   show::Table table{.name = "means",
-                    .caption = "Means, and as printed",
+                    .caption = fmt::format("Means of {}, here and as printed", numerics::counted(study.runs, "runs")),
                     .columns = {{"solver"}},
                     .notes = {std::string(meaning_of_signs)}};
   for (const std::string& solver : study.solvers) table.rows.push_back({solver});

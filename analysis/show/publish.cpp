@@ -76,6 +76,15 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
   return figures;
 }
 
+// Takes pairs that were not tested from a table, where there are more than `most`.
+void take_untested(Table& pairs, std::ptrdiff_t most) {
+  const auto is_untested = [](const std::vector<Cell>& row) { return std::holds_alternative<std::monostate>(row[6]); };
+  const std::ptrdiff_t untested = std::ranges::count_if(pairs.rows, is_untested);
+  if (untested <= most) return;
+  std::erase_if(pairs.rows, is_untested);
+  pairs.notes.push_back(fmt::format("Without {} that were not tested.", numerics::counted(untested, "pairs")));
+}
+
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
 // warnings; a caption says of what. `brief` is what is shown, with short names.
 Table for_article(Table table, const Reported& reported, const Shown& brief) {
@@ -87,13 +96,7 @@ Table for_article(Table table, const Reported& reported, const Shown& brief) {
     const std::string& metric = reported.shown.decisive().observations.quantity;
     std::erase_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) != metric; });
     table.caption += ": " + metric;
-    const auto is_untested = [](const std::vector<Cell>& row) {
-      return std::holds_alternative<std::monostate>(row[6]);
-    };
-    if (const auto untested = std::ranges::count_if(table.rows, is_untested); untested > 0) {
-      std::erase_if(table.rows, is_untested);
-      table.notes.push_back(fmt::format("Without {} that were not tested.", numerics::counted(untested, "pairs")));
-    }
+    take_untested(table, 0);
   }
   if (table.name == "results") {
     for (const compare::Doubt& doubt : brief.all_doubts()) table.notes.push_back(words_of(doubt) + '.');
@@ -148,7 +151,7 @@ Published publish(const Reported& reported, const fs::path& folder, const figure
   for (const char* name : own_files) numerics::refuse_input(folder / name);
   const std::vector<std::string> earlier = files_of_earlier(folder);
   for (const std::string& file : earlier) numerics::refuse_input(folder / file);
-  const std::vector<Blocks> sections = sections_of(reported);
+  std::vector<Blocks> sections = sections_of(reported);
   const std::vector<figures::Figure> figures = figures_in(sections);
   Published published{.page = folder / own_files[0]};
   published.warnings = figures::write_figures(figures, folder / "figures", options);
@@ -173,6 +176,13 @@ Published publish(const Reported& reported, const fs::path& folder, const figure
   Json json = to_json(reported.shown);
   json["files"] = files;
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
+  constexpr std::ptrdiff_t most_untested = 15;  // on a page
+  for (Blocks& blocks : sections) {
+    for (Block& block : blocks) {
+      if (auto* const table = std::get_if<Table>(&block); table && table->name == "pairs")
+        take_untested(*table, most_untested);
+    }
+  }
   results::write_file(folder / "report.md", to_markdown(sections, folder));
   const std::string& title = reported.study.definition.title;
   std::optional<std::string> arm;

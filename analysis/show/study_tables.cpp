@@ -141,7 +141,8 @@ Table results_table(const Shown& shown) {
   key += fmt::format("{}", fmt::join(meanings, ", "));
   if (!key.empty()) table.notes.push_back(key);
   if (has_shares)
-    table.notes.push_back(fmt::format("Brackets: {:g} % intervals.", 100 * (1 - decisive.plan.significance)));
+    table.notes.push_back(
+        fmt::format("Brackets of shares: {:.3g} % intervals.", 100 * (1 - decisive.plan.significance)));
   table.notes.insert(table.notes.end(), shown.notes.begin(), shown.notes.end());
   return table;
 }
@@ -179,32 +180,41 @@ Table studies_table(const std::vector<Shown>& studies, const std::vector<std::st
   });
   const bool are_shares = std::ranges::all_of(studies, [](const Shown& shown) { return is_share(shown.decisive()); });
   table.caption = are_shares ? "Share of targets solved" : "What decides each study";
-  table.notes = {"* worse than the best of its study or its control; each study is judged alone"};
+  table.notes = {
+      "* worse than the best of its study or its control; each study is judged alone",
+      are_shares ? "brackets: intervals at the level of each study" : "brackets: intervals of shares, else quartiles"};
   return table;
 }
 
 std::optional<figures::Figure> studies_figure(const Table& studies) {
-  std::vector<std::string> solvers;
-  for (const auto& row : studies.rows) solvers.push_back(std::get<std::string>(row[0]));
-  std::vector<figures::BarPanel> panels;
+  std::vector<std::size_t> shares;
+  std::vector<std::string> others, solvers;
   for (std::size_t c = 1; c < studies.columns.size(); ++c) {
-    if (studies.columns[c].unit != "%") continue;
-    figures::BarPanel& panel = panels.emplace_back(figures::BarPanel{.label = studies.columns[c].name});
-    for (const auto& row : studies.rows) {
-      const auto* const share = std::get_if<Marked>(&row[c]);
-      panel.shares.push_back(share == nullptr ? figures::nowhere : share->value);
-      panel.marks.push_back(share == nullptr ? "" : share->mark);
+    if (studies.columns[c].unit == "%") shares.push_back(c);
+    if (studies.columns[c].unit != "%") others.push_back(studies.columns[c].name);
+  }
+  std::vector<figures::BarPanel> panels;
+  for (const std::size_t c : shares) panels.push_back({.label = studies.columns[c].name});
+  for (const auto& row : studies.rows) {
+    const auto share = [&](std::size_t c) { return std::get_if<Marked>(&row[c]); };
+    if (std::ranges::none_of(shares, share)) continue;
+    solvers.push_back(std::get<std::string>(row[0]));
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      const Marked* const of_study = share(shares[i]);
+      panels[i].shares.push_back(of_study ? of_study->value : figures::nowhere);
+      panels[i].marks.push_back(of_study ? of_study->mark : "");
     }
   }
   return figures::bars({.name = "studies",
-                        .caption = fmt::format("Share of targets solved: {}.", studies.notes[0]),
+                        .caption = fmt::format("Share of targets solved: {}.{}", studies.notes[0],
+                                               others.empty() ? "" : " Not of " + listed(others) + ", which has none."),
                         .quantity = "solved",
                         .unit = "%"},
                        solvers, panels);
 }
 
 Table with_a_row_a_study(const Table& studies) {
-  Table turned{.name = studies.name, .caption = studies.caption, .columns = {{"study"}}, .notes = studies.notes};
+  Table turned{.name = studies.name, .caption = studies.caption, .columns = {{"study"}}, .notes = {studies.notes[0]}};
   for (std::size_t c = 1; c < studies.columns.size(); ++c) turned.rows.push_back({studies.columns[c].name});
   for (const auto& row : studies.rows) {
     turned.columns.push_back({.name = std::get<std::string>(row[0]), .unit = studies.columns[1].unit});
@@ -399,11 +409,14 @@ std::string methods_of(const Shown& shown, const StudyResults& study, const std:
     programs.insert(fmt::format("{} (commit {})", fact("version"), fact("commit")));
   }
   const auto given = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };
+  const std::int64_t runs = study.runs;
+  const std::string targets = definition.draws_targets ? numerics::counted(runs * study.points, "targets")
+                                                       : numerics::counted(study.points, "targets") + " in each of " +
+                                                             numerics::counted(runs, "runs");
   std::string text = fmt::format(
-      "{} had the same {} ({} a run, {}; search: {}) with the arm {}; each solve started {} and ended at {}; the "
+      "{} had the same {} ({}; search: {}) with the arm {}; each solve started {} and ended at {}; the "
       "machine was {}.",
-      numerics::counted(std::ssize(study.solvers), "solvers"),
-      numerics::counted(std::int64_t{study.runs} * study.points, "targets"), study.points, with_blanks(definition.path),
+      numerics::counted(std::ssize(study.solvers), "solvers"), targets, with_blanks(definition.path),
       with_blanks(name_of(definition.search)), definition.robot,
       definition.is_chained() ? "at the last answer" : "from a " + with_blanks(name_of(definition.start)) + " position",
       stops_of(study), given(machines));
@@ -413,7 +426,7 @@ std::string methods_of(const Shown& shown, const StudyResults& study, const std:
         "significance of {}; a difference within {} does not matter.",
         given(tests), number_text(shown.decisive().plan.significance), margin_words(shown.decisive()));
   text += fmt::format(" Made with ikbench {}", given(programs));
-  return text + (keys.empty() ? "." : fmt::format("; to cite, of docs/references.bib: {}.", listed(keys)));
+  return text + (keys.empty() ? "." : fmt::format(" \\cite{{{}}}, keys of docs/references.bib.", fmt::join(keys, ",")));
 }
 
 Table options_table(const StudyResults& study) {

@@ -50,6 +50,11 @@ std::string quantity_of(const Shown& shown) {
   return fmt::format("{}{}", is_share(judged) ? "" : is_mean ? "mean " : "median ", judged.observations.quantity);
 }
 
+std::string names_of(const std::vector<std::string>& names) {
+  if (names.size() <= most_named) return listed(names);
+  return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
+}
+
 // "it solved 100 of 100 targets; PSO 88, mine 54"; with the first one's name "PSO solved 90 of 100 targets, mine 88".
 // Of many solvers the first, the last of the best or of the first's equals, and the next.
 std::string numbers_of(const Shown& shown, bool is_named) {
@@ -71,8 +76,10 @@ std::string numbers_of(const Shown& shown, bool is_named) {
     if (!are_many || (i + 1 == leaders && !are_equal)) others.push_back(text);
     if (are_many && i == leaders) others.push_back("then " + text);
   }
+  std::vector<std::string> firsts;
+  for (std::size_t i = 0; i < equals; ++i) firsts.push_back(name_of(judged, order[i]));
   const std::string who = !are_equal       ? is_named ? name_of(judged, order[0]) : "it"
-                          : equals != best ? fmt::to_string(equals)
+                          : equals != best ? names_of(firsts)
                           : best == 2      ? "both"
                                            : "all";
   const std::string number = number_of(shown, judged, order[0], order[0]);
@@ -81,11 +88,6 @@ std::string numbers_of(const Shown& shown, bool is_named) {
                                 : fmt::format("{} {}", quantity_of(shown), number);
   if (!others.empty()) text += (is_named || are_many ? ", " : "; ") + listed(others, ", ");
   return text;
-}
-
-std::string names_of(const std::vector<std::string>& names) {
-  if (names.size() <= most_named) return listed(names);
-  return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
 }
 
 std::string all_of(const Judged& judged) {
@@ -232,7 +234,9 @@ std::string best(const Shown& shown) {
   std::vector<std::string> names = judged.headline.best;
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = name_of(judged, order[i]);
   const std::size_t others = order.size() - names.size();
-  const std::string other = others == 1 ? name_of(judged, order.back()) : fmt::format("each of the {} others", others);
+  std::vector<std::string> beaten;
+  for (std::size_t i = names.size(); i < order.size(); ++i) beaten.push_back(name_of(judged, order[i]));
+  const std::string other = others <= 2 ? listed(beaten) : fmt::format("each of the {} others", others);
   const bool are_listed = judged.findings.size() <= most_pairs;
   std::string text = fmt::format("{} {}{}: {}", names_of(names),
                                  names.size() > 1    ? "are best"
@@ -278,11 +282,11 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 std::string headline(const Shown& whole) {
   if (!whole.verdict.empty()) return whole.verdict;
   const Shown shown = with_short_names(whole, 40);
-  std::string text;
+  std::string text = sentence(shown) + '.';
   for (const Doubt& doubt : shown.decisive().observations.doubts) {
-    if (doubt.kind == DoubtKind::seconds_decide) text += "Careful: " + words_of(doubt) + ". ";
+    if (doubt.kind == DoubtKind::seconds_decide) text += " Careful: " + words_of(doubt) + '.';
   }
-  return text + sentence(shown) + '.';
+  return text;
 }
 
 std::string margin_words(const Judged& judged) {

@@ -213,6 +213,7 @@ TEST_CASE("of several studies each is a column, and a solver has the place that 
   CHECK(std::holds_alternative<std::monostate>(table.rows[2][1]));
   const figures::Figure figure = studies_figure(table).value();
   CHECK(figure.data == "# row, share [%] of each study\n# A\n1 100 NaN\n# B\n2 50 100\n# C\n3 NaN 25\n");
+  CHECK(contains(figure.plot, "($3==$3?1.45:NaN)"));  // no bar of C in the first, which gnuplot would draw back to 0
   const Table turned = with_a_row_a_study(table);
   CHECK(turned.columns[1].name == "A");
   CHECK(std::get<std::string>(turned.rows[1][0]) == "two");
@@ -256,14 +257,14 @@ TEST_CASE("a star says that a solver is worse than the reference, and stands at 
         "A        30 % (15-52) *   0.33 times\n"
         "C        30 % (15-52) *   1.01 times\n"
         "B: medians; the others: times that, on values that both solved. * worse than B (p < 0.05)\n"
-        "Brackets: 95 % intervals.\n");
+        "Brackets of shares: 95 % intervals.\n");
   CHECK(text(costs, {.control = "A"}) ==
         "solver   solved           motion\n"
         "B        100 % (84-100)   3 times *\n"
         "A        30 % (15-52)     1 deg\n"
         "C        30 % (15-52)     3 times *\n"
         "A: medians; the others: times that, on values that both solved. * worse than A (p < 0.05)\n"
-        "Brackets: 95 % intervals.\n");
+        "Brackets of shares: 95 % intervals.\n");
   const std::string by_means = text(costs, {.test = results::Plan::Test::means, .control = "A"});
   INFO(by_means);
   CHECK(contains(by_means, "B        100 % (84-100)   +2.08 deg *"));
