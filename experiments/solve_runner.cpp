@@ -49,26 +49,6 @@ std::string urdf_of(const Study& study, const SolverEntry& entry) {
   return is_urdf_file(study.robot) && std::filesystem::is_regular_file(file, none) ? text_of_file(file) : "";
 }
 
-StopReason recorded(Stopped stopped) {
-  switch (stopped) {
-    case Stopped::iterations:
-      return StopReason::iterations;
-    case Stopped::tolerance:
-      return StopReason::tolerance;
-    case Stopped::evaluations:
-      return StopReason::evaluations;
-    case Stopped::time:
-      return StopReason::time;
-    case Stopped::finished:
-      return StopReason::finished;
-    case Stopped::gave_up:
-      return StopReason::gave_up;
-    case Stopped::not_finite:
-      break;
-  }
-  return StopReason::not_finite;
-}
-
 // Compares bit for bit.
 bool same_answer(const Solution& a, const Solution& b) {
   return a.iterations == b.iterations && a.evaluations == b.evaluations && a.stopped == b.stopped &&
@@ -226,16 +206,16 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
 }
 
 StopReason SolveRunner::stop_reason_of(const Timed& timed) const {
-  const StopReason ours = recorded(timed.solution.stopped);
+  const StopReason ours = timed.solution.stopped;
   if (!timed.account) return ours;
   if (timed.account->failure)
     return *timed.account->failure == Status::timed_out ? StopReason::time : StopReason::finished;
-  return ours == StopReason::finished ? recorded(timed.account->stopped) : ours;
+  return ours == StopReason::finished ? timed.account->stopped : ours;
 }
 
 Status SolveRunner::status_of(const Timed& timed, const Verification& verified, const Pose& target) const {
   if (timed.account && timed.account->failure) return *timed.account->failure;
-  if (timed.solution.stopped == Stopped::not_finite) return Status::not_finite;
+  if (timed.solution.stopped == StopReason::not_finite) return Status::not_finite;
   const bool claims = timed.account && !std::isnan(timed.account->claimed_error);
   const Status status =
       judge(verified, {.claimed_error = claims ? timed.account->claimed_error : timed.solution.position_error,

@@ -1,13 +1,21 @@
 // When a solve ends: solvers obey it, studies say it, the store keeps it.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "numerics/fields.hpp"
 #include "numerics/number.hpp"
 #include "numerics/units.hpp"
 
 namespace ikbench::numerics {
+
+// Why a solve ended. finished: the solver ended by itself; gave_up: without a solution, as it says.
+enum class StopReason : std::uint8_t { iterations, tolerance, evaluations, time, not_finite, finished, gave_up };
+constexpr std::array<std::string_view, 7> names_of(StopReason) {
+  return {"iterations", "tolerance", "evaluations", "time", "not_finite", "finished", "gave_up"};
+}
 
 // A solve ends at the first limit that it reaches. 0 means no limit, except for iterations.
 struct StopRule {

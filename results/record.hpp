@@ -10,10 +10,11 @@
 #include <string_view>
 #include <vector>
 
+#include "numerics/stop_rule.hpp"
+
 namespace ikbench::results {
 
-// The reason for a solve's end; finished: the solver ended by itself.
-enum class StopReason : std::uint8_t { iterations, tolerance, evaluations, time, not_finite, finished, gave_up };
+using numerics::StopReason;
 
 // The verifier's judgement of an answer: the first that applies of not_finite, claimed_but_wrong, refused,
 // limit_violated, tolerance_missed, ok. From crashed on there is none in time: the arm stays where it was, and so does
@@ -39,18 +40,12 @@ enum class Timing : std::uint8_t { clean, parallel, debug_build, process };
 // Tells who counted the evaluations.
 enum class CountedBy : std::uint8_t { suite, solver, nobody };
 
-constexpr std::array<std::string_view, 7> stop_reason_names{"iterations", "tolerance", "evaluations", "time",
-                                                            "not_finite", "finished",  "gave_up"};
-constexpr std::array<std::string_view, 11> status_names{
-    "ok",      "tolerance_missed", "limit_violated", "refused",  "claimed_but_wrong", "not_finite",
-    "crashed", "timed_out",        "broke_protocol", "declined", "over_budget"};
-constexpr std::array<std::string_view, 4> timing_names{"clean", "parallel", "debug_build", "process"};
-constexpr std::array<std::string_view, 3> counted_by_names{"suite", "solver", "nobody"};
-
-constexpr const auto& names_of(StopReason) { return stop_reason_names; }
-constexpr const auto& names_of(Status) { return status_names; }
-constexpr const auto& names_of(Timing) { return timing_names; }
-constexpr const auto& names_of(CountedBy) { return counted_by_names; }
+constexpr std::array<std::string_view, 11> names_of(Status) {
+  return {"ok",      "tolerance_missed", "limit_violated", "refused",  "claimed_but_wrong", "not_finite",
+          "crashed", "timed_out",        "broke_protocol", "declined", "over_budget"};
+}
+constexpr std::array<std::string_view, 4> names_of(Timing) { return {"clean", "parallel", "debug_build", "process"}; }
+constexpr std::array<std::string_view, 3> names_of(CountedBy) { return {"suite", "solver", "nobody"}; }
 
 // True if the solver gave no answer within its budget.
 constexpr bool is_without_answer(Status status) { return status >= Status::crashed; }

@@ -28,12 +28,12 @@ void add_start(Improvements& improved, const Problem& problem, const Objective& 
 
 }  // namespace
 
-std::optional<Stopped> spent(const StopRule& stop, std::int64_t iterations, std::int64_t evaluations,
-                             std::chrono::steady_clock::time_point started) {
-  if (iterations >= stop.iterations) return Stopped::iterations;
-  if (stop.evaluations > 0 && evaluations >= stop.evaluations) return Stopped::evaluations;
+std::optional<StopReason> spent(const StopRule& stop, std::int64_t iterations, std::int64_t evaluations,
+                                std::chrono::steady_clock::time_point started) {
+  if (iterations >= stop.iterations) return StopReason::iterations;
+  if (stop.evaluations > 0 && evaluations >= stop.evaluations) return StopReason::evaluations;
   const std::chrono::duration<double> given(stop.seconds);
-  if (stop.seconds > 0 && std::chrono::steady_clock::now() - started >= given) return Stopped::time;
+  if (stop.seconds > 0 && std::chrono::steady_clock::now() - started >= given) return StopReason::time;
   return std::nullopt;
 }
 
@@ -53,11 +53,11 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   for (;;) {
     const double error = solver.best().error;
     if (!std::isfinite(error)) {
-      solution.stopped = Stopped::not_finite;
+      solution.stopped = StopReason::not_finite;
     } else if (tolerance.is_reached(solver.best())) {
-      solution.stopped = Stopped::tolerance;
+      solution.stopped = StopReason::tolerance;
     } else if (solver.finished()) {
-      solution.stopped = solver.gave_up() ? Stopped::gave_up : Stopped::finished;
+      solution.stopped = solver.gave_up() ? StopReason::gave_up : StopReason::finished;
     } else if (const auto limit = spent(stop, solution.iterations, objective.evaluations(), started)) {
       solution.stopped = *limit;
     } else {
@@ -74,8 +74,8 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
     break;
   }
   solution.best = solver.best();
-  if (!solution.best.q.allFinite()) solution.stopped = Stopped::not_finite;
-  const bool is_directed = objective.goal().has_direction() && solution.stopped != Stopped::not_finite;
+  if (!solution.best.q.allFinite()) solution.stopped = StopReason::not_finite;
+  const bool is_directed = objective.goal().has_direction() && solution.stopped != StopReason::not_finite;
   solution.position_error = is_directed ? objective.deviation(solution.best.q).position : solution.best.error;
   solution.evaluations = objective.evaluations();
   solution.restarts = solver.restarts();

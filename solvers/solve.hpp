@@ -10,8 +10,7 @@
 
 namespace ikbench::solvers {
 
-// finished: the solver ended by itself; gave_up: without a solution, as it says.
-enum class Stopped { iterations, tolerance, evaluations, time, not_finite, finished, gave_up };
+using numerics::StopReason;
 
 enum class Trace { none, best_error };
 
@@ -20,7 +19,7 @@ struct Solution {
   std::int64_t iterations = 0;
   std::int64_t evaluations = 0;
   int restarts = 0;
-  Stopped stopped = Stopped::iterations;
+  StopReason stopped = StopReason::iterations;
   double position_error = 0;  // [m] of the best answer; equals its error if positions are searched
   std::vector<double> trace;  // best error [m] after each iteration, if asked for
   // Recorded if asked for: from evaluation 1, with the error at the start (or of the first candidates, if larger), to
@@ -29,8 +28,8 @@ struct Solution {
 };
 
 // The limit of the rule that is reached, but its tolerance; none while there is budget.
-std::optional<Stopped> spent(const StopRule& stop, std::int64_t iterations, std::int64_t evaluations,
-                             std::chrono::steady_clock::time_point started);
+std::optional<StopReason> spent(const StopRule& stop, std::int64_t iterations, std::int64_t evaluations,
+                                std::chrono::steady_clock::time_point started);
 
 // Stops with `not_finite` if the best error or the answer is not finite.
 Solution solve(Solver& solver, const Problem& problem, Objective& objective, numerics::Random& random,

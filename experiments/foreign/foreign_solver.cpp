@@ -151,7 +151,7 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
     for (Eigen::Index i = 0; i < taken; ++i) best.improve(q.col(i), errors[i]);
     seen.insert(seen.end(), errors.begin(), errors.begin() + taken);
     if (taken > 0) add_best(account_, objective.evaluations(), best.error, at_start);
-    const std::optional<Stopped> end = spent(stop_, account_.iterations, objective.evaluations(), began);
+    const std::optional<StopReason> end = spent(stop_, account_.iterations, objective.evaluations(), began);
     if (end && !is_over) account_.stopped = *end;
     is_over |= end || tolerance.is_reached(best);
     message = exchange(*own_.child, errors_message(errors, is_over), deadline);

@@ -18,7 +18,7 @@ namespace ikbench::experiments {
 struct Account {
   std::optional<results::Status> failure;
   double cpu_seconds = 0;  // of the program
-  solvers::Stopped stopped = solvers::Stopped::finished;
+  solvers::StopReason stopped = solvers::StopReason::finished;
   bool went_on = false;  // it wanted more evaluations after it was told that its budget is used up
   // It is not `suite` if its answer is none of the candidates evaluated here, or if these are too few to have found it:
   // then it has kinematics of its own, and `evaluations` is its own count.

@@ -140,7 +140,7 @@ TEST_CASE("a solve in which no error is a number ends as not finite", "[contract
     const Task task = iiwa_task();
     SpoiltObjective objective(task.chain, task.target, not_a_number, 1);
     const auto solver = info.make(settings);
-    CHECK(solved(*solver, task, objective).stopped == Stopped::not_finite);
+    CHECK(solved(*solver, task, objective).stopped == StopReason::not_finite);
     check_best(*solver, task, objective);  // and nothing breaks if somebody continues
   });
 }

@@ -27,7 +27,7 @@ TEST_CASE("an arm without end is searched by every solver as one with limits is"
     Objective objective(task.chain, task.target), judge(task.chain, task.target);
     Random random{Key(3)};
     const Solution solution = solve(*info.make({}), task.problem, objective, random, {.iterations = 200});
-    CHECK(solution.stopped != Stopped::not_finite);
+    CHECK(solution.stopped != StopReason::not_finite);
     CHECK(solution.best.q.allFinite());
     CHECK(solution.best.error == judge.error(solution.best.q));
     CHECK(solution.best.error < judge.error(task.problem.start));

@@ -53,7 +53,7 @@ TEST_CASE("Newton's, and Levenberg and Marquardt's method end at the pose, and s
     Random random{Key(1)}, untouched{Key(1)};
     const auto descent = solver(name).make(restarts);
     const Solution solution = solve(*descent, task.problem, objective, random, {.iterations = 100});
-    CHECK(solution.stopped == Stopped::finished);
+    CHECK(solution.stopped == StopReason::finished);
     CHECK(solution.iterations < 10);
     CHECK(solution.best.error <= 1e-9);
     CHECK(random.uniform() == untouched.uniform());
@@ -69,12 +69,12 @@ TEST_CASE("where no joint moves any more Newton's method ends, or starts again a
   Random random{Key(1)}, untouched{Key(1)};
   const Solution stuck =
       solve(*solver("newton").make({{"restarts", "none"}}), task.problem, objective, random, {.iterations = 50});
-  CHECK(stuck.stopped == Stopped::finished);
+  CHECK(stuck.stopped == StopReason::finished);
   CHECK(stuck.iterations < 50);
   CHECK(random.uniform() == untouched.uniform());
   RecordingObjective recorded(task.chain, task.target);
   const Solution again = solve(*solver("newton").make({}), task.problem, recorded, random, {.iterations = 50});
-  CHECK(again.stopped == Stopped::iterations);
+  CHECK(again.stopped == StopReason::iterations);
   const JointLimits limits{task.problem.lower, task.problem.upper};
   for (const Eigen::VectorXd& q : recorded.candidates) REQUIRE(limits.violation(q) == 0);
   CHECK(random.uniform() != untouched.uniform());

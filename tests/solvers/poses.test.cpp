@@ -143,7 +143,7 @@ TEST_CASE("a solve of a pose stops where position and angle are both within thei
     const Solution solution = solve(*solver(name).make({}), task.problem, objective, random, both);
     const Deviation left = objective.deviation(solution.best.q);
     const bool is_near = left.position <= both.tolerance && left.angle <= both.angle_tolerance;
-    CHECK((solution.stopped == Stopped::tolerance) == is_near);
+    CHECK((solution.stopped == StopReason::tolerance) == is_near);
     CHECK(solution.position_error == left.position);
     if (name == std::string("damped_least_squares")) REQUIRE(is_near);
     if (!is_near) continue;

@@ -14,22 +14,22 @@ Solution solved(const StopRule& stop, Trace trace = Trace::none) {
 
 TEST_CASE("a solve stops by its iterations, tolerance, evaluations or time, whichever is first", "[solve]") {
   Solution solution = solved({.iterations = 12});
-  CHECK(solution.stopped == Stopped::iterations);
+  CHECK(solution.stopped == StopReason::iterations);
   CHECK(solution.iterations == 12);
   CHECK(solution.evaluations == 10 + 12 * 10);              // the first population and one an iteration
   solution = solved({.iterations = 0}, Trace::best_error);  // its start alone
-  CHECK(solution.stopped == Stopped::iterations);
+  CHECK(solution.stopped == StopReason::iterations);
   CHECK(solution.evaluations == 10);
   CHECK(solution.trace.empty());
   solution = solved({.iterations = 1000, .tolerance = 0.01}, Trace::best_error);
-  CHECK(solution.stopped == Stopped::tolerance);
+  CHECK(solution.stopped == StopReason::tolerance);
   CHECK(solution.best.error <= 0.01);
   CHECK(solution.trace.at(solution.trace.size() - 2) > 0.01);
   solution = solved({.iterations = 1000, .evaluations = 55});
-  CHECK(solution.stopped == Stopped::evaluations);
+  CHECK(solution.stopped == StopReason::evaluations);
   CHECK(solution.evaluations == 60);
   solution = solved({.iterations = 1000000000, .seconds = 0.01});
-  CHECK(solution.stopped == Stopped::time);
+  CHECK(solution.stopped == StopReason::time);
   CHECK(solution.iterations > 0);
 }
 
@@ -56,15 +56,15 @@ TEST_CASE("a solve stops where its solver has finished, unless it is within the 
     return solve(solver, task.problem, objective, random, stop, Trace::best_error);
   };
   const Solution solution = solved({.iterations = 10});
-  CHECK(solution.stopped == Stopped::finished);
+  CHECK(solution.stopped == StopReason::finished);
   CHECK(solution.iterations == 3);
   CHECK(solution.evaluations == 4);
   CHECK(solution.trace.size() == 3);
   CHECK(solution.improved.at == std::vector<std::int64_t>{1, 4});  // it evaluates the start alone first
   CHECK(solution.improved.to == std::vector<double>(2, solution.best.error));
-  CHECK(solved({.iterations = 3}).stopped == Stopped::finished);
-  CHECK(solved({.iterations = 2}).stopped == Stopped::iterations);
-  CHECK(solved({.iterations = 10, .tolerance = 10}).stopped == Stopped::tolerance);
+  CHECK(solved({.iterations = 3}).stopped == StopReason::finished);
+  CHECK(solved({.iterations = 2}).stopped == StopReason::iterations);
+  CHECK(solved({.iterations = 10, .tolerance = 10}).stopped == StopReason::tolerance);
 }
 
 TEST_CASE("improvements go from evaluation 1 to the last, and are those of the trace", "[solve]") {

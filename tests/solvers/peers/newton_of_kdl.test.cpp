@@ -27,7 +27,7 @@ TEST_CASE("newton without restarts solves the poses that KDL solves, from the mi
         const Solution solution =
             solve(solver, problem, objective, random,
                   {.iterations = iterations, .tolerance = 2 * tolerance, .angle_tolerance = 2 * tolerance});
-        return solution.stopped == Stopped::tolerance;
+        return solution.stopped == StopReason::tolerance;
       };
       const bool by_kdl = is_solved_by(*kdl, most_iterations), by_us = is_solved_by(*newton, most_iterations - 1);
       solved_by_kdl += by_kdl ? 1 : 0;

@@ -55,7 +55,7 @@ TEST_CASE("a peer solves a pose that is near, of arms that turn and that slide, 
       if (is_missing(name)) continue;
       CAPTURE(arm, name);
       const Solution solution = solved(near_pose(arm), name, settings, stop);
-      CHECK(solution.stopped == Stopped::tolerance);
+      CHECK(solution.stopped == StopReason::tolerance);
       CHECK(solution.iterations == 1);
     }
   }
@@ -69,7 +69,7 @@ TEST_CASE("a peer that misses its target ends by itself", "[peers]") {
     task.goal.target.translation() *= 5;  // out of reach
     const Solution solution =
         solved(task, info.name, {}, {.iterations = 500, .tolerance = 1e-4, .angle_tolerance = 1e-3});
-    CHECK(solution.stopped == Stopped::finished);
+    CHECK(solution.stopped == StopReason::finished);
     CHECK((solution.iterations == 1 || info.name == "trac_ik"));  // which calls its library until it converges
   }
 }
@@ -137,7 +137,7 @@ TEST_CASE("NLopt with restarts goes on until it has found a pose", "[peers]") {
   task.problem.start = task.problem.lower;
   const StopRule stop{.iterations = 500, .tolerance = 1e-4, .angle_tolerance = 1e-3};
   const Solution solution = solved(task, "nlopt", {{"restarts", "random"}}, stop);
-  CHECK(solution.stopped == Stopped::tolerance);
+  CHECK(solution.stopped == StopReason::tolerance);
   CHECK(solution.iterations > 1);
 }
 
