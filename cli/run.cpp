@@ -24,11 +24,11 @@ using namespace experiments;
 namespace {
 
 void refuse_empty_shard(const Study& study, Shard shard) {
-  const std::int64_t parts = parts_of(size_of(study));
+  const std::int64_t parts = parts_of(study);
   if (shard.count <= parts) return;
   throw std::invalid_argument(fmt::format("--shard {}: {} has only {} to share out, so give at most that many shards",
                                           shard.text(), study.name,
-                                          numerics::counted(parts, size_of(study).is_chained ? "runs" : "targets")));
+                                          numerics::counted(parts, study.is_chained() ? "runs" : "targets")));
 }
 
 struct StudyToRun {

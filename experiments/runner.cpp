@@ -34,12 +34,12 @@ struct Chained {
 // The work of a study. A chain takes one bit, and more only if the store has some of its points.
 struct Work {
   Work(const Study& asked, const std::vector<Series>& series, int repeats, int jobs, Shard part = {})
-      : study(asked), size(size_of(asked)), shard(part), arm(arm_of(asked)), points(asked.path->points()) {
+      : study(asked), shard(part), arm(arm_of(asked)), points(asked.path->points()) {
     for (std::size_t s = 0; s < series.size(); ++s)
       solve_runners.emplace_back(study, study.solvers[s], series[s].key, arm, repeats, jobs);
     done.resize(solve_runners.size() * static_cast<std::size_t>(study.runs));
     for (int run = 1; run <= study.runs; ++run)
-      if (has_any(shard, size, run)) runs.push_back(run);
+      if (has_any(shard, study, run)) runs.push_back(run);
   }
   Work(const Work&) = delete;  // solve_runners refer to the arm
   Work& operator=(const Work&) = delete;
@@ -65,13 +65,13 @@ struct Work {
   }
   // The first point from `point` on that the shard has and the store has not; `points` + 1 if there is none.
   int next_point(const Chained& chain, int run, int point) const {
-    while (point <= points && (chain.stored[static_cast<std::size_t>(point - 1)] || !contains(shard, size, run, point)))
+    while (point <= points &&
+           (chain.stored[static_cast<std::size_t>(point - 1)] || !contains(shard, study, run, point)))
       ++point;
     return point;
   }
 
   const Study& study;
-  StudySize size;
   Shard shard;
   Robot arm;
   int points;  // per run
@@ -128,7 +128,7 @@ std::int64_t move_past_stored(Work& work, const Store& store) {
       check_stored(record, work, chain);
       run = record.run;
       move_on(chain, record, work.study.start);
-      if (contains(work.shard, work.size, record.run, record.point)) ++stored;
+      if (contains(work.shard, work.study, record.run, record.point)) ++stored;
     });
     note();
   }
@@ -247,7 +247,7 @@ Progress run(const Study& study, const StoredStudy& stored, Store& store, const 
   const bool times_count = request.jobs == 1 && !is_debug_build();
   Work work(study, stored.series, times_count ? study.repeats : 1, request.jobs, request.shard);
   store.save_study(stored);
-  Progress progress{.total = solves_of(request.shard, work.size)};
+  Progress progress{.total = solves_of(request.shard, study)};
   progress.done = progress.reused = move_past_stored(work, store);
   if (request.progress) request.progress(progress);
   if (progress.done < progress.total) solve_missing(work, store, request, progress);
@@ -258,8 +258,8 @@ Progress run(const Study& study, const StoredStudy& stored, Store& store, const 
 LeftAside left_aside(const StoredStudy& study, const Store& store) {
   LeftAside aside;
   for (const Series& series : study.series) {
-    const std::map<std::string, std::int64_t> solves = store.series_of_configuration(configuration_of(series.key));
-    if (solves.empty() || solves.contains(series.key)) continue;
+    const std::int64_t solves = store.solves_of_other_sources(series.key);
+    if (solves == 0 || store.number_of_solves({study.name, study.definition, {series}}) > 0) continue;
     aside.labels.push_back(series.label);
     for (const auto& [key, count] : solves) aside.solves += count;
   }

@@ -15,18 +15,11 @@ namespace {
 constexpr int most_shards = 100'000;
 
 // The part of a point, from 0; all points of a chain are one part.
-std::int64_t part(const StudySize& size, int run, int point) {
-  return size.is_chained ? run - 1 : std::int64_t{run - 1} * size.points + point - 1;
+std::int64_t part(const Study& study, int run, int point) {
+  return study.is_chained() ? run - 1 : std::int64_t{run - 1} * study.path->points() + point - 1;
 }
 
 }  // namespace
-
-StudySize size_of(const Study& study) {
-  return {.runs = study.runs,
-          .points = study.path->points(),
-          .solvers = static_cast<int>(study.solvers.size()),
-          .is_chained = study.is_chained()};
-}
 
 Shard shard_from(std::string_view text) {
   const auto number = [](std::string_view digits) {
@@ -45,23 +38,23 @@ Shard shard_from(std::string_view text) {
 
 std::string Shard::text() const { return fmt::format("{}/{}", index, count); }
 
-bool contains(Shard shard, const StudySize& size, int run, int point) {
-  return part(size, run, point) % shard.count == shard.index - 1;
+bool contains(Shard shard, const Study& study, int run, int point) {
+  return part(study, run, point) % shard.count == shard.index - 1;
 }
 
-bool has_any(Shard shard, const StudySize& size, int run) {
-  for (int point = 1; point <= (size.is_chained ? 1 : size.points); ++point)
-    if (contains(shard, size, run, point)) return true;
+bool has_any(Shard shard, const Study& study, int run) {
+  for (int point = 1; point <= (study.is_chained() ? 1 : study.path->points()); ++point)
+    if (contains(shard, study, run, point)) return true;
   return false;
 }
 
-std::int64_t parts_of(const StudySize& size) {
-  return size.is_chained ? size.runs : std::int64_t{size.runs} * size.points;
+std::int64_t parts_of(const Study& study) {
+  return study.is_chained() ? study.runs : std::int64_t{study.runs} * study.path->points();
 }
 
-std::int64_t solves_of(Shard shard, const StudySize& size) {
-  const std::int64_t mine = (parts_of(size) + shard.count - shard.index) / shard.count;
-  return mine * (size.is_chained ? size.points : 1) * size.solvers;
+std::int64_t solves_of(Shard shard, const Study& study) {
+  const std::int64_t mine = (parts_of(study) + shard.count - shard.index) / shard.count;
+  return mine * (study.is_chained() ? study.path->points() : 1) * std::ssize(study.solvers);
 }
 
 }  // namespace ikbench::experiments

@@ -3,19 +3,22 @@
 
 TEST_CASE("every part of a study is in one shard, and all solvers with it", "[shard]") {
   for (const bool is_chained : {true, false}) {
-    const StudySize size{.runs = 5, .points = 3, .solvers = 2, .is_chained = is_chained};
+    Study study = small_study();
+    study.runs = 5;
+    study.path = path_through(std::vector(3, Pose::Identity()));
+    study.start = is_chained ? Start::previous : Start::initial;
     for (const int count : {1, 2, 7, 40}) {
       std::int64_t solves = 0;
-      for (int index = 1; index <= count; ++index) solves += solves_of({index, count}, size);
-      CHECK(solves == 5 * 3 * 2);
+      for (int index = 1; index <= count; ++index) solves += solves_of({index, count}, study);
+      CHECK(solves == 5 * 3 * std::ssize(study.solvers));
       for (int run = 1; run <= 5; ++run) {
         for (int point = 1; point <= 3; ++point) {
           int shards = 0;
           for (int index = 1; index <= count; ++index) {
-            if (!contains({index, count}, size, run, point)) continue;
+            if (!contains({index, count}, study, run, point)) continue;
             ++shards;
-            CHECK(has_any({index, count}, size, run));
-            if (is_chained) CHECK(contains({index, count}, size, run, 1));  // a chain is never cut
+            CHECK(has_any({index, count}, study, run));
+            if (is_chained) CHECK(contains({index, count}, study, run, 1));  // a chain is never cut
           }
           CHECK(shards == 1);
         }
