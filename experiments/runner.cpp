@@ -261,7 +261,7 @@ LeftAside left_aside(const StoredStudy& study, const Store& store) {
     const std::int64_t solves = store.solves_of_other_sources(series.key);
     if (solves == 0 || store.number_of_solves({study.name, study.definition, {series}}) > 0) continue;
     aside.labels.push_back(series.label);
-    for (const auto& [key, count] : solves) aside.solves += count;
+    aside.solves += solves;
   }
   return aside;
 }

@@ -434,15 +434,15 @@ void Store::each_of_series(const std::string& key, const Take& take) const {
   });
 }
 
-std::map<std::string, std::int64_t> Store::series_of_configuration(std::string_view configuration) const {
+std::int64_t Store::solves_of_other_sources(std::string_view series) const {
   return guarded(database_->name, [&] {
     SQLite::Statement query(database_->sqlite,
-                            "SELECT series, count(*) FROM solves WHERE series >= ? AND series < ? GROUP BY series");
-    SQLite::bind(query, fmt::format("{}{}", configuration, before_source),
-                 fmt::format("{}{}", configuration, static_cast<char>(before_source + 1)));
-    std::map<std::string, std::int64_t> solves;
-    while (query.executeStep()) solves[query.getColumn(0).getString()] = query.getColumn(1).getInt64();
-    return solves;
+                            "SELECT count(*) FROM solves WHERE series >= ? AND series < ? AND series <> ?");
+    const std::string configuration(configuration_of(series));
+    SQLite::bind(query, configuration + before_source, configuration + static_cast<char>(before_source + 1),
+                 std::string(series));
+    query.executeStep();
+    return query.getColumn(0).getInt64();
   });
 }
 

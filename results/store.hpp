@@ -89,8 +89,8 @@ class Store {
   using Take = std::function<void(SolveRecord&)>;
   // Calls `take` with every solve of one series, ordered by run and point.
   void each_of_series(const std::string& key, const Take& take) const;
-  // The number of solves of each series of a configuration, by its key: one series for every source that solved it.
-  std::map<std::string, std::int64_t> series_of_configuration(std::string_view configuration) const;
+  // The number of solves that other sources made of the configuration of a series.
+  std::int64_t solves_of_other_sources(std::string_view series) const;
   // The current solves of a study are those of its series, without runs and points beyond those of the definition.
   // Calls `take` with each, in the order of its series, then run, then point. The solver of each is the label of its
   // series.

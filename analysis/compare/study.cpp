@@ -198,9 +198,7 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
   study = complete(std::move(study), store.sessions());
   for (const Series& series : entry.series) {
     if (std::ssize(study.of(series.label)) >= std::int64_t{study.runs} * study.points) continue;
-    std::int64_t others = 0;
-    for (const auto& [key, count] : store.series_of_configuration(configuration_of(series.key)))
-      others += key == series.key ? 0 : count;
+    const std::int64_t others = store.solves_of_other_sources(series.key);
     if (others == 0) continue;
     study.solvers_of_other_versions.push_back(series.label);
     study.solves_of_other_versions += others;

@@ -185,15 +185,15 @@ TEST_CASE("the views have the current solves under the present labels, and the m
             .getString() == "table-3now12 0.5 1.5 10000.0,table-3now21 0.0 0.0019 -");
 }
 
-TEST_CASE("the series of a configuration are counted, whatever source solved them", "[store]") {
+TEST_CASE("solves of a configuration by other sources are counted", "[store]") {
   const ScratchFolder folder;
   Store store(folder.path / "a.ikb", Store::Mode::write);
   store.append({sample_record("00@1", 1, 1), sample_record("00@1", 1, 2), sample_record("00@2", 1, 1),
                 sample_record("001@1", 1, 1), sample_record("0@1", 1, 1)});
-  using Counts = std::map<std::string, std::int64_t>;
-  CHECK(store.series_of_configuration("00") == Counts{{"00@1", 2}, {"00@2", 1}});
-  CHECK(store.series_of_configuration("0") == Counts{{"0@1", 1}});
-  CHECK(store.series_of_configuration("1").empty());
+  CHECK(store.solves_of_other_sources("00@1") == 1);
+  CHECK(store.solves_of_other_sources("00@3") == 3);
+  CHECK(store.solves_of_other_sources("0@1") == 0);
+  CHECK(store.solves_of_other_sources("1@1") == 0);
 }
 
 TEST_CASE("a solve that is already there is refused, and nothing of its batch is kept", "[store]") {
