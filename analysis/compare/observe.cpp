@@ -163,16 +163,9 @@ auto is_timed(Timing how) {
 
 // Machines differ if their processors do, or both name and start: one that starts again keeps its name, and containers
 // on it have their own.
-bool are_several_machines(const std::vector<Session>& sessions) {
-  const auto count = [&](const std::string& fact) {
-    std::set<std::string> values;
-    for (const Session& session : sessions) {
-      if (const auto found = session.environment.find(fact); found != session.environment.end())
-        values.insert(found->second);
-    }
-    return values.size();
-  };
-  return count("cpu") > 1 || (count("host") > 1 && count("boot") > 1);
+bool are_several_machines(const StudyResults& study) {
+  const auto differ = [&](const char* fact) { return facts_of(study, fact).size() > 1; };
+  return differ("cpu") || (differ("host") && differ("boot"));
 }
 
 // Who was slowed, and by what. No solver, but a doubt: of all.
@@ -181,7 +174,7 @@ std::vector<Doubt> doubts_of_load(const StudyResults& study) {
   const auto of = [](std::string what) { return Doubt{.kind = DoubtKind::times_not_comparable, .what = what}; };
   add(doubts, study, of("solved in parallel"), is_timed(Timing::parallel));
   add(doubts, study, of("a debug build"), is_timed(Timing::debug_build));
-  if (are_several_machines(study.sessions)) doubts.push_back(of("several machines"));
+  if (are_several_machines(study)) doubts.push_back(of("several machines"));
   for (Doubt& doubt : doubts) doubt.who.clear();
   if (!doubts.empty()) return {doubts.front()};
   Doubt busy = of("the machine was busy");

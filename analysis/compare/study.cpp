@@ -167,6 +167,15 @@ std::span<const SolveRecord> StudyResults::first_run_of(std::string_view solver)
   return {first, end};
 }
 
+std::set<std::string> facts_of(const StudyResults& study, const std::string& name) {
+  std::set<std::string> values;
+  for (const Session& session : study.sessions) {
+    if (const auto fact = session.environment.find(name); fact != session.environment.end())
+      values.insert(fact->second);
+  }
+  return values;
+}
+
 StudyResults study_of(const StoredStudy& entry, const std::vector<SolveRecord>& records,
                       const std::vector<Session>& sessions) {
   StudyResults study = begun(entry);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,6 +52,9 @@ struct StudyResults {
   // Of its first run.
   std::span<const results::SolveRecord> first_run_of(std::string_view solver) const;
 };
+
+// What sessions say of one fact of their environment, such as "cpu".
+std::set<std::string> facts_of(const StudyResults& study, const std::string& name);
 
 constexpr std::int64_t most_solves = 10'000'000;
 constexpr int most_drawn = 10'000;  // of a first run

@@ -393,39 +393,34 @@ std::string what_is_studied(const StudyResults& study) {
 
 std::string methods_of(const Shown& shown, const StudyResults& study, const std::vector<std::string>& keys) {
   const results::Definition& definition = study.definition;
-  std::set<std::string> tests, programs;
+  std::set<std::string> tests;
   for (const Judged& judged : shown.metrics) {
     for (const Finding& finding : judged.findings) {
       if (!finding.test.empty()) tests.insert(std::string(finding.test));
     }
-  }
-  std::set<std::string> machines;
-  for (const results::Session& session : study.sessions) {
-    const auto fact = [&](const char* name) {
-      const auto found = session.environment.find(name);
-      return found == session.environment.end() ? "unknown" : found->second;
-    };
-    machines.insert(fact("cpu"));
-    programs.insert(fmt::format("{} (commit {})", fact("version"), fact("commit")));
   }
   const auto given = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };
   const std::int64_t runs = study.runs;
   const std::string targets = definition.draws_targets ? numerics::counted(runs * study.points, "targets")
                                                        : numerics::counted(study.points, "targets") + " in each of " +
                                                              numerics::counted(runs, "runs");
+  const auto fact = [&](const char* name) {
+    const std::set<std::string> values = facts_of(study, name);
+    return values.empty() ? "unknown" : given(values);
+  };
   std::string text = fmt::format(
       "{} had the same {} ({}; search: {}) with the arm {}; each solve started {} and ended at {}; the "
       "machine was {}.",
       numerics::counted(std::ssize(study.solvers), "solvers"), targets, with_blanks(definition.path),
       with_blanks(name_of(definition.search)), definition.robot,
       definition.is_chained() ? "at the last answer" : "from a " + with_blanks(name_of(definition.start)) + " position",
-      stops_of(study), given(machines));
+      stops_of(study), fact("cpu"));
   if (!tests.empty())
     text += fmt::format(
         " Pairs were tested by {}, p times the number of pairs of a metric that can be tested (Bonferroni), at a "
         "significance of {}; a difference within {} does not matter.",
         given(tests), number_text(shown.decisive().plan.significance), margin_words(shown.decisive()));
-  text += fmt::format(" Made with ikbench {}", given(programs));
+  text += fmt::format(" Made with ikbench {} (commit {})", fact("version"), fact("commit"));
   return text + (keys.empty() ? "." : fmt::format(" \\cite{{{}}}, keys of docs/references.bib.", fmt::join(keys, ",")));
 }
 
@@ -460,14 +455,8 @@ Table plan_table(const StudyResults& study) {
 
 Table machine_table(const StudyResults& study) {
   Table table = settings("Machine");
-  for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"}) {
-    std::set<std::string> values;
-    for (const results::Session& session : study.sessions) {
-      if (const auto found = session.environment.find(fact); found != session.environment.end())
-        values.insert(found->second);
-    }
-    add_setting(table, with_blanks(fact), fmt::format("{}", fmt::join(values, "; ")));
-  }
+  for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})
+    add_setting(table, with_blanks(fact), fmt::format("{}", fmt::join(facts_of(study, fact), "; ")));
   return table;
 }
 
