@@ -25,12 +25,6 @@ Lines lines_of(const std::string& text) {
   return lines;
 }
 
-// A line a pair.
-Lines pairs_of(const Shown& shown) {
-  constexpr std::size_t gap = 3, width = 100;
-  return lines_of(aligned(pair_rows(shown), gap, width));
-}
-
 Lines table_of(const Shown& shown) {
   Table table = results_table(shown);
   table.columns[0].name = "";
@@ -64,7 +58,8 @@ Lines warnings_of(const Shown& shown) {
 
 std::string screen(const Shown& whole, const std::string& page) {
   const Shown shown = with_short_names(whole, longest_name);
-  const Lines pairs = pairs_of(shown);
+  constexpr std::size_t gap = 3, width = 100;
+  const Lines pairs = lines_of(aligned(pair_rows(shown), gap, width));  // a line a pair
   Lines head, note;
   for (const std::string& line : lines_of(headline(shown)))
     std::ranges::move(wrapped(line, ""), std::back_inserter(head));

@@ -66,6 +66,14 @@ Shown shown(std::vector<Judged> metrics) {
     if (is_share(judged)) judged = in_unit(std::move(judged), 100, "%");
     for (Finding& finding : judged.findings) finding = better_first(std::move(finding), judged.plan.control);
   }
+  for (Judged& judged : shown.metrics) {
+    std::vector<std::string> names;
+    for (const std::size_t i : best_first(judged, shown.metrics)) names.push_back(judged.observations.groups[i].name);
+    const auto place = [&](const std::string& name) { return std::ranges::find(names, name); };
+    std::ranges::stable_sort(judged.findings, {}, [&](const Finding& finding) {
+      return std::minmax({place(finding.first), place(finding.second)});
+    });
+  }
   return shown;
 }
 

@@ -1,4 +1,4 @@
-// Judged metrics as readers see them: in their units, and the better one of a pair first.
+// Judged metrics as readers see them: in their units, pairs of the best first, and of a pair the better one.
 #pragma once
 
 #include <cstddef>

@@ -350,15 +350,7 @@ std::vector<std::vector<std::string>> pair_rows(const Shown& shown) {
   if (shown.decisive().findings.size() > most_pairs) return rows;
   for (const Judged& judged : shown.metrics) {
     if (!has_two && &judged != &shown.decisive()) continue;
-    std::vector<Finding> findings = judged.findings;
-    const std::vector<std::size_t> order = best_first(judged, shown.metrics);
-    const auto place = [&](const std::string& name) {
-      return std::ranges::find(order, name, [&](std::size_t i) { return name_of(judged, i); });
-    };
-    std::ranges::stable_sort(findings, {}, [&](const Finding& finding) {
-      return std::minmax({place(finding.first), place(finding.second)});
-    });
-    for (const Finding& finding : findings)
+    for (const Finding& finding : judged.findings)
       rows.push_back({one_line(fmt::format("{}{} vs {}", has_two ? judged.observations.quantity + ": " : "",
                                            finding.first, finding.second)),
                       verdict_words(finding, judged), amount_words(finding, judged),

@@ -19,8 +19,8 @@ std::string unit_of(const compare::Finding& finding, const compare::Judged& judg
 // "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict "better in 71 % of
 // comparisons"
 std::string amount_words(const compare::Finding& finding, const compare::Judged& judged);
-// Of each pair of the deciding metric, those of the best solvers first, "DLS vs PSO", the verdict, the amount and p; of
-// only two solvers one of each metric. None of more than most_pairs.
+// Of each pair of the deciding metric, "DLS vs PSO", the verdict, the amount and p; of only two solvers one of each
+// metric. None of more than most_pairs.
 std::vector<std::vector<std::string>> pair_rows(const Shown& shown);
 // No difference and the margin's ends, as the finding's numbers are.
 std::vector<double> ends_of(const compare::Finding& finding, const compare::Judged& judged);
