@@ -117,4 +117,17 @@ JudgedStudy judge(StudyResults study) {
   return judged;
 }
 
+const Judged* judged_of(const JudgedStudy& judged, std::string_view column) {
+  const auto found = std::ranges::find_if(
+      judged.metrics, [&](const Judged& each) { return each.observations.metric == metric_named(column).slug; });
+  return found == judged.metrics.end() ? nullptr : &*found;
+}
+
+const Finding* finding_of(const Judged& judged, std::string_view one, std::string_view other) {
+  const auto found = std::ranges::find_if(judged.findings, [&](const Finding& finding) {
+    return (finding.first == one && finding.second == other) || (finding.first == other && finding.second == one);
+  });
+  return found == judged.findings.end() ? nullptr : &*found;
+}
+
 }  // namespace ikbench::compare

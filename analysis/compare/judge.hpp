@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "analysis/compare/compare.hpp"
@@ -42,5 +43,10 @@ struct JudgedStudy {
 JudgedStudy judge(StudyResults study);
 // A metric that is not in every report.
 Judged judge(const StudyResults& study, const Metric& metric);
+
+// Null if the study has no such metric, by its column.
+const Judged* judged_of(const JudgedStudy& judged, std::string_view column);
+// Of two groups, in either order; null if they are no pair.
+const Finding* finding_of(const Judged& judged, std::string_view one, std::string_view other);
 
 }  // namespace ikbench::compare

@@ -224,12 +224,6 @@ std::string name_of(const Look& look, const std::string& solver) {
   return found == look.names.end() ? solver : found->second;
 }
 
-const Judged* judged_of(const JudgedStudy& judged, std::string_view column) {
-  const auto found = std::ranges::find_if(
-      judged.metrics, [&](const Judged& each) { return each.observations.metric == metric_named(column).slug; });
-  return found == judged.metrics.end() ? nullptr : &*found;
-}
-
 DrawnUnit drawn_unit(const StudyResults& study, std::string_view unit) {
   if (unit == "s") return {"ms", 1000};
   if (unit == "cm" && study.definition.published.empty()) return {"mm", 10};

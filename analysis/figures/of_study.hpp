@@ -43,7 +43,6 @@ std::vector<std::string> shown_solvers(const compare::StudyResults& study, const
 int style_of(const Look& look, const std::string& solver);
 std::string name_of(const Look& look, const std::string& solver);
 
-const compare::Judged* judged_of(const compare::JudgedStudy& judged, std::string_view column);
 // Values are drawn times `factor`: 10 for cm in mm.
 struct DrawnUnit {
   std::string name;

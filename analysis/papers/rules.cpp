@@ -7,9 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "analysis/figures/of_study.hpp"
 #include "analysis/papers/claims.hpp"
-#include "analysis/show/shown.hpp"
 #include "analysis/show/text.hpp"
 
 namespace ikbench::papers {
@@ -50,7 +48,7 @@ bool is_rival(const std::string& name, const Claim& claim) {
 
 // As its report judged it, so that a claim and the report cannot disagree. What a report does not have is judged alike.
 Judged judged_in(const JudgedStudy& study, const Metric& metric) {
-  const Judged* const reported = figures::judged_of(study, metric.column);
+  const Judged* const reported = judged_of(study, metric.column);
   return reported ? *reported : judge(study.study, metric);
 }
 
@@ -339,7 +337,7 @@ Found ratios(const Claim& claim, const Repeated& repeated) {
   Names list;
   for (const std::string& solver : claim.against) {
     const PrintedRow *const row = row_of(printed, solver), *const of_base = row_of(printed, base);
-    const Finding* const pair = show::finding_of(times, solver, base);
+    const Finding* const pair = finding_of(times, solver, base);
     if (row == nullptr || of_base == nullptr || pair == nullptr || !pair->estimate) continue;
     list.push_back(fmt::format("{} {} (printed {})", solver,
                                number_text(numbers_of(times, solver).median / numbers_of(times, base).median),
@@ -394,7 +392,7 @@ Observations deviations(Observations observed) {
 }
 
 Verdict verdict_between(const Judged& judged, std::string_view first, std::string_view second) {
-  const Finding* const finding = show::finding_of(judged, first, second);
+  const Finding* const finding = finding_of(judged, first, second);
   if (finding == nullptr) return Verdict::not_tested;
   const Verdict verdict = finding->verdict;
   if (finding->first == first || !is_difference(verdict)) return verdict;

@@ -126,11 +126,4 @@ Shown with_short_names(Shown shown, std::size_t length) {
 
 bool is_share(const Judged& judged) { return judged.observations.scale == Scale::share; }
 
-const Finding* finding_of(const Judged& judged, std::string_view one, std::string_view other) {
-  const auto found = std::ranges::find_if(judged.findings, [&](const Finding& finding) {
-    return (finding.first == one && finding.second == other) || (finding.first == other && finding.second == one);
-  });
-  return found == judged.findings.end() ? nullptr : &*found;
-}
-
 }  // namespace ikbench::show

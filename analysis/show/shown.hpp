@@ -35,8 +35,6 @@ Shown shown(const compare::JudgedStudy& judged);
 Shown with_short_names(Shown shown, std::size_t length);
 
 bool is_share(const compare::Judged& judged);
-// Of two groups; null if they are no pair.
-const compare::Finding* finding_of(const compare::Judged& judged, std::string_view one, std::string_view other);
 
 // The tables of every report; their numbers are those of the sentences, and their rows those of results.json.
 Table results_table(const Shown& shown);  // a row a solver
