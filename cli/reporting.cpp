@@ -133,7 +133,7 @@ std::string help_of_figures() {
       "Figures of a report, those that it has values for: run, report, reproduce, stats --figures NAME,NAME\n";
   for (const auto& [name, meaning] : all_figures()) text += fmt::format("  {:24}{}\n", name, meaning);
   return text + "error stands for all that begin with it, none for no figure.\n\n" +
-         "Keys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle(), "'IK-BA', 'PSO'");
+         "Keys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle());
 }
 
 FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {

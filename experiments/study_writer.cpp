@@ -243,9 +243,10 @@ std::string line(std::string_view key, std::string_view value, std::string_view 
 std::string lines_of(const FieldsWritten& fields) {
   std::string text;
   for (const auto& [key, json, exact_text, meaning, in_key, poses] : fields) {
-    const bool is_left_out = json.is_array() && json.empty();
-    if (poses == nullptr && !is_left_out) text += line(key, toml_text(json), meaning);
-    if (poses == nullptr) continue;
+    if (poses == nullptr) {
+      text += line(key, toml_text(json), meaning);
+      continue;
+    }
     text += fmt::format("{} = [\n", key);
     for (const Pose& pose : *poses) {
       const Eigen::VectorXd position = pose.translation();
@@ -319,19 +320,14 @@ std::string to_toml(Path path) {
          lines_of(written(path));
 }
 
-std::string to_toml(FigureStyle style, const std::string& shown) {
-  std::string text = lines_of(written(style));
-  if (style.solvers.empty()) text += fmt::format("# solvers = [{}]  # {}\n", shown, meaning_of_shown);
-  return text;
-}
+std::string to_toml(FigureStyle style) { return lines_of(written(style)); }
 
 std::string to_toml(const Study& study) {
   Study fields = as_in_files(study);
   std::string text = lines_of(written(fields));
-  text += "\n[analysis]  # how the results are judged; it does not affect the solves\n" +
-          lines_of(written(fields.plan)) +
-          "\n[figures]  # their style; it affects neither the solves nor how they are judged\n" +
-          to_toml(fields.figures, study.solvers.empty() ? "" : toml_string(study.solvers.front().label));
+  text +=
+      "\n[analysis]  # how the results are judged; it does not affect the solves\n" + lines_of(written(fields.plan)) +
+      "\n[figures]  # their style; it affects neither the solves nor how they are judged\n" + to_toml(fields.figures);
   if (is_urdf_file(study.robot)) text += "\n[urdf]\n" + lines_of(written(fields.urdf));
   text += "\n[stop]\n" + lines_of(written(fields.stop)) + '\n' + to_toml(fields.path);
   for (const LeftOut& left_out : study.left_out)
@@ -355,9 +351,7 @@ std::string to_toml(const Study& study) {
       text += line("population", value("population", fmt::format("{}", entry.population)),
                    "overrides the population of the study");
     if (!entry.colour.empty())
-      text += line("colour", toml_string(entry.colour), meaning_of_colour);
-    else if (&entry == &study.solvers.front())
-      text += fmt::format("# colour = \"blue\"  # {}\n", meaning_of_colour);
+      text += line("colour", toml_string(entry.colour), "of the solver in every figure: \"#RRGGBB\"");
     if (entry.if_missing == IfMissing::leave_out)
       text +=
           line("if_missing", "'leave_out'", "where it was not built the study goes on without it; refuse: it does not");

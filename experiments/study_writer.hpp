@@ -13,8 +13,8 @@ namespace ikbench::experiments {
 std::string to_toml(const Study& study);
 // A path, as in the study's table [path].
 std::string to_toml(Path path);
-// A look, as in [figures]; where it shows all solvers, `shown` is an example of some.
-std::string to_toml(results::FigureStyle style, const std::string& shown);
+// A look, as in [figures].
+std::string to_toml(results::FigureStyle style);
 // The study without its solvers, with its number of points and its arm, as the store keeps it.
 std::string to_json(const Study& study);
 // The arm's links, base and tool, as in its file.

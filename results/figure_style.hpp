@@ -40,9 +40,7 @@ struct FigureStyle {
   bool operator==(const FigureStyle&) const = default;
 };
 
-constexpr std::string_view meaning_of_colour = "of the solver in every figure: \"#RRGGBB\"";
 constexpr std::string_view expected_colour = "a colour such as \"#1E8CF8\"";
-constexpr std::string_view meaning_of_shown = "only these solvers in figures, in this order; by default all";
 
 inline void list_fields(numerics::Fields& io, FigureStyle& style) {
   io.number("width_cm", style.width_cm, 1, {0, 60}, "width of every figure, at least 4; 0: each its own");
@@ -51,7 +49,7 @@ inline void list_fields(numerics::Fields& io, FigureStyle& style) {
   io.text("font", style.font, "a font of this machine (letters, digits, blanks and -)");
   io.number("text_pt", style.text_pt, 1, {4, 24}, "size of text; heights and margins follow it");
   io.texts("palette", style.palette, "colours of solvers, in the order in which they are given out: \"#RRGGBB\"");
-  io.texts("solvers", style.solvers, meaning_of_shown);
+  io.texts("solvers", style.solvers, "only these labels in figures, in this order; []: all");
   io.chosen("formats", style.formats, picture_names, "pictures of each figure; the page shows svg");
 }
 
