@@ -194,10 +194,6 @@ std::optional<Study> original_of(const Study& study) {
   return *original;
 }
 
-auto find_solver(const Study& study, const std::string& label) {
-  return std::ranges::find(study.solvers, label, &SolverEntry::label);
-}
-
 // The settings in which a study differs from the original. These may differ freely: name, title, seed, trace, repeats,
 // the analysis, further solvers, and the arm where each has random targets of its own, as a row of a table.
 std::vector<std::string> departures(const Study& study, const Study& original) {
@@ -214,7 +210,7 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
     keys.push_back(name);
   }
   for (const SolverEntry& entry : original.solvers) {
-    const auto same = find_solver(study, entry.label);
+    const auto same = std::ranges::find(study.solvers, entry.label, &SolverEntry::label);
     if (same == study.solvers.end()) continue;
     if (same->solver != entry.solver || same->population != entry.population ||
         effective_options(study, *same) != effective_options(original, entry)) {
@@ -227,11 +223,7 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
 void add_departures(OrderedJson& json, const Study& study) {
   json["departures"] = std::vector<std::string>();
   const std::optional<Study> original = original_of(study);
-  if (!original) return;
-  json["departures"] = departures(study, *original);
-  for (const SolverEntry& entry : original->solvers) {
-    if (find_solver(study, entry.label) == study.solvers.end()) json["missing_solvers"].push_back(entry.label);
-  }
+  if (original) json["departures"] = departures(study, *original);
 }
 
 // ---- TOML ---------------------------------------------------------------------------------------------------------

@@ -95,7 +95,6 @@ Definition definition_of(std::string_view json) {
   study.draws_targets = targets == "drawn";
   reader.whole("points", study.points, counts);
   reader.texts("departures", study.departures);
-  reader.texts("missing_solvers", study.missing_solvers);
   reach.whole("points", study.out_of_reach, counts);
   arm.text("base_link", study.base_link);
   arm.text("tip_link", study.tip_link);

@@ -98,15 +98,14 @@ void list_fields(numerics::Fields& io, StudyData& study);
 // A study as the store keeps it, with what judging needs of its arm and targets.
 struct Definition : StudyData {
   int points = 0;
-  std::string path;                          // the kind
-  bool draws_targets = false;                // for every run anew
-  std::string base_link, tip_link;           // of an arm from a URDF file
-  std::vector<std::string> arm_notes;        // what of the file was not taken as it stands
-  std::vector<std::string> departures;       // settings that differ from the published study
-  std::vector<std::string> missing_solvers;  // of the published study
-  int out_of_reach = 0;                      // targets that no configuration reaches
-  std::string arm;                           // JSON, as robots/robot.hpp reads it
-  std::string task;                          // JSON: the first configuration, and how targets are drawn
+  std::string path;                     // the kind
+  bool draws_targets = false;           // for every run anew
+  std::string base_link, tip_link;      // of an arm from a URDF file
+  std::vector<std::string> arm_notes;   // what of the file was not taken as it stands
+  std::vector<std::string> departures;  // settings that differ from the published study
+  int out_of_reach = 0;                 // targets that no configuration reaches
+  std::string arm;                      // JSON, as robots/robot.hpp reads it
+  std::string task;                     // JSON: the first configuration, and how targets are drawn
 };
 
 // Members that the text lacks keep their defaults. Throws std::invalid_argument if it is no JSON object, or with the

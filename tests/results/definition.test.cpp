@@ -6,7 +6,7 @@ TEST_CASE("A definition is read into plain data") {
     "start": "previous", "limits": "enforced", "runs": 3, "points": 7, "seed": 9007199254740993,
     "path": {"kind": "random", "points": 2, "targets": "drawn"},
     "stop": {"iterations": 200, "tolerance_cm": 0.1, "tolerance_deg": 2, "evaluations": 4000, "seconds": 0.5},
-    "departures": ["limits"], "missing_solvers": ["BA"], "out_of_reach": {"points": 3}, "arm": {"links": []}})");
+    "departures": ["limits"], "out_of_reach": {"points": 3}, "arm": {"links": []}})");
   CHECK(of.title == "T");
   CHECK(of.published == "p");
   CHECK(of.robot == "r");
@@ -24,7 +24,6 @@ TEST_CASE("A definition is read into plain data") {
   CHECK(of.stop.evaluations == 4000);
   CHECK(of.stop.seconds == 0.5);
   CHECK(of.departures == std::vector<std::string>{"limits"});
-  CHECK(of.missing_solvers == std::vector<std::string>{"BA"});
   CHECK(of.out_of_reach == 3);
   CHECK(of.arm.starts_with("{\"links\""));
   CHECK(of.plan == Plan());
