@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -63,15 +64,8 @@ std::string frame_line(std::string_view name, const Frame& frame) {
   return frame == Frame() ? "" : fmt::format("{} {}\n", name, frame_text(frame, number));
 }
 
-bool slides(const Robot& arm, Eigen::Index joint) {
-  return arm.chain.links()[static_cast<std::size_t>(joint)].joint == Joint::slides;
-}
-
 std::string joint_table(const Robot& arm) {
-  std::vector<std::string> names;
-  for (const DescribedJoint& joint : arm.description) {
-    if (joint.motion != DescribedJoint::Motion::none) names.push_back(joint.name);
-  }
+  const std::vector<std::string> names = joint_names(arm.description);
   std::vector<std::vector<std::string>> rows{
       {"JOINT", "", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
   if (!names.empty()) rows.front().emplace_back("name");
@@ -80,14 +74,14 @@ std::string joint_table(const Robot& arm) {
     const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
     const bool is_endless = !std::isfinite(arm.limits.lower[j]);
     rows.push_back({std::to_string(j + 1),
-                    slides(arm, j)                 ? "slides"
+                    arm.chain.slides(j)            ? "slides"
                     : link.joint == Joint::coupled ? "coupled"
                                                    : "turns",
                     is_endless ? "without" : number(arm.limits.lower[j], units[j]),
                     is_endless ? "end" : number(arm.limits.upper[j], units[j]),
-                    is_endless       ? ""
-                    : slides(arm, j) ? "m"
-                                     : "deg",
+                    is_endless            ? ""
+                    : arm.chain.slides(j) ? "m"
+                                          : "deg",
                     number(link.a), number(link.alpha, degree), number(link.d), number(link.offset, degree)});
     if (!names.empty()) rows.back().push_back(names[static_cast<std::size_t>(j)]);
   }
@@ -112,21 +106,16 @@ Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
     throw std::invalid_argument(
         fmt::format("--at has {} values; expected {}, one for each joint of {}", at.size(), arm.joints(), arm.name));
   }
-  Configuration q(arm.joints());
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const double value = at[static_cast<std::size_t>(j)];
-    if (!(std::abs(value) <= 1e6)) {
-      throw std::invalid_argument(fmt::format("--at has {}; expected values within +-1e6", value));
-    }
-    q[j] = value * (slides(arm, j) ? 1 : degree);
-  }
-  return q;
+  if (const auto far = std::ranges::find_if(at, [](double value) { return !(std::abs(value) <= 1e6); });
+      far != at.end())
+    throw std::invalid_argument(fmt::format("--at has {}; expected values within +-1e6", *far));
+  return Eigen::Map<const Eigen::VectorXd>(at.data(), arm.joints()).cwiseProduct(experiments::joint_units(arm.chain));
 }
 
 std::string tool_text(const Robot& arm, const Configuration& q) {
   std::vector<std::string> values;
   for (Eigen::Index j = 0; j < q.size(); ++j) {
-    values.push_back(slides(arm, j) ? number(q[j]) + " m" : number(q[j], degree) + " deg");
+    values.push_back(arm.chain.slides(j) ? number(q[j]) + " m" : number(q[j], degree) + " deg");
   }
   std::string text = fmt::format("with the joints at {}, the tool is {}", fmt::join(values, ", "),
                                  frame_text(frame_of(arm.chain.forward(q)), calculated));

@@ -35,7 +35,7 @@ Robot arm_of(const Study& study) { return study.robot_of_file ? *study.robot_of_
 Configuration joint_units(const Chain& arm) {
   Configuration units = Configuration::Constant(arm.joints(), degree);
   for (Eigen::Index j = 0; j < units.size(); ++j) {
-    if (arm.links()[static_cast<std::size_t>(j)].joint == Joint::slides) units[j] = 1;
+    if (arm.slides(j)) units[j] = 1;
   }
   return units;
 }
@@ -79,9 +79,8 @@ std::vector<Configuration> starts(const Study& study, const Robot& arm, int run)
   if (study.start == Start::near) all = study.path->solutions(arm, of_targets);
   for (Configuration& start : all) {
     for (Eigen::Index j = 0; j < start.size(); ++j) {
-      const bool slides = arm.chain.links()[static_cast<std::size_t>(j)].joint == Joint::slides;
       if (study.start == Start::random) start[j] = random.uniform(range.lower[j], range.upper[j]);
-      if (study.start == Start::near && !slides) {
+      if (study.start == Start::near && !arm.chain.slides(j)) {
         const double moved = start[j] + random.uniform(-study.near, study.near);
         start[j] = std::clamp(moved, arm.limits.lower[j], arm.limits.upper[j]);
       }

@@ -169,9 +169,7 @@ OrderedJson arm_definition(const Robot& arm) {
     json["links"].push_back(json_of(written(link)));
   }
   std::size_t joint = 0;
-  for (const DescribedJoint& described : arm.description) {
-    if (described.motion != DescribedJoint::Motion::none) json["links"][joint++]["name"] = described.name;
-  }
+  for (const std::string& name : joint_names(arm.description)) json["links"][joint++]["name"] = name;
   if (!arm.tip_link.empty()) json["base_link"] = arm.base_link, json["tip_link"] = arm.tip_link;
   if (!arm.notes.empty()) json["notes"] = arm.notes;
   for (auto [key, frame] : {std::pair{"base", arm.chain.base()}, std::pair{"tool", arm.chain.tool()}})

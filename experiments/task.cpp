@@ -83,7 +83,7 @@ void Task::turn_near(Eigen::Vector3d& branch, const Eigen::Vector3d& near) const
 void Task::wrap(Configuration& answer) const {
   if (study_.wrap == Wrap::no) return;
   for (Eigen::Index j = 0; j < answer.size(); ++j) {
-    if (arm_.chain.links()[static_cast<std::size_t>(j)].joint == Joint::slides) continue;
+    if (arm_.chain.slides(j)) continue;
     answer[j] = turned_inside(answer[j], arm_.limits.lower[j], arm_.limits.upper[j]);
   }
 }

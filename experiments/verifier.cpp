@@ -76,8 +76,7 @@ enum class Kind { turns, slides };
 // The values of the joints of one kind; 0 for the others.
 Eigen::VectorXd of_joints(const Robot& robot, Eigen::VectorXd values, Kind kind) {
   for (Eigen::Index j = 0; j < values.size(); ++j) {
-    const bool slides = robot.chain.links()[static_cast<std::size_t>(j)].joint == Joint::slides;
-    if (slides != (kind == Kind::slides)) values[j] = 0;
+    if (robot.chain.slides(j) != (kind == Kind::slides)) values[j] = 0;
   }
   return values;
 }

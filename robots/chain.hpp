@@ -57,6 +57,7 @@ class Chain {
   }
 
   int joints() const { return static_cast<int>(links_.size()); }
+  bool slides(Eigen::Index joint) const { return links_[static_cast<std::size_t>(joint)].joint == Joint::slides; }
   // T_base_tool: the product of the link transforms, Eqs. 18 and 26.
   Pose forward(const ConfigurationRef& q) const;
   // The tool's position alone: forward(q).translation().

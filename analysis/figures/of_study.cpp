@@ -423,9 +423,9 @@ JointRows joint_rows(const StudyResults& study, const Look& look) {
   if (!arm) return all;
   std::vector<std::size_t> turning;
   for (std::size_t joint = 0; joint < arm->chain.links().size(); ++joint) {
-    if (arm->chain.links()[joint].joint == robots::Joint::slides) continue;
-    turning.push_back(joint);
     const auto j = static_cast<Eigen::Index>(joint);
+    if (arm->chain.slides(j)) continue;
+    turning.push_back(joint);
     all.columns.push_back(
         {fmt::format("joint {}", joint + 1), arm->limits.lower[j] / degree, arm->limits.upper[j] / degree});
   }

@@ -38,10 +38,9 @@ Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
     const auto j = static_cast<Eigen::Index>(joint);
     const double q = solve.answer_rad[joint], outside = std::max(arm.limits.lower[j] - q, q - arm.limits.upper[j]);
     if (!(outside > rounding)) continue;
-    const bool slides = arm.chain.links()[joint].joint == robots::Joint::slides;
     list.push_back({{"joint", joint},
-                    {"by", slides ? outside * 100 : outside / numerics::degree},
-                    {"unit", slides ? " cm" : "\u00b0"}});
+                    {"by", arm.chain.slides(j) ? outside * 100 : outside / numerics::degree},
+                    {"unit", arm.chain.slides(j) ? " cm" : "\u00b0"}});
   }
   return list;
 }

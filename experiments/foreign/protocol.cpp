@@ -249,10 +249,8 @@ std::string robot_message(const Robot& arm, const Chain& searched, const Goal& g
                       {"lower", arm.limits.lower[index]},
                       {"upper", arm.limits.upper[index]}});
   }
-  std::size_t moving = 0;
-  for (const DescribedJoint& joint : arm.description) {
-    if (joint.motion != DescribedJoint::Motion::none && moving < joints.size()) joints[moving++]["name"] = joint.name;
-  }
+  const std::vector<std::string> names = joint_names(arm.description);
+  for (std::size_t j = 0; j < std::min(names.size(), joints.size()); ++j) joints[j]["name"] = names[j];
   const std::string tip = arm.tip_link.empty() ? "tool" : arm.tip_link;
   OrderedJson json{{"message", "robot"},
                    {"name", arm.name},
