@@ -57,24 +57,16 @@ std::string shown(std::string_view text) {
   return is_plain(text) ? fmt::format("\"{}\"", text) : "bytes that are no text";
 }
 
-class Table {
- public:
-  // Begins at the names of the columns.
-  Table(std::string_view text, std::string_view file) : csv_(parse_csv(text, file)), file_(file) {}
+struct Table {
+  CsvTable csv;
+  std::string_view file;
+  std::size_t row = 0;  // from 1; 0: the names of the columns
 
-  // Goes to the next row; false after the last.
-  bool next() {
-    if (row_ == csv_.rows()) return false;
-    ++row_;
-    return true;
-  }
-
-  std::size_t columns() const { return csv_.header.size(); }
   std::string_view cell(std::size_t place) const {
-    return trimmed(row_ == 0 ? csv_.header[place] : csv_.cell(row_ - 1, place));
+    return trimmed(row == 0 ? csv.header[place] : csv.cell(row - 1, place));
   }
   [[noreturn]] void refuse(std::string_view what) const {
-    throw std::invalid_argument(fmt::format("{}:{}: {}", file_, row_ == 0 ? 1 : csv_.line(row_ - 1), what));
+    throw std::invalid_argument(fmt::format("{}:{}: {}", file, row == 0 ? 1 : csv.line(row - 1), what));
   }
 
   double number(const Column& column) const {
@@ -84,11 +76,6 @@ class Table {
     refuse(fmt::format("column {} ({}) is {}; expected a number from -1e6 to 1e6", column.place + 1, column.name,
                        shown(cell(column.place))));
   }
-
- private:
-  CsvTable csv_;
-  std::string_view file_;
-  std::size_t row_ = 0;  // from 1; 0: the header
 };
 
 // Finds the columns of a group; none if the header has none of them. A group must be complete.
@@ -99,7 +86,7 @@ std::vector<Column> columns_of(const std::array<std::string_view, count>& names,
   std::vector<std::string_view> missing;
   for (const std::string_view name : names) {
     const std::size_t before = found.size();
-    for (std::size_t place = 0; place < table.columns(); ++place) {
+    for (std::size_t place = 0; place < table.csv.header.size(); ++place) {
       for (const auto& [ending, unit] : units) {
         if (table.cell(place) != std::string(name) + std::string(ending)) continue;
         if (found.size() > before) table.refuse(fmt::format("there are two columns for {}; expected one", name));
@@ -120,7 +107,7 @@ struct Columns {
 };
 
 Columns columns_in(const Table& table) {
-  std::vector<bool> used(table.columns(), false);
+  std::vector<bool> used(table.csv.header.size(), false);
   Columns columns{.position = columns_of(position_names, length_units, table, used),
                   .quaternion = columns_of(quaternion_names, no_unit, table, used),
                   .rpy = columns_of(rpy_names, angle_units, table, used),
@@ -220,10 +207,11 @@ class CsvPath final : public PathKind {
 }  // namespace
 
 std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file) {
-  Table table(text, file);
+  Table table{parse_csv(text, file), file};
   const Columns columns = columns_in(table);
   std::vector<Pose> poses;
-  while (table.next()) {
+  while (table.row < table.csv.rows()) {
+    ++table.row;
     if (poses.size() == most_rows) table.refuse(fmt::format("expected at most {} poses", most_rows));
     Pose pose = Pose::Identity();
     pose.linear() = rotation_in(columns, table);
