@@ -87,39 +87,29 @@ void add_run(Function& function, const SolveRecord& solve, std::size_t dimension
        {"best", {{"evals", static_cast<std::int64_t>(best.evaluations)}, {"y", best.error_cm}, {"x", x}}}});
 }
 
-// Writes one solver's functions into its own folder.
-class SolverFolder {
- public:
-  SolverFolder(std::filesystem::path folder, const StoredStudy& study, const Series& series)
-      : folder_(std::move(folder)), suite_(plain_name("ikbench_" + study.name)), series_(series) {}
-
-  void write(int point, const std::map<std::size_t, Function>& by_dimension) const {
-    const std::string name = fmt::format("target_{}", point), data_folder = fmt::format("data_f{}_{}", point, name);
-    Json scenarios = Json::array();
-    for (const auto& [dimension, function] : by_dimension) {
-      const std::string path = fmt::format("{}/IOHprofiler_f{}_DIM{}.dat", data_folder, point, dimension);
-      write_file(folder_ / path, function.data);
-      scenarios.push_back({{"dimension", dimension}, {"path", path}, {"runs", function.runs}});
-    }
-    // No attributes of ours: IOHinspector evaluates their texts, and IOHanalyzer loses those of runs.
-    const Json json{{"version", writer_version},
-                    {"suite", suite_},
-                    {"function_id", point},
-                    {"function_name", name},
-                    {"maximization", false},
-                    {"algorithm", {{"name", series_.label}, {"info", series_.algorithm + " " + series_.options}}},
-                    {"experiment_attributes", Json::array()},
-                    {"run_attributes", Json::array()},
-                    {"attributes", {"evaluations", "raw_y"}},
-                    {"scenarios", scenarios}};
-    write_file(folder_ / fmt::format("IOHprofiler_f{}_{}.json", point, name), numerics::text_of(json, 1) + "\n");
+// Writes one function of a solver into the solver's folder.
+void write_function(const std::filesystem::path& folder, const std::string& study, const Series& series, int point,
+                    const std::map<std::size_t, Function>& by_dimension) {
+  const std::string name = fmt::format("target_{}", point), data_folder = fmt::format("data_f{}_{}", point, name);
+  Json scenarios = Json::array();
+  for (const auto& [dimension, function] : by_dimension) {
+    const std::string path = fmt::format("{}/IOHprofiler_f{}_DIM{}.dat", data_folder, point, dimension);
+    write_file(folder / path, function.data);
+    scenarios.push_back({{"dimension", dimension}, {"path", path}, {"runs", function.runs}});
   }
-
- private:
-  std::filesystem::path folder_;
-  std::string suite_;
-  const Series& series_;
-};
+  // No attributes of ours: IOHinspector evaluates their texts, and IOHanalyzer loses those of runs.
+  const Json json{{"version", writer_version},
+                  {"suite", plain_name("ikbench_" + study)},
+                  {"function_id", point},
+                  {"function_name", name},
+                  {"maximization", false},
+                  {"algorithm", {{"name", series.label}, {"info", series.algorithm + " " + series.options}}},
+                  {"experiment_attributes", Json::array()},
+                  {"run_attributes", Json::array()},
+                  {"attributes", {"evaluations", "raw_y"}},
+                  {"scenarios", scenarios}};
+  write_file(folder / fmt::format("IOHprofiler_f{}_{}.json", point, name), numerics::text_of(json, 1) + "\n");
+}
 
 void refuse_full(const std::filesystem::path& folder) {
   std::error_code none;
@@ -167,8 +157,8 @@ std::vector<std::string> write_iohprofiler(const Exported& exported, const std::
       if (!functions.contains(series.label)) continue;
       std::string name = plain_name(series.label);
       for (int next = 2; !used.insert(name).second; ++next) name = fmt::format("{}-{}", plain_name(series.label), next);
-      const SolverFolder solver_folder(place / name, study, series);
-      for (const auto& [point, by_dimension] : functions[series.label]) solver_folder.write(point, by_dimension);
+      for (const auto& [point, by_dimension] : functions[series.label])
+        write_function(place / name, study.name, series, point, by_dimension);
     }
   });
   std::vector<std::string> warnings;
