@@ -137,8 +137,6 @@ std::vector<Dimension> named(const std::vector<std::string>& names, const std::v
   return chosen;
 }
 
-using namespace results;
-
 namespace {
 
 constexpr double most_combinations = 1e5, most_readings = 1e15;
@@ -199,24 +197,6 @@ struct Combinations {
   }
 };
 
-// A list of needed series, each once.
-class SeriesList {
- public:
-  // Adds one solver of the study; returns its place in `parts`.
-  std::size_t add(const Study& study, std::size_t solver) {
-    const auto [found, is_new] = known_.try_emplace(series_key(study, study.solvers[solver]), parts.size());
-    if (is_new) {
-      parts.push_back(study);
-      parts.back().solvers = {study.solvers[solver]};
-    }
-    return found->second;
-  }
-  std::vector<Study> parts;
-
- private:
-  std::map<std::string, std::size_t> known_;  // series key to place
-};
-
 // Adds defaults too: a solver's own default may differ from what the study's choice implies for it.
 void add_overrides(Overrides& overrides, const std::vector<Dimension>& dimensions, const Chosen& chosen) {
   for (const Choice& each : chosen) overrides.push_back(alternative_of(dimensions, each).set);
@@ -264,7 +244,7 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
   plan.solvers = labels_of(load_study(name, request.overrides));
   size_of(dimensions, plan.solvers);
   const Combinations combinations{dimensions};
-  SeriesList needed;
+  std::map<std::string, std::size_t> places;  // in the plan's parts, by series key
   for (const Chosen& chosen : combinations.of("", {})) {
     MultiversePlan::OfStudy& of_study = plan.studies.emplace_back();
     of_study.chosen = chosen;
@@ -280,12 +260,15 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
         for (int seed = 1; seed <= request.seeds; ++seed) {
           if (request.cancelled != nullptr && *request.cancelled) return plan;
           study.seed = static_cast<std::uint64_t>(seed);
-          of_solver.back().parts.push_back(needed.add(study, s));
+          const auto [place, is_new] = places.try_emplace(series_key(study, study.solvers[s]), plan.parts.size());
+          of_solver.back().parts.push_back(place->second);
+          if (!is_new) continue;
+          plan.parts.push_back(study);
+          plan.parts.back().solvers = {study.solvers[s]};
         }
       }
     }
   }
-  plan.parts = std::move(needed.parts);
   return plan;
 }
 
