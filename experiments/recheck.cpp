@@ -77,9 +77,9 @@ void check(const Definition& study, const Robot& arm, const Left& before, const 
     return;  // what was answered is not stored: the arm stayed, or the claim decided
   const auto status = [&](double rounding) {
     const auto about = [&](double tolerance) { return tolerance > 0 ? tolerance + rounding : 0; };
-    return judge(computed, {.claimed_error = computed.position_error,
-                            .tolerance = about(study.stop.tolerance),
-                            .angle_tolerance = about(study.stop.angle_tolerance)});
+    return status_by(computed, {.claimed_error = computed.position_error,
+                                .tolerance = about(study.stop.tolerance),
+                                .angle_tolerance = about(study.stop.angle_tolerance)});
   };
   if (solve.status != status(1e-8) && solve.status != status(-1e-8))
     refuse(solve, fmt::format("status {} is stored, but {} follows from the answer", name_of(solve.status),

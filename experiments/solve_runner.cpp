@@ -218,14 +218,14 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
   if (timed.solution.stopped == StopReason::not_finite) return Status::not_finite;
   const bool claims = timed.account && !std::isnan(timed.account->claimed_error);
   const Status status =
-      judge(verified, {.claimed_error = claims ? timed.account->claimed_error : timed.solution.position_error,
-                       .claim_slack = timed.account ? claim_slack(arm_) : 0,
-                       .claimed_pose_error = timed.solution.best.error,
-                       .rotation_weight = task_.goal(target).rotation_weight,
-                       .tolerance = study_.stop.tolerance,
-                       .angle_tolerance = study_.stop.angle_tolerance,
-                       .orientation_is_exact = study_.search == Search::wrist,
-                       .limits_are_enforced = study_.limits == Limits::enforced});
+      status_by(verified, {.claimed_error = claims ? timed.account->claimed_error : timed.solution.position_error,
+                           .claim_slack = timed.account ? claim_slack(arm_) : 0,
+                           .claimed_pose_error = timed.solution.best.error,
+                           .rotation_weight = task_.goal(target).rotation_weight,
+                           .tolerance = study_.stop.tolerance,
+                           .angle_tolerance = study_.stop.angle_tolerance,
+                           .orientation_is_exact = study_.search == Search::wrist,
+                           .limits_are_enforced = study_.limits == Limits::enforced});
   const bool is_in_order = status == Status::ok || status == Status::tolerance_missed;
   return is_in_order && is_late(timed) ? Status::over_budget : status;
 }

@@ -414,27 +414,27 @@ std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntr
 constexpr std::string_view not_enforced =
     "bounds is \"initial\", but limits is \"enforced\"; expected bounds that keep candidates inside the limits";
 
-// Checks an entry against the study. The keys of `own` have its label before them.
-void check_entry(const TomlReader& reader, const TomlReader& own, const SolverEntry& entry, const Study& study,
+// Checks an entry against the study. The keys of `at_entry` have its label before them.
+void check_entry(const TomlReader& reader, const TomlReader& at_entry, const SolverEntry& entry, const Study& study,
                  const Robot& arm) {
   if (entry.program) {  // which may decline further
     if (const Hello& hello = entry.program->hello; !hello.solves(goal_kind(study.search)))
-      throw own.mistake("process", fmt::format("{} solves for {}; expected another search", hello.name,
-                                               fmt::join(hello.goals, ", ")));
+      throw at_entry.mistake("process", fmt::format("{} solves for {}; expected another search", hello.name,
+                                                    fmt::join(hello.goals, ", ")));
     return;
   }
   const SolverInfo info = solver(entry.solver);
   if (const std::string why = info.why_not(arm.chain, goal_kind(study.search)); !why.empty())
-    throw own.mistake("solver", why);
+    throw at_entry.mistake("solver", why);
   if (const int population = effective_population(study, entry); population < info.least_population) {
-    throw(entry.population > 0 ? own : reader)
+    throw(entry.population > 0 ? at_entry : reader)
         .mistake(population_key, fmt::format("population is {}, but {} needs at least {}", population, entry.solver,
                                              info.least_population));
   }
   const auto bounds = entry.options.find("bounds");
   if (study.limits == Limits::enforced && bounds != entry.options.end() && bounds->second == "initial") {
-    const toml::table* const options = own.table()["options"].as_table();
-    throw(options == nullptr ? own : own.nested(*options, own.prefix())).mistake("bounds", not_enforced);
+    const toml::table* const options = at_entry.table()["options"].as_table();
+    throw(options == nullptr ? at_entry : at_entry.nested(*options, at_entry.prefix())).mistake("bounds", not_enforced);
   }
 }
 

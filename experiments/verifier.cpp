@@ -197,7 +197,7 @@ bool is_over(const Spent& spent, const StopRule& budget) {
          exceeds(static_cast<double>(spent.iterations), budget.iterations);
 }
 
-Status judge(const Verification& verified, const Requirement& requirement) {
+Status status_by(const Verification& verified, const Requirement& requirement) {
   if (!std::isfinite(verified.position_error) || !std::isfinite(verified.orientation_error)) return Status::not_finite;
   const bool claim_holds = std::abs(verified.position_error - requirement.claimed_error) <=
                            rounding + requirement.claim_slack;  // false for NaN

@@ -60,6 +60,6 @@ bool is_over(const Spent& spent, const solvers::StopRule& budget);
 
 // The most severe fault of an answer, in the order of Status' description (results/record.hpp). A difference of 1e-9
 // (m, rad) is rounding.
-results::Status judge(const Verification& verified, const Requirement& requirement);
+results::Status status_by(const Verification& verified, const Requirement& requirement);
 
 }  // namespace ikbench::experiments

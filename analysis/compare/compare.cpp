@@ -132,7 +132,7 @@ int runs_that_differ(const Observations& observed, const Pair& pair) {
   return static_cast<int>(std::ranges::count_if(differences, [](double each) { return each != 0; }));
 }
 
-Tested tested_by(Method method, const Two& two, const Summary& one, const Summary& other, double alpha) {
+Tested tested_by(Method method, const Two& two, const Summary& first, const Summary& second, double alpha) {
   if (method == Method::ranks) return rank_test(two.a, two.b, alpha);
   if (method == Method::signed_ranks) return signed_rank_test(two.differences, alpha);
   if (is_one_of(method, {Method::sign, Method::sign_and_ranks})) {
@@ -142,17 +142,17 @@ Tested tested_by(Method method, const Two& two, const Summary& one, const Summar
   }
   if (method == Method::paired_t) return t_test(two.differences, alpha);
   if (method == Method::mcnemar) return mcnemar(two.a, two.b, alpha);
-  return method == Method::fisher ? fisher(two.a, two.b, alpha) : welch(one, other, alpha);
+  return method == Method::fisher ? fisher(two.a, two.b, alpha) : welch(first, second, alpha);
 }
 
 // Tests a pair on one scale, whose numbers it returns, and says in the finding what does not depend on their unit.
 Tested examined(const Observations& observed, const Plan& plan, const Pair& pair, bool are_logs, double alpha,
                 Finding& finding) {
   const Two two(observed, pair, are_logs);
-  const Summary one = pair.a.summary ? *pair.a.summary : summarise(two.a);
-  const Summary other = pair.b.summary ? *pair.b.summary : summarise(two.b);
-  const bool is_share = observed.scale == Scale::share, are_constant = one.sd == 0 && other.sd == 0;
-  Tested tested = tested_by(pair.method, two, one, other, alpha);
+  const Summary first = pair.a.summary ? *pair.a.summary : summarise(two.a);
+  const Summary second = pair.b.summary ? *pair.b.summary : summarise(two.b);
+  const bool is_share = observed.scale == Scale::share, are_constant = first.sd == 0 && second.sd == 0;
+  Tested tested = tested_by(pair.method, two, first, second, alpha);
   std::optional<Interval>& interval = tested.interval;
   std::optional<double> share_larger;
   if (is_by_difference(pair.method)) {
@@ -162,16 +162,16 @@ Tested examined(const Observations& observed, const Plan& plan, const Pair& pair
     finding.are_all_equal = equal == static_cast<double>(two.differences.size());
     share_larger = (larger + equal / 2) / static_cast<double>(two.differences.size());
   } else {
-    finding.are_all_equal = are_constant && one.mean == other.mean;
+    finding.are_all_equal = are_constant && first.mean == second.mean;
     if (!two.a.empty() && !two.b.empty()) share_larger = a12(two.a, two.b);
   }
   if (share_larger) finding.effect = observed.better == Better::larger ? *share_larger : 1 - *share_larger;
   if (is_share && interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
   if (is_share && are_constant && finding.are_all_equal && !interval)
-    interval = newcombe(one.mean, one.n, other.mean, other.n, alpha);
+    interval = newcombe(first.mean, first.n, second.mean, second.n, alpha);
   if (!is_share && finding.are_all_equal) interval.reset();
 
-  const double relative = two.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(one.mean), std::abs(other.mean));
+  const double relative = two.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(first.mean), std::abs(second.mean));
   const double margin = is_share                      ? plan.margin
                         : are_logs                    ? std::log1p(plan.margin)
                         : are_on_logs(observed, pair) ? observed.absolute_margin
@@ -182,10 +182,10 @@ Tested examined(const Observations& observed, const Plan& plan, const Pair& pair
   };
   // Equal values say nothing of failures that are rarer than so many can show.
   const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : finding.are_all_equal;
-  const bool can_fail = are_equal && 1 - wilson(1, std::min(one.n, other.n), alpha).low > plan.margin;
+  const bool can_fail = are_equal && 1 - wilson(1, std::min(first.n, second.n), alpha).low > plan.margin;
   const Method by_means = is_by_difference(pair.method) ? Method::paired_t : Method::welch;
   finding.is_within_margin = !can_fail && lies_within(tested) &&
-                             (!is_by_ranks(pair.method) || lies_within(tested_by(by_means, two, one, other, alpha)));
+                             (!is_by_ranks(pair.method) || lies_within(tested_by(by_means, two, first, second, alpha)));
   const auto unbound = [&](double& value) {
     if (two.no_answer > 0 && std::abs(value) > two.no_answer / 8)
       value = std::copysign(std::numeric_limits<double>::infinity(), value);
@@ -202,7 +202,7 @@ bool does_one_value_decide(const Group& group) {
 }
 
 // The verdict of p, with an estimate and an interval that cannot refute it.
-void judge(const Observations& observed, const Plan& plan, const Pair& pair, int direction, Finding& finding) {
+void set_verdict(const Observations& observed, const Plan& plan, const Pair& pair, int direction, Finding& finding) {
   const double none = finding.scale == Scale::ratio ? 1 : 0;
   std::optional<Interval>& interval = finding.interval;
   if (*finding.p >= plan.significance) {
@@ -344,7 +344,7 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan) {
     if (tested.interval && finding.estimate)
       finding.interval = Interval{shown(tested.interval->low), shown(tested.interval->high)};
     finding.p = std::min(1.0, tested.p * tested_pairs);
-    judge(observed, plan, pair, tested.direction, finding);
+    set_verdict(observed, plan, pair, tested.direction, finding);
   }
   std::vector<Finding> findings;
   for (Pair& pair : pairs) findings.push_back(std::move(pair.finding));

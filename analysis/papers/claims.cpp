@@ -66,7 +66,7 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated, const std::vect
       other == nullptr ? std::vector<JudgedClaim>() : judged_claims({.paper = repeated.paper, .study = *other});
   std::vector<JudgedClaim> all;
   for (const Claim& claim : repeated.paper.claims) {
-    Found found = claim.rule ? claim.rule->judge(claim, repeated) : Found();
+    JudgedClaims found = claim.rule ? claim.rule->judge(claim, repeated) : JudgedClaims();
     const bool is_of_many = claim.sentence.find('{') != std::string::npos;
     if (found.empty() && !claim.is_ours && !is_of_many) {
       found.push_back(begun(claim));

@@ -53,11 +53,11 @@ std::string screen(const std::vector<std::string>& sentences, const std::vector<
 
 // What a rule finds; none if the report has nothing to judge; several if the sentence is about each solver and arm:
 // "{solver} on the {arm}".
-using Found = std::vector<JudgedClaim>;
+using JudgedClaims = std::vector<JudgedClaim>;
 
 struct Rule {
   std::string_view name;
-  Found (*judge)(const Claim& claim, const Repeated& repeated);
+  JudgedClaims (*judge)(const Claim& claim, const Repeated& repeated);
   bool is_of_metrics = true;
 };
 // better: its solvers are better than the others in each metric. ahead: its solver is better than each other in some

@@ -168,7 +168,7 @@ Names same_there(const Claim& claim, const Repeated& repeated) {
 }
 
 // A larger share in each study, which are arms, than the best of the rivals.
-Found better_in_each_study(const Claim& claim, const Repeated& repeated) {
+JudgedClaims better_in_each_study(const Claim& claim, const Repeated& repeated) {
   const std::string& own = claim.solvers.front();
   JudgedClaim result = begun(claim);
   Tally tally;
@@ -189,7 +189,7 @@ Found better_in_each_study(const Claim& claim, const Repeated& repeated) {
   return {result};
 }
 
-Found better(const Claim& claim, const Repeated& repeated) {
+JudgedClaims better(const Claim& claim, const Repeated& repeated) {
   if (claim.of == Of::each_study) return better_in_each_study(claim, repeated);
   const Names& own = claim.solvers;
   JudgedClaim result = begun(claim);
@@ -197,23 +197,23 @@ Found better(const Claim& claim, const Repeated& repeated) {
   Names lists;
   const Names same = same_there(claim, repeated);
   for (const Metric* metric : claim.metrics) {
-    const std::optional<Judged> found = judged_here(claim, repeated, *metric),
+    const std::optional<Judged> ours = judged_here(claim, repeated, *metric),
                                 printed = judged_print(claim, repeated, *metric);
-    if (!found) return {};
-    Names rivals = rivals_of(*found, own), means;
+    if (!ours) return {};
+    Names rivals = rivals_of(*ours, own), means;
     std::erase_if(rivals, [&](const std::string& rival) { return has(same, rival); });
     here.insert(here.end(), same.size(), Holds::fails);
-    if (!rivals.empty()) here.push_back(holds_of(tally_of(*found, own, rivals)));
+    if (!rivals.empty()) here.push_back(holds_of(tally_of(*ours, own, rivals)));
     if (printed) in_print.push_back(holds_of(tally_of(*printed, own, rivals_of(*printed, own))));
     for (const std::string& solver : own) {
-      means.push_back(mean_words(*found, solver));
-      if (const std::string words = relations(*found, solver, rivals); !words.empty())
+      means.push_back(mean_words(*ours, solver));
+      if (const std::string words = relations(*ours, solver, rivals); !words.empty())
         lists.push_back(fmt::format("{} of {}", metric->name, words));
     }
     if (!result.number.empty()) continue;
-    result.number = (claim.of == Of::spread ? "sd " : "") + with_unit(show::listed(means), *found);
+    result.number = (claim.of == Of::spread ? "sd " : "") + with_unit(show::listed(means), *ours);
     if (rivals.empty()) continue;
-    result.rival = fmt::format("{} {}", rivals[0], mean_words(*found, rivals[0]));
+    result.rival = fmt::format("{} {}", rivals[0], mean_words(*ours, rivals[0]));
     result.number += ", " + result.rival;
   }
   result.holds = holds_of(here);
@@ -229,46 +229,46 @@ Found better(const Claim& claim, const Repeated& repeated) {
 Tally dominance(const std::vector<Judged>& metrics, const std::string& solver) {
   Tally tally;
   for (const std::string& rival : rivals_of(metrics.front(), {solver})) {
-    Tally found;
-    for (const Judged& judged : metrics) found.add(verdict_between(judged, solver, rival));
-    tally.add(found.better > 0 && found.worse == 0   ? Verdict::better
-              : found.worse > 0 && found.better == 0 ? Verdict::worse
-              : found.untested == found.all()        ? Verdict::not_tested
-                                                     : Verdict::undecided);
+    Tally of_metrics;
+    for (const Judged& judged : metrics) of_metrics.add(verdict_between(judged, solver, rival));
+    tally.add(of_metrics.better > 0 && of_metrics.worse == 0   ? Verdict::better
+              : of_metrics.worse > 0 && of_metrics.better == 0 ? Verdict::worse
+              : of_metrics.untested == of_metrics.all()        ? Verdict::not_tested
+                                                               : Verdict::undecided);
   }
   return tally;
 }
 
-Found ahead(const Claim& claim, const Repeated& repeated) {
+JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
   const std::string& solver = claim.solvers.front();
   std::vector<Judged> here, in_print;
   for (const Metric* metric : claim.metrics) {
-    std::optional<Judged> found = judged_here(claim, repeated, *metric),
+    std::optional<Judged> ours = judged_here(claim, repeated, *metric),
                           printed = judged_print(claim, repeated, *metric);
-    if (!found || !printed) return {};
-    here.push_back(std::move(*found));
+    if (!ours || !printed) return {};
+    here.push_back(std::move(*ours));
     in_print.push_back(std::move(*printed));
   }
-  const Tally ours = dominance(here, solver), theirs = dominance(in_print, solver);
+  const Tally tally = dominance(here, solver), in_paper = dominance(in_print, solver);
   JudgedClaim result = begun(claim);
-  result.holds = holds_of(ours);
-  result.printed = holds_of(theirs);
-  result.number = fmt::format("ahead of {} of {}", ours.better, ours.all());
-  result.evidence = fmt::format("In print it is ahead of {}.", theirs.better);
+  result.holds = holds_of(tally);
+  result.printed = holds_of(in_paper);
+  result.number = fmt::format("ahead of {} of {}", tally.better, tally.all());
+  result.evidence = fmt::format("In print it is ahead of {}.", in_paper.better);
   return {result};
 }
 
-Found differ(const Claim& claim, const Repeated& repeated) {
+JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
   std::vector<Holds> here, in_print;
   for (const Metric* metric : claim.metrics) {
-    const std::optional<Judged> found = judged_here(claim, repeated, *metric),
+    const std::optional<Judged> ours = judged_here(claim, repeated, *metric),
                                 printed = judged_print(claim, repeated, *metric);
-    if (!found) return {};
+    if (!ours) return {};
     const double significance = repeated.study.study.definition.plan.significance;
     const auto verdict = [&](const std::optional<TestOfAll>& anova) {
       return anova ? always_or_on_average(anova->p < significance, false) : Holds::not_tested;
     };
-    here.push_back(verdict(found->anova));
+    here.push_back(verdict(ours->anova));
     if (printed) in_print.push_back(verdict(printed->anova));
   }
   JudgedClaim result = begun(claim);
@@ -279,7 +279,7 @@ Found differ(const Claim& claim, const Repeated& repeated) {
 }
 
 // At most ten times the spacing of doubles at the farthest target.
-Found at_rounding(const Claim& claim, const Repeated& repeated) {
+JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
   const JudgedStudy* const judged = study_of(claim, repeated);
   const std::string& solver = claim.solvers.front();
   if (judged == nullptr || judged->study.of(solver).empty()) return {};
@@ -303,8 +303,8 @@ Found at_rounding(const Claim& claim, const Repeated& repeated) {
 }
 
 // A claim of each solver, over all arms.
-Found as_printed(const Claim& claim, const Repeated& repeated) {
-  Found found;
+JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
+  JudgedClaims judged;
   const std::vector<RatesOfArm> arms = rates_of(repeated);
   for (const auto& [solver, column] : repeated.paper.rates.columns) {
     std::vector<Holds> repeats;
@@ -313,16 +313,16 @@ Found as_printed(const Claim& claim, const Repeated& repeated) {
       if (rate.share) repeats.push_back(always_or_on_average(rate.is_as_printed(), false));
     }
     if (repeats.empty()) continue;
-    JudgedClaim& result = found.emplace_back(begun(claim));
+    JudgedClaim& result = judged.emplace_back(begun(claim));
     result.id = fmt::format("{}-{}", claim.id, solver);
     result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", solver));
     result.holds = holds_of(repeats);
     result.number = fmt::format("on {} of {} arms", std::ranges::count(repeats, Holds::holds), repeats.size());
   }
-  return found;
+  return judged;
 }
 
-Found ratios(const Claim& claim, const Repeated& repeated) {
+JudgedClaims ratios(const Claim& claim, const Repeated& repeated) {
   const JudgedStudy* const judged = study_of(claim, repeated);
   if (judged == nullptr) return {};
   const Paper& paper = repeated.paper;

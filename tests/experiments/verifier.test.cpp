@@ -58,7 +58,7 @@ TEST_CASE("an arm from a URDF file is verified by its origins and axes, not by t
     links[2].a += 1e-4;
     wrong.chain = Chain(links, arm.chain.base(), arm.chain.tool());
     const double claimed = (wrong.chain.position(q) - target.translation()).norm();
-    CHECK(judge(verify(wrong, target, q, q), {.claimed_error = claimed}) == Status::claimed_but_wrong);
+    CHECK(status_by(verify(wrong, target, q, q), {.claimed_error = claimed}) == Status::claimed_but_wrong);
   }
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("metres of joints that slide and radians of those that turn are never 
   CHECK(verified.largest_move == Approx(0.4));
   CHECK(verified.limit_violation == 0);
   CHECK(verified.limit_violation_m == Approx(0.03));
-  CHECK(judge({.limit_violation_m = 0.03}, any) == Status::limit_violated);
+  CHECK(status_by({.limit_violation_m = 0.03}, any) == Status::limit_violated);
 }
 
 TEST_CASE("a joint without limits violates none, however far it turns, unless it is not finite", "[verifier]") {
@@ -141,17 +141,17 @@ TEST_CASE("an answer that is not finite gives errors that are not finite", "[ver
       CHECK_FALSE(std::isfinite(verified.variation));
       CHECK_FALSE(std::isfinite(verified.largest_move));
       CHECK_FALSE(std::isfinite(verified.limit_violation));
-      CHECK(judge(verified, any) == Status::not_finite);
+      CHECK(status_by(verified, any) == Status::not_finite);
     }
   }
 }
 
 TEST_CASE("an error above the tolerance is a missed tolerance, if one was asked for", "[verifier]") {
   const Verification off{.position_error = 0.01};
-  CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0.009}) == Status::tolerance_missed);
-  CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0.01 - 0.5e-9}) == Status::ok);  // rounding
-  CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0.01}) == Status::ok);
-  CHECK(judge(off, {.claimed_error = 0.01, .tolerance = 0}) == Status::ok);
+  CHECK(status_by(off, {.claimed_error = 0.01, .tolerance = 0.009}) == Status::tolerance_missed);
+  CHECK(status_by(off, {.claimed_error = 0.01, .tolerance = 0.01 - 0.5e-9}) == Status::ok);  // rounding
+  CHECK(status_by(off, {.claimed_error = 0.01, .tolerance = 0.01}) == Status::ok);
+  CHECK(status_by(off, {.claimed_error = 0.01, .tolerance = 0}) == Status::ok);
 }
 
 TEST_CASE("a joint outside its limits by more than rounding is a violation", "[verifier]") {
@@ -160,29 +160,29 @@ TEST_CASE("a joint outside its limits by more than rounding is a violation", "[v
   };
   CHECK(violated(2e-9) == Approx(2e-9));
   CHECK(violated(0.5e-9) == 0);
-  CHECK(judge({.limit_violation = 2e-9}, any) == Status::limit_violated);
-  CHECK(judge({.limit_violation = 0}, any) == Status::ok);
+  CHECK(status_by({.limit_violation = 2e-9}, any) == Status::limit_violated);
+  CHECK(status_by({.limit_violation = 0}, any) == Status::ok);
 }
 
 TEST_CASE("where limits are enforced a joint outside them is no answer", "[verifier]") {
   const Requirement enforced{.claimed_error = 0, .limits_are_enforced = true};
-  CHECK(judge({.limit_violation = 2e-9}, enforced) == Status::refused);
-  CHECK(judge({.limit_violation = 0}, enforced) == Status::ok);
-  CHECK(judge({.position_error = 1, .limit_violation = 2e-9}, enforced) == Status::claimed_but_wrong);
+  CHECK(status_by({.limit_violation = 2e-9}, enforced) == Status::refused);
+  CHECK(status_by({.limit_violation = 0}, enforced) == Status::ok);
+  CHECK(status_by({.position_error = 1, .limit_violation = 2e-9}, enforced) == Status::claimed_but_wrong);
 }
 
 TEST_CASE("a claim that differs from the verified error in either direction is wrong", "[verifier]") {
-  CHECK(judge({.position_error = 0.01}, {.claimed_error = 0.02}) == Status::claimed_but_wrong);
-  CHECK(judge({.position_error = 0.02}, {.claimed_error = 0.01}) == Status::claimed_but_wrong);
-  CHECK(judge({.position_error = 0.01}, {.claimed_error = 0.01 + 0.5e-9}) == Status::ok);  // rounding
-  CHECK(judge({.position_error = 0.01}, {.claimed_error = not_a_number}) == Status::claimed_but_wrong);
-  CHECK(judge({.position_error = 0.01}, {.claimed_error = infinity}) == Status::claimed_but_wrong);
+  CHECK(status_by({.position_error = 0.01}, {.claimed_error = 0.02}) == Status::claimed_but_wrong);
+  CHECK(status_by({.position_error = 0.02}, {.claimed_error = 0.01}) == Status::claimed_but_wrong);
+  CHECK(status_by({.position_error = 0.01}, {.claimed_error = 0.01 + 0.5e-9}) == Status::ok);  // rounding
+  CHECK(status_by({.position_error = 0.01}, {.claimed_error = not_a_number}) == Status::claimed_but_wrong);
+  CHECK(status_by({.position_error = 0.01}, {.claimed_error = infinity}) == Status::claimed_but_wrong);
 }
 
 TEST_CASE("an orientation that the closed form should have met and did not is a wrong claim", "[verifier]") {
-  CHECK(judge({.orientation_error = 0.1}, {.orientation_is_exact = true}) == Status::claimed_but_wrong);
-  CHECK(judge({.orientation_error = 0.1}, {.orientation_is_exact = false}) == Status::ok);
-  CHECK(judge({.orientation_error = 0.5e-9}, {.orientation_is_exact = true}) == Status::ok);
+  CHECK(status_by({.orientation_error = 0.1}, {.orientation_is_exact = true}) == Status::claimed_but_wrong);
+  CHECK(status_by({.orientation_error = 0.1}, {.orientation_is_exact = false}) == Status::ok);
+  CHECK(status_by({.orientation_error = 0.5e-9}, {.orientation_is_exact = true}) == Status::ok);
 }
 
 TEST_CASE("the angle between a target and the tool is that by which the one is turned from the other", "[verifier]") {
@@ -205,11 +205,11 @@ TEST_CASE("the angle between a target and the tool is that by which the one is t
 
 TEST_CASE("an angle beyond its tolerance is a missed tolerance, whatever the position", "[verifier]") {
   const Verification turned{.angle = 0.01};
-  CHECK(judge(turned, {.tolerance = 1, .angle_tolerance = 0.009}) == Status::tolerance_missed);
-  CHECK(judge(turned, {.tolerance = 1, .angle_tolerance = 0.01}) == Status::ok);
-  CHECK(judge(turned, {.tolerance = 1}) == Status::ok);
+  CHECK(status_by(turned, {.tolerance = 1, .angle_tolerance = 0.009}) == Status::tolerance_missed);
+  CHECK(status_by(turned, {.tolerance = 1, .angle_tolerance = 0.01}) == Status::ok);
+  CHECK(status_by(turned, {.tolerance = 1}) == Status::ok);
   const Verification both{.position_error = 2, .angle = 0.01};
-  CHECK(judge(both, {.claimed_error = 2, .tolerance = 1, .angle_tolerance = 1}) == Status::tolerance_missed);
+  CHECK(status_by(both, {.claimed_error = 2, .tolerance = 1, .angle_tolerance = 1}) == Status::tolerance_missed);
 }
 
 TEST_CASE("what is claimed of a pose or an axis has to hold of its position and of its orientation", "[verifier]") {
@@ -223,30 +223,30 @@ TEST_CASE("what is claimed of a pose or an axis has to hold of its position and 
   Eigen::VectorXd error(1);
   is_axis ? arm.chain.axis_errors(q, target, 0.3, error) : arm.chain.pose_errors(q, target, 0.3, error);
   const Requirement honest{.claimed_error = 0.05, .claimed_pose_error = error[0], .rotation_weight = 0.3};
-  CHECK(judge(verified, honest) == Status::ok);
+  CHECK(status_by(verified, honest) == Status::ok);
   Requirement wrong = honest;
   wrong.claimed_pose_error += 1e-8;
-  CHECK(judge(verified, wrong) == Status::claimed_but_wrong);
+  CHECK(status_by(verified, wrong) == Status::claimed_but_wrong);
   wrong.claimed_pose_error = not_a_number;
-  CHECK(judge(verified, wrong) == Status::claimed_but_wrong);
+  CHECK(status_by(verified, wrong) == Status::claimed_but_wrong);
   wrong = honest;
   wrong.claimed_error = 0.04;
-  CHECK(judge(verified, wrong) == Status::claimed_but_wrong);
+  CHECK(status_by(verified, wrong) == Status::claimed_but_wrong);
   wrong = honest;
   wrong.rotation_weight = 0.2;
-  CHECK(judge(verified, wrong) == Status::claimed_but_wrong);
+  CHECK(status_by(verified, wrong) == Status::claimed_but_wrong);
 }
 
 TEST_CASE("of several wrongs the most severe is told", "[verifier]") {
   Verification verified{.position_error = 1, .limit_violation = 1};
   Requirement requirement{.claimed_error = 1, .tolerance = 0.1};
-  CHECK(judge(verified, requirement) == Status::limit_violated);  // over tolerance_missed
+  CHECK(status_by(verified, requirement) == Status::limit_violated);  // over tolerance_missed
   requirement.claimed_error = 0;
-  CHECK(judge(verified, requirement) == Status::claimed_but_wrong);  // over limit_violated
+  CHECK(status_by(verified, requirement) == Status::claimed_but_wrong);  // over limit_violated
   verified.position_error = infinity;
-  CHECK(judge(verified, requirement) == Status::not_finite);  // over everything
+  CHECK(status_by(verified, requirement) == Status::not_finite);  // over everything
   verified = {.position_error = 0, .orientation_error = not_a_number};
-  CHECK(judge(verified, requirement) == Status::not_finite);
+  CHECK(status_by(verified, requirement) == Status::not_finite);
 }
 
 TEST_CASE("a solver that stops by itself is over its budget by half of it", "[verifier]") {
