@@ -73,10 +73,9 @@ small=(--set runs=2 --set path.points=3 --set stop.iterations=5 --set population
 # numbers STORE [STUDY]: the solves of its first study, or of another, as CSV without what differs from one run of the
 # program to the next.
 numbers() {
-  "$program" export "$1" ${2:+--study "$2"} >"$work/.csv" || fail "cannot export $1"
-  awk -F, '
+  "$program" export "$1" ${2:+--study "$2"} | awk -F, '
     NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^((cpu_|smallest_|largest_)?seconds|repeats|interruptions|timing|session)$/) timed[i] = 1 }
-    { for (i = 1; i <= NF; ++i) if (!(i in timed)) printf "%s,", $i; print "" }' "$work/.csv"
+    { for (i = 1; i <= NF; ++i) if (!(i in timed)) printf "%s,", $i; print "" }' || fail "cannot export $1"
 }
 
 # solves STORE: the number of its solves.
