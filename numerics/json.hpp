@@ -13,7 +13,6 @@ using OrderedJson = nlohmann::ordered_json;  // members keep their order of inse
 constexpr int deepest_json = 100;  // levels; copies of deeper values would overflow the stack
 // Returns a discarded value (is_discarded()) if the text is not JSON or is nested deeper.
 Json parsed_json(std::string_view text);
-// The same; leaves out what is nested deeper than `deepest`.
 OrderedJson parsed_ordered_json(std::string_view text, int deepest = deepest_json);
 
 // Writes one line, or a member a line with `indent` spaces a level. Replaces bytes that are not UTF-8 by U+FFFD. What
