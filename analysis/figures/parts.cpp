@@ -158,7 +158,7 @@ Axis linear_axis(char letter, std::span<const double> values, const std::string&
 
 Axis logarithmic_axis(char letter, double smallest, double largest, const std::string& title) {
   smallest = std::max(smallest, std::pow(10, -farthest_decade));
-  largest = std::clamp(largest, smallest * 1.02, std::pow(10, farthest_decade));
+  largest = std::max(smallest * 1.02, std::min(largest, std::pow(10, farthest_decade)));
   const double room = std::pow(largest / smallest, 0.04), low = smallest / room, high = largest * room;
   return {.settings = fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(low),
                                   text_of(high), ticks_between(letter, low, high, are_powers(low, high)),

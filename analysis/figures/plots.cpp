@@ -177,6 +177,7 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, cons
 
 std::optional<Figure> shares(const About& about, const std::string& y_axis, const std::vector<Successes>& all,
                              double dashed) {
+  if (std::ranges::all_of(all, [](const Successes& each) { return each.costs.empty(); })) return std::nullopt;
   Figure figure = begun(about);
   std::vector<std::string> clauses;
   std::vector<Named> ends;
@@ -206,7 +207,6 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
     ends.push_back({label_of(all[i].label), leader_of(all[i].style), (share - low) / (high - low)});
     clauses.push_back(fmt::format("data index {} using (place_x($1)):2 with steps {}", i, style));
   }
-  if (std::ranges::all_of(all, [](const Successes& each) { return each.costs.empty(); })) return std::nullopt;
   figure.settings =
       axis.settings +
       fmt::format(
