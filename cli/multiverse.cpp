@@ -88,7 +88,7 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
 
 void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arguments,
           const std::filesystem::path& folder) {
-  refuse_link(folder / "tables");
+  refuse_links(folder);
   show::write_table(judged.table, folder / "tables", program_name());
   if (arguments.is_json) return show_json(show::to_json(judged.table));
   fmt::print("{}", printable(show::to_text(judged.table)));

@@ -17,6 +17,7 @@
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::cli {
 
@@ -30,6 +31,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   if (out.empty()) throw std::invalid_argument("several stores: where shall the table be written? --out FOLDER");
   if (report.is_json || !report.figures.empty())
     throw std::invalid_argument("several stores make one table and its figure: without --json and --figures");
+  refuse_links(out);
   std::vector<show::Shown> studies;
   std::vector<std::string> names, arms;
   std::set<std::string> solvers;

@@ -129,10 +129,12 @@ void write_through(const fs::path& file, const Contents& contents) {
   write_file(place, contents);
 }
 
-void refuse_link(const fs::path& folder) {
-  std::error_code ignored;
-  if (fs::is_symlink(folder, ignored))
-    throw std::invalid_argument(fmt::format("'{}' is a link; remove it, or choose another folder", folder.string()));
+void refuse_links(const fs::path& folder) {
+  for (const char* name : {"tables", "figures"}) {
+    std::error_code ignored;
+    if (const fs::path place = folder / name; fs::is_symlink(place, ignored))
+      throw std::invalid_argument(fmt::format("'{}' is a link; remove it, or choose another folder", place.string()));
+  }
 }
 
 std::optional<std::string> read_file(const fs::path& file) {

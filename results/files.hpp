@@ -24,8 +24,8 @@ void write_through(const std::filesystem::path& file, const Contents& contents);
 // Writes a folder that is whole or absent; an existing one must be empty. `fill` writes into another folder, which then
 // gets its name.
 void write_folder(const std::filesystem::path& folder, const std::function<void(const std::filesystem::path&)>& fill);
-// Refuses a link in place of a folder of results: what it leads to belongs to somebody else.
-void refuse_link(const std::filesystem::path& folder);
+// Refuses a link in place of a report's tables/ or figures/: what it leads to belongs to somebody else.
+void refuse_links(const std::filesystem::path& folder);
 // Reads a regular file, where a link leads too; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& file);
 

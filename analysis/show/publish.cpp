@@ -147,7 +147,7 @@ void write_table(const Table& table, const fs::path& folder, const std::string& 
 
 Published publish(const Reported& reported, const fs::path& folder, const figures::RenderOptions& options,
                   const std::string& program) {
-  for (const char* name : {"tables", "figures"}) results::refuse_link(folder / name);
+  results::refuse_links(folder);
   for (const char* name : own_files) numerics::refuse_input(folder / name);
   const std::vector<std::string> earlier = files_of_earlier(folder);
   for (const std::string& file : earlier) numerics::refuse_input(folder / file);

@@ -53,6 +53,11 @@ succeeds run slim2023 "${small[@]}" --no-report --out theirs
 mkdir linked
 ln -s ../theirs/store.sqlite linked/store.sqlite
 refused "link" "${study[@]}" --out linked
+for folder in tables figures; do
+  ln -s ../theirs linked/$folder
+  refused "linked/$folder' is a link" report theirs/store.sqlite theirs/store.sqlite --out linked
+  rm linked/$folder
+done
 succeeds report theirs/store.sqlite
 for script in theirs/figures/*.gp; do echo "system 'touch $PWD/ran'" >>"$script"; done
 succeeds report theirs/store.sqlite
