@@ -51,7 +51,8 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   show::Table table = show::studies_table(studies, told);
   const FigureStyle style = styled(FigureStyle(), {solvers.begin(), solvers.end()}, report);
   const std::filesystem::path folder = out;
-  if (const auto figure = show::studies_figure(table)) draw(*figure, folder / "figures", {.style = style});
+  const auto figure = show::studies_figure(table);
+  if (figure) draw(*figure, folder / "figures", {.style = style});
   const auto unit = &show::Column::unit;
   constexpr std::size_t most_across = 6;
   if (files.size() > most_across &&
@@ -59,6 +60,9 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     table = show::with_a_row_a_study(table);
   show::write_table(table, folder / "tables", program_name());
   fmt::print("{}Table: {}\n", printable(show::to_text(table)), printable((folder / "tables" / "studies.csv").string()));
+  if (figure)
+    fmt::print("{}\n", printable(wrapped(fmt::format("Figure: {}. {}", (folder / "figures" / figure->name).string(),
+                                                     figure->caption))));
 }
 
 }  // namespace

@@ -206,8 +206,8 @@ std::optional<figures::Figure> studies_figure(const Table& studies) {
     }
   }
   return figures::bars({.name = "studies",
-                        .caption = fmt::format("Share of targets solved: {}.{}", studies.notes[0],
-                                               others.empty() ? "" : " Not of " + listed(others) + ", which has none."),
+                        .caption = "Share of targets solved." +
+                                   (others.empty() ? "" : " Not of " + listed(others) + ", which has none."),
                         .quantity = "solved",
                         .unit = "%"},
                        solvers, panels);
