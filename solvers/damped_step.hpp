@@ -1,4 +1,5 @@
-// The step of damped least squares and of Levenberg and Marquardt's method; undamped, Newton's.
+// What the textbook solvers share: the Jacobian in the units of their sources, and the steps of damped least squares,
+// of Levenberg and Marquardt's method and of Newton's.
 #pragma once
 
 #include "solvers/objective.hpp"
@@ -9,5 +10,18 @@ namespace ikbench::solvers {
 // no eigenvalue of J J^T + mu I is below, or 0 if it is below 1e-8 of their sum: then the step may have lost eight
 // digits.
 double damped_step(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step);
+
+// J^+ r, without singular values below `smallest`. J has 3 rows or 6.
+robots::Configuration pseudo_inverse_times(const Eigen::MatrixXd& jacobian, const Residual& residual, double smallest);
+
+// Like Objective::linearize, but the rows of a rotation are in radians, side by side with metres as in KDL and the
+// Robotics Toolbox, whatever the weight of a radian in the error.
+inline Linearized linearize_twist(Objective& objective, const robots::ConfigurationRef& q, Eigen::MatrixXd& jacobian) {
+  Linearized linearized = objective.linearize(q, jacobian);
+  if (objective.rows() == 3) return linearized;
+  linearized.to_go.tail<3>() /= objective.goal().rotation_weight;
+  jacobian.bottomRows<3>() /= objective.goal().rotation_weight;
+  return linearized;
+}
 
 }  // namespace ikbench::solvers

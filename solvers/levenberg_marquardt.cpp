@@ -5,7 +5,6 @@
 #include "solvers/bounds.hpp"
 #include "solvers/damped_step.hpp"
 #include "solvers/registry.hpp"
-#include "solvers/twist.hpp"
 
 namespace ikbench::solvers {
 

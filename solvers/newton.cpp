@@ -5,9 +5,7 @@
 
 #include "solvers/bounds.hpp"
 #include "solvers/damped_step.hpp"
-#include "solvers/pseudo_inverse.hpp"
 #include "solvers/registry.hpp"
-#include "solvers/twist.hpp"
 
 namespace ikbench::solvers {
 

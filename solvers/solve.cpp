@@ -6,7 +6,6 @@
 
 #include "numerics/instruction_set.hpp"
 #include "solvers/kernels.hpp"
-#include "solvers/tolerance.hpp"
 
 namespace ikbench::solvers {
 

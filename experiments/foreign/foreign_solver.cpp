@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "solvers/tolerance.hpp"
+#include "solvers/solve.hpp"
 
 namespace ikbench::experiments {
 

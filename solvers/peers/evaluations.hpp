@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "solvers/tolerance.hpp"
+#include "solvers/solve.hpp"
 
 namespace ikbench::solvers {
 

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "solvers/bounds.hpp"
+#include "solvers/damped_step.hpp"
 #include "solvers/peers/evaluations.hpp"
 #include "solvers/peers/nlopt.hpp"
 #include "solvers/registry.hpp"
-#include "solvers/twist.hpp"
 
 namespace ikbench::solvers {
 
