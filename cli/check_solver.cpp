@@ -9,7 +9,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/verifier.hpp"
 #include "numerics/json.hpp"

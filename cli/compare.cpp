@@ -11,7 +11,6 @@
 #include "analysis/show/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"

@@ -13,7 +13,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "results/files.hpp"
 #include "results/fingerprint.hpp"

@@ -16,7 +16,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "experiments/environment.hpp"
 #include "numerics/instruction_set.hpp"
 #include "numerics/names.hpp"

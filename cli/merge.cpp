@@ -10,7 +10,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"

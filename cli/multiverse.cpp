@@ -9,7 +9,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/series_means.hpp"

@@ -14,7 +14,6 @@
 #include "analysis/compare/judge.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
 #include "results/files.hpp"

@@ -18,7 +18,6 @@
 #include "analysis/show/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"

@@ -9,7 +9,7 @@
 #include "analysis/compare/study.hpp"
 #include "analysis/papers/multiverse.hpp"
 #include "analysis/show/report.hpp"
-#include "cli/options.hpp"
+#include "cli/commands.hpp"
 #include "experiments/multiverse.hpp"
 #include "experiments/runner.hpp"
 #include "results/figure_style.hpp"

@@ -13,7 +13,6 @@
 #include "analysis/figures/plots.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study.hpp"
 #include "experiments/study_writer.hpp"

@@ -9,7 +9,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"

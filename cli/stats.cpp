@@ -13,7 +13,6 @@
 #include "analysis/show/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "numerics/inputs.hpp"
 #include "results/csv.hpp"

@@ -1,4 +1,4 @@
-#include "cli/options.hpp"
+#include "cli/commands.hpp"
 
 #include <fmt/core.h>
 
