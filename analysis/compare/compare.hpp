@@ -9,7 +9,7 @@
 
 #include "analysis/compare/observations.hpp"
 #include "analysis/compare/tests_of_two.hpp"
-#include "results/plan.hpp"
+#include "results/study.hpp"
 
 namespace ikbench::compare {
 
