@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/shard.hpp"
 #include "experiments/study.hpp"
 #include "experiments/workers.hpp"
 #include "results/store.hpp"

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "experiments/foreign/program.hpp"
-#include "experiments/study_fields.hpp"
+#include "experiments/study_writer.hpp"
 #include "experiments/task.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/inputs.hpp"

@@ -13,7 +13,6 @@
 #include "experiments/foreign/program.hpp"
 #include "experiments/orientation.hpp"
 #include "experiments/source_digest.hpp"
-#include "experiments/study_fields.hpp"
 #include "experiments/study_reader.hpp"
 #include "numerics/json.hpp"
 #include "numerics/number.hpp"
