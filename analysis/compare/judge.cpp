@@ -18,7 +18,7 @@ void add_doubt(Judged& judged, Why why, DoubtKind kind) {
   Doubt doubt{.kind = kind, .count = std::numeric_limits<double>::infinity(), .what = observed.quantity};
   std::set<std::string> names;
   for (const Finding& finding : judged.findings) {
-    if (finding.why != why) continue;
+    if (finding.why != why || finding.n == 0) continue;  // who solved nothing has no costs
     names.insert({finding.first, finding.second});
     doubt.count = std::min(doubt.count, static_cast<double>(finding.n));
     doubt.of = std::max(doubt.of, static_cast<double>(finding.needed));

@@ -226,7 +226,9 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   const auto takes_turns = [&](const auto& solver) { return runs_of(study.of(solver)).size() >= fewest_turns; };
   if (study.solvers.size() > 1 && std::ranges::none_of(study.solvers, takes_turns))
     return {{.kind = DoubtKind::times_not_comparable, .what = "one solver after the other"}};
-  const auto add_of = [&](std::vector<std::string> who, const char* what) {
+  const auto add_of = [&](std::vector<std::string> who, const char* what) {  // one reason is enough
+    for (const Doubt& told : doubts)
+      std::erase_if(who, [&](const std::string& solver) { return std::ranges::count(told.who, solver) > 0; });
     if (!who.empty()) doubts.push_back({.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = what});
   };
   add_of(measured_apart(study), "measured in another session");
@@ -266,9 +268,9 @@ std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
   const auto is_counted = [](CountedBy by) {
     return [by](const Solve& solve) { return gave_answer(solve) && solve.counted_by == by; };
   };
-  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "own kinematics; nobody counted the evaluations"},
+  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "evaluations are not counted"},
       is_counted(CountedBy::nobody));
-  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "own kinematics; its own count"},
+  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "evaluations by its own count"},
       is_counted(CountedBy::solver));
   return doubts;
 }
