@@ -160,7 +160,7 @@ std::vector<std::string> labels_of(const StoredStudy& stored) {
 
 void add_run_options(CLI::App& command, RunArguments& arguments) {
   command.add_option("--out", arguments.out, "folder for the results; default: out/<study>")->check(not_empty());
-  command.add_option("--jobs", arguments.jobs, "number of solves at once; only times need 1")
+  command.add_option("--jobs", arguments.jobs, "number of solves at once; times are compared only with 1")
       ->check(whole_number({1, 1024}))
       ->capture_default_str();
 }

@@ -112,7 +112,7 @@ void add_stats(CLI::App& app, Invocation&) {
   add_several("--block", csv.block, "column of targets that all groups had, or several: compares within them");
   add("--run", csv.run, "column of runs: averages the rows of a run (within a block), which are no repetitions");
   add_several("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
-  add_several("--better", csv.better, "smaller or larger; COLUMN=larger of one of several [smaller]");
+  add_several("--better", csv.better, "smaller or larger is better; COLUMN=larger: of this column [smaller]");
   command->add_flag("--summaries", arguments->are_summaries,
                     "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
   add("--separator", arguments->separator, "between cells [found]")->check(CLI::IsMember({",", ";", "tab"}));

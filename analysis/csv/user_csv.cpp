@@ -239,8 +239,8 @@ Better better_of(const Sheet& sheet, const Request& request, const std::string& 
       });
   if (said.empty() && may_be_larger)
     sheet.refuse(
-        fmt::format("which values of {0} are better? Say --better larger or --better smaller; of this column alone "
-                    "--better '{1}=larger'",
+        fmt::format("are larger or smaller values of {0} better?; --better larger or --better smaller; of this column "
+                    "alone: --better '{1}=larger'",
                     in_quotes(title), title));
   return said == "larger" ? Better::larger : Better::smaller;
 }
