@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -99,13 +98,6 @@ std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& argumen
   return papers::judged(paper, *solved, load_study(paper.name).plan);
 }
 
-// The printed table beside ours is what the user waits for, so it comes as soon as its studies are solved.
-void show_table(const show::Table& table, const Arguments& arguments) {
-  if (table.rows.empty() || arguments.report.is_json) return;
-  fmt::print("{}\n{}\n", printable(table.caption), printable(show::to_text(table)));
-  std::fflush(stdout);
-}
-
 // The first of the studies is the paper's own.
 void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
             const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
@@ -113,11 +105,8 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   papers::Repeated repeated{.paper = paper, .study = all.front()};
   for (std::size_t i = 1; i < all.size(); ++i) repeated.companions.push_back(&all[i]);
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.conditions());
-  show::Table means = papers::means_table(repeated);
-  if (means.rows.empty()) {
-    means = papers::rates_table(repeated);
-    show_table(papers::rates_table(repeated, false), arguments);
-  }
+  show::Table means = papers::means_table(repeated), brief = means;
+  if (means.rows.empty()) means = papers::rates_table(repeated), brief = papers::rates_table(repeated, false);
 
   const figures::Look look = figures::look_of(all.front().study.entry.series, style);
   const bool is_slim2023 = paper.name == "slim2023";
@@ -148,7 +137,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
   }
   announce(reported, folder, arguments.report, style,
-           fmt::format("{}{}\n", papers::screen(sentences, claims),
+           fmt::format("{}{}\n", papers::screen(sentences, brief, claims),
                        fingerprints_of(Store(store_in(folder), Store::Mode::read), all, studies_of(paper, {}))));
 }
 
@@ -194,7 +183,6 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       const Store store(store_in(folder), Store::Mode::read);
       const bool is_first = judged.empty();
       judged.push_back(compare::judge(is_first ? exported_study(store, stored, folder) : checked_study(store, stored)));
-      if (is_first) show_table(papers::means_table({paper, judged.front()}), *arguments);
     }
     const auto readings = judged_readings(*arguments, paper, folder);
     if (!readings) return stop();

@@ -120,31 +120,29 @@ show::Blocks claims_section(const std::vector<JudgedClaim>& claims) {
   return blocks;
 }
 
-std::string screen(const std::vector<std::string>& sentences, const std::vector<JudgedClaim>& claims) {
-  std::string text;
+std::string screen(const std::vector<std::string>& sentences, const show::Table& table,
+                   const std::vector<JudgedClaim>& claims) {
+  std::string text, last;  // verdict
   const auto add = [&](const std::string& words, const std::string& first = "") {
     const std::string indent(std::max<std::size_t>(2, first.size()), ' ');
     text += fmt::format("{}\n", fmt::join(show::wrapped(words, indent, first), "\n"));
   };
   for (const std::string& sentence : sentences) add(sentence);
-  for (const bool are_ours : {false, true}) {
-    std::vector<std::vector<std::string>> rows;
-    std::string last;                             // verdict
-    std::map<Holds, std::string> without_number;  // sentences
-    for (const JudgedClaim& claim : grouped(claims, are_ours)) {
-      if (!is_judged(claim.holds)) {
-        std::string& all = without_number[claim.holds];
-        all += (all.empty() ? "" : "; ") + claim.sentence;
-        continue;
-      }
-      const std::string verdict(name_of(claim.holds));
-      const bool is_new = std::exchange(last, verdict) != verdict;
-      rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 46), claim.number});
+  text += fmt::format("\n{}\n{}\n", table.caption, show::to_text(table));
+  std::vector<std::vector<std::string>> rows;
+  std::map<Holds, std::string> without_number;  // sentences
+  for (const JudgedClaim& claim : grouped(claims, false)) {
+    if (!is_judged(claim.holds)) {
+      std::string& all = without_number[claim.holds];
+      all += (all.empty() ? "" : "; ") + claim.sentence;
+      continue;
     }
-    if (!rows.empty() || !without_number.empty()) text += are_ours ? "Our own questions:\n" : "\n";
-    text += show::aligned(rows, 2);
-    for (const auto& [holds, all] : without_number) add(all, fmt::format("{:15}", name_of(holds)));
+    const std::string verdict(name_of(claim.holds));
+    const bool is_new = std::exchange(last, verdict) != verdict;
+    rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 46), claim.number});
   }
+  text += show::aligned(rows, 2);
+  for (const auto& [holds, all] : without_number) add(all, fmt::format("{:15}", name_of(holds)));
   return text;
 }
 

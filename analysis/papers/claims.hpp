@@ -48,8 +48,9 @@ std::string tally_words(const std::vector<JudgedClaim>& claims);  // "3 claims: 
 show::Blocks beginning(const Paper& paper, const std::vector<std::string>& sentences, const show::Table& table);
 // Grouped by verdict: the claims, then our own questions.
 show::Blocks claims_section(const std::vector<JudgedClaim>& claims);
-// What `reproduce` ends with: some sentences, a line a claim.
-std::string screen(const std::vector<std::string>& sentences, const std::vector<JudgedClaim>& claims);
+// What `reproduce` ends with: some sentences, the printed table beside ours, a line a claim of the paper.
+std::string screen(const std::vector<std::string>& sentences, const show::Table& table,
+                   const std::vector<JudgedClaim>& claims);
 
 // What a rule finds; none if the report has nothing to judge; several if the sentence is about each solver and arm:
 // "{solver} on the {arm}".

@@ -237,7 +237,7 @@ std::vector<show::Cell> beside(const Judged& judged, const std::string& solver, 
     auto* const printed = std::get_if<show::Printed>(&cell);
     if (printed && is_time) printed->printed = in_thousandths(printed->printed);
     if (printed && ranges)
-      printed->sign = agrees(number, printed->printed) ? '=' : can_be((*ranges)[s], printed->printed) ? '~' : 'x';
+      printed->sign = agrees(number, printed->printed) || can_be((*ranges)[s], printed->printed) ? '~' : 'x';
   }
   return cells;
 }
@@ -258,8 +258,6 @@ Explained explained_by(const Repeated& repeated) {
   return count;
 }
 
-std::string unit_beside(const Metric& metric) { return metric.unit == "s" ? "ms" : std::string(metric.unit); }
-
 show::Table means_table(const Repeated& repeated) {
   const StudyResults& study = repeated.study.study;
   show::Table table{.name = "means",
@@ -271,8 +269,8 @@ show::Table means_table(const Repeated& repeated) {
     const Observations& observations = judged.observations;
     const auto metric = std::ranges::find(metrics(), observations.metric, &Metric::slug);
     const PrintedRows printed = printed_rows(repeated.paper, *metric);
-    if (printed.empty()) continue;
-    table.columns.push_back({observations.quantity, unit_beside(*metric)});
+    if (printed.empty() || metric->unit == "s") continue;  // of another machine
+    table.columns.push_back({observations.quantity, observations.unit});
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       table.rows[i].push_back(beside(judged, study.solvers[i], row_of(printed, study.solvers[i])).front());
   }

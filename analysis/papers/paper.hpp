@@ -159,10 +159,8 @@ std::vector<std::string> rates_sentences(const Repeated& repeated);
 
 // A solver's statistics beside a printed row, with signs. Times are in ms and have no sign, for machines differ.
 std::vector<show::Cell> beside(const compare::Judged& judged, const std::string& solver, const PrintedRow* row);
-std::string unit_beside(const compare::Metric& metric);
-constexpr std::string_view meaning_of_signs =
-    "= as printed, to the last digit; ~ within the range of 92 % of studies with as many runs; x neither";
-// How many of the printed numbers have the sign = or ~, of how many with a sign.
+constexpr std::string_view meaning_of_signs = "~ within the range of 92 % of studies with as many runs; x not";
+// How many of the printed numbers have the sign ~, of how many with a sign.
 struct Explained {
   std::size_t explained = 0, all = 0;
 };

@@ -45,7 +45,7 @@ Table table_3(const Repeated& repeated) {
     const Metric& metric = metric_named(column);
     const Judged* const judged = judged_of(repeated.study, column);
     if (judged == nullptr) continue;
-    table.columns.push_back({std::string(name), unit_beside(metric)});
+    table.columns.push_back({std::string(name), std::string(metric.unit == "s" ? "ms" : metric.unit)});
     const PrintedRows printed = printed_rows(repeated.paper, metric);
     for (std::size_t i = 0; i < solvers.size(); ++i) {
       const std::vector<Cell> cells = beside(*judged, solvers[i], row_of(printed, solvers[i]));
@@ -166,7 +166,7 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   if (holds(best) && holds(accurate) && holds(claim_named(claims, "least_variation")))
     words =
         "IK-BA has the \"best compromise\" of error and joint motion: the least error, and with MO-PSO the least joint "
-        "motion. Computing time, of which the paper's conclusion speaks, too, is not compared";
+        "motion. Times, which the conclusion names too, are not compared";
   all.push_back(words + '.');
   words = fmt::format("\"{}\" {}{} ({})", accurate->sentence, accurate->holds >= Holds::undecided ? "is " : "",
                       name_of(accurate->holds), accurate->number);

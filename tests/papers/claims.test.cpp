@@ -212,7 +212,7 @@ TEST_CASE("claims are told by verdict, with where they fail", "[papers]") {
   CHECK(std::get<std::string>((*most)[5]) == "only where bounds=initial");
   CHECK(std::get<std::string>(table.rows.back()[0]) == "not tested");
   CHECK(contains(show::to_text(means_table(repeated(study))), "0.00194 cm   0.0019 "));
-  const std::string text = screen({"A sentence."}, claims);
+  const std::string text = screen({"A sentence."}, {.caption = "Table"}, claims);
   CHECK(text.find("\nholds  ") < text.find("\nnot tested  "));
   CHECK(tally_words({{.holds = Holds::holds}, {.holds = Holds::fails}, {.holds = Holds::holds}}) ==
         "3 claims: holds 2, fails 1.");
