@@ -288,9 +288,12 @@ Table descriptives_table(const Shown& shown) {
                           {"unit"},
                           {"lost"}}};
   bool is_any_lost = false, is_any_share = false, is_any_of_solved = false;
+  const Judged& decisive = shown.decisive();
   for (const Judged& judged : shown.metrics) {
     const Observations& observed = judged.observations;
-    for (std::size_t i = 0; i < observed.groups.size(); ++i) {
+    for (const std::size_t place : best_first(decisive, shown.metrics)) {
+      const std::size_t i = place_of(observed, decisive.observations.groups[place].name);
+      if (i == observed.groups.size()) continue;
       const Description& its = judged.described[i];
       const Group& group = observed.groups[i];
       auto& row = table.rows.emplace_back();
