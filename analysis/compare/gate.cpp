@@ -107,8 +107,7 @@ std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyRes
 
 // Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
 Judged judged_answers(const StudyResults& study, bool machine_decides) {
-  Observations observed{
-      .metric = "answers", .quantity = "solves with an answer", .better = Better::larger, .scale = Scale::share};
+  Observations observed{.metric = "answers", .quantity = "answered", .better = Better::larger, .scale = Scale::share};
   for (const std::string& solver : study.solvers) {
     Group& group = observed.groups.emplace_back(Group{.name = solver});
     for (const Solve& solve : study.of(solver))
@@ -201,10 +200,11 @@ void decide(std::vector<Gate>& gates) {
     shares += gate.are_same ? 0 : std::ranges::count_if(gate.judged.metrics, takes_significance);
   for (Gate& gate : gates) {
     JudgedStudy& study = gate.judged;
-    Plan& plan = study.study.definition.plan;
-    if (shares > 1) plan.significance /= static_cast<double>(shares);
+    Plan plan = study.study.definition.plan;
+    const double whole = plan.significance, tests = static_cast<double>(std::max(shares, std::ptrdiff_t{1}));
+    plan.significance /= tests;
     for (Judged& judged : study.metrics) {
-      if (shares > 1) judged = judge(std::move(judged.observations), plan);
+      if (tests > 1) judged = judge(std::move(judged.observations), plan);
       const Observations& observed = judged.observations;
       Finding& finding = judged.findings.front();
       if (is_lost_for_sure(judged)) {
@@ -215,6 +215,8 @@ void decide(std::vector<Gate>& gates) {
         finding.interval.reset();
       }
       if (observed.metric == "solved") gate.visible_loss = visible_loss(judged);
+      if (finding.p) *finding.p = std::min(1.0, *finding.p * tests);  // as of the pairs of a report
+      judged.plan.significance = whole;
       const bool is_equal =
           gate.are_same || (finding.are_all_equal &&
                             (observed.is_paired || observed.scale != Scale::share || observed.metric == "answers"));

@@ -229,8 +229,7 @@ Table with_a_row_a_study(const Table& studies) {
 std::string chosen_before(const Shown& shown) {
   if (shown.metrics.size() < 2) return "";
   if (!shown.verdict.empty())
-    return fmt::format("Labels and metrics share the significance: p < {} decides.",
-                       number_text(shown.decisive().plan.significance));
+    return "p: times the labels and metrics that can be tested, whose intervals are for all at once.";
   return fmt::format("Only {} was chosen before; other metrics are exploratory.",
                      shown.decisive().observations.quantity);
 }

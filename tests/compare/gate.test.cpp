@@ -62,7 +62,7 @@ TEST_CASE("5 crashes in 100 solves are worse where the baseline had none") {
     const auto solved = [](SolveRecord& solve) { solve.status = Status::ok; };
     const auto crash = [](SolveRecord& solve) { solve.status = solve.point % 20 == 0 ? Status::crashed : Status::ok; };
     const Gate gate = gate_of(version(1, asked, solved), version(1, asked, crash));
-    CHECK(gate.worse == Names{"solves with an answer"});
+    CHECK(gate.worse == Names{"answered"});
     CHECK(exit_code({gate}, false) == 3);
     CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, solved))}, false) == 0);
     CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, crash))}, false) == 0);
@@ -150,7 +150,7 @@ TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
   int red = 0;
   for (int i = 0; i < compares; ++i) {
     const Gate gate = gate_of(version(i), version(compares + i));
-    CHECK(gate.judged.study.definition.plan.significance == Approx(0.05 / 2));  // joint motion and evaluations
+    for (const Judged& judged : gate.judged.metrics) CHECK(judged.plan.significance == 0.05);  // p is adjusted
     red += !gate.worse.empty();
   }
   CHECK(red <= compares / 20);
@@ -162,9 +162,12 @@ TEST_CASE("labels that are compared share the significance") {
     if (solve.status == Status::ok && missed++ < 6) solve.status = Status::tolerance_missed;
   };
   const StudyResults before = version(1), after = version(1, of_100, miss_six);
-  CHECK(gate_of(before, after).worse == Names{"solved"});  // p = 2 / 2^6
+  const Gate one = gate_of(before, after);
+  CHECK(one.worse == Names{"solved"});
+  CHECK(one.judged.metrics.front().findings.front().p == 2 / 64.0);
   CHECK(gate_of(before, after, 6).worse.empty());
   CHECK(gate_of(before, after, 6).not_decided == Names{"solved"});
+  CHECK(gate_of(before, after, 6).judged.metrics.front().findings.front().p == 6 * 2 / 64.0);
 }
 
 TEST_CASE("solves that are the same bit for bit leave nothing open, however few") {
