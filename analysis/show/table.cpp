@@ -175,7 +175,7 @@ std::string latex_cell(const Cell& cell, const Column& column) {
     std::string text = of->is_best ? fmt::format("\\textbf{{{}}}", bare(*of)) : bare(*of);
     if (of->interval) {
       const std::string whole = read(Marked{.value = of->value, .interval = of->interval});
-      text += fmt::format(" {{\\scriptsize {}}}", whole.substr(whole.find('(')));
+      text += fmt::format(" & {{\\scriptsize {}}}", whole.substr(whole.find('(')));
     }
     return text + (of->mark.empty() ? "" : fmt::format("\\rlap{{\\,{}}}", latex_text(of->mark)));  // digits align
   }
@@ -254,19 +254,26 @@ std::string to_latex(const Table& whole) {
   const Table table = for_readers(whole);
   std::string letters, text;
   std::vector<std::string> heads;
+  std::vector<bool> have_spread;  // which has a column of its own, so that the numbers align
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    letters += is_text(table, c) ? 'l' : 'r';
-    heads.push_back(latex_text(head(table.columns[c])));
+    have_spread.push_back(std::ranges::any_of(table.rows, [=](const auto& row) {
+      const auto* const marked = std::get_if<Marked>(&row[c]);
+      return marked && marked->interval;
+    }));
+    letters += is_text(table, c) ? "l" : have_spread[c] ? "r@{ }l" : "r";
+    const std::string name = latex_text(head(table.columns[c]));
+    heads.push_back(have_spread[c] ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
   }
   text += fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
-    for (std::size_t c = 0; c < row.size(); ++c) cells.push_back(latex_cell(row[c], table.columns[c]));
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      cells.push_back(latex_cell(row[c], table.columns[c]));
+      if (have_spread[c] && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
+    }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
-  std::string notes;
-  for (const std::string& note : table.notes)
-    notes += fmt::format("\\par\\smallskip\\footnotesize {}\n", latex_text(note));
+  const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
   // A table that is wider than a column takes both, and shrinks down to the size of \\scriptsize if that is too narrow.
   return fmt::format(
       "% Needs \\usepackage{{booktabs,graphicx}}\n\\begingroup{}\n"
@@ -274,12 +281,13 @@ std::string to_latex(const Table& whole) {
       "\\edef\\wide{{\\ifdim\\wd0>\\columnwidth*\\fi}}%\n"
       "\\csname table\\wide\\endcsname\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\\smallskip\n"
       "\\ifdim.7\\wd0>\\linewidth\\scalebox{{.7}}{{\\usebox0}}\\else\n"
-      "\\ifdim\\wd0>\\linewidth\\resizebox{{\\linewidth}}{{!}}{{\\usebox0}}\\else\\usebox0\\fi\\fi\n{}"
+      "\\ifdim\\wd0>\\linewidth\\resizebox{{\\linewidth}}{{!}}{{\\usebox0}}\\else\\usebox0\\fi\\fi\n{}{}\n"
       "\\csname endtable\\wide\\endcsname\n\\endgroup\n",
       table.rows.size() > 45   ? "\\scriptsize"
       : table.rows.size() > 30 ? "\\footnotesize"
                                : "",
-      letters, text, latex_text(table.caption), table.name, notes);
+      letters, text, latex_text(table.caption), table.name, notes.empty() ? "" : "\\par\\smallskip\\footnotesize ",
+      notes);
 }
 
 std::string to_html(const Table& whole) {

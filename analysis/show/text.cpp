@@ -83,7 +83,7 @@ std::string markdown_text(std::string_view text) {
 
 std::string latex_text(std::string_view text) {
   constexpr std::array<Substitute, 11> substitutes{{{'\\', "\\textbackslash{}"},
-                                                    {'~', "\\textasciitilde{}"},
+                                                    {'~', "\\raisebox{-.6ex}{\\textasciitilde}"},
                                                     {'^', "\\textasciicircum{}"},
                                                     {'<', "\\textless{}"},
                                                     {'>', "\\textgreater{}"},
