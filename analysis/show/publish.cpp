@@ -1,4 +1,5 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,8 @@ bool has_word(std::string_view words, std::string_view word) {
 // A table or figure of reports, without its number. One that is not here outlives its report.
 bool is_own(const fs::path& folder, std::string_view name) {
   if (folder == "tables")
-    return has_word(" anova claims descriptives means multiverse pairs questions results solve-rates table- ", name);
+    return has_word(" anova claims descriptives means methods multiverse pairs questions results solve-rates table- ",
+                    name);
   const auto kinds = figures::kinds_of_figures();
   return folder == "figures" && (has_word(" boxes boxes- figure- multiverse printed style ", name) ||
                                  std::ranges::find(kinds, name, &figures::KindOfFigure::name) != kinds.end());
@@ -123,6 +125,13 @@ Table for_article(Table table, const Reported& reported, const Shown& brief) {
   return table;
 }
 
+// In a paragraph for Methods.
+std::string cited(const Reported& reported) {
+  return reported.keys.empty()
+             ? ".\n"
+             : fmt::format(" \\cite{{{}}}.\n% Keys of docs/references.bib\n", fmt::join(reported.keys, ","));
+}
+
 void write_table(const Table& table, const Table& article, const fs::path& folder, const std::string& program) {
   const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
   results::write_file(folder / (table.name + ".csv"), to_csv(table));
@@ -160,6 +169,11 @@ Published publish(const Reported& reported, const fs::path& folder, const figure
   std::ranges::copy(own_files, std::back_inserter(files));
   const bool is_of_study = !reported.study.entry.series.empty();
   if (!is_of_study || !fs::is_regular_file(folder / own_files[3])) files.pop_back();
+  if (is_of_study) {
+    files.emplace_back("tables/methods.tex");
+    results::write_file(folder / files.back(),
+                        latex_text(methods_of(reported.shown, reported.study)) + cited(reported));
+  }
   const Shown brief = with_short_names(reported.shown, 20);
   for (const Blocks& blocks : sections) {
     for (const Block& block : blocks) {

@@ -23,7 +23,7 @@ struct Reported {
   std::vector<Blocks> additions = {};
   bool has_own_numbers = false;            // the additions have the descriptions and the ANOVA
   std::vector<std::string> warnings = {};  // beside the study's own
-  std::vector<std::string> keys = {};      // to cite, of docs/references.bib
+  std::vector<std::string> keys = {};      // that tables/methods.tex cites, of docs/references.bib
 };
 Reported reported(compare::JudgedStudy judged, std::vector<figures::Figure> figures);
 

@@ -52,8 +52,8 @@ nlohmann::ordered_json to_json(const Shown& shown);
 
 // "mine: ur5e, 20 runs of 5 targets (random)"
 std::string what_is_studied(const compare::StudyResults& study);
-// Three sentences for an article, with the keys to cite.
-std::string methods_of(const Shown& shown, const compare::StudyResults& study, const std::vector<std::string>& keys);
+// Three sentences for an article, without the last point.
+std::string methods_of(const Shown& shown, const compare::StudyResults& study);
 std::string stops_of(const compare::StudyResults& study);  // "0.01 mm or 10000 evaluations"
 
 // How it was made. They have no files.

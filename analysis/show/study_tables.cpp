@@ -393,7 +393,7 @@ std::string what_is_studied(const StudyResults& study) {
                      numerics::counted(study.points, "targets"), with_blanks(definition.path));
 }
 
-std::string methods_of(const Shown& shown, const StudyResults& study, const std::vector<std::string>& keys) {
+std::string methods_of(const Shown& shown, const StudyResults& study) {
   const results::Definition& definition = study.definition;
   std::set<std::string> tests;
   for (const Judged& judged : shown.metrics) {
@@ -411,10 +411,9 @@ std::string methods_of(const Shown& shown, const StudyResults& study, const std:
     return values.empty() ? "unknown" : given(values);
   };
   std::string text = fmt::format(
-      "{} had the same {} ({}; search: {}) with the arm {}; each solve started {} and ended at {}; the "
-      "machine was {}.",
-      numerics::counted(std::ssize(study.solvers), "solvers"), targets, with_blanks(definition.path),
-      with_blanks(name_of(definition.search)), definition.robot,
+      "{} had {}{} ({}; search: {}) with the arm {}; each solve started {} and ended at {}; the machine was {}.",
+      numerics::counted(std::ssize(study.solvers), "solvers"), study.solvers.size() > 1 ? "the same " : "", targets,
+      with_blanks(definition.path), with_blanks(name_of(definition.search)), definition.robot,
       definition.is_chained() ? "at the last answer" : "from a " + with_blanks(name_of(definition.start)) + " position",
       stops_of(study), fact("cpu"));
   if (!tests.empty())
@@ -422,8 +421,7 @@ std::string methods_of(const Shown& shown, const StudyResults& study, const std:
         " Pairs were tested by {}, p times the number of pairs of a metric that can be tested (Bonferroni), at a "
         "significance of {}; a difference within {} does not matter.",
         given(tests), number_text(shown.decisive().plan.significance), margin_words(shown.decisive()));
-  text += fmt::format(" Made with ikbench {} (commit {})", fact("version"), fact("commit"));
-  return text + (keys.empty() ? "." : fmt::format(" \\cite{{{}}}, keys of docs/references.bib.", fmt::join(keys, ",")));
+  return text + fmt::format(" Made with ikbench {} (commit {})", fact("version"), fact("commit"));
 }
 
 Table options_table(const StudyResults& study) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every LaTeX table of a report compiles, and fits an A4 page with margins of 2 cm. That of the results fits a column.
+# Every LaTeX table of a report and its paragraph for Methods compile, and fit an A4 page with margins of 2 cm. That of the results fits a column.
 source "$(dirname "$0")/common.sh"
 for tool in pdflatex mf; do command -v $tool >/dev/null || { echo "skipped: no $tool"; exit 77; }; done # mf makes fonts
 for package in booktabs graphicx geometry; do kpsewhich "$package.sty" >/dev/null || { echo "skipped: no $package.sty"; exit 77; }; done
@@ -15,7 +15,7 @@ compiles() {
     printf '\\usepackage{%s}\n' "$(sed -n '1s/^% Needs \\usepackage{\(.*\)}$/\1/p' -s "$@" | tr ',' '\n' | sort -u | paste -sd,)"
     echo '\begin{document}'
     for table in "$@"; do printf '\\typeout{Table %s}\n\\input{%s}\n\\clearpage\n' "$(basename "$table")" "$table"; done
-    echo 'Text.\end{document}'
+    echo '\input{methods}\end{document}'
   } >all.tex
   for _ in 1 2; do # the second knows the numbers of tables
     pdflatex -interaction=nonstopmode -halt-on-error all.tex >.pdflatex 2>&1 || fail "$*: $(grep -A 5 '^!' all.log)"
@@ -34,6 +34,7 @@ compiles() {
 succeeds run labels.toml --figures none --out labels
 succeeds run slim2023 "${small[@]}" --figures none --out paper
 for folder in labels paper; do
+  mv $folder/tables/methods.tex . # a paragraph
   compiles '[a4paper]{article}' '\usepackage[margin=2cm]{geometry}' "$folder"/tables/*.tex
   for class in '[twocolumn,a4paper]{article}' '{IEEEtran}'; do
     [ "$class" != '{IEEEtran}' ] || kpsewhich IEEEtran.cls >/dev/null || continue

@@ -167,7 +167,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   CHECK(json["files"].size() < 50);
   for (const auto& file : json["files"]) CHECK(fs::is_regular_file(folder.path / std::string(file)));
   for (const char* file : {"report.html", "report.md", "results.json", "solves.csv", "tables/results.csv",
-                           "tables/pairs.tex", "tables/descriptives.md", "tables/anova.csv"})
+                           "tables/pairs.tex", "tables/methods.tex", "tables/descriptives.md", "tables/anova.csv"})
     CHECK(std::ranges::find(json["files"], file) != json["files"].end());
 
   const std::string page = *results::read_file(published.page), text = *results::read_file(folder.path / "report.md");
