@@ -78,13 +78,18 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
   return figures;
 }
 
-// Takes pairs that were not tested from a table, where there are more than `most`.
-void take_untested(Table& pairs, std::ptrdiff_t most) {
-  const auto is_untested = [](const std::vector<Cell>& row) { return std::holds_alternative<std::monostate>(row[6]); };
-  const std::ptrdiff_t untested = std::ranges::count_if(pairs.rows, is_untested);
-  if (untested <= most) return;
-  std::erase_if(pairs.rows, is_untested);
-  pairs.notes.push_back(fmt::format("Without {} that were not tested.", numerics::counted(untested, "pairs")));
+// Leaves readers the pairs that were tested, and of many those of the reference.
+void keep_telling(Table& pairs, const Shown& shown) {
+  constexpr std::size_t most = 15;
+  const bool are_many = shown.decisive().findings.size() > most;
+  const std::string reference = reference_of(shown);
+  const std::size_t taken = std::erase_if(pairs.rows, [&](const std::vector<Cell>& row) {
+    const bool is_of_it = std::get<std::string>(row[1]) == reference || std::get<std::string>(row[2]) == reference;
+    return std::holds_alternative<std::monostate>(row[6]) || (are_many && !is_of_it);
+  });
+  if (taken > 0)
+    pairs.notes.push_back(fmt::format("Here are the pairs {}that were tested; the CSV has all.",
+                                      are_many ? fmt::format("of {} ", reference) : ""));
 }
 
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
@@ -98,10 +103,10 @@ Table for_article(Table table, const Reported& reported, const Shown& brief) {
     const std::string& metric = reported.shown.decisive().observations.quantity;
     std::erase_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) != metric; });
     table.caption += ": " + metric;
-    take_untested(table, 0);
+    keep_telling(table, brief);
   }
   if (table.name == "results") {
-    for (const compare::Doubt& doubt : brief.all_doubts()) table.notes.push_back(words_of(doubt) + '.');
+    for (const compare::Doubt& doubt : brief.all_doubts()) table.notes.push_back(warning_of(doubt));
   }
   for (std::size_t c = table.columns.size(); c-- > 0;) {
     constexpr std::array<std::string_view, 3> wordy{"by the other reading", "of all readings it fails", "why"};
@@ -190,11 +195,10 @@ Published publish(const Reported& reported, const fs::path& folder, const figure
   Json json = to_json(reported.shown);
   json["files"] = files;
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
-  constexpr std::ptrdiff_t most_untested = 15;  // on a page
   for (Blocks& blocks : sections) {
     for (Block& block : blocks) {
       if (auto* const table = std::get_if<Table>(&block); table && table->name == "pairs")
-        take_untested(*table, most_untested);
+        keep_telling(*table, reported.shown);
     }
   }
   results::write_file(folder / "report.md", to_markdown(sections, folder));

@@ -1,4 +1,5 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -30,12 +31,12 @@ Lines table_of(const Shown& shown) {
   table.columns[0].name = "";
   const std::size_t all = table.rows.size();
   if (all > most_rows) table.rows.resize(most_rows - 1);
-  const std::vector<std::string> notes = std::exchange(table.notes, {});
+  std::vector<std::string> notes = std::exchange(table.notes, {});
   Lines lines = lines_of(to_text(table));
   if (all > most_rows) lines.push_back(fmt::format("  and {} more solvers", all - most_rows + 1));
-  for (std::size_t i = 0; i < std::min(notes.size(), most_notes); ++i) {
-    for (std::string& line : wrapped(notes[i], "")) lines.push_back(std::move(line));
-  }
+  notes.resize(std::min(notes.size(), most_notes));
+  if (!notes.empty())
+    std::ranges::move(wrapped(fmt::format("{}", fmt::join(notes, " ")), ""), std::back_inserter(lines));
   return lines;
 }
 

@@ -51,7 +51,7 @@ Blocks anova(const Reported& reported) {
 
 Blocks warnings(const Reported& reported) {
   Blocks blocks;
-  for (const Doubt& doubt : reported.shown.all_doubts()) blocks.emplace_back(words_of(doubt) + '.');
+  for (const Doubt& doubt : reported.shown.all_doubts()) blocks.emplace_back(warning_of(doubt));
   for (const std::string& warning : reported.warnings) blocks.emplace_back(warning);
   return with_heading("Warnings", std::move(blocks));
 }

@@ -36,6 +36,8 @@ Shown with_short_names(Shown shown, std::size_t length);
 
 bool is_share(const compare::Judged& judged);
 
+std::string reference_of(const Shown& shown);  // the control, else the first of the table of results
+
 // The tables of every report; their numbers are those of the sentences, and their rows those of results.json.
 Table results_table(const Shown& shown);  // a row a solver
 // Solvers by studies: of each study its deciding column, best first in the mean. Each study is judged alone.

@@ -86,13 +86,18 @@ std::string limit(double value, std::string_view unit) {
 
 }  // namespace
 
+std::string reference_of(const Shown& shown) {
+  const Judged& decisive = shown.decisive();
+  if (!decisive.plan.control.empty() || decisive.described.empty()) return decisive.plan.control;
+  return decisive.observations.groups[best_first(decisive, shown.metrics)[0]].name;
+}
+
 Table results_table(const Shown& shown) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
   const Judged& decisive = shown.decisive();
   const std::vector<std::size_t> order = best_first(decisive, shown.metrics);
   for (const std::size_t i : order) table.rows.push_back({decisive.observations.groups[i].name});
-  const std::string first = order.empty() ? "" : decisive.observations.groups[order[0]].name;
-  const std::string reference = decisive.plan.control.empty() ? first : decisive.plan.control;
+  const std::string reference = reference_of(shown);
   const bool are_means = decisive.plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
   bool has_numbers = false, has_quartiles = false, has_shares = false;
@@ -107,7 +112,7 @@ Table results_table(const Shown& shown) {
       has_quartiles |= marked && marked->interval && !is_share(judged);
       has_shares |= marked && marked->interval && is_share(judged);
       if (marked && marked->to_reference)
-        kinds.insert(marked->to_reference == Scale::ratio ? "times that" : "differences from it");
+        kinds.insert(marked->to_reference == Scale::ratio ? "ratios to it" : "differences from it");
     }
   };
   const Observations& observed = decisive.observations;
@@ -116,7 +121,8 @@ Table results_table(const Shown& shown) {
   for (const Judged& judged : shown.metrics) {
     if (&judged != &decisive) add(judged, judged.observations.quantity);
   }
-  std::string key = has_numbers ? average + "s" + (has_quartiles ? " (quartiles)" : "") : "";
+  std::string key =
+      !has_numbers ? "" : fmt::format("{}s{}", are_means ? "Mean" : "Median", has_quartiles ? " (quartiles)" : "");
   if (has_numbers && !shown.direction.empty()) {
     const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n);
     key += fmt::format(" of {}{}", least.n == most.n ? "" : fmt::format("{} to ", least.n),
@@ -133,16 +139,17 @@ Table results_table(const Shown& shown) {
   if (!shown.direction.empty()) key += (key.empty() ? "" : "; ") + shown.direction;
   std::vector<std::string> meanings;
   if (marks.contains(star)) {
-    const std::string level = fmt::format(" (p < {})", number_text(decisive.plan.significance));
-    meanings.push_back(fmt::format("{} worse than {}{}", star, reference, shown.verdict.empty() ? level : ""));
+    const std::string level = number_text(decisive.plan.significance);
+    meanings.push_back(fmt::format("{} worse than {} (adjusted p < {})", star, reference, level));
   }
   if (marks.contains(exclamation)) meanings.push_back(fmt::format("{} not tested", exclamation));
-  if (!key.empty() && !meanings.empty()) key += kinds.empty() ? "; " : ". ";
+  if (!key.empty() && !meanings.empty()) key += ". ";
   key += fmt::format("{}", fmt::join(meanings, ", "));
-  if (!key.empty()) table.notes.push_back(key);
+  if (!key.empty()) key += '.';
   if (has_shares)
-    table.notes.push_back(
-        fmt::format("Brackets of shares: {:.3g} % intervals.", 100 * (1 - decisive.plan.significance)));
+    key +=
+        fmt::format("{}Brackets: {:.3g} % intervals.", key.empty() ? "" : " ", 100 * (1 - decisive.plan.significance));
+  if (!key.empty()) table.notes.push_back(key);
   table.notes.insert(table.notes.end(), shown.notes.begin(), shown.notes.end());
   return table;
 }

@@ -43,6 +43,11 @@ std::string number_of(const Shown& shown, const Judged& judged, std::size_t grou
                      is_first && !observed.unit.empty() ? " " : "", is_first ? observed.unit : "");
 }
 
+std::string with_number(const Shown& shown, const std::string& name, std::size_t first) {
+  const Judged& judged = shown.decisive();
+  return fmt::format("{} ({})", name, number_of(shown, judged, place_of(judged.observations, name), first));
+}
+
 // "median error", "mean error", "solved"
 std::string quantity_of(const Shown& shown) {
   const Judged& judged = shown.decisive();
@@ -55,6 +60,12 @@ std::string names_of(const std::vector<std::string>& names) {
   return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
 }
 
+// How many of the first in this order have its number.
+std::size_t equals_of(const Judged& judged, const std::vector<std::size_t>& order) {
+  const auto differs = [&](std::size_t i) { return average_of(judged, i) != average_of(judged, order[0]); };
+  return static_cast<std::size_t>(std::ranges::find_if(order, differs) - order.begin());
+}
+
 // "it solved 100 of 100 targets; PSO 88, mine 54"; with the first one's name "PSO solved 90 of 100 targets, mine 88".
 // Of many solvers the first, the last of the best or of the first's equals, and the next.
 std::string numbers_of(const Shown& shown, bool is_named) {
@@ -63,10 +74,7 @@ std::string numbers_of(const Shown& shown, bool is_named) {
   const std::vector<std::size_t> order = best_first(judged, shown.metrics);
   const bool are_many = order.size() > most_named;
   const std::size_t best = std::max<std::size_t>(judged.headline.best.size(), 1);
-  const auto equals = static_cast<std::size_t>(
-      std::ranges::find_if(order,
-                           [&](std::size_t i) { return average_of(judged, i) != average_of(judged, order[0]); }) -
-      order.begin());
+  const std::size_t equals = equals_of(judged, order);
   const bool are_equal = are_many && is_solved && equals > 1 && equals >= best;
   const std::size_t leaders = are_equal ? equals : best;
   std::vector<std::string> others;
@@ -95,6 +103,8 @@ std::string all_of(const Judged& judged) {
   for (const Group& group : judged.observations.groups) names.push_back(group.name);
   return names_of(names);
 }
+
+bool are_all_equal(const Judged& judged) { return std::ranges::all_of(judged.findings, &Finding::are_all_equal); }
 
 bool all_are(const Judged& judged, Verdict verdict) {
   return std::ranges::all_of(judged.findings, [=](const Finding& finding) { return finding.verdict == verdict; });
@@ -144,15 +154,15 @@ std::string against_control(const Shown& shown) {
   const Judged& judged = shown.decisive();
   const std::size_t control = place_of(judged.observations, judged.plan.control);
   std::vector<std::string> parts;
-  for (const Verdict verdict :
-       {Verdict::better, Verdict::worse, Verdict::same, Verdict::undecided, Verdict::not_tested}) {
+  std::set<std::string> told;
+  for (const Finding& one : judged.findings) {
+    const std::string verdict = verdict_words(one, judged);
+    if (!told.insert(verdict).second) continue;
     std::vector<std::string> who;
     for (const Finding& finding : judged.findings) {
-      if (finding.verdict == verdict)
-        who.push_back(fmt::format("{} ({})", finding.first,
-                                  number_of(shown, judged, place_of(judged.observations, finding.first), control)));
+      if (verdict_words(finding, judged) == verdict) who.push_back(with_number(shown, finding.first, control));
     }
-    if (!who.empty()) parts.push_back(fmt::format("{} {}", names_of(who), compare::name_of(verdict)));
+    parts.push_back(fmt::format("{} {}", names_of(who), verdict));
   }
   return fmt::format("Against {} ({} {}): {}", judged.plan.control, quantity_of(shown),
                      number_of(shown, judged, control, control), listed(parts, ", "));
@@ -183,8 +193,9 @@ std::string unbeaten(const Shown& shown) {
   for (const Finding& finding : judged.findings) {
     if (finding.verdict != Verdict::not_tested) tested.insert({finding.first, finding.second});
   }
+  const std::vector<std::size_t> order = best_first(judged, shown.metrics);
   std::vector<std::string> rest;
-  for (const std::size_t i : best_first(judged, shown.metrics)) {
+  for (const std::size_t i : order) {
     if (const std::string& name = judged.observations.groups[i].name; tested.contains(name) && !beaten.contains(name))
       rest.push_back(name);
   }
@@ -197,6 +208,14 @@ std::string unbeaten(const Shown& shown) {
   if (same.size() > 1)
     return fmt::format("{} are the same within {}{}: {}", names_of(same), margin_words(judged),
                        others.empty() ? "" : ", not decided against " + names_of(others), numbers);
+  const std::size_t equals = equals_of(judged, order);
+  if (order.size() > most_named && judged.observations.metric == "solved" && equals > 1 && rest.size() > equals &&
+      rest[equals - 1] == name_of(judged, order[equals - 1])) {
+    std::vector<std::string> firsts(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(equals)), near;
+    for (std::size_t i = equals; i < rest.size(); ++i) near.push_back(with_number(shown, rest[i], order[0]));
+    return fmt::format("{} solved {}; not shown to be worse: {}", names_of(firsts),
+                       number_of(shown, judged, order[0], order[0]), names_of(near));
+  }
   const bool is_between_some = rest.size() > 1 && rest.size() < judged.described.size();
   return fmt::format("Not decided{}: {}", is_between_some ? " between " + names_of(rest) : "", numbers);
 }
@@ -319,6 +338,12 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
   return words;
 }
 
+std::string warning_of(const Doubt& doubt) {
+  std::string text = words_of(doubt) + '.';
+  if (doubt.who.empty() || !text.starts_with(doubt.who[0])) text[0] = static_cast<char>(std::toupper(text[0]));
+  return text;
+}
+
 std::string unit_of(const Finding& finding, const Judged& judged) {
   if (!finding.estimate) return "";
   return finding.scale == Scale::ratio ? "times" : finding.scale == Scale::share ? "points" : judged.observations.unit;
@@ -349,12 +374,14 @@ std::vector<std::vector<std::string>> pair_rows(const Shown& shown) {
   std::vector<std::vector<std::string>> rows;
   if (shown.decisive().findings.size() > most_pairs) return rows;
   for (const Judged& judged : shown.metrics) {
-    if (!has_two && &judged != &shown.decisive()) continue;
-    for (const Finding& finding : judged.findings)
+    if (!has_two && (&judged != &shown.decisive() || are_all_equal(judged))) continue;
+    for (const Finding& finding : judged.findings) {
+      if (&judged != &shown.decisive() && finding.verdict == Verdict::not_tested) continue;
       rows.push_back({one_line(fmt::format("{}{} vs {}", has_two ? judged.observations.quantity + ": " : "",
                                            finding.first, finding.second)),
                       verdict_words(finding, judged), amount_words(finding, judged),
                       finding.p ? p_sentence(*finding.p, {judged.plan.significance}) : ""});
+    }
   }
   return rows;
 }

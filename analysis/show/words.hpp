@@ -14,13 +14,14 @@ std::string headline(const Shown& shown);
 
 // "better", "same within 5 %", "not decided", "not tested: it takes 5"
 std::string verdict_words(const compare::Finding& finding, const compare::Judged& judged);
+std::string warning_of(const compare::Doubt& doubt);  // a sentence
 // "times", "points", or the metric's unit.
 std::string unit_of(const compare::Finding& finding, const compare::Judged& judged);
 // "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict "better in 71 % of
 // comparisons"
 std::string amount_words(const compare::Finding& finding, const compare::Judged& judged);
-// Of each pair of the deciding metric, "DLS vs PSO", the verdict, the amount and p; of only two solvers one of each
-// metric. None of more than most_pairs.
+// Of each pair of the deciding metric, "DLS vs PSO", the verdict, the amount and p; of only two solvers those of
+// each metric that were tested. None of more than most_pairs, nor where all solvers are equal.
 std::vector<std::vector<std::string>> pair_rows(const Shown& shown);
 // No difference and the margin's ends, as the finding's numbers are.
 std::vector<double> ends_of(const compare::Finding& finding, const compare::Judged& judged);

@@ -233,11 +233,12 @@ TEST_CASE("solvers that are equal in a study have the same place in it", "[show]
 TEST_CASE("a table says no more below it than it has", "[show]") {
   const auto of = [](compare::Observations observed) { return shown({judged(std::move(observed))}); };
   const Shown of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
-  CHECK(results_table(of_shares).notes.front() == "* worse than A (p < 0.05)");  // no medians
+  CHECK(results_table(of_shares).notes.front() ==
+        "* worse than A (adjusted p < 0.05). Brackets: 95 % intervals.");  // no medians
   CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.size() == 1);
   const Shown of_errors = of(numbers("error", "error", "mm", {{"A", solved(20)}, {"B", solved(20)}}));
   CHECK(results_table(of_errors).columns.size() == 2);  // median and mean of the headline's
-  CHECK(results_table(of_errors).notes == std::vector<std::string>{"medians (quartiles)"});
+  CHECK(results_table(of_errors).notes == std::vector<std::string>{"Medians (quartiles)."});
   CHECK(descriptives_table(of_errors).notes[0].find("Wilson") == std::string::npos);
   CHECK(descriptives_table(of_shares).notes[0].find("Wilson") != std::string::npos);
   CHECK(anova_table(of_errors).notes.empty());
@@ -256,15 +257,15 @@ TEST_CASE("a star says that a solver is worse than the reference, and stands at 
         "B        100 % (84-100)   3 deg\n"
         "A        30 % (15-52) *   0.33 times\n"
         "C        30 % (15-52) *   1.01 times\n"
-        "B: medians; the others: times that, on values that both solved. * worse than B (p < 0.05)\n"
-        "Brackets of shares: 95 % intervals.\n");
+        "B: medians; the others: ratios to it, on values that both solved. * worse than B (adjusted\n"
+        "p < 0.05). Brackets: 95 % intervals.\n");
   CHECK(text(costs, {.control = "A"}) ==
         "solver   solved           motion\n"
         "B        100 % (84-100)   3 times *\n"
         "A        30 % (15-52)     1 deg\n"
         "C        30 % (15-52)     3 times *\n"
-        "A: medians; the others: times that, on values that both solved. * worse than A (p < 0.05)\n"
-        "Brackets of shares: 95 % intervals.\n");
+        "A: medians; the others: ratios to it, on values that both solved. * worse than A (adjusted\n"
+        "p < 0.05). Brackets: 95 % intervals.\n");
   const std::string by_means = text(costs, {.test = results::Plan::Test::means, .control = "A"});
   INFO(by_means);
   CHECK(contains(by_means, "B        100 % (84-100)   +2.08 deg *"));
@@ -290,7 +291,7 @@ TEST_CASE("values below the floor of a ratio are told once", "[show]") {
   const Shown all = shown(study);
   REQUIRE(all.notes.size() == before + 1);
   CHECK(all.notes.back() == "In ratios, joint motion below 300 deg counts as that.");
-  CHECK(screen(all).find(all.notes.back()) != std::string::npos);
+  CHECK(contains(screen(all), "In ratios, joint motion below"));
 }
 
 TEST_CASE("a report without a picture has no folder of pictures", "[show]") {
