@@ -56,13 +56,11 @@ void tell_of_log(const std::vector<std::filesystem::path>& files) {
 
 void warn_of_unreachable(const Study& study) {
   const std::vector<Unreachable> beyond = unreachable(study);
-  constexpr std::size_t most = 10;
-  for (std::size_t i = 0; i < std::min(beyond.size(), most); ++i) {
-    warn(fmt::format("point {} is out of reach: it is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
-                     beyond[i].point, beyond[i].distance * 100, beyond[i].reach * 100));
-  }
-  if (beyond.size() > most)
-    warn(fmt::format("out of reach as well: {}", counted(std::ssize(beyond) - std::int64_t{most}, "points")));
+  if (beyond.empty()) return;
+  const Unreachable& first = beyond.front();
+  warn(fmt::format(
+      "{} of a run are out of reach; point {} is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
+      counted(std::ssize(beyond), "points"), first.point, first.distance * 100, first.reach * 100));
 }
 
 // Name and meaning of each figure that some report has.

@@ -60,8 +60,7 @@ Blocks setup(const Reported& reported) {
   if (reported.study.entry.series.empty()) return {};  // of a user's file
   return with_heading(
       "Set-up", {methods_of(reported.shown, reported.study) + ". For LaTeX, with what to cite: tables/methods.tex.",
-                 study_table(reported.study), options_table(reported.study), plan_table(reported.study),
-                 machine_table(reported.study)});
+                 study_table(reported.study), options_table(reported.study), machine_table(reported.study)});
 }
 
 }  // namespace

@@ -61,7 +61,6 @@ std::string stops_of(const compare::StudyResults& study);  // "0.01 mm or 10000 
 // How it was made. They have no files.
 Table study_table(const compare::StudyResults& study);
 Table options_table(const compare::StudyResults& study);
-Table plan_table(const compare::StudyResults& study);
 Table machine_table(const compare::StudyResults& study);
 
 }  // namespace ikbench::show

@@ -444,22 +444,6 @@ Table options_table(const StudyResults& study) {
   return table;
 }
 
-Table plan_table(const StudyResults& study) {
-  const results::Plan& plan = study.definition.plan;
-  Table table = settings("How it is judged");
-  add_setting(table, "test", plan.test == results::Plan::Test::means ? "of means" : "of ranks");
-  add_setting(table, "metric of the headline",
-              !plan.metric.empty()               ? plan.metric
-              : study.definition.has_tolerance() ? "solved"
-                                                 : "error");
-  add_setting(table, "compared with", plan.control);
-  add_setting(table, "significance", number_text(plan.significance));
-  add_setting(table, "margin that matters",
-              number_text(100 * plan.margin) + " %" +
-                  (plan.margin_cm > 0 ? fmt::format(", {} mm", number_text(10 * plan.margin_cm)) : ""));
-  return table;
-}
-
 Table machine_table(const StudyResults& study) {
   Table table = settings("Machine");
   for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})

@@ -67,29 +67,22 @@ std::size_t equals_of(const Judged& judged, const std::vector<std::size_t>& orde
 }
 
 // "it solved 100 of 100 targets; PSO 88, mine 54"; with the first one's name "PSO solved 90 of 100 targets, mine 88".
-// Of many solvers the first, the last of the best or of the first's equals, and the next.
+// Of many solvers the first, the last of the best, and the next.
 std::string numbers_of(const Shown& shown, bool is_named) {
   const Judged& judged = shown.decisive();
   const bool is_solved = judged.observations.metric == "solved";
   const std::vector<std::size_t> order = best_first(judged, shown.metrics);
   const bool are_many = order.size() > most_named;
   const std::size_t best = std::max<std::size_t>(judged.headline.best.size(), 1);
-  const std::size_t equals = equals_of(judged, order);
-  const bool are_equal = are_many && is_solved && equals > 1 && equals >= best;
-  const std::size_t leaders = are_equal ? equals : best;
+  const bool are_equal = are_many && is_solved && best > 1 && equals_of(judged, order) == best;
   std::vector<std::string> others;
   for (std::size_t i = 1; i < order.size(); ++i) {
     const std::string text =
         fmt::format("{} {}", name_of(judged, order[i]), number_of(shown, judged, order[i], order[0]));
-    if (!are_many || (i + 1 == leaders && !are_equal)) others.push_back(text);
-    if (are_many && i == leaders) others.push_back("then " + text);
+    if (!are_many || (i + 1 == best && !are_equal)) others.push_back(text);
+    if (are_many && i == best) others.push_back("then " + text);
   }
-  std::vector<std::string> firsts;
-  for (std::size_t i = 0; i < equals; ++i) firsts.push_back(name_of(judged, order[i]));
-  const std::string who = !are_equal       ? is_named ? name_of(judged, order[0]) : "it"
-                          : equals != best ? names_of(firsts)
-                          : best == 2      ? "both"
-                                           : "all";
+  const std::string who = are_equal ? (best == 2 ? "both" : "all") : is_named ? name_of(judged, order[0]) : "it";
   const std::string number = number_of(shown, judged, order[0], order[0]);
   std::string text = is_solved  ? fmt::format("{} solved {}", who, number)
                      : is_named ? fmt::format("{} {} {}", quantity_of(shown), who, number)
@@ -103,8 +96,6 @@ std::string all_of(const Judged& judged) {
   for (const Group& group : judged.observations.groups) names.push_back(group.name);
   return names_of(names);
 }
-
-bool are_all_equal(const Judged& judged) { return std::ranges::all_of(judged.findings, &Finding::are_all_equal); }
 
 bool all_are(const Judged& judged, Verdict verdict) {
   return std::ranges::all_of(judged.findings, [=](const Finding& finding) { return finding.verdict == verdict; });
@@ -153,16 +144,12 @@ std::string usual(const Judged& judged) {
 std::string against_control(const Shown& shown) {
   const Judged& judged = shown.decisive();
   const std::size_t control = place_of(judged.observations, judged.plan.control);
-  std::vector<std::string> parts;
-  std::set<std::string> told;
-  for (const Finding& one : judged.findings) {
-    const std::string verdict = verdict_words(one, judged);
-    if (!told.insert(verdict).second) continue;
-    std::vector<std::string> who;
-    for (const Finding& finding : judged.findings) {
-      if (verdict_words(finding, judged) == verdict) who.push_back(with_number(shown, finding.first, control));
-    }
-    parts.push_back(fmt::format("{} {}", names_of(who), verdict));
+  std::vector<std::string> parts, who;
+  for (std::size_t i = 0; i < judged.findings.size(); ++i) {
+    const std::string verdict = verdict_words(judged.findings[i], judged);
+    who.push_back(with_number(shown, judged.findings[i].first, control));
+    if (i + 1 < judged.findings.size() && verdict_words(judged.findings[i + 1], judged) == verdict) continue;
+    parts.push_back(fmt::format("{} {}", names_of(std::exchange(who, {})), verdict));
   }
   return fmt::format("Against {} ({} {}): {}", judged.plan.control, quantity_of(shown),
                      number_of(shown, judged, control, control), listed(parts, ", "));
@@ -209,12 +196,12 @@ std::string unbeaten(const Shown& shown) {
     return fmt::format("{} are the same within {}{}: {}", names_of(same), margin_words(judged),
                        others.empty() ? "" : ", not decided against " + names_of(others), numbers);
   const std::size_t equals = equals_of(judged, order);
-  if (order.size() > most_named && judged.observations.metric == "solved" && equals > 1 && rest.size() > equals &&
+  if (order.size() > most_named && judged.observations.metric == "solved" && equals > 1 && rest.size() >= equals &&
       rest[equals - 1] == name_of(judged, order[equals - 1])) {
     std::vector<std::string> firsts(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(equals)), near;
     for (std::size_t i = equals; i < rest.size(); ++i) near.push_back(with_number(shown, rest[i], order[0]));
-    return fmt::format("{} solved {}; not shown to be worse: {}", names_of(firsts),
-                       number_of(shown, judged, order[0], order[0]), names_of(near));
+    return fmt::format("{} solved {}{}{}", names_of(firsts), number_of(shown, judged, order[0], order[0]),
+                       near.empty() ? "" : "; not shown to be worse: ", names_of(near));
   }
   const bool is_between_some = rest.size() > 1 && rest.size() < judged.described.size();
   return fmt::format("Not decided{}: {}", is_between_some ? " between " + names_of(rest) : "", numbers);
@@ -374,9 +361,10 @@ std::vector<std::vector<std::string>> pair_rows(const Shown& shown) {
   std::vector<std::vector<std::string>> rows;
   if (shown.decisive().findings.size() > most_pairs) return rows;
   for (const Judged& judged : shown.metrics) {
-    if (!has_two && (&judged != &shown.decisive() || are_all_equal(judged))) continue;
+    const bool is_decisive = &judged == &shown.decisive();
+    if (!has_two && (!is_decisive || std::ranges::all_of(judged.findings, &Finding::are_all_equal))) continue;
     for (const Finding& finding : judged.findings) {
-      if (&judged != &shown.decisive() && finding.verdict == Verdict::not_tested) continue;
+      if (!is_decisive && finding.verdict == Verdict::not_tested) continue;
       rows.push_back({one_line(fmt::format("{}{} vs {}", has_two ? judged.observations.quantity + ": " : "",
                                            finding.first, finding.second)),
                       verdict_words(finding, judged), amount_words(finding, judged),
