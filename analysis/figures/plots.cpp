@@ -465,7 +465,7 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& a
   std::vector<std::string> labels, ticks, clauses;
   for (const std::string& row : rows) labels.push_back(label_of(row));
   add_labelled_rows(figure, labels, rows.size() > 30 ? 0.36 : 0.5);
-  if (panels.size() > 1) figure.width_cm = two_columns_cm;
+  if (panels.size() > 2) figure.width_cm = two_columns_cm;
   figure.data = "# row, share [%] of each study\n";
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::vector<double> numbers{static_cast<double>(r + 1)};
@@ -476,7 +476,7 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& a
     const double left = pitch * static_cast<double>(p);
     for (const double share : {0.0, 0.5, 1.0}) ticks.push_back(fmt::format("'{}' {}", 100 * share, left + share));
     figure.settings += fmt::format("set label {} at first {}, graph 1 left offset 0, 0.7 noenhanced\n",
-                                   gnuplot_text(shortened(panels[p].label, 72 / panels.size())), left);
+                                   gnuplot_text(shortened(panels[p].label, 16)), left);
     for (std::size_t r = 0; r < rows.size(); ++r) {
       if (const double share = panels[p].shares[r]; std::isfinite(share))
         figure.settings += fmt::format("set label '{}' at first {}, first {} left offset 0.3, 0 noenhanced front\n",

@@ -193,15 +193,29 @@ Table studies_table(const std::vector<Shown>& studies, const std::vector<std::st
   return table;
 }
 
+namespace {
+
+// Without what all begin with up to a separator, which tells none apart: "baselines-".
+std::vector<std::string> without_shared_start(std::vector<std::string> names) {
+  std::string shared = names.empty() ? "" : names.front();
+  for (const std::string& name : names)
+    shared.resize(static_cast<std::size_t>(std::ranges::mismatch(shared, name).in1 - shared.begin()));
+  for (std::string& name : names) name.erase(0, shared.find_last_of("-_ /") + 1);
+  return names;
+}
+
+}  // namespace
+
 std::optional<figures::Figure> studies_figure(const Table& studies) {
   std::vector<std::size_t> shares;
-  std::vector<std::string> others, solvers;
+  std::vector<std::string> names, others, solvers;
   for (std::size_t c = 1; c < studies.columns.size(); ++c) {
-    if (studies.columns[c].unit == "%") shares.push_back(c);
-    if (studies.columns[c].unit != "%") others.push_back(studies.columns[c].name);
+    const bool is_share = studies.columns[c].unit == "%";
+    if (is_share) shares.push_back(c);
+    (is_share ? names : others).push_back(studies.columns[c].name);
   }
   std::vector<figures::BarPanel> panels;
-  for (const std::size_t c : shares) panels.push_back({.label = studies.columns[c].name});
+  for (const std::string& name : without_shared_start(names)) panels.push_back({.label = name});
   for (const auto& row : studies.rows) {
     const auto share = [&](std::size_t c) { return std::get_if<Marked>(&row[c]); };
     if (std::ranges::none_of(shares, share)) continue;

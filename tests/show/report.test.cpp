@@ -204,8 +204,8 @@ TEST_CASE("a report of three solvers is short", "[show]") {
 TEST_CASE("of several studies each is a column, and a solver has the place that it has in them", "[show]") {
   const auto of = [](int a, int b) { return shown({judged(shares({{"A", solved(a)}, {"B", solved(b)}}))}); };
   const Table table =
-      studies_table({of(20, 10), shown({judged(shares({{"B", solved(20)}, {"C", solved(5)}}))})}, {"one", "two"});
-  CHECK(table.columns[2].name == "two");
+      studies_table({of(20, 10), shown({judged(shares({{"B", solved(20)}, {"C", solved(5)}}))})}, {"on-one", "on-two"});
+  CHECK(table.columns[2].name == "on-two");
   CHECK(table.rows.size() == 3);
   CHECK(std::get<std::string>(table.rows[0][0]) == "A");
   CHECK(std::get<Marked>(table.rows[1][1]).mark == "*");
@@ -213,10 +213,11 @@ TEST_CASE("of several studies each is a column, and a solver has the place that 
   CHECK(std::holds_alternative<std::monostate>(table.rows[2][1]));
   const figures::Figure figure = studies_figure(table).value();
   CHECK(figure.data == "# row, share [%] of each study\n# A\n1 100 NaN\n# B\n2 50 100\n# C\n3 NaN 25\n");
+  CHECK(contains(figure.settings, "set label 'two' at first 1.45"));  // without what both names share
   CHECK(contains(figure.plot, "($3==$3?1.45:NaN)"));  // no bar of C in the first, which gnuplot would draw back to 0
   const Table turned = with_a_row_a_study(table);
   CHECK(turned.columns[1].name == "A");
-  CHECK(std::get<std::string>(turned.rows[1][0]) == "two");
+  CHECK(std::get<std::string>(turned.rows[1][0]) == "on-two");
   CHECK(std::get<Marked>(turned.rows[0][2]).mark == "*");
   CHECK(std::holds_alternative<std::monostate>(turned.rows[1][1]));
 }
