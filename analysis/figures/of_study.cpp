@@ -34,7 +34,7 @@ bool is_solved(const StudyResults& study, const Solve& solve) {
 
 CurveRow row_at(double x, const std::vector<double>& values, Average average) {
   const compare::Description all = describe({.name = "", .values = values});
-  if (average == Average::mean) return {.x = x, .y = all.mean, .dotted = values.size() > 1 ? all.median : nowhere};
+  if (average == Average::mean) return {.x = x, .y = all.mean};
   if (values.size() == 1) return {.x = x, .y = all.median};
   return {.x = x, .y = all.median, .low = all.lower_quartile, .high = all.upper_quartile};
 }

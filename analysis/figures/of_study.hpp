@@ -58,7 +58,7 @@ std::optional<Figure> overview_of(const compare::JudgedStudy& judged, const Look
 // Each pair that was tested; of more than 15 those of the first name alone.
 std::optional<Figure> differences_of(const compare::Judged& metric, const DrawnUnit& unit,
                                      const std::vector<std::string>& shown, const Look& look);
-// Medians of all runs with their quartiles, or means with the median dotted.
+// Medians of all runs with their quartiles, or means.
 enum class Average { median, mean };
 std::vector<Line> by_point(const compare::StudyResults& study, std::string_view column, const Look& look,
                            Average average);

@@ -61,6 +61,7 @@ bool are_powers(double low, double high) { return low < 0.999e-3 || high > 1.001
 std::string ticks_between(char letter, double low, double high, bool is_power) {
   const double decades = std::log10(high) - std::log10(low);
   const int every = 1 + static_cast<int>((decades - 1) / 4);
+  const double most = letter == 'x' && is_power ? 1.2 : 2.2;  // decades with room for more than powers of ten
   std::vector<std::string> ticks;
   if (decades < 0.7) {
     const double step = round_step_of(high - low, 5);
@@ -74,7 +75,7 @@ std::string ticks_between(char letter, double low, double high, bool is_power) {
       if (at > high * (1 + 1e-9)) break;
       if (at < low * (1 - 1e-9) || (multiple > 1 && every > 1)) continue;
       const bool has_label =
-          decade % every == 0 && (multiple == 1 || ((multiple == 2 || multiple == 5) && decades <= 2.2));
+          decade % every == 0 && (multiple == 1 || ((multiple == 2 || multiple == 5) && decades <= most));
       const std::string label = has_label ? tick(at, is_power) : "";
       if (has_label || every == 1) ticks.push_back(fmt::format("'{}' {}{}", label, text_of(at), has_label ? "" : " 1"));
     }
@@ -184,7 +185,7 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
                       : about.floor >= start ? about.floor
                                              : start / 10,
                low = has_edge ? edge * std::pow(edge / high, 0.03) : edge;  // what is at the edge stands off the axis
-  const bool is_power = are_powers(has_edge ? edge : start, high);
+  const bool is_power = are_powers(has_edge && about.floor > 0 ? about.floor : start, high);
   std::string settings =
       fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n{3}", letter, text_of(low), text_of(high),
                   ticks_between(letter, has_edge ? std::max(start, 1.01 * edge) : start, high, is_power));
@@ -223,26 +224,33 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
 
 void add_names(Figure& figure, std::vector<Named> marks) {
   if (marks.size() < 2) return;
-  constexpr double around_cm = 1.5, row_cm = 0.34, stroke_cm = 0.45;
+  constexpr double around_cm = 1.5, row_cm = 0.34, stroke_cm = 0.6;
   double widest_cm = 0;
   for (const Named& mark : marks) widest_cm = std::max(widest_cm, width_cm_of(mark.label));
   if (widest_cm > widest_in_column_cm) figure.width_cm = two_columns_cm;
   figure.height_cm = std::max(figure.height_cm, around_cm + row_cm * static_cast<double>(marks.size()));
   figure.sides_cm = 1.8 + stroke_cm + widest_cm;
   figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + stroke_cm + 0.15));
-  // From the top each beside its mark, or below the one before; then from the bottom up, so that none is lower.
+  // None above another: halfway between the lowest places from the top down and the highest from the bottom up.
   const double row = row_cm / (figure.height_cm - around_cm);
   std::ranges::stable_sort(marks, std::ranges::greater(), &Named::y);
-  std::vector<double> at;
-  for (const Named& mark : marks) at.push_back(at.empty() ? mark.y : std::min(mark.y, at.back() - row));
-  double least = 0;
-  for (std::size_t i = at.size(); i-- > 0; least = at[i] + row) at[i] = std::max(at[i], least);
-  for (std::size_t i = 0; i < marks.size(); ++i) {
+  const std::size_t n = marks.size();
+  std::vector<double> at(n), up(n);
+  for (std::size_t i = 0; i < n; ++i) at[i] = i == 0 ? marks[i].y : std::min(marks[i].y, at[i - 1] - row);
+  for (std::size_t i = n; i-- > 0;) up[i] = i + 1 == n ? marks[i].y : std::max(marks[i].y, up[i + 1] + row);
+  for (std::size_t i = 0; i < n; ++i)
+    at[i] = std::clamp((at[i] + up[i]) / 2, row * static_cast<double>(n - 1 - i), 1 - row * static_cast<double>(i));
+  for (std::size_t i = 0; i < n; ++i) {
     const auto& [label, style, y, x] = marks[i];
+    const std::string colour = style > 0 ? fmt::format("lc rgb colour_of({})", style) : "lc rgb '#808080'";
     figure.settings += fmt::format(
-        "set label {0} at {1} left offset 0.4, 0 noenhanced\nset arrow from graph {2}, graph {3} to {1} nohead {4}\n",
-        gnuplot_text(label), fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.15), text_of(at[i])),
-        text_of(x), text_of(y), style);
+        "set label {0} at {1} left offset {2} noenhanced\n"
+        "set arrow from graph {3}, graph {4} to {1} nohead back lw 0.5 dt 3 {5}\n",
+        gnuplot_text(label), fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.3), text_of(at[i])),
+        x < 1       ? "0, 0"
+        : style > 0 ? fmt::format("0.8, 0 point ls {}", style)
+                    : "0.8, 0 point pt 6 ps 0.9 lc rgb '#808080'",
+        text_of(x), text_of(y), colour);
   }
 }
 

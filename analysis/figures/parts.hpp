@@ -45,11 +45,11 @@ Axis logarithmic_axis(char letter, double smallest, double largest, const std::s
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm);
 // The same margins in every figure with two axes.
 void add_margins(Figure& figure, double bottom_cm = 1.2);
-// Names at the right of the plot, each joined to its mark, which is the end of a line by default; none for a single
-// one.
+// Names at the right of the plot, each joined to its mark; none for a single one. At the end of a line, the default, a
+// name has the line's marker, which tells lines that end at one place apart.
 struct Named {
   std::string label;
-  std::string style;    // of gnuplot
+  int style = 1;        // 0: grey
   double y = 0, x = 1;  // shares of the axes
 };
 void add_names(Figure& figure, std::vector<Named> marks);

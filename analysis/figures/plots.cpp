@@ -21,6 +21,7 @@ namespace {
 constexpr std::string_view grey = "lc rgb '#808080'", black = "lc rgb '#000000'";
 constexpr std::size_t most_rows = 60;     // of a figure, which fits a page
 constexpr std::size_t most_values = 200;  // drawn of a group
+constexpr std::size_t most_lines = 8;     // that can be told apart; the data file has all
 constexpr std::size_t most_bands = 3;     // more would cover each other
 
 Figure begun(const About& about) { return {.name = about.name, .caption = about.caption}; }
@@ -31,6 +32,16 @@ std::span<const Row> shown_of(const std::vector<Row>& rows, std::size_t most, st
   if (rows.size() > most)
     figure.caption += fmt::format(" Only the first {} of {} {} are drawn.", most, rows.size(), what);
   return std::span(rows).first(std::min(rows.size(), most));
+}
+
+// How many of all lines are drawn; the caption says whose are not.
+template <class Line>
+std::size_t drawn_of(const std::vector<Line>& all, Figure& figure) {
+  std::vector<std::string> others;
+  for (std::size_t i = most_lines; i < all.size(); ++i) others.push_back(label_of(all[i].label));
+  if (!others.empty())
+    figure.caption += fmt::format(" Without {}: only the first {} are drawn.", fmt::join(others, ", "), most_lines);
+  return all.size() - others.size();
 }
 
 bool has_mark(const std::vector<double>& values) {
@@ -49,11 +60,6 @@ void add_remarks(Figure& figure, const std::vector<std::string>& remarks) {
   if (widest_cm == 0) return;
   figure.sides_cm += widest_cm;
   figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + 0.45));
-}
-
-// From a mark or a line's end to its name.
-std::string leader_of(int style) {
-  return "back lw 0.5 dt 3 " + (style > 0 ? fmt::format("lc rgb colour_of({})", style) : std::string(grey));
 }
 
 }  // namespace
@@ -127,41 +133,43 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
   return figure;
 }
 
-std::optional<Figure> curves(const About& about, const std::string& x_axis, const std::vector<Line>& all) {
+std::optional<Figure> curves(const About& about, const std::string& x_axis, std::vector<Line> all) {
+  std::erase_if(all, [](const Line& line) {
+    return std::ranges::none_of(line.rows, [](const CurveRow& row) { return std::isfinite(row.y); });
+  });
+  if (all.empty()) return std::nullopt;
   Figure figure = begun(about);
+  const std::size_t drawn = drawn_of(all, figure);
   std::vector<double> xs, ys;
   std::vector<std::string> back, front;
   std::vector<Named> ends;
-  figure.data = fmt::format("# {}; {}; low, high, and the dotted line\n", x_axis, about.axis());
+  figure.data = fmt::format("# {}; {}; low, high\n", x_axis, about.axis());
   bool has_bands = false;
-  for (const Line& line : all) {
-    const auto has = [&](double CurveRow::*part) {
-      return std::ranges::any_of(line.rows, [&](const CurveRow& row) { return !std::isnan(row.*part); });
-    };
-    if (!has(&CurveRow::y)) continue;
-    const std::size_t index = ends.size();
-    figure.data += fmt::format("{}# {}\n", index == 0 ? "" : "\n\n", one_line(line.label));
-    const bool has_band = has(&CurveRow::high) && all.size() <= most_bands;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Line& line = all[i];
+    figure.data += fmt::format("{}# {}\n", i == 0 ? "" : "\n\n", one_line(line.label));
+    for (const CurveRow& row : line.rows) figure.data += data_row({row.x, row.y, row.low, row.high});
+    if (i >= drawn) continue;
+    const bool has_band =
+        all.size() <= most_bands && std::ranges::any_of(
+                                        line.rows, [](double high) { return !std::isnan(high); }, &CurveRow::high);
     has_bands = has_bands || has_band;
-    const std::string stroke = line.style > 0 ? fmt::format("ls {}", line.style) : fmt::format("lw 0.7 dt 2 {}", grey),
-                      style = line.style > 0 ? stroke : stroke + " pt 6 ps 0.9";
-    Named& end = ends.emplace_back(Named{label_of(line.label), leader_of(line.style)});
+    const std::string style =
+        line.style > 0 ? fmt::format("ls {}", line.style) : fmt::format("lw 0.7 dt 2 {} pt 6 ps 0.9", grey);
+    Named& end = ends.emplace_back(Named{label_of(line.label), line.style});
     for (const CurveRow& row : line.rows) {
-      figure.data += data_row({row.x, row.y, row.low, row.high, row.dotted});
       xs.push_back(row.x);
-      ys.insert(ys.end(), {row.y, row.dotted});
+      ys.push_back(row.y);
       if (has_band) ys.insert(ys.end(), {row.low, row.high});
       if (!std::isnan(row.y)) end.y = row.y;
     }
-    const std::string rows = fmt::format("data index {} using 1:", index);
+    const std::string rows = fmt::format("data index {} using 1:", i);
     if (has_band)
       back.push_back(fmt::format(
           "{}(place_y($3)):(place_y($4)) with filledcurves {} fs transparent solid 0.13 noborder", rows, style));
-    if (has(&CurveRow::dotted)) back.push_back(fmt::format("{}(place_y($5)) with lines {} lw 0.6 dt 3", rows, style));
     front.push_back(
         fmt::format("{}(place_y($2)) with linespoints {} pointinterval {}", rows, style, 1 + line.rows.size() / 25));
   }
-  if (ends.empty()) return std::nullopt;
   if (has_bands) figure.caption += " Bands: quartiles.";
   const Axis y = value_axis('y', ys, about, Begins::at_zero);
   figure.settings = y.settings + linear_axis('x', xs, x_axis, Begins::at_first).settings;
@@ -177,35 +185,47 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, cons
 
 std::optional<Figure> shares(const About& about, const std::string& y_axis, const std::vector<Successes>& all,
                              double dashed) {
-  if (std::ranges::all_of(all, [](const Successes& each) { return each.costs.empty(); })) return std::nullopt;
   Figure figure = begun(about);
+  const std::size_t drawn = drawn_of(all, figure);
   std::vector<std::string> clauses;
   std::vector<Named> ends;
+  std::vector<double> costs;
+  for (const Successes& each : std::span(all).first(drawn))
+    costs.insert(costs.end(), each.costs.begin(), each.costs.end());
   const bool is_dashed = !std::isnan(dashed);
-  double smallest = is_dashed ? dashed : 1e300, largest = is_dashed ? dashed : 0;
-  for (const Successes& each : all) {
-    for (const double cost : each.costs) smallest = std::min(smallest, cost), largest = std::max(largest, cost);
-  }
   constexpr double farthest = 1000;  // from what is dashed, on both sides
-  if (is_dashed) smallest = std::max(smallest, dashed / farthest), largest = std::min(largest, dashed * farthest);
+  if (is_dashed) std::erase_if(costs, [&](double cost) { return cost > dashed * farthest; });
+  if (costs.empty()) return std::nullopt;
+  if (is_dashed) costs.push_back(dashed);
+  auto [smallest, largest] = std::ranges::minmax(costs);
+  if (is_dashed) smallest = std::max(smallest, dashed / farthest);
   const Axis axis = logarithmic_axis('x', smallest, largest, about.axis());
   figure.data = fmt::format("# {}, share of all attempts [%]\n", about.axis());
   constexpr double low = -2, high = 102;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    std::vector<double> costs = all[i].costs;
+    costs = all[i].costs;
     std::ranges::sort(costs);
     const auto share_of = [&](std::ptrdiff_t n) { return 100 * double(n) / static_cast<double>(all[i].attempts); };
     const auto first = std::ranges::lower_bound(costs, axis.low), last = std::ranges::upper_bound(costs, axis.high);
     figure.data += fmt::format("{}# {}\n{}", i == 0 ? "" : "\n\n", one_line(all[i].label),
                                data_row({0, share_of(first - costs.begin())}));
+    std::size_t steps = 0;
     for (auto cost = first; cost < last; ++cost) {
-      if (cost + 1 == last || cost[1] > cost[0]) figure.data += data_row({*cost, share_of(cost + 1 - costs.begin())});
+      if (cost + 1 != last && cost[1] == cost[0]) continue;
+      figure.data += data_row({*cost, share_of(cost + 1 - costs.begin())});
+      ++steps;
     }
     const double share = share_of(last - costs.begin());
     figure.data += data_row({1e300, share});
+    if (i >= drawn) continue;
     const std::string style = fmt::format("ls {} lw 1.3", all[i].style);
-    ends.push_back({label_of(all[i].label), leader_of(all[i].style), (share - low) / (high - low)});
-    clauses.push_back(fmt::format("data index {} using (place_x($1)):2 with steps {}", i, style));
+    ends.push_back({label_of(all[i].label), all[i].style, (share - low) / (high - low)});
+    constexpr std::string_view rows = "using (place_x($1)):2 with";
+    clauses.push_back(fmt::format("data index {} {} steps {}", i, rows, style));
+    const std::size_t every = 1 + steps / 6;  // markers, of each line elsewhere
+    if (drawn > 1)
+      clauses.push_back(fmt::format("data index {} every {}::{} {} points ls {}", i, every, 1 + every * i / drawn, rows,
+                                    all[i].style));
   }
   figure.settings =
       axis.settings +
@@ -213,8 +233,10 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
           "set yrange [{}:{}]\nset ytics 20\nset label '{} [%]' at screen margin(0.3), graph 0.5 center rotate\n", low,
           high, y_axis);
   if (is_dashed)
-    figure.settings +=
-        fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n", text_of(dashed), grey);
+    figure.settings += fmt::format(
+        "set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n"
+        "set label 'tolerance' at {0}, graph 1 center offset 0, 0.5\n",
+        text_of(dashed), grey);
   add_margins(figure);
   add_names(figure, ends);
   figure.plot = plotted(clauses);
@@ -508,11 +530,11 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
     figure.data += fmt::format("# {}\n{}", one_line(dot.label), data_row({dot.x, dot.y, dot.printed_x, dot.printed_y}));
     const std::string line = fmt::format("data every ::{0}::{0} using", names.size()),
                       colour = fmt::format("lc rgb colour_of({})", dot.style);
-    names.push_back({label_of(dot.label), leader_of(dot.style), dot.y, dot.x});
+    names.push_back({label_of(dot.label), dot.style, dot.y, dot.x});
     clauses.push_back(fmt::format("{} (place_x($1)):(place_y($2)) with points ls {} dt 1 ps 0.9", line, dot.style));
     clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 {}", line, colour));
   }
-  if (names.empty()) return std::nullopt;
+  if (names.size() < 2) return std::nullopt;  // nothing to see it against
   const Axis x = linear_axis('x', xs, x_axis, Begins::around), y = value_axis('y', ys, about, Begins::at_zero);
   figure.settings = x.settings + y.settings;
   clauses.insert(

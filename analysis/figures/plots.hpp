@@ -29,16 +29,18 @@ struct BoxRow {
 };
 std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& rows);
 
-// Curves of y by x with the band from low to high, the quartiles, or with a thin dotted one beside.
+// Of lines (curves, shares, joints) the first eight are drawn; the data file has all, the caption whose are left out.
+
+// Curves of y by x with the band from low to high, the quartiles.
 struct CurveRow {
-  double x, y, low = nowhere, high = nowhere, dotted = nowhere;
+  double x, y, low = nowhere, high = nowhere;
 };
 struct Line {
   std::string label;
   int style = 1;  // 0: grey rings, of printed numbers
   std::vector<CurveRow> rows = {};
 };
-std::optional<Figure> curves(const About& about, const std::string& x_axis, const std::vector<Line>& all);
+std::optional<Figure> curves(const About& about, const std::string& x_axis, std::vector<Line> all);
 
 // How many of all attempts had succeeded at this cost, a share on `y_axis`; dashed, if known, a cost that matters.
 struct Successes {

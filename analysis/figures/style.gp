@@ -15,7 +15,7 @@ colours = "COLOURS"
 hues = words(colours)
 
 # Markers tell the curves apart without colour, and dashes those of one colour. Rings are what is printed.
-markers = "7 5 9 11 13 15 2 4 8 10 12 1 3"
+markers = "7 4 9 10 13 2 3 12 5 8 11 1 15"
 dashes = "1 11 12 13 14"
 set dashtype 11 (5, 2)
 set dashtype 12 (1.5, 2)
@@ -23,7 +23,7 @@ set dashtype 13 (6, 2, 1.5, 2)
 set dashtype 14 (2.5, 1.5)
 colour_of(i) = word(colours, (i - 1) % hues + 1)
 do for [i = 1:13 * hues] {
-  set style line i lw 0.9 ps 0.45 lc rgb colour_of(i) pt int(word(markers, (i - 1) % 13 + 1)) \
+  set style line i lw 0.9 ps 0.6 lc rgb colour_of(i) pt int(word(markers, (i - 1) % 13 + 1)) \
     dt int(word(dashes, (i - 1) / hues % 5 + 1))
 }
 set style line 1000 lw 0.4 lc rgb "#DDDDDD" dt 1

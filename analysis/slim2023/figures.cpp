@@ -62,10 +62,12 @@ Figures of_helix(const JudgedStudy& judged, const Look& look) {
   const StudyResults& study = judged.study;
   Figures figures{overview_figure(judged, look), path_figure(study, 5, 1, look)};
   for (const PaperMetric& metric : paper_metrics) {
+    const bool is_time = metric.column == time;
     const About about =
         about_of(study, metric, metric.curves,
-                 fmt::format("The {} at each point, mean of the runs. Dotted: the median.", name_of(metric)));
-    figures.push_back(curves(about, "point", by_point(study, metric.column, look, Average::mean)));
+                 fmt::format("The {} at each point, {} of the runs.", name_of(metric), is_time ? "median" : "mean"));
+    figures.push_back(
+        curves(about, "point", by_point(study, metric.column, look, is_time ? Average::median : Average::mean)));
   }
   const auto [rows, columns] = joint_rows(study, look);
   figures.push_back(
@@ -106,7 +108,7 @@ Figures of_circle(const StudyResults& study, const Look& look) {
     figures.push_back(curves(about, axis, lines));
   };
   add(17, "The error at each point, beside Table 8's.", "point", errors);
-  add(18, "Best error after each iteration, mean of all solves. Dotted: the median.", "iteration",
+  add(18, "Best error after each iteration, mean of all solves.", "iteration",
       by_iteration(study, look, Average::mean));
   return figures;
 }

@@ -28,15 +28,15 @@ std::vector<Figure> every_kind(const std::string& label) {
                                  .printed = {0, 1, 2},
                                  .remark = label},
                                   {.label = label, .style = 9}}),
-           curves(
-               named("curves"), label,
-               {{label, 1, {{1, 0, 0, 0.5, 0.2}, {2, 3, 1, 4, 2}}}, {label, 0, {{1, 1000}, {2, nowhere}}}, {label, 2}}),
+           curves(named("curves"), label,
+                  {{label, 1, {{1, 0, 0, 0.5}, {2, 3, 1, 4}}}, {label, 0, {{1, 1000}, {2, nowhere}}}, {label, 2}}),
            shares(named("shares"), "solved", {{label, 1, {3, 5}, 4}, {label, 2, {}, 4}}, 4),
            differences(named("ratios"), {{label, 2, 0.5, 4, label, 2}, {label}, {label, 1, 0.9, double{INFINITY}}},
                        true),
            differences(named("differences"), {{label, -2, -5, 4}, {label, 0, 0, 0}}, false),
            joints(named("joints"), {{label, 1, {{10, 20}, {15, 95}}}, {label, 2}}, {{label, -90, 90}, {label}}),
-           overview(named("overview"), label, {{label, 1, 10, 0.5, 20, 0.1}, {label, 2, nowhere, nowhere}}),
+           overview(named("overview"), label,
+                    {{label, 1, 10, 0.5, 20, 0.1}, {label, 2, 1, 1}, {label, 2, nowhere, nowhere}}),
        })
     all.push_back(figure.value());
   return all;
@@ -65,27 +65,31 @@ TEST_CASE("a figure without a mark is none", "[plots]") {
   const About about = error_in("a");
   CHECK_FALSE(boxes(about, {{.label = "A", .remark = "3 lost"}}));
   CHECK_FALSE(curves(about, "point", {{.label = "A", .rows = {{1, nowhere}}}}));
-  CHECK_FALSE(shares(about, "solved", {{"A", 1, {}, 4}}, 2));
+  CHECK_FALSE(shares(about, "solved", {{"A", 1, {}, 4}, {"B", 2, {2001}, 4}}, 2));
   CHECK_FALSE(differences(about, {{.label = "A - B", .verdict = "not decided"}}, false));
-  CHECK_FALSE(overview(about, "x", {{.label = "A", .x = 1}}));
+  CHECK_FALSE(overview(about, "x", {{.label = "A", .x = 1}, {.label = "B", .x = 1, .y = 1}}));  // one is none
   CHECK_FALSE(joints(about, {{.label = "A"}}, {{"joint 1"}}));
 }
 
-TEST_CASE("names stand beside the ends of their lines, in their order, and none above another", "[plots]") {
+TEST_CASE("eight lines are drawn, their names in order and none above another", "[plots]") {
   std::vector<Line> lines;
-  for (int i = 0; i < 17; ++i)
-    lines.push_back({fmt::format("solver {}", i), i + 1, {{1, 5}, {2, i < 9 ? 9 : 6.0 / (i + 1)}}});
+  for (int i = 0; i < 10; ++i)
+    lines.push_back({fmt::format("solver {}", i), i + 1, {{1, 5}, {2, i < 5 ? 9 : 6.0 / (i + 1)}}});
   const Figure figure = *curves(error_in("c"), "point", lines);
+  CHECK(figure.caption == "c Without solver 8, solver 9: only the first 8 are drawn.");
+  CHECK(contains(figure.data, "# solver 9\n1 5 NaN NaN\n2 0.6 NaN NaN\n"));
+  CHECK_FALSE(contains(figure.plot, "data index 8"));
   std::vector<double> heights;
-  for (int i = 0; i < 17; ++i) {
+  for (int i = 0; i < 8; ++i) {
     const std::size_t at =
         figure.settings.find("graph ", figure.settings.find(fmt::format("set label 'solver {}'", i)));
     heights.push_back(std::stod(figure.settings.substr(at + 6)));
   }
-  CHECK(heights.front() == Approx(9 / 9.45));
+  const double row = 0.34 / (figure.height_cm - 1.5);
+  CHECK(heights[3] == Approx(std::min(9 / 9.45 - row, 1 - 3 * row)));  // around the ends of all five
   for (std::size_t i = 0; i < heights.size(); ++i) {
     CHECK((0 <= heights[i] && heights[i] <= 1));
-    if (i > 0) CHECK((heights[i - 1] - heights[i]) * (figure.height_cm - 1.5) >= Approx(0.34));
+    if (i > 0) CHECK(heights[i - 1] - heights[i] >= Approx(row));
   }
   lines.resize(1);
   CHECK_FALSE(contains(curves(error_in("c"), "point", lines)->settings, "solver 0"));
@@ -109,10 +113,8 @@ TEST_CASE("a box has its five numbers, what is printed, and all values", "[plots
 }
 
 TEST_CASE("curves have a row for each x", "[plots]") {
-  const Figure figure =
-      *curves(error_in("c"), "point", {{"A", 1, {{1, 0.5, 0.25, 1}, {2, 0.125, nowhere, nowhere, 0.75}}}});
-  CHECK(figure.data ==
-        "# point; error [cm]; low, high, and the dotted line\n# A\n1 0.5 0.25 1 NaN\n2 0.125 NaN NaN 0.75\n");
+  const Figure figure = *curves(error_in("c"), "point", {{"A", 1, {{1, 0.5, 0.25, 1}, {2, 0.125}}}});
+  CHECK(figure.data == "# point; error [cm]; low, high\n# A\n1 0.5 0.25 1\n2 0.125 NaN NaN\n");
 }
 
 TEST_CASE("shares rise at the costs of those that succeeded", "[plots]") {
