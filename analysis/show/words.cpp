@@ -203,6 +203,8 @@ std::string unbeaten(const Shown& shown) {
     return fmt::format("{} solved {}{}{}", names_of(firsts), number_of(shown, judged, order[0], order[0]),
                        near.empty() ? "" : "; not shown to be worse: ", names_of(near));
   }
+  if (std::ranges::all_of(judged.findings, &Finding::are_all_equal))
+    return fmt::format("{} are {}: {}", all_of(judged), verdict_words(judged.findings.front(), judged), numbers);
   const bool is_between_some = rest.size() > 1 && rest.size() < judged.described.size();
   return fmt::format("Not decided{}: {}", is_between_some ? " between " + names_of(rest) : "", numbers);
 }

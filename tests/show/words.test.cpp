@@ -94,6 +94,8 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   add("two best, of shares",
       of(shares({{"LM", solved(20)}, {"PSO", solved(4)}, {"DLS", solved(20)}, {"mine", solved(2)}})));
   add("the same", of(errors({{"A", values_around(1, 0.01)}, {"B", values_around(1.001, 0.01)}})));
+  add("equal, and too few to be the same",
+      of(errors({{"A", std::vector<double>(20, 1)}, {"B", std::vector<double>(20, 1)}})));
   add("better by little", of(errors({{"A", values_around(1, 0.01)}, {"B", values_around(1.02, 0.01)}})));
   add("with a control", of(errors({{"A", a}, {"old", b}, {"C", c}}), {.control = "old"}));
   add("many", of(errors({{"A", a}, {"B", b}, {"C", b}, {"D", b}, {"E", b}, {"F", b}, {"G", b}})));
