@@ -130,13 +130,6 @@ Table for_article(Table table, const Reported& reported, const Shown& brief) {
   return table;
 }
 
-// In a paragraph for Methods.
-std::string cited(const Reported& reported) {
-  return reported.keys.empty()
-             ? ".\n"
-             : fmt::format(" \\cite{{{}}}.\n% Keys of docs/references.bib\n", fmt::join(reported.keys, ","));
-}
-
 void write_table(const Table& table, const Table& article, const fs::path& folder, const std::string& program) {
   const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
   results::write_file(folder / (table.name + ".csv"), to_csv(table));
@@ -176,8 +169,11 @@ Published publish(const Reported& reported, const fs::path& folder, const figure
   if (!is_of_study || !fs::is_regular_file(folder / own_files[3])) files.pop_back();
   if (is_of_study) {
     files.emplace_back("tables/methods.tex");
+    const auto& keys = reported.keys;
     results::write_file(folder / files.back(),
-                        latex_text(methods_of(reported.shown, reported.study)) + cited(reported));
+                        fmt::format("{}{}{}{}.\n% Keys of docs/references.bib\n",
+                                    latex_text(methods_of(reported.shown, reported.study)),
+                                    keys.empty() ? "" : " \\cite{", fmt::join(keys, ","), keys.empty() ? "" : "}"));
   }
   const Shown brief = with_short_names(reported.shown, 20);
   for (const Blocks& blocks : sections) {
