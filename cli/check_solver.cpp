@@ -223,15 +223,14 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
         all.push_back({{"check", line.what}, {"passed", line.passed}, {"seen", line.seen}});
       return show_json(all);
     }
-    fmt::print("{}\n\n", failed == 0 ? coloured(fmt::format("All {} checks passed.", lines.size()), Tone::good)
-                                     : coloured(fmt::format("{} of {} checks failed{}", failed, lines.size(),
-                                                            lines.size() < 9 ? "; the others were not made." : "."),
-                                                Tone::bad));
+    fmt::print("{}\n\n", failed == 0 ? fmt::format("All {} checks passed.", lines.size())
+                                     : fmt::format("{} of {} checks failed{}", failed, lines.size(),
+                                                   lines.size() < 9 ? "; the others were not made." : "."));
     for (const CheckLine& line : lines) {
       constexpr std::size_t length_of_state = 8;
       const std::string text = wrapped(fmt::format("{}{}{}", line.what, line.seen.empty() ? "" : ": ", line.seen),
                                        text_width() - length_of_state);
-      fmt::print("{}{}\n", line.passed ? coloured("ok      ", Tone::good) : coloured("FAILED  ", Tone::bad), text);
+      fmt::print("{}{}\n", line.passed ? "ok      " : "FAILED  ", text);
     }
   });
 }

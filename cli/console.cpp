@@ -10,7 +10,6 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <mutex>
 #include <string_view>
 #include <utility>
@@ -81,19 +80,6 @@ std::size_t columns_of(int stream) {
   return std::clamp<std::size_t>(size.ws_col, fewest_columns, most_columns);
 }
 
-bool has_colours(int stream) {
-  const auto value = [](const char* name) {
-    const char* const text = std::getenv(name);  // NOLINT: no thread sets a variable
-    return std::string_view(text == nullptr ? "" : text);
-  };
-  return isatty(stream) != 0 && value("NO_COLOR").empty() && !value("TERM").empty() && value("TERM") != "dumb";
-}
-
-std::string coloured_for(int stream, std::string text, Tone tone) {
-  constexpr int codes[]{32, 33, 31};
-  return has_colours(stream) ? fmt::format("\x1b[{}m{}\x1b[0m", codes[static_cast<int>(tone)], text) : text;
-}
-
 // Rate and time left; empty before anything is done.
 std::string pace(const Progress& progress, double elapsed) {
   const std::int64_t solved = progress.done - progress.reused;
@@ -123,11 +109,7 @@ std::string printable(std::string_view text) {
 
 void say(std::string_view text) { write_error(wrapped(text, columns_of(STDERR_FILENO)) + '\n'); }
 
-void warn(std::string_view text) {
-  constexpr std::string_view word = "warning:";
-  const std::string shown = wrapped(fmt::format("{} {}", word, text), columns_of(STDERR_FILENO));
-  write_error(coloured_for(STDERR_FILENO, std::string(word), Tone::open) + shown.substr(word.size()) + '\n');
-}
+void warn(std::string_view text) { say(fmt::format("warning: {}", text)); }
 
 void say_mistake(std::string_view text) {
   const std::size_t end = text.find("; ");
@@ -151,8 +133,6 @@ std::string wrapped(std::string_view text, std::size_t width) {
   }
   return result;
 }
-
-std::string coloured(std::string text, Tone tone) { return coloured_for(STDOUT_FILENO, std::move(text), tone); }
 
 std::string shell_command(std::string_view program, const std::vector<std::string>& arguments) {
   constexpr std::string_view harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=.,:/+@%";

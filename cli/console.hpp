@@ -30,11 +30,6 @@ std::size_t text_width();
 // Printable text whose lines break between words; further lines are indented. Longer words stay whole.
 std::string wrapped(std::string_view text, std::size_t width = text_width());
 
-// The colour of a verdict on a terminal, unless NO_COLOR is set or TERM is dumb. No colour has a meaning that
-// the words do not have.
-enum class Tone { good, open, bad };
-std::string coloured(std::string text, Tone tone);
-
 // A program and its arguments as a shell would take them again.
 std::string shell_command(std::string_view program, const std::vector<std::string>& arguments);
 
