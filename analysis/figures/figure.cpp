@@ -69,18 +69,6 @@ void replace_all(std::string& text, std::string_view old, std::string_view by) {
     text.replace(at, old.size(), by);
 }
 
-// The first clause of the caption, after "Figure 5. ".
-std::string title_of(const Figure& figure) {
-  const std::size_t start = figure.caption.starts_with("Figure ") ? figure.caption.find(". ") + 2 : 0;
-  const std::size_t end = std::min(figure.caption.find(": ", start), figure.caption.find(". ", start));
-  std::string title = figure.caption.substr(start, end - start);
-  if (title.ends_with('.')) title.pop_back();
-  replace_all(title, "&", "&amp;");
-  replace_all(title, "<", "&lt;");
-  replace_all(title, ">", "&gt;");
-  return title;
-}
-
 // Leaves out the groups in which gnuplot draws nothing, a third of the file.
 void remove_empty_groups(std::string& svg) {
   for (const std::string_view end : {"\n\t\t<text></text>\n\t</g>\n", "\n</g>\n"}) {
@@ -105,7 +93,11 @@ void complete_svg(std::string& svg, const Figure& figure) {
   std::string size = svg.substr(box + 13, end - box - 13);
   replace_all(size, " ", "pt\" height=\"");
   svg.insert(box, "width=\"" + size + "pt\" ");
-  replace_all(svg, "<title>Gnuplot</title>", "<title>" + title_of(figure) + "</title>");
+  std::string title = one_line(figure.caption);
+  replace_all(title, "&", "&amp;");
+  replace_all(title, "<", "&lt;");
+  replace_all(title, ">", "&gt;");
+  replace_all(svg, "<title>Gnuplot</title>", "<title>" + title + "</title>");
   replace_all(svg, "font-family=\"Liberation Sans\"", "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
   replace_all(svg, "]]>", "]]&gt;");  // gnuplot leaves the > of a label as it is, and XML forbids ]]> in a text
 }
@@ -140,9 +132,9 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
 std::string script_of(const Figure& figure, const std::vector<Picture>& formats) {
   std::string script = fmt::format(
       "# To draw it again: gnuplot {0}.gp\ndata = '{0}.dat'\nwidth_cm = {1}\nheight_cm = {2}\nlegend = {3}\n"
-      "sides_cm = {4}\nis_square = {5}\nload 'style.gp'\n\n{6}\n",
+      "sides_cm = {4}\nload 'style.gp'\n\n{5}\n",
       figure.name, text_of(figure.width_cm), text_of(figure.height_cm), figure.legend, text_of(figure.sides_cm),
-      figure.is_square ? 1 : 0, figure.settings);
+      figure.settings);
   const bool can_repeat = !figure.plot.starts_with("set multiplot");
   for (const Picture type : formats) {
     const bool is_repeated = can_repeat && type != formats.front();

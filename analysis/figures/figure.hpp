@@ -26,7 +26,6 @@ struct Figure {
   std::string data = {};   // the numbers as drawn; comment lines start with '#'
   std::size_t legend = 0;  // its rows; style.gp adds the room for them
   double sides_cm = 2.05;  // the width of all beside the plot
-  bool is_square = false;  // a wider one is higher, too
 };
 
 // What a figure is about: the name of its files, the plain text below it, and its values.

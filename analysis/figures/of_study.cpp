@@ -404,14 +404,14 @@ PathRows path_rows(const StudyResults& study, const std::string& solver, std::si
                 .style = style_of(look, solver),
                 .is_closed = study.definition.path == "circle" && std::ssize(solves) == study.points};
   const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
-  const std::size_t every = arms == 0 ? 1 : std::max<std::size_t>(1, (solves.size() + arms - 1) / arms);
+  const std::size_t every = std::max<std::size_t>(1, (solves.size() + arms - 1) / arms);
   for (std::size_t i = 0; i < solves.size(); ++i) {
     const SolveRecord& solve = solves[i];
     rows.targets.push_back(corner_of(solve.target_position_m));
     rows.reached.push_back(corner_of(solve.reached_position_m));
     const Eigen::Map<const Eigen::VectorXd> q(solve.answer_rad.data(),
                                               static_cast<Eigen::Index>(solve.answer_rad.size()));
-    if (arms == 0 || i % every != 0 || !arm || q.size() != arm->joints() || !q.allFinite()) continue;
+    if (i % every != 0 || !arm || q.size() != arm->joints() || !q.allFinite()) continue;
     rows.arms.emplace_back(fmt::format("arm at point {}", solve.point), corners_of(*arm, q));
   }
   return rows;

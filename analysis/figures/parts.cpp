@@ -109,8 +109,8 @@ std::string data_row(const std::vector<double>& values) {
   return row + '\n';
 }
 
-std::string plotted(const std::vector<std::string>& clauses, std::string_view command) {
-  return fmt::format("{} NaN, \\\n  {}", command, fmt::join(clauses, ", \\\n  "));
+std::string plotted(const std::vector<std::string>& clauses) {
+  return fmt::format("plot NaN, \\\n  {}", fmt::join(clauses, ", \\\n  "));
 }
 
 double round_step_of(double span, double places) {
@@ -146,9 +146,7 @@ Axis linear_axis(char letter, std::span<const double> values, const std::string&
   const bool is_first = begins == Begins::at_first && span > 0;
   Axis axis{.settings = "", .low = is_first ? least : least - room, .high = is_first ? largest : largest + room};
   if (begins == Begins::at_zero) axis.low = std::min(0.0, 1.05 * least), axis.high = largest > 0 ? 1.05 * largest : 1;
-  const double step = round_step_of(axis.high - axis.low, 5), next = step * std::ceil(axis.high / step);
-  if (!is_first && next - axis.high < 0.05 * step)
-    axis.high = next;  // gnuplot draws the grid, but no label, a little beyond the range
+  const double step = round_step_of(axis.high - axis.low, 5);
   axis.settings = fmt::format("set {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(axis.low), text_of(axis.high),
                               letter == 'x' ? fmt::format("set xtics {}\n", text_of(step)) : "", titled(letter, title),
                               placed(letter, axis.low, axis.high));
@@ -215,11 +213,11 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
   if (widest_cm > widest_in_column_cm) figure.width_cm = two_columns_cm;
   figure.sides_cm = widest_cm + 0.8;
   add_margins(figure);
-  figure.height_cm = 1.5 + row_cm * static_cast<double>(std::max<std::size_t>(labels.size(), 1));
+  figure.height_cm = 1.5 + row_cm * static_cast<double>(labels.size());
   figure.settings += fmt::format(
       "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced scale 0 ({})\nset border 1\nset grid noytics\n"
       "set lmargin at screen margin({})\n",
-      std::max<std::size_t>(labels.size(), 1), fmt::join(ticks, ", "), text_of(widest_cm + 0.35));
+      labels.size(), fmt::join(ticks, ", "), text_of(widest_cm + 0.35));
 }
 
 void add_names(Figure& figure, std::vector<Named> marks) {

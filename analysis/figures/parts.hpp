@@ -18,7 +18,7 @@ std::string gnuplot_text(std::string_view text);
 // A line of a data file. "NaN" for what is not drawn: gnuplot works in doubles, with room for an axis around.
 std::string data_row(const std::vector<double>& values);
 
-std::string plotted(const std::vector<std::string>& clauses, std::string_view command = "plot");
+std::string plotted(const std::vector<std::string>& clauses);
 
 // The smallest of 1, 2 and 5 times a power of ten that marks at most `places` places of a span.
 double round_step_of(double span, double places);

@@ -282,14 +282,6 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
 
 namespace {
 
-std::string flat_axes(const Corner& low, double side) {
-  const std::string step = text_of(round_step_of(side, 4));
-  return fmt::format(
-      "set xrange [{}:{}]\nset yrange [{}:{}]\nset xtics {}\nset ytics {}\nset xlabel 'x [cm]'\n"
-      "set label 'y [cm]' at graph 0, graph 0.5 center rotate offset -5.2, 0\n",
-      text_of(low[0]), text_of(low[0] + side), text_of(low[1]), text_of(low[1] + side), step, step);
-}
-
 // A cube seen from the front, above and the left, by parallel lines; the functions u() and v() project what it holds.
 // It has ticks at the lower front edges and at the left one, and grids on the floor and both walls behind.
 std::string space_axes(const Corner& low, double side) {
@@ -347,7 +339,6 @@ std::string space_axes(const Corner& low, double side) {
 Figure path(const About& about, const PathRows& rows) {
   Figure figure = begun(about);
   figure.height_cm = 7;
-  figure.is_square = true;
   std::array<std::vector<double>, 3> shown;
   const auto see = [&](const std::vector<Corner>& corners) {
     for (const Corner& corner : corners) {
@@ -366,7 +357,7 @@ Figure path(const About& about, const PathRows& rows) {
   for (std::size_t i = 0; i < rows.targets.size(); ++i) add_row(i);
   if (rows.is_closed && !rows.targets.empty()) add_row(0);
   see(rows.targets);
-  const std::string_view target = rows.is_from_above ? "1:2" : "(u($1,$2,$3)):(v($1,$2,$3))";
+  constexpr std::string_view target = "(u($1,$2,$3)):(v($1,$2,$3))";
   std::vector<std::string> clauses;
   const auto add = [&](const std::string& label, const std::string& what) {
     clauses.push_back(fmt::format("data index {} title {}", what, gnuplot_text(label_of(label))));
@@ -383,8 +374,9 @@ Figure path(const About& about, const PathRows& rows) {
   }
   if (!rows.targets.empty()) {
     add("target", fmt::format("0 using {} with points pt 7 ps 0.35 lc rgb '#000000'", target));
-    add(rows.reached_label, fmt::format("0 using {} with points pt 6 ps 0.8 lw 0.8 lc rgb colour_of({})",
-                                        rows.is_from_above ? "4:5" : "(u($4,$5,$6)):(v($4,$5,$6))", rows.style));
+    add(rows.reached_label,
+        fmt::format("0 using (u($4,$5,$6)):(v($4,$5,$6)) with points pt 6 ps 0.8 lw 0.8 lc rgb colour_of({})",
+                    rows.style));
   }
   // Three axes of one scale.
   double longest = 0;
@@ -398,13 +390,11 @@ Figure path(const About& about, const PathRows& rows) {
   const double side = longest > 0 ? 1.1 * longest : 2;
   for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = middle[axis] - side / 2;
   add_legend(figure, clauses.size());
-  const double bottom_cm = rows.is_from_above ? 1.2 : 0.3, aspect = rows.is_from_above ? 1 : 0.84;
-  add_margins(figure, bottom_cm);
-  figure.settings += fmt::format(
-      "set size ratio -1\nspare = 1 - margin(2.05) - {} * (1 - up({} + 0.3 + legend_rows_cm)) * height_cm / width_cm\n"
-      "if (spare > 0) {{ set lmargin at screen margin(1.7) + spare / 2; set rmargin at screen 1 - margin(0.35) - spare / 2 }}\n",
-      aspect, bottom_cm);
-  figure.settings += rows.is_from_above ? flat_axes(low, side) : space_axes(low, side);
+  add_margins(figure, 0.3);
+  figure.settings +=
+      "set size ratio -1\nspare = 1 - margin(2.05) - 0.84 * (1 - up(0.6 + legend_rows_cm)) * height_cm / width_cm\n"
+      "if (spare > 0) { set lmargin at screen margin(1.7) + spare / 2; set rmargin at screen 1 - margin(0.35) - spare / 2 }\n" +
+      space_axes(low, side);
   figure.plot = plotted(clauses);
   return figure;
 }

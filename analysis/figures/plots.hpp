@@ -68,7 +68,7 @@ struct PathRows {
   std::vector<std::pair<std::string, std::vector<Corner>>> arms = {};  // label, and corners from the base to the tool
   std::string reached_label = "reached";
   int style = 1;  // of what was reached
-  bool is_closed = false, is_from_above = false;
+  bool is_closed = false;
 };
 // Targets as a path, if there are any, what was reached, and arms.
 Figure path(const About& about, const PathRows& rows);

@@ -34,12 +34,9 @@ papers::PrintedRows in_print(std::string_view column) { return papers::printed_m
 
 Figure path_figure(const StudyResults& study, int number, std::size_t arms, const Look& look) {
   const std::string solver = shown_solvers(study, look).front();
-  PathRows rows = path_rows(study, solver, arms, look);
-  rows.is_from_above = arms == 0;
-  const std::string view = arms == 0   ? ", from above"
-                           : arms == 1 ? ", with the arm"
-                                       : ", with the arm at three of them";
-  return path(numbered(number, fmt::format("Targets, and what {} reached in its first run{}.", solver, view)), rows);
+  return path(numbered(number, fmt::format("Targets, and what {} reached in its first run, with the arm{}.", solver,
+                                           arms == 1 ? "" : " at three of them")),
+              path_rows(study, solver, arms, look));
 }
 
 // The means of Table 3, ours and printed.
@@ -93,7 +90,7 @@ Figures of_helix(const JudgedStudy& judged, const Look& look) {
 }
 
 Figures of_circle(const StudyResults& study, const Look& look) {
-  Figures figures{path_figure(study, 14, 0, look), path_figure(study, 15, 3, look)};
+  Figures figures{path_figure(study, 15, 3, look)};
   const auto [rows, columns] = joint_rows(study, look);
   figures.push_back(joints(numbered(16, "Joint angles along the circle. Dashed: limits."), rows, columns));
   std::vector<Line> errors = by_point(study, error, look, Average::mean);

@@ -42,7 +42,7 @@ std::vector<show::Blocks> sections(const papers::Repeated& repeated,
                                    const std::vector<figures::Figure>& figures_of_circle = {});
 
 // Of its helix 5 the path with the arm, 6 to 8 error, variation and time by point, 9 the joint angles, 10 to 12 box
-// plots beside the printed numbers; of its circle 14 it from above, 15 in space, 16 the joint angles, 17 the error by
+// plots beside the printed numbers; of its circle 15 it in space, 16 the joint angles, 17 the error by
 // point beside Table 8's, 18 the mean error by iteration. None if nothing was solved.
 std::vector<figures::Figure> figures_of(const compare::JudgedStudy& judged, const figures::Look& look);
 

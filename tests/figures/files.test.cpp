@@ -153,7 +153,7 @@ TEST_CASE("a figure that is not drawn is told, and its old picture goes", "[file
   CHECK_FALSE(fs::exists(folder.path / "g.svg"));
 }
 
-TEST_CASE("a picture has a title, a width in points, and the same bytes each time", "[files][figure]") {
+TEST_CASE("a picture has its caption as title, a width in points, and the same bytes each time", "[files][figure]") {
   const ScratchFolder folder;
   const Figure figure{.name = "f",
                       .caption = "Error of <mine> & others: as it is.",
@@ -162,7 +162,7 @@ TEST_CASE("a picture has a title, a width in points, and the same bytes each tim
                       .data = "1 1\n2 2\n"};
   write_figures({figure}, folder.path, {});
   const std::string svg = text_in(folder.path / "f.svg"), pdf = text_in(folder.path / "f.pdf");
-  CHECK(contains(svg, "<title>Error of &lt;mine&gt; &amp; others</title>"));
+  CHECK(contains(svg, "<title>Error of &lt;mine&gt; &amp; others: as it is.</title>"));
   CHECK(contains(svg, "width=\"240pt\" height=\"181pt\""));
   CHECK(pdf.find("CreationDate") == std::string::npos);
   write_figures({figure}, folder.path, {});

@@ -19,7 +19,6 @@ std::vector<Figure> every_kind(const std::string& label) {
                                                .reached = {{1, 2, 3}, {nowhere, 0, 0}},
                                                .arms = {{label, {{0, 0, 0}, {1, 1, 1}}}},
                                                .reached_label = label}),
-                          path(named("above"), {.targets = {{1, 2, 3}}, .reached_label = label, .is_from_above = true}),
                           path(named("arm"), {.arms = {{"arm", {{0, 0, 0}, {1, 1, 1}}}}})};
   for (const std::optional<Figure>& figure : {
            boxes(named("boxes"), {{.label = label,
