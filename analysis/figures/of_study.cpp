@@ -426,8 +426,8 @@ JointRows joint_rows(const StudyResults& study, const Look& look) {
     const auto j = static_cast<Eigen::Index>(joint);
     if (arm->chain.slides(j)) continue;
     turning.push_back(joint);
-    all.columns.push_back(
-        {fmt::format("joint {}", joint + 1), arm->limits.lower[j] / degree, arm->limits.upper[j] / degree});
+    all.columns.push_back({fmt::format("{}{}", turning.size() == 1 ? "joint " : "", joint + 1),
+                           arm->limits.lower[j] / degree, arm->limits.upper[j] / degree});
   }
   for (const std::string& solver : shown_solvers(study, look)) {
     JointRow row{.label = name_of(look, solver), .style = style_of(look, solver)};

@@ -26,22 +26,14 @@ constexpr std::size_t most_bands = 3;     // more would cover each other
 
 Figure begun(const About& about) { return {.name = about.name, .caption = about.caption}; }
 
-// The first rows of a figure that has no room for all; it says so.
+// The first rows; the caption says whose are left out.
 template <class Row>
-std::span<const Row> shown_of(const std::vector<Row>& rows, std::size_t most, std::string_view what, Figure& figure) {
-  if (rows.size() > most)
-    figure.caption += fmt::format(" Only the first {} of {} {} are drawn.", most, rows.size(), what);
-  return std::span(rows).first(std::min(rows.size(), most));
-}
-
-// How many of all lines are drawn; the caption says whose are not.
-template <class Line>
-std::size_t drawn_of(const std::vector<Line>& all, Figure& figure) {
+std::span<const Row> drawn_of(const std::vector<Row>& all, std::size_t most, Figure& figure) {
   std::vector<std::string> others;
-  for (std::size_t i = most_lines; i < all.size(); ++i) others.push_back(label_of(all[i].label));
+  for (std::size_t i = most; i < all.size(); ++i) others.push_back(label_of(all[i].label));
   if (!others.empty())
-    figure.caption += fmt::format(" Without {}: only the first {} are drawn.", fmt::join(others, ", "), most_lines);
-  return all.size() - others.size();
+    figure.caption += fmt::format(" Without {}: only the first {} are drawn.", fmt::join(others, ", "), most);
+  return std::span(all).first(all.size() - others.size());
 }
 
 bool has_mark(const std::vector<double>& values) {
@@ -66,7 +58,7 @@ void add_remarks(Figure& figure, const std::vector<std::string>& remarks) {
 
 std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_rows) {
   Figure figure = begun(about);
-  const auto rows = shown_of(all_rows, most_rows, "groups", figure);
+  const auto rows = drawn_of(all_rows, most_rows, figure);
   std::vector<std::string> labels, clauses, remarks;
   std::vector<int> styles;
   std::vector<double> all;
@@ -101,7 +93,7 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
   }
   if (!has_mark(all)) return std::nullopt;
   figure.data += values;
-  add_labelled_rows(figure, labels, rows.size() > 30 ? 0.36 : has_printed ? 0.8 : 0.65);
+  add_labelled_rows(figure, labels, has_printed ? 0.8 : 0.65);
   figure.settings += value_axis('x', all, about, Begins::around).settings;
   figure.settings += fmt::format("colour(row) = colour_of(int(word('{}', row)))\n", fmt::join(styles, " "));
   add_remarks(figure, remarks);
@@ -139,7 +131,7 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
   });
   if (all.empty()) return std::nullopt;
   Figure figure = begun(about);
-  const std::size_t drawn = drawn_of(all, figure);
+  const std::size_t drawn = drawn_of(all, most_lines, figure).size();
   std::vector<double> xs, ys;
   std::vector<std::string> back, front;
   std::vector<Named> ends;
@@ -186,7 +178,7 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
 std::optional<Figure> shares(const About& about, const std::string& y_axis, const std::vector<Successes>& all,
                              double dashed) {
   Figure figure = begun(about);
-  const std::size_t drawn = drawn_of(all, figure);
+  const std::size_t drawn = drawn_of(all, most_lines, figure).size();
   std::vector<std::string> clauses;
   std::vector<Named> ends;
   std::vector<double> costs;
@@ -243,9 +235,8 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
   return figure;
 }
 
-std::optional<Figure> differences(const About& about, const std::vector<IntervalRow>& all_rows, bool are_ratios) {
+std::optional<Figure> differences(const About& about, const std::vector<IntervalRow>& rows, bool are_ratios) {
   Figure figure = begun(about);
-  const auto rows = shown_of(all_rows, most_rows, "pairs", figure);
   const double of_equals = are_ratios ? 1 : 0;
   std::vector<std::string> labels, clauses, verdicts;
   std::vector<double> all{of_equals};
@@ -268,7 +259,7 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
         fmt::format("{} (place_x($2)):1 with points pt {} ps 0.6 lw 1.2 {}", line, row.style > 0 ? 7 : 6, colour));
   }
   if (all.size() == 1) return std::nullopt;
-  add_labelled_rows(figure, labels, rows.size() > 30 ? 0.36 : 0.5);
+  add_labelled_rows(figure, labels, 0.5);
   const auto [smallest, largest] = std::ranges::minmax(all);
   figure.settings += (are_ratios ? logarithmic_axis('x', smallest, largest, about.axis())
                                  : linear_axis('x', all, about.axis(), Begins::around))
@@ -399,18 +390,16 @@ Figure path(const About& about, const PathRows& rows) {
   return figure;
 }
 
-std::optional<Figure> joints(const About& about, const std::vector<JointRow>& all_rows,
-                             const std::vector<JointColumn>& all_columns) {
-  constexpr std::size_t most_solvers = 12, most_joints = 8;
+std::optional<Figure> joints(const About& about, const std::vector<JointRow>& rows,
+                             const std::vector<JointColumn>& columns) {
   Figure figure = begun(about);
-  const auto rows = shown_of(all_rows, most_solvers, "solvers", figure);
-  const auto columns = shown_of(all_columns, most_joints, "joints", figure);
+  const std::size_t drawn = drawn_of(rows, most_lines, figure).size();
   std::vector<double> all;
   std::size_t points = 1;
   bool is_outside = false;
   figure.settings =
       fmt::format("array name[{0}]\narray lower[{0}]\narray upper[{0}]\narray solver[{1}]\narray style[{1}]\n",
-                  std::max<std::size_t>(columns.size(), 1), std::max<std::size_t>(rows.size(), 1));
+                  columns.size(), drawn);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto limit = [](double degrees) { return std::abs(degrees) <= 1e300 ? text_of(degrees) : "NaN"; };
     figure.settings +=
@@ -419,64 +408,63 @@ std::optional<Figure> joints(const About& about, const std::vector<JointRow>& al
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const JointRow& row = rows[i];
-    const std::string label = fmt::format("({}) {}", static_cast<char>('a' + i), label_of(row.label));
-    figure.settings += fmt::format("solver[{0}] = {1}\nstyle[{0}] = {2}\n", i + 1,
-                                   gnuplot_text(rows.size() == 1 ? "" : label), row.style);
-    points = std::max(points, row.angles_deg.size());
     figure.data += fmt::format("{}# {}: point, angle of each joint [deg]\n", i == 0 ? "" : "\n\n", one_line(row.label));
     for (std::size_t point = 0; point < row.angles_deg.size(); ++point) {
       std::vector<double> line{static_cast<double>(point + 1)};
       for (std::size_t joint = 0; joint < columns.size(); ++joint) {
         const double angle = joint < row.angles_deg[point].size() ? row.angles_deg[point][joint] : nowhere;
         line.push_back(angle);
+        if (i >= drawn) continue;
         if (!std::isnan(angle)) all.push_back(angle);
         is_outside = is_outside || angle < columns[joint].lower_deg || angle > columns[joint].upper_deg;
       }
       figure.data += data_row(line);
     }
     if (row.angles_deg.empty()) figure.data += "NaN NaN\n";
+    if (i >= drawn) continue;
+    points = std::max(points, row.angles_deg.size());
+    const std::string label = fmt::format("({}) {}", static_cast<char>('a' + i), label_of(row.label));
+    figure.settings += fmt::format("solver[{0}] = {1}\nstyle[{0}] = {2}\n", i + 1,
+                                   gnuplot_text(rows.size() == 1 ? "" : label), row.style);
   }
   if (all.empty()) return std::nullopt;
   if (is_outside) figure.caption += " Rings: outside the limits.";
-  const double panel_cm = rows.size() <= 2 ? 2.6 : 1.35, gap_cm = rows.size() == 1 ? 0.15 : 0.5,
-               top_cm = rows.size() == 1 ? 0.75 : 1.15;
-  const auto n = static_cast<double>(rows.size());
-  figure.width_cm = columns.size() <= 3 ? 8.5 : two_columns_cm;
-  figure.height_cm = top_cm + 1 + n * panel_cm + (n - 1) * gap_cm;
+  const double panel_cm = drawn <= 2 ? 2.6 : 1.2, gap_cm = drawn == 1 ? 0 : 0.5;
+  const auto n = static_cast<double>(drawn);
+  figure.height_cm = 1.6 + n * (panel_cm + gap_cm);
   const double span = std::ranges::max(all) - std::ranges::min(all);
   const double step = span >= 270 ? 180 : span >= 135 ? 90 : span >= 60 ? 30 : round_step_of(std::max(span, 1.0), 3);
   figure.settings += linear_axis('y', all, "", Begins::around).settings +
-                     fmt::format("set xrange [0:{}]\nset ytics {}\nset tics scale 0.4\nset samples 2\nunset key\n",
-                                 points + 1, text_of(step));
-  const std::string ticks = points <= 2 ? "1" : fmt::format("(1, {}, {})", (points + 1) / 2, points);
+                     fmt::format(
+                         "set xrange [0:{0}]\nset xtics (1, {1})\nset ytics {2}\nset tics scale 0.4\n"
+                         "set samples 2\nunset key\n",
+                         points + 1, points, text_of(step));
   figure.plot = fmt::format(
-      "set multiplot layout {0}, {1} rowsfirst margins margin(1.4), 1 - margin(0.2), up(0.95), 1 - up({2}) spacing margin(0.3), up({3})\n"
+      "set multiplot layout {0}, {1} rowsfirst margins margin(1.35), 1 - margin(0.25), up(0.95), 1 - up(0.65 + {2}) spacing margin(0.15), up({2})\n"
       "do for [r=1:{0}] {{\n  do for [c=1:{1}] {{\n"
-      "    unset label\n    unset title\n    set format ''\n    set xtics {4}\n"
-      "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.55 noenhanced }}\n"
-      "    if (r == 1) {{ set title name[c] noenhanced offset 0, {5} }}\n"
+      "    unset label\n    unset title\n    set format ''\n"
+      "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.6 noenhanced }}\n"
+      "    if (r == 1) {{ set label name[c] at graph 0.5, graph 1 center offset 0, {3} noenhanced }}\n"
       "    if (r == 1 && c == 1) {{ set label 'angle [deg]' at screen margin(0.3), screen 0.5 center rotate; set label 'point' at screen 0.5, up(0.22) center }}\n"
-      "    if (width_cm / {1} < 0.2 * text) {{ set xtics (1, {6}) }}\n"
-      "    if (r == {0}) {{ set format x '%g' }}\n"
+      "    if (r == {0} && c % 2 == 1) {{ set format x '%g' }}\n"
       "    plot NaN, lower[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
       "      upper[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
       "      data index r-1 using 1:(column(c+1)) with lines lw 0.9 lc rgb colour_of(style[r]), \\\n"
       "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) with points pt 6 ps 0.6 lw 0.8 lc rgb '#000000'\n"
       "  }}\n}}\nunset multiplot",
-      rows.size(), columns.size(), text_of(top_cm), text_of(gap_cm), ticks, rows.size() == 1 ? -0.6 : 0.2, points);
+      drawn, columns.size(), text_of(gap_cm), drawn == 1 ? 0.7 : 1.9);
   return figure;
 }
 
-std::optional<Figure> bars(const About& about, const std::vector<std::string>& all_rows,
+std::optional<Figure> bars(const About& about, const std::vector<std::string>& rows,
                            const std::vector<BarPanel>& all_panels) {
   Figure figure = begun(about);
-  const auto rows = shown_of(all_rows, most_rows, "solvers", figure);
-  const auto panels = shown_of(all_panels, 5, "studies", figure);
+  const auto panels = drawn_of(all_panels, 5, figure);
   if (rows.empty() || panels.empty()) return std::nullopt;
   constexpr double pitch = 1.45;  // of panels; a bar of 100 % is 1
   std::vector<std::string> labels, ticks, clauses;
   for (const std::string& row : rows) labels.push_back(label_of(row));
-  add_labelled_rows(figure, labels, rows.size() > 30 ? 0.36 : 0.5);
+  add_labelled_rows(figure, labels, 0.5);
   if (panels.size() > 2) figure.width_cm = two_columns_cm;
   figure.data = "# row, share [%] of each study\n";
   for (std::size_t r = 0; r < rows.size(); ++r) {

@@ -139,7 +139,7 @@ TEST_CASE("joints are the turning ones of the first run, in degrees", "[of_study
   });
   const auto [rows, columns] = joint_rows(asked, look_of_study(asked));
   REQUIRE(columns.size() == 2);
-  CHECK(columns[1].label == "joint 3");
+  CHECK(columns[1].label == "3");
   CHECK(columns[1].upper_deg == Approx(45));
   REQUIRE(rows.size() == 2);
   REQUIRE(rows[0].angles_deg.size() == 2);
