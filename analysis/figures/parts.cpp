@@ -240,15 +240,16 @@ void add_names(Figure& figure, std::vector<Named> marks) {
     at[i] = std::clamp((at[i] + up[i]) / 2, row * static_cast<double>(n - 1 - i), 1 - row * static_cast<double>(i));
   for (std::size_t i = 0; i < n; ++i) {
     const auto& [label, style, y, x] = marks[i];
-    const std::string colour = style > 0 ? fmt::format("lc rgb colour_of({})", style) : "lc rgb '#808080'";
+    const std::string at_name =
+                          fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.3), text_of(at[i])),
+                      colour = style > 0 ? fmt::format("lc rgb colour_of({})", style) : "lc rgb '#808080'";
     figure.settings += fmt::format(
-        "set label {0} at {1} left offset {2} noenhanced\n"
+        "set label {0} at {1} left offset {2}, 0 noenhanced\n"
         "set arrow from graph {3}, graph {4} to {1} nohead back lw 0.5 dt 3 {5}\n",
-        gnuplot_text(label), fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.3), text_of(at[i])),
-        x < 1       ? "0, 0"
-        : style > 0 ? fmt::format("0.8, 0 point ls {}", style)
-                    : "0.8, 0 point pt 6 ps 0.9 lc rgb '#808080'",
-        text_of(x), text_of(y), colour);
+        gnuplot_text(label), at_name, x < 1 ? 0 : 0.8, text_of(x), text_of(y), colour);
+    if (x == 1)  // a label of its own, since SVG raises the text of one with a point
+      figure.settings += fmt::format("set label '' at {} point {}\n", at_name,
+                                     style > 0 ? fmt::format("ls {}", style) : "pt 6 ps 0.9 " + colour);
   }
 }
 
