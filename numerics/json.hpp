@@ -13,7 +13,7 @@ using OrderedJson = nlohmann::ordered_json;  // members keep their order of inse
 constexpr int deepest_json = 100;  // levels; copies of deeper values would overflow the stack
 // Returns a discarded value (is_discarded()) if the text is not JSON or is nested deeper.
 Json parsed_json(std::string_view text);
-OrderedJson parsed_ordered_json(std::string_view text, int deepest = deepest_json);
+OrderedJson parsed_ordered_json(std::string_view text);
 
 // Writes one line, or a member a line with `indent` spaces a level. Replaces bytes that are not UTF-8 by U+FFFD. What
 // keeps its order is for others, so it is ASCII with escapes.

@@ -79,8 +79,7 @@ Settings options_of(const Hello& hello, const Settings& settings) {
 
 Message::Message(std::string line) : line_(std::move(line)), json_(std::make_shared<OrderedJson>()) {
   if (read_candidates()) return;
-  constexpr int deepest = 20;  // copies of deeper values would overflow the stack
-  json_ = std::make_shared<OrderedJson>(numerics::parsed_ordered_json(line_, deepest));
+  json_ = std::make_shared<OrderedJson>(numerics::parsed_ordered_json(line_));
   if (!json_->is_object()) fail("JSON, in which a number that is not finite is null");
   name_ = text(*json_, "message");
   if (name_.empty()) fail("a \"message\"");
