@@ -474,7 +474,7 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
   constexpr std::string_view key = "solvers", expected = "at least one [[solvers]] with solver = \"...\"";
   std::vector<SweptKey> sweep = swept_keys(reader);
   std::set<std::string> labels;
-  for (const toml::table* const table : reader.tables(key, 1000, expected)) {
+  for (const toml::table* const table : reader.tables(key, most_solvers, expected)) {
     const TomlReader of_entry = reader.nested(*table, "solvers.");
     if (const std::optional<LeftOut> left_out = left_out_of(of_entry)) {
       study.left_out.push_back(*left_out);

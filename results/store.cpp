@@ -271,6 +271,9 @@ struct Store::Database {
                                 .algorithm = of_study.getColumn(2).getString(),
                                 .options = object(of_study.getColumn(3))});
       of_study.reset();
+      if (study.series.size() > most_solvers)
+        throw Damage(fmt::format("study {} has {} solvers, of at most {}", excerpt(study.name), study.series.size(),
+                                 most_solvers));
       list.push_back(std::move(study));
     }
     return list;
