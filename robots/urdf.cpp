@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <map>
 #include <optional>
@@ -200,7 +201,7 @@ class Tree {
   // where a gripper follows, or two ends are equal, the file does not say where the arm ends. The last joint may be a
   // gripper's jaw if the link before it, which the arm moves, leads to an end without it.
   std::string farthest(const std::string& base) const {
-    std::vector<std::string> ends;
+    std::deque<std::string> ends;
     int most = 0;
     for (const Seen& seen : behind({base})) {
       if (after_.contains(seen.link) || seen.moving < most) continue;
@@ -214,14 +215,14 @@ class Tree {
       const std::vector<const XMLElement*> way = path(base, ends.front());
       const std::string hand = end(**std::find_if(way.rbegin(), way.rend(), moves), "parent");
       for (const Seen& seen : behind({hand}))
-        if (seen.moving == 0 && seen.depth > 0 && !after_.contains(seen.link)) ends.insert(ends.begin(), seen.link);
+        if (seen.moving == 0 && seen.depth > 0 && !after_.contains(seen.link)) ends.push_front(seen.link);
     }
     if (most == 0 || (before.empty() && ends.size() == 1)) return ends.front();
     if (before.empty()) before = fork(base, ends.front(), ends.back());
-    if (std::ranges::any_of(path(base, before), moves)) ends.insert(ends.begin(), before);
+    if (std::ranges::any_of(path(base, before), moves)) ends.push_front(before);
     place_.fail(1, fmt::format("the arm may end at {}; add --tip LINK, or tip = \"LINK\" in [urdf] (ikbench robot FILE "
                                "--links shows the tree)",
-                               some(ends)));
+                               some({ends.begin(), ends.end()})));
   }
 
   // A line each link, behind the one before it.
