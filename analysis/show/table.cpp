@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "analysis/show/block.hpp"
@@ -65,6 +67,23 @@ bool has(const Table& table, std::size_t column) {
 }
 bool is_text(const Table& table, std::size_t column) { return has<std::string>(table, column); }
 
+// As few rows as have each kind of cell that a column has, for what asks at every cell of its column.
+Table kinds_of(const Table& table) {
+  Table few{.columns = table.columns};
+  std::set<std::tuple<std::size_t, std::size_t, bool, std::optional<compare::Scale>, bool, bool>> known;
+  for (const auto& row : table.rows) {
+    bool is_new = false;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const Marked its = std::holds_alternative<Marked>(row[c]) ? std::get<Marked>(row[c]) : Marked{};
+      const auto kind = std::tuple(c, row[c].index(), excludes_end(row[c]), its.to_reference, its.interval.has_value(),
+                                   its.mark.empty());
+      is_new |= known.insert(kind).second;
+    }
+    if (is_new) few.rows.push_back(row);
+  }
+  return few;
+}
+
 std::string head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
@@ -105,7 +124,7 @@ Rows readable(const Table& table, Escape escape) {
 
 constexpr std::string_view times = "times", mark = "mark";  // have no unit
 
-// The members of a cell in files of numbers, with the words that follow the name of its column.
+// The members of a cell in files of numbers, with the words that follow the name of its column, by the kinds of cells.
 std::vector<std::pair<std::string_view, Json>> members(const Table& table, std::size_t c, const Cell& cell) {
   const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
   if (has<compare::Interval>(table, c)) {
@@ -201,19 +220,20 @@ std::string interval_text(const compare::Interval& interval, Number number, cons
 }
 
 std::string to_csv(const Table& table) {
+  const Table kinds = kinds_of(table);
   std::string text;
   std::vector<std::string> heads;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const Column& column = table.columns[c];
     const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
-    for (const auto& [member, value] : members(table, c, {}))
+    for (const auto& [member, value] : members(kinds, c, {}))
       heads.push_back(member_name(column.name, member) + (member == times || member == mark ? "" : unit));
   }
   results::append_csv_row(text, heads);
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      for (const auto& [member, value] : members(table, c, row[c])) cells.push_back(csv_text(value));
+      for (const auto& [member, value] : members(kinds, c, row[c])) cells.push_back(csv_text(value));
     }
     results::append_csv_row(text, cells);
   }
@@ -221,11 +241,12 @@ std::string to_csv(const Table& table) {
 }
 
 Json to_json(const Table& table) {
+  const Table kinds = kinds_of(table);
   Json rows = Json::array();
   for (const auto& row : table.rows) {
     Json object = Json::object();
     for (std::size_t c = 0; c < row.size(); ++c) {
-      for (const auto& [member, value] : members(table, c, row[c])) {
+      for (const auto& [member, value] : members(kinds, c, row[c])) {
         std::string name = member_name(table.columns[c].name, member);
         for (char& letter : name) letter = letter == ' ' ? '_' : static_cast<char>(std::tolower(letter));
         object[name] = value;
@@ -292,7 +313,7 @@ std::string to_latex(const Table& whole) {
 
 std::string to_html(const Table& whole) {
   constexpr std::size_t long_text = 20;  // breaks anywhere
-  const Table table = for_readers(whole);
+  const Table table = for_readers(whole), kinds = kinds_of(table);
   const Rows rows = readable(table, html_text);
   const auto cell_of = [&](std::size_t r, std::size_t c) {  // digits align, without the mark
     const auto* const of = r == 0 ? nullptr : std::get_if<Marked>(&table.rows[r - 1][c]);
@@ -307,8 +328,8 @@ std::string to_html(const Table& whole) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       const bool is_verdict = tag == "td" && table.columns[c].name == "verdict";
       text += fmt::format("<{}{}>{}</{}>", tag,
-                          has<Printed>(table, c)                               ? " class=\"number printed\""
-                          : !is_text(table, c)                                 ? " class=\"number\""
+                          has<Printed>(kinds, c)                               ? " class=\"number printed\""
+                          : !is_text(kinds, c)                                 ? " class=\"number\""
                           : !is_verdict && character_count(row[c]) > long_text ? " class=\"long\""
                                                                                : "",
                           is_verdict ? pill(row[c]) : cell_of(r, c), tag.substr(0, tag.find(' ')));
