@@ -176,8 +176,7 @@ TEST_CASE("values at the tolerance are no evidence of the same while others are 
   std::vector<double> all_but_two(20, 0.01);
   all_but_two[4] = 3, all_but_two[9] = 5;
   const Finding found = only(compare(groups_of({std::vector<double>(20, 0.01), all_but_two}), by_ranks));
-  CHECK(found.interval->low == 1);
-  CHECK(found.interval->high == 1);
+  CHECK_FALSE(found.interval);  // it would be from 1 to 1
   CHECK(found.verdict == Verdict::undecided);
 }
 
