@@ -164,14 +164,20 @@ TEST_CASE("a store with other tables, views, indexes or triggers than ours is re
   }
 }
 
-TEST_CASE("a definition or options that are no JSON object are damage", "[store][faults]") {
-  for (const char* change : {"studies SET definition = '5'", "series SET options = '{broken'"}) {
+TEST_CASE("studies that no study file makes are damage", "[store][faults]") {
+  const std::pair<const char*, const char*> changes[]{
+      {"UPDATE studies SET definition = '5'", "is no JSON object"},
+      {"UPDATE series SET options = '{broken'", "is no JSON object"},
+      {"INSERT INTO series WITH RECURSIVE c(x) AS (SELECT 9 UNION ALL SELECT x + 1 FROM c WHERE x < 1009) "
+       "SELECT name, x, 'k' || x, 'l' || x, 'a', '{}' FROM c, studies",
+       "solvers, of at most 1000"}};
+  for (const auto& [change, word] : changes) {
     const ScratchFolder folder;
     const auto file = folder.path / "a.ikb";
     write_store(file);
-    SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(fmt::format("UPDATE {}", change));
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(change);
     CHECK_THAT(complaint<std::invalid_argument>([&] { Store(file, Store::Mode::read).studies(); }),
-               ContainsSubstring("is damaged (") && ContainsSubstring("is no JSON object"));
+               ContainsSubstring("is damaged (") && ContainsSubstring(word));
   }
 }
 
