@@ -17,6 +17,7 @@
 #include "experiments/verifier.hpp"
 #include "experiments/workers.hpp"
 #include "numerics/number.hpp"
+#include "numerics/random.hpp"
 #include "numerics/units.hpp"
 
 namespace ikbench::experiments {
@@ -26,7 +27,7 @@ using namespace results;
 
 namespace {
 
-constexpr std::string_view head_of_means = "series,position_error_cm,variation_deg\n";
+constexpr std::string_view head_of_means = "series,position_error_cm,variation_deg,check\n";
 
 std::string texts_of_numbers(const std::vector<double>& values) {
   std::string text;
@@ -46,23 +47,27 @@ std::vector<double> numbers_in(std::string_view cell) {
   return values;
 }
 
+// Means cannot be computed again without solving, so that an edited line is found by its hash.
+std::string with_check(std::string_view line) { return fmt::format("{},{:016x}", line, Key(0).with(line).value()); }
+
 // The series of a line, whose place is for the message.
-std::pair<std::string, RunMeans> series_in(std::string_view line, const std::string& place) {
+std::pair<std::string, RunMeans> series_in(std::string_view whole, const std::string& place) {
+  const std::string_view line = whole.substr(0, whole.rfind(','));
   const std::size_t first = line.find(','), second = line.rfind(',');
-  if (first > 0 && first < second) {
+  if (first > 0 && first < second && whole == with_check(line)) {
     RunMeans means{.error_cm = numbers_in(line.substr(first + 1, second - first - 1)),
                    .variation_deg = numbers_in(line.substr(second + 1))};
     if (!means.error_cm.empty() && means.error_cm.size() == means.variation_deg.size())
       return {std::string(line.substr(0, first)), std::move(means)};
   }
   throw std::invalid_argument(fmt::format(
-      "{}: expected a series, its errors and as many variations, numbers from 0 or Inf; the file was edited: "
-      "remove this line to have it solved again, or choose another --out",
-      place));
+      "{}: the file was edited: remove this line to have its series solved again, or choose another --out", place));
 }
 
 std::string line_of(const std::string& key, const RunMeans& means) {
-  return fmt::format("{},{},{}\n", key, texts_of_numbers(means.error_cm), texts_of_numbers(means.variation_deg));
+  return with_check(
+             fmt::format("{},{},{}", key, texts_of_numbers(means.error_cm), texts_of_numbers(means.variation_deg))) +
+         '\n';
 }
 
 // The key of the search alone: unless limits or wraps change where a solve starts, no search sees which way the wrist

@@ -200,26 +200,32 @@ TEST_CASE("a file that was cut anywhere is continued to the same lines", "[multi
 }
 
 TEST_CASE("a file of series that was edited is refused with its line and what to do", "[multiverse]") {
-  const std::string head = "series,position_error_cm,variation_deg\n";
-  const auto refuses = [](const std::string& text, const std::string& words) {
+  const MeansFolder folder;
+  const auto refuses = [&](const std::string& text, const std::string& words) {
     CAPTURE(text);
-    const MeansFolder folder;
     write_text(folder.file(), text);
     CHECK_THROWS_AS(SeriesMeans(folder.file()), std::invalid_argument);
     CHECK_THROWS_WITH(SeriesMeans(folder.file()), Catch::Matchers::StartsWith(folder.file().string() + words) &&
                                                       Catch::Matchers::Contains("choose another --out"));
   };
-  refuses("not ours\n", ":1: expected the header 'series,position_error_cm,variation_deg'; remove the file");
-  for (const std::string line : {",1,1", "key,1", "key,1,1 2", "key,1 ,1 2", "key,,"})
-    refuses(head + line + "\n", ":2: expected a series");
-  for (const std::string number : {"nan", "NaN", "-1", "-Inf", "1e999", "x", ""}) {
-    refuses(head + "key,1 1,1 1\nkey,1 " + number + ",1 2\n", ":3: expected a series");
-    refuses(head + "key,1," + number + "\n", ":2: expected a series");
+  // The file with one series of these means, as it is kept.
+  const auto kept = [&](const RunMeans& means) {
+    std::filesystem::remove(folder.file());
+    SeriesMeans(folder.file()).keep("key", means);
+    return folder.text();
+  };
+  const std::string good = kept({{0, HUGE_VAL}, {1, 2}});
+  refuses("not ours\n", ":1: expected the header 'series,position_error_cm,variation_deg,check'; remove the file");
+  for (std::size_t at = good.find("key"); at + 1 < good.size(); ++at) {
+    std::string edited = good;
+    edited[at] = edited[at] == '3' ? '4' : '3';
+    refuses(edited, ":2: the file was edited");
   }
-  const MeansFolder folder;
-  write_text(folder.file(), head + "key,0 Inf,1 2\nlast,1,1");  // the last line lacks its end
+  for (const RunMeans& wrong : {RunMeans{{1}, {1, 2}}, {{}, {}}, {{1, NAN}, {1, 2}}, {{1, 1}, {1, -1}}})
+    refuses(kept(wrong), ":2: the file was edited");
+  write_text(folder.file(), good + good.substr(good.find("key"), 9));  // the last line lacks its end
   CHECK(SeriesMeans(folder.file()).find("key", 2)->error_cm == std::vector<double>{0, HUGE_VAL});
-  CHECK(folder.text() == head + "key,0 Inf,1 2\n");
+  CHECK(folder.text() == good);
 }
 
 TEST_CASE("what cannot be kept is an error that names the file", "[multiverse]") {
@@ -230,7 +236,7 @@ TEST_CASE("what cannot be kept is an error that names the file", "[multiverse]")
                           Catch::Matchers::Contains("; make it writable"));
   };
   const MeansFolder folder;
-  write_text(folder.file(), "series,position_error_cm,variation_deg\n");
+  write_text(folder.file(), "series,position_error_cm,variation_deg,check\n");
   cannot_keep(folder.file() / "series.csv");  // a file in the place of the folder
   std::filesystem::permissions(folder.file(), std::filesystem::perms::owner_read);
   if (!std::ofstream(folder.file(), std::ios::app)) cannot_keep(folder.file());  // root can write anyway
