@@ -32,17 +32,12 @@ std::string placed(char letter, double low, double high) {
   return fmt::format("place_{0}(v) = v < {1} ? {1} : v > {2} ? {2} : v\n", letter, text_of(low), text_of(high));
 }
 
-// That of y stands at the picture's left edge, wherever gnuplot thinks that the ticks end. Long titles have two lines.
+// That of y stands at the picture's left edge, wherever gnuplot thinks that the ticks end.
 std::string titled(char letter, const std::string& title) {
-  const std::size_t most = letter == 'y' ? 34 : 44, blank = title.rfind(' ', title.size() / 2 + 4);
-  const bool is_long = title.size() > most && blank != std::string::npos;
-  const std::string text = !is_long ? gnuplot_text(title)
-                                    : fmt::format("{}.\"\\n\".{}", gnuplot_text(title.substr(0, blank)),
-                                                  gnuplot_text(title.substr(blank + 1)));
   if (title.empty()) return "";
+  const std::string text = gnuplot_text(shortened(title, letter == 'y' ? 34 : 44));
   if (letter == 'x') return fmt::format("set xlabel {} noenhanced\n", text);
-  return fmt::format("set label {} at screen margin({}), graph 0.5 center rotate noenhanced\n", text,
-                     is_long ? 0.15 : 0.3);
+  return fmt::format("set label {} at screen margin(0.3), graph 0.5 center rotate noenhanced\n", text);
 }
 
 // "100", or for gnuplot's enhanced text a power of ten.
@@ -146,7 +141,7 @@ Axis linear_axis(char letter, std::span<const double> values, const std::string&
   const bool is_first = begins == Begins::at_first && span > 0;
   Axis axis{.settings = "", .low = is_first ? least : least - room, .high = is_first ? largest : largest + room};
   if (begins == Begins::at_zero) axis.low = std::min(0.0, 1.05 * least), axis.high = largest > 0 ? 1.05 * largest : 1;
-  const double step = round_step_of(axis.high - axis.low, 5);
+  const double step = std::max(round_step_of(axis.high - axis.low, 5), is_first ? 1.0 : 0.0);  // whole points
   axis.settings = fmt::format("set {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(axis.low), text_of(axis.high),
                               letter == 'x' ? fmt::format("set xtics {}\n", text_of(step)) : "", titled(letter, title),
                               placed(letter, axis.low, axis.high));

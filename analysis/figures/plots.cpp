@@ -36,10 +36,6 @@ std::span<const Row> drawn_of(const std::vector<Row>& all, std::size_t most, Fig
   return std::span(all).first(all.size() - others.size());
 }
 
-bool has_mark(const std::vector<double>& values) {
-  return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
-}
-
 // Words at the right of a row.
 void add_remarks(Figure& figure, const std::vector<std::string>& remarks) {
   double widest_cm = 0;
@@ -91,7 +87,7 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
       values += data_row({sorted[n == sorted.size() ? k : k * (sorted.size() - 1) / (n - 1)], y + 0.02 + 0.2 * jitter});
     }
   }
-  if (!has_mark(all)) return std::nullopt;
+  if (std::ranges::none_of(all, [](double value) { return std::isfinite(value); })) return std::nullopt;
   figure.data += values;
   add_labelled_rows(figure, labels, has_printed ? 0.8 : 0.65);
   figure.settings += value_axis('x', all, about, Begins::around).settings;
@@ -136,7 +132,6 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
   std::vector<std::string> back, front;
   std::vector<Named> ends;
   figure.data = fmt::format("# {}; {}; low, high\n", x_axis, about.axis());
-  bool has_bands = false;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Line& line = all[i];
     figure.data += fmt::format("{}# {}\n", i == 0 ? "" : "\n\n", one_line(line.label));
@@ -145,7 +140,6 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
     const bool has_band =
         all.size() <= most_bands && std::ranges::any_of(
                                         line.rows, [](double high) { return !std::isnan(high); }, &CurveRow::high);
-    has_bands = has_bands || has_band;
     const std::string style =
         line.style > 0 ? fmt::format("ls {}", line.style) : fmt::format("lw 0.7 dt 2 {} pt 6 ps 0.9", grey);
     Named& end = ends.emplace_back(Named{label_of(line.label), line.style});
@@ -162,11 +156,9 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
     front.push_back(
         fmt::format("{}(place_y($2)) with linespoints {} pointinterval {}", rows, style, 1 + line.rows.size() / 25));
   }
-  if (has_bands) figure.caption += " Bands: quartiles.";
+  if (!back.empty()) figure.caption += " Bands: quartiles.";
   const Axis y = value_axis('y', ys, about, Begins::at_zero);
   figure.settings = y.settings + linear_axis('x', xs, x_axis, Begins::at_first).settings;
-  const auto [first, last] = std::ranges::minmax(xs);
-  if (last - first <= 10) figure.settings += "set xtics 1\n";
   add_margins(figure);
   for (Named& end : ends) end.y = y.share_of(end.y);
   add_names(figure, ends);
@@ -430,8 +422,7 @@ std::optional<Figure> joints(const About& about, const std::vector<JointRow>& ro
   if (all.empty()) return std::nullopt;
   if (is_outside) figure.caption += " Rings: outside the limits.";
   const double panel_cm = drawn <= 2 ? 2.6 : 1.2, gap_cm = drawn == 1 ? 0 : 0.5;
-  const auto n = static_cast<double>(drawn);
-  figure.height_cm = 1.6 + n * (panel_cm + gap_cm);
+  figure.height_cm = 1.6 + static_cast<double>(drawn) * (panel_cm + gap_cm);
   const double span = std::ranges::max(all) - std::ranges::min(all);
   const double step = span >= 270 ? 180 : span >= 135 ? 90 : span >= 60 ? 30 : round_step_of(std::max(span, 1.0), 3);
   figure.settings += linear_axis('y', all, "", Begins::around).settings +
