@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <tuple>
 #include <utility>
 
 #include "analysis/show/block.hpp"
@@ -67,23 +65,6 @@ bool has(const Table& table, std::size_t column) {
 }
 bool is_text(const Table& table, std::size_t column) { return has<std::string>(table, column); }
 
-// As few rows as have each kind of cell that a column has, for what asks at every cell of its column.
-Table kinds_of(const Table& table) {
-  Table few{.columns = table.columns};
-  std::set<std::tuple<std::size_t, std::size_t, bool, std::optional<compare::Scale>, bool, bool>> known;
-  for (const auto& row : table.rows) {
-    bool is_new = false;
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const Marked its = std::holds_alternative<Marked>(row[c]) ? std::get<Marked>(row[c]) : Marked{};
-      const auto kind = std::tuple(c, row[c].index(), excludes_end(row[c]), its.to_reference, its.interval.has_value(),
-                                   its.mark.empty());
-      is_new |= known.insert(kind).second;
-    }
-    if (is_new) few.rows.push_back(row);
-  }
-  return few;
-}
-
 std::string head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
@@ -123,45 +104,41 @@ Rows readable(const Table& table, Escape escape) {
 }
 
 constexpr std::string_view times = "times", mark = "mark";  // have no unit
+constexpr std::string_view every_member[]{"", "printed", times, "difference", "low", "high", "excluded", mark};
 
-// The members of a cell in files of numbers, with the words that follow the name of its column, by the kinds of cells.
-std::vector<std::pair<std::string_view, Json>> members(const Table& table, std::size_t c, const Cell& cell) {
+// What a cell has of a member in files of numbers: the words that follow the name of its column. None: it has it not.
+std::optional<Json> value_of(const Cell& cell, std::string_view member) {
   const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
-  if (has<compare::Interval>(table, c)) {
-    const auto* of = std::get_if<compare::Interval>(&cell);
-    std::vector<std::pair<std::string_view, Json>> of_interval{{"low", of ? number(of->low) : Json()},
-                                                               {"high", of ? number(of->high) : Json()}};
-    if (std::ranges::any_of(table.rows, [=](const auto& row) { return excludes_end(row[c]); }))
-      of_interval.emplace_back("excluded", !excludes_end(cell) ? Json() : of->excludes_low ? "low" : "high");
-    return of_interval;
-  }
-  if (const auto* of = std::get_if<Printed>(&cell)) return {{"", number(of->ours)}, {"printed", of->printed}};
+  const auto* const printed = std::get_if<Printed>(&cell);
   const auto* const marked = std::get_if<Marked>(&cell);
-  Json value;
-  if (const auto* text = std::get_if<std::string>(&cell)) value = *text;
-  if (const auto* count = std::get_if<std::int64_t>(&cell)) value = *count;
-  if (const auto* of = std::get_if<double>(&cell)) value = number(*of);
-  if (marked && !marked->to_reference) value = number(marked->value);
-  std::vector<std::pair<std::string_view, Json>> all{{"", value}};
-  if (has<Printed>(table, c)) all.emplace_back("printed", Json());
-  const auto is_any = [&](auto is_so) {
-    return std::ranges::any_of(table.rows, [&](const auto& row) {
-      const auto* const of = std::get_if<Marked>(&row[c]);
-      return of && is_so(*of);
-    });
-  };
-  for (const auto& [scale, name] :
-       {std::pair(compare::Scale::ratio, times), {compare::Scale::difference, "difference"}}) {
-    const auto is_so = [scale = scale](const Marked& each) { return each.to_reference == scale; };
-    if (is_any(is_so)) all.emplace_back(name, marked && is_so(*marked) ? number(marked->value) : Json());
-  }
-  if (is_any([](const Marked& each) { return each.interval.has_value(); })) {
-    const auto its = marked ? marked->interval : std::nullopt;
-    all.emplace_back("low", its ? number(its->low) : Json());
-    all.emplace_back("high", its ? number(its->high) : Json());
-  }
-  if (is_any([](const Marked& each) { return !each.mark.empty(); }))
-    all.emplace_back(mark, marked && !marked->mark.empty() ? Json(marked->mark) : Json());
+  const auto* interval = std::get_if<compare::Interval>(&cell);
+  if (member == "excluded" && excludes_end(cell)) return interval->excludes_low ? "low" : "high";
+  if (marked && marked->interval) interval = &*marked->interval;
+  if (member == "low" && interval) return number(interval->low);
+  if (member == "high" && interval) return number(interval->high);
+  if (member == "printed" && printed) return printed->printed;
+  if (member == mark && marked && !marked->mark.empty()) return marked->mark;
+  if (const auto scale = marked ? marked->to_reference : std::nullopt;
+      marked && member == (!scale                           ? ""
+                           : scale == compare::Scale::ratio ? times
+                                                            : "difference"))
+    return number(marked->value);
+  if (!member.empty()) return std::nullopt;
+  if (printed) return number(printed->ours);
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return *count;
+  if (const auto* of = std::get_if<double>(&cell)) return number(*of);
+  return std::nullopt;
+}
+
+// The members of each column: those that a cell has, and "" but for intervals.
+std::vector<std::vector<std::string_view>> members_of(const Table& table) {
+  std::vector<std::vector<std::string_view>> all(table.columns.size());
+  for (std::size_t c = 0; c < all.size(); ++c)
+    for (const std::string_view member : every_member)
+      if ((member.empty() && !has<compare::Interval>(table, c)) ||
+          std::ranges::any_of(table.rows, [&](const auto& row) { return value_of(row[c], member).has_value(); }))
+        all[c].push_back(member);
   return all;
 }
 
@@ -220,20 +197,21 @@ std::string interval_text(const compare::Interval& interval, Number number, cons
 }
 
 std::string to_csv(const Table& table) {
-  const Table kinds = kinds_of(table);
+  const auto members = members_of(table);
   std::string text;
   std::vector<std::string> heads;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const Column& column = table.columns[c];
     const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
-    for (const auto& [member, value] : members(kinds, c, {}))
+    for (const std::string_view member : members[c])
       heads.push_back(member_name(column.name, member) + (member == times || member == mark ? "" : unit));
   }
   results::append_csv_row(text, heads);
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      for (const auto& [member, value] : members(kinds, c, row[c])) cells.push_back(csv_text(value));
+      for (const std::string_view member : members[c])
+        cells.push_back(csv_text(value_of(row[c], member).value_or(Json())));
     }
     results::append_csv_row(text, cells);
   }
@@ -241,15 +219,15 @@ std::string to_csv(const Table& table) {
 }
 
 Json to_json(const Table& table) {
-  const Table kinds = kinds_of(table);
+  const auto members = members_of(table);
   Json rows = Json::array();
   for (const auto& row : table.rows) {
     Json object = Json::object();
     for (std::size_t c = 0; c < row.size(); ++c) {
-      for (const auto& [member, value] : members(kinds, c, row[c])) {
+      for (const std::string_view member : members[c]) {
         std::string name = member_name(table.columns[c].name, member);
         for (char& letter : name) letter = letter == ' ' ? '_' : static_cast<char>(std::tolower(letter));
-        object[name] = value;
+        object[name] = value_of(row[c], member).value_or(Json());
       }
     }
     rows.push_back(std::move(object));
@@ -313,8 +291,13 @@ std::string to_latex(const Table& whole) {
 
 std::string to_html(const Table& whole) {
   constexpr std::size_t long_text = 20;  // breaks anywhere
-  const Table table = for_readers(whole), kinds = kinds_of(table);
+  const Table table = for_readers(whole);
   const Rows rows = readable(table, html_text);
+  std::vector<std::string_view> classes;
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    classes.push_back(has<Printed>(table, c) ? " class=\"number printed\""
+                      : is_text(table, c)    ? ""
+                                             : " class=\"number\"");
   const auto cell_of = [&](std::size_t r, std::size_t c) {  // digits align, without the mark
     const auto* const of = r == 0 ? nullptr : std::get_if<Marked>(&table.rows[r - 1][c]);
     std::string text = rows[r][c];
@@ -327,12 +310,10 @@ std::string to_html(const Table& whole) {
     std::string text;
     for (std::size_t c = 0; c < row.size(); ++c) {
       const bool is_verdict = tag == "td" && table.columns[c].name == "verdict";
-      text += fmt::format("<{}{}>{}</{}>", tag,
-                          has<Printed>(kinds, c)                               ? " class=\"number printed\""
-                          : !is_text(kinds, c)                                 ? " class=\"number\""
-                          : !is_verdict && character_count(row[c]) > long_text ? " class=\"long\""
-                                                                               : "",
-                          is_verdict ? pill(row[c]) : cell_of(r, c), tag.substr(0, tag.find(' ')));
+      text += fmt::format(
+          "<{}{}>{}</{}>", tag,
+          classes[c].empty() && !is_verdict && character_count(row[c]) > long_text ? " class=\"long\"" : classes[c],
+          is_verdict ? pill(row[c]) : cell_of(r, c), tag.substr(0, tag.find(' ')));
     }
     return fmt::format("<tr>{}</tr>\n", text);
   };
