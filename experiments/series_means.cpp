@@ -64,12 +64,6 @@ std::pair<std::string, RunMeans> series_in(std::string_view whole, const std::st
       "{}: the file was edited: remove this line to have its series solved again, or choose another --out", place));
 }
 
-std::string line_of(const std::string& key, const RunMeans& means) {
-  return with_check(
-             fmt::format("{},{},{}", key, texts_of_numbers(means.error_cm), texts_of_numbers(means.variation_deg))) +
-         '\n';
-}
-
 // The key of the search alone: unless limits or wraps change where a solve starts, no search sees which way the wrist
 // bends and turns. A program or library may be too late.
 std::string search_key(Study study) {
@@ -150,7 +144,9 @@ void SeriesMeans::keep(const std::string& key, RunMeans means) {
   errno = 0;
   std::ofstream out(file_, std::ios::binary | std::ios::app);
   out.seekp(0, std::ios::end);
-  out << (out.tellp() == 0 ? head_of_means : "") << line_of(key, means) << std::flush;
+  const std::string line =
+      fmt::format("{},{},{}", key, texts_of_numbers(means.error_cm), texts_of_numbers(means.variation_deg));
+  out << (out.tellp() == 0 ? head_of_means : "") << with_check(line) << '\n' << std::flush;
   if (!out) {
     throw std::runtime_error(fmt::format("cannot write {}: {}; make it writable, make room, or choose another --out",
                                          file_.string(), std::generic_category().message(errno)));

@@ -64,8 +64,9 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"reached_position_m", [](SolveRecord& solve) { solve.reached_position_m[1] += 1e-6; }},
       {"not start where the solve before", [](SolveRecord& solve) { solve.start_rad = solve.answer_rad; }},
       {"the arm moved, though status crashed", [](SolveRecord& solve) { solve.status = Status::crashed; }},
-      {"no evaluations are stored", [](SolveRecord& solve) { solve.evaluations = 0; }},
-      {"400 iterations are stored, but", [](SolveRecord& solve) { solve.status = Status::ok, solve.iterations = 400; }},
+      {": 0 evaluations in ", [](SolveRecord& solve) { solve.evaluations = 0; }},
+      {" in 400 iterations are stored, which no solve",
+       [](SolveRecord& solve) { solve.status = Status::ok, solve.iterations = 400; }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.target_rotation.clear(); }}};
   for (const auto& [what, change] : changes) {
