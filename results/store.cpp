@@ -272,8 +272,7 @@ struct Store::Database {
                                 .options = object(of_study.getColumn(3))});
       of_study.reset();
       if (study.series.size() > most_solvers)
-        throw Damage(fmt::format("study {} has {} solvers, of at most {}", excerpt(study.name), study.series.size(),
-                                 most_solvers));
+        throw Damage(fmt::format("study {} has more than {} solvers", excerpt(study.name), most_solvers));
       list.push_back(std::move(study));
     }
     return list;
