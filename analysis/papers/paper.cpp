@@ -87,20 +87,13 @@ std::vector<Paper> read_all() {
   return all;
 }
 
-Rate rate_of(const StudyResults& study, const std::string& solver, double printed, double n_printed, double level) {
-  Rate rate{.solver = solver, .printed = printed};
-  const std::span<const Solve> solves = study.of(solver);
-  if (solves.empty()) return rate;
+// Adds the share of the solves, if there are any.
+void set_share(Rate& rate, std::span<const Solve> solves, double n_printed, double level) {
+  if (solves.empty()) return;
   const auto n = static_cast<double>(solves.size());
   rate.share = static_cast<double>(std::ranges::count(solves, results::Status::ok, &Solve::status)) / n;
-  const Interval difference = newcombe(*rate.share, n, printed, n_printed, 1 - level);
-  rate.interval = {std::max(0.0, printed + difference.low), std::min(1.0, printed + difference.high)};
-  return rate;
-}
-
-// "Jaco2 31 % (printed 26.23)"
-std::string beside_words(const RatesOfArm& arm, const Rate& rate) {
-  return fmt::format("{} {:.1f} % (printed {:.2f})", arm.arm, 100 * *rate.share, 100 * rate.printed);
+  const Interval difference = newcombe(*rate.share, n, rate.printed, n_printed, 1 - level);
+  rate.interval = {std::max(0.0, rate.printed + difference.low), std::min(1.0, rate.printed + difference.high)};
 }
 
 }  // namespace
@@ -155,20 +148,6 @@ Description numbers_of(const Judged& judged, std::string_view solver) {
                                                                                         : judged.described[group];
 }
 
-Timed timed(const StudyResults& study, std::string_view solver, double limit_ms) {
-  constexpr double verifier_rounding_cm = 1e-7;
-  Timed timed;
-  for (const Solve& solve : study.of(solver)) {
-    const double ms = 1000 * solve.seconds;
-    const bool is_near = solve.position_error_cm <= study.definition.stop.tolerance_cm() + verifier_rounding_cm;
-    timed.ms.values.push_back(ms);
-    timed.reached += is_near;
-    timed.in_time += ms < limit_ms;
-    timed.both += is_near && ms < limit_ms;
-  }
-  return timed;
-}
-
 std::vector<const JudgedStudy*> Repeated::all() const {
   std::vector<const JudgedStudy*> studies{&study};
   studies.insert(studies.end(), companions.begin(), companions.end());
@@ -182,39 +161,43 @@ const JudgedStudy* Repeated::part(std::string_view part) const {
   return nullptr;
 }
 
-std::vector<RatesOfArm> rates_of(const Repeated& repeated) {
+std::vector<Rate> rates_of(const Repeated& repeated) {
   const Rates& plan = repeated.paper.rates;
-  std::vector<RatesOfArm> arms;
+  std::vector<Rate> rates;
   const results::CsvTable printed = results::published::table(repeated.paper.name, plan.table);
   for (std::size_t row = 0; row < printed.rows(); ++row) {
     for (const JudgedStudy* each : repeated.all()) {
       const StudyResults& study = each->study;
       const auto arm = plan.rows.find(study.definition.robot);
       if (arm == plan.rows.end() || printed.cell(row, printed.column("arm")) != arm->second) continue;
-      RatesOfArm& rates = arms.emplace_back(
-          RatesOfArm{.arm = arm->second, .is_picked = std::ranges::find(plan.picked, arm->first) != plan.picked.end()});
-      for (const auto& [solver, column] : plan.columns)
-        rates.rates.push_back(
-            rate_of(study, solver, printed.number(row, column) / 100, printed.number(row, "n"), plan.level));
+      for (const auto& [solver, column] : plan.columns) {
+        Rate& rate = rates.emplace_back(Rate{.arm = arm->second, .solver = solver});
+        rate.is_picked = std::ranges::count(plan.picked, arm->first) > 0;
+        rate.printed = printed.number(row, column) / 100;
+        set_share(rate, study.of(solver), printed.number(row, "n"), plan.level);
+      }
     }
   }
-  return arms;
+  return rates;
+}
+
+std::vector<Rate> rates_of(const Repeated& repeated, std::string_view solver) {
+  std::vector<Rate> rates = repeated.paper.rates.level > 0 ? rates_of(repeated) : std::vector<Rate>();
+  std::erase_if(rates, [&](const Rate& rate) { return rate.solver != solver || !rate.share; });
+  return rates;
 }
 
 std::vector<std::string> rates_sentences(const Repeated& repeated) {
   std::vector<std::string> counts, sentences;
-  const std::vector<RatesOfArm> arms = repeated.paper.rates.level > 0 ? rates_of(repeated) : std::vector<RatesOfArm>();
   for (const auto& [solver, column] : repeated.paper.rates.columns) {
+    const std::vector<Rate> rates = rates_of(repeated, solver);
+    if (rates.empty()) continue;
     std::vector<std::string> others;
-    std::size_t all = 0;
-    for (const RatesOfArm& arm : arms) {
-      const Rate& rate = *std::ranges::find(arm.rates, solver, &Rate::solver);
-      if (!rate.share) continue;
-      ++all;
-      if (!rate.is_as_printed()) others.push_back(beside_words(arm, rate));
+    for (const Rate& rate : rates) {
+      if (!rate.is_as_printed())  // "Jaco2 31 % (printed 26.23)"
+        others.push_back(fmt::format("{} {:.1f} % (printed {:.2f})", rate.arm, 100 * *rate.share, 100 * rate.printed));
     }
-    if (all == 0) continue;
-    const std::string count = fmt::format("on {} of {}", all - others.size(), all);
+    const std::string count = fmt::format("on {} of {}", rates.size() - others.size(), rates.size());
     counts.push_back(counts.empty() ? fmt::format("{}'s printed rates repeat {} arms", solver, count)
                                     : fmt::format("{}'s {}", solver, count));
     if (!others.empty()) sentences.push_back(fmt::format("{} not on: {}.", solver, show::listed(others, ", ")));
@@ -285,18 +268,17 @@ show::Table rates_table(const Repeated& repeated, bool has_intervals) {
     table.columns.push_back({solver, "%"});
     if (has_intervals) table.columns.push_back({solver + " interval"});
   }
-  for (const RatesOfArm& arm : rates_of(repeated)) {
-    auto& row = table.rows.emplace_back(std::vector<show::Cell>{arm.arm + (arm.is_picked ? " *" : "")});
-    for (const Rate& rate : arm.rates) {
-      const Interval& of_ours = rate.interval;
-      row.emplace_back(show::Printed{100 * rate.share.value_or(unknown), fmt::format("{:.2f}", 100 * rate.printed),
-                                     !rate.share            ? ""
-                                     : rate.is_as_printed() ? "~"
-                                                            : "x"});
-      if (!has_intervals) continue;
-      row.push_back(rate.share ? show::Cell(fmt::format("{:.2f}-{:.2f}", 100 * of_ours.low, 100 * of_ours.high))
-                               : show::Cell());
-    }
+  for (const Rate& rate : rates_of(repeated)) {
+    if (table.rows.empty() || table.rows.back().size() == table.columns.size())
+      table.rows.push_back({rate.arm + (rate.is_picked ? " *" : "")});
+    auto& row = table.rows.back();
+    row.emplace_back(show::Printed{100 * rate.share.value_or(unknown), fmt::format("{:.2f}", 100 * rate.printed),
+                                   !rate.share            ? ""
+                                   : rate.is_as_printed() ? "~"
+                                                          : "x"});
+    if (!has_intervals) continue;
+    const auto& [low, high, excludes_low, excludes_high] = rate.interval;
+    row.push_back(rate.share ? show::Cell(fmt::format("{:.2f}-{:.2f}", 100 * low, 100 * high)) : show::Cell());
   }
   table.notes.push_back(fmt::format(
       "~ the printed share is in the {:g} % interval of ours, by the targets of both; x it is not", 100 * plan.level));
@@ -308,13 +290,10 @@ show::Table rates_table(const Repeated& repeated, bool has_intervals) {
 
 std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
   std::vector<figures::IntervalRow> rows;
-  const std::vector<RatesOfArm> arms = rates_of(repeated);
   for (const auto& [solver, column] : repeated.paper.rates.columns) {
-    for (const RatesOfArm& arm : arms) {
-      const Rate& rate = *std::ranges::find(arm.rates, solver, &Rate::solver);
-      if (!rate.share) continue;
+    for (const Rate& rate : rates_of(repeated, solver)) {
       const auto minus_printed = [&](double share) { return 100 * (share - rate.printed); };
-      rows.push_back({.label = fmt::format("{}: {}", solver, arm.arm),
+      rows.push_back({.label = fmt::format("{}: {}", solver, rate.arm),
                       .estimate = minus_printed(*rate.share),
                       .low = minus_printed(rate.interval.low),
                       .high = minus_printed(rate.interval.high),

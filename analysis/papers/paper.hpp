@@ -118,27 +118,16 @@ PrintedRows printed_rows(const Paper& paper, const compare::Metric& metric);
 // Of a solver; unknown where it is not among the judged, or values are lost.
 compare::Description numbers_of(const compare::Judged& judged, std::string_view solver);
 
-// A solver's solves against a limit of time, and within the study's tolerance, wherever the joints are.
-struct Timed {
-  compare::Group ms = {};
-  std::int64_t reached = 0, in_time = 0, both = 0;
-};
-Timed timed(const compare::StudyResults& study, std::string_view solver, double limit_ms);
-
 // A solver's share of solved targets on an arm. The interval is ours, as wide as that of the difference of the two
 // shares: it has the printed one where the two do not differ.
 struct Rate {
-  std::string solver;
+  std::string arm, solver;  // as printed
+  bool is_picked = false;
   double printed = 0;
   std::optional<double> share = {};  // none: not solved here
   compare::Interval interval = {};
 
   bool is_as_printed() const { return interval.low <= printed && printed <= interval.high; }
-};
-struct RatesOfArm {
-  std::string arm;  // as printed
-  bool is_picked = false;
-  std::vector<Rate> rates = {};
 };
 
 // A paper's study with its companions.
@@ -152,8 +141,10 @@ struct Repeated {
   const compare::JudgedStudy* part(std::string_view part) const;
 };
 
-// The arms of all studies that the printed table has, in its order.
-std::vector<RatesOfArm> rates_of(const Repeated& repeated);
+// Of the arms of all studies that the printed table has, in its order.
+std::vector<Rate> rates_of(const Repeated& repeated);
+// Of this solver, where it is solved here.
+std::vector<Rate> rates_of(const Repeated& repeated, std::string_view solver);
 // "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then who fails where; none if none is printed.
 std::vector<std::string> rates_sentences(const Repeated& repeated);
 

@@ -305,13 +305,10 @@ JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
 // A claim of each solver, over all arms.
 JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   JudgedClaims judged;
-  const std::vector<RatesOfArm> arms = rates_of(repeated);
   for (const auto& [solver, column] : repeated.paper.rates.columns) {
     std::vector<Holds> repeats;
-    for (const RatesOfArm& arm : arms) {
-      const Rate& rate = *std::ranges::find(arm.rates, solver, &Rate::solver);
-      if (rate.share) repeats.push_back(always_or_on_average(rate.is_as_printed(), false));
-    }
+    for (const Rate& rate : rates_of(repeated, solver))
+      repeats.push_back(always_or_on_average(rate.is_as_printed(), false));
     if (repeats.empty()) continue;
     JudgedClaim& result = judged.emplace_back(begun(claim));
     result.id = fmt::format("{}-{}", claim.id, solver);
