@@ -45,7 +45,7 @@ constexpr std::array rows{
          rounding,                                                                             \
          is_reported,                                                                          \
          nullptr,                                                                              \
-         [](Run run) -> double { return value; }},
+         [](Solves run) -> double { return value; }},
 #include "analysis/compare/metrics.inc"
 #undef METRIC
 #undef RUN_METRIC

@@ -18,10 +18,8 @@ using namespace results;
 
 namespace {
 
-using Solves = std::span<const Solve>;
-
-std::vector<Run> runs_of(Solves rest) {
-  std::vector<Run> runs;
+std::vector<Solves> runs_of(Solves rest) {
+  std::vector<Solves> runs;
   while (!rest.empty()) {
     const auto is_other = [&](const Solve& solve) { return solve.run != rest.front().run; };
     runs.push_back(rest.first(static_cast<std::size_t>(std::ranges::find_if(rest, is_other) - rest.begin())));
@@ -30,11 +28,11 @@ std::vector<Run> runs_of(Solves rest) {
   return runs;
 }
 
-bool is_complete(const StudyResults& study, Run run) { return std::ssize(run) == study.points; }
+bool is_complete(const StudyResults& study, Solves run) { return std::ssize(run) == study.points; }
 
-std::vector<Run> complete_runs_of(const StudyResults& study, std::string_view solver) {
-  std::vector<Run> runs = runs_of(study.of(solver));
-  std::erase_if(runs, [&](Run run) { return !is_complete(study, run); });
+std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view solver) {
+  std::vector<Solves> runs = runs_of(study.of(solver));
+  std::erase_if(runs, [&](Solves run) { return !is_complete(study, run); });
   return runs;
 }
 
@@ -62,8 +60,8 @@ bool are_same(const Solve& one, const Solve& other) {
 
 // The same targets and answers in every run, bit for bit. Such runs are copies where a run is an observation.
 bool repeats_itself(const StudyResults& study, std::string_view solver) {
-  const std::vector<Run> runs = complete_runs_of(study, solver);
-  return runs.size() > 1 && std::ranges::all_of(runs, [&](Run run) {
+  const std::vector<Solves> runs = complete_runs_of(study, solver);
+  return runs.size() > 1 && std::ranges::all_of(runs, [&](Solves run) {
            return std::ranges::equal(run, runs.front(), [](const Solve& one, const Solve& other) {
              return one.answer != 0 && are_same(one, other);
            });
@@ -95,7 +93,7 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, co
   const bool of_solved = is_of_solved(study, metric);
   const double least = tolerance_of(study, metric);
   std::vector<Value> values;
-  for (const Run run : runs_of(study.of(solver))) {
+  for (const Solves run : runs_of(study.of(solver))) {
     if (design.are_runs && !is_complete(study, run)) continue;
     if (metric.of_run != nullptr) {
       values.push_back({run.front().run, metric.of_run(run)});
@@ -143,9 +141,16 @@ Group group_of(const StudyResults& study, const Metric& metric, const Design& de
   return group;
 }
 
+using Doubts = std::vector<Doubt>;
+
+// Adds a doubt, if it is about some solver.
+void add(Doubts& doubts, Doubt doubt) {
+  if (!doubt.who.empty()) doubts.push_back(std::move(doubt));
+}
+
 // Adds a doubt of all solves that are so, and of the solvers that made them.
 template <class Is>
-void add(std::vector<Doubt>& doubts, const StudyResults& study, Doubt doubt, Is is_so) {
+void add(Doubts& doubts, const StudyResults& study, Doubt doubt, Is is_so) {
   for (const std::string& solver : study.solvers) {
     const Solves all = study.of(solver);
     const auto count = std::ranges::count_if(all, is_so);
@@ -154,7 +159,7 @@ void add(std::vector<Doubt>& doubts, const StudyResults& study, Doubt doubt, Is 
     doubt.count += static_cast<double>(count);
     doubt.of += static_cast<double>(all.size());
   }
-  if (doubt.count > 0) doubts.push_back(std::move(doubt));
+  add(doubts, std::move(doubt));
 }
 
 auto is_timed(Timing how) {
@@ -186,7 +191,7 @@ std::vector<Doubt> doubts_of_load(const StudyResults& study) {
     busy.count += static_cast<double>(disturbed);
     busy.of += static_cast<double>(clean);
   }
-  if (!busy.who.empty()) doubts.push_back(busy);
+  add(doubts, std::move(busy));
   return doubts;
 }
 
@@ -229,7 +234,7 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   const auto add_of = [&](std::vector<std::string> who, const char* what) {  // one reason is enough
     for (const Doubt& told : doubts)
       std::erase_if(who, [&](const std::string& solver) { return std::ranges::count(told.who, solver) > 0; });
-    if (!who.empty()) doubts.push_back({.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = what});
+    add(doubts, {.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = what});
   };
   add_of(measured_apart(study), "measured in another session");
   add_of(copies_of_others(study), "all solves are another's, bit for bit");
@@ -263,21 +268,16 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
   return doubts;
 }
 
-std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
-  std::vector<Doubt> doubts;
-  const auto is_counted = [](CountedBy by) {
-    return [by](const Solve& solve) { return gave_answer(solve) && solve.counted_by == by; };
-  };
-  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "evaluations are not counted"},
-      is_counted(CountedBy::nobody));
-  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "evaluations by its own count"},
-      is_counted(CountedBy::solver));
-  return doubts;
+void add_of_evaluations(Doubts& doubts, const StudyResults& study) {
+  for (const auto& [by, what] : {std::pair(CountedBy::nobody, "evaluations are not counted"),
+                                 {CountedBy::solver, "evaluations by its own count"}})
+    add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = what},
+        [by = by](const Solve& solve) { return gave_answer(solve) && solve.counted_by == by; });
 }
 
 // Solvers whose solves, nearly all, the limit of iterations ends: the one of most and the one of fewest evaluations.
-std::vector<Doubt> doubts_of_budgets(const StudyResults& study) {
-  if (study.definition.stop.evaluations > 0 || study.definition.stop.seconds > 0) return {};
+void add_of_budgets(Doubts& doubts, const StudyResults& study) {
+  if (study.definition.stop.evaluations > 0 || study.definition.stop.seconds > 0) return;
   std::string fewest, most;
   double few = std::numeric_limits<double>::infinity(), many = 0;
   for (const std::string& solver : study.solvers) {
@@ -292,16 +292,16 @@ std::vector<Doubt> doubts_of_budgets(const StudyResults& study) {
     if (evaluations < few) few = evaluations, fewest = solver;
     if (evaluations > many) many = evaluations, most = solver;
   }
-  if (many < 2 * few) return {};
-  return {{.kind = DoubtKind::budgets_differ,
-           .who = {most, fewest},
-           .count = many,
-           .of = few,
-           .what = fmt::format("{:.0f} and {:.0f} evaluations a solve", many, few)}};
+  if (many < 2 * few) return;
+  doubts.push_back({.kind = DoubtKind::budgets_differ,
+                    .who = {most, fewest},
+                    .count = many,
+                    .of = few,
+                    .what = fmt::format("{:.0f} and {:.0f} evaluations a solve", many, few)});
 }
 
 // Solvers that the limit of iterations ends before half of the evaluations that each may make.
-std::vector<Doubt> doubts_of_iterations(const StudyResults& study) {
+void add_of_iterations(Doubts& doubts, const StudyResults& study) {
   const auto limit = study.definition.stop.evaluations;
   Doubt doubt{.kind = DoubtKind::budgets_differ,
               .what = fmt::format("{} iterations ended solves before half of {} evaluations",
@@ -314,35 +314,31 @@ std::vector<Doubt> doubts_of_iterations(const StudyResults& study) {
     });
     if (2 * count > std::ssize(all)) doubt.who.push_back(solver);
   }
-  return doubt.who.empty() ? std::vector<Doubt>() : std::vector{std::move(doubt)};
+  add(doubts, std::move(doubt));
 }
 
 // By the stored plan: a command may judge by another.
-std::vector<Doubt> doubts_of_plan(const StudyResults& study) {
+void add_of_plan(Doubts& doubts, const StudyResults& study) {
   const Plan plan = definition_of(study.entry.definition).plan;
-  std::map<std::int64_t, std::set<std::string>> changed;  // fields, by session
+  std::set<std::int64_t> others;  // sessions
+  std::set<std::string> fields;
   for (const Session& session : study.sessions) {
     const auto recorded = session.environment.find("analysis");
     if (recorded == session.environment.end()) continue;
     const Plan then = plan_of(recorded->second);
-    std::set<std::string> fields;
+    if (then != plan) others.insert(session.id);
     if (then.test != plan.test) fields.insert("test");
     if (then.metric != plan.metric) fields.insert("metric");
     if (then.control != plan.control) fields.insert("control");
     if (then.significance != plan.significance) fields.insert("significance");
     if (then.margin != plan.margin || then.margin_cm != plan.margin_cm) fields.insert("margin");
-    if (!fields.empty()) changed[session.id] = std::move(fields);
   }
-  std::set<std::string> fields;
-  for (const auto& [session, own] : changed) fields.insert(own.begin(), own.end());
-  std::vector<Doubt> doubts;
   add(doubts, study, {.kind = DoubtKind::plan_changed, .what = fmt::format("{}", fmt::join(fields, ", "))},
-      [&](const Solve& solve) { return changed.contains(solve.session); });
-  return doubts;
+      [&](const Solve& solve) { return others.contains(solve.session); });
 }
 
 // Runs that lack points or were not begun.
-std::vector<Doubt> doubts_of_runs(const StudyResults& study) {
+void add_of_runs(Doubts& doubts, const StudyResults& study) {
   Doubt doubt{.kind = DoubtKind::runs_missing};
   for (const std::string& solver : study.solvers) {
     const auto missing = study.runs - std::ssize(complete_runs_of(study, solver));
@@ -351,48 +347,45 @@ std::vector<Doubt> doubts_of_runs(const StudyResults& study) {
     doubt.count += static_cast<double>(missing);
     doubt.of += study.runs;
   }
-  return doubt.who.empty() ? std::vector<Doubt>() : std::vector{doubt};
+  add(doubts, std::move(doubt));
 }
 
-std::vector<Doubt> doubts_of_repeats(const StudyResults& study) {
+void add_of_repeats(Doubts& doubts, const StudyResults& study) {
   const Design design = design_of(study, false);
-  std::vector<Doubt> doubts;
-  if (design.is_paired || !design.are_runs) return doubts;
+  if (design.is_paired || !design.are_runs) return;
+  std::map<std::size_t, std::vector<std::string>> repeating;  // solvers, by their number of runs
   for (const std::string& solver : study.solvers) {
-    if (!repeats_itself(study, solver)) continue;
-    const auto runs = static_cast<double>(complete_runs_of(study, solver).size());
-    const auto known = std::ranges::find(doubts, runs, &Doubt::count);
-    (known == doubts.end() ? doubts.emplace_back(Doubt{.kind = DoubtKind::repeats_itself, .count = runs}) : *known)
-        .who.push_back(solver);
+    if (repeats_itself(study, solver)) repeating[complete_runs_of(study, solver).size()].push_back(solver);
   }
-  return doubts;
+  for (const auto& [runs, who] : repeating)
+    doubts.push_back({.kind = DoubtKind::repeats_itself, .who = who, .count = static_cast<double>(runs)});
 }
 
 }  // namespace
 
 bool gave_answer(const Solve& solve) { return !is_without_answer(solve.status) && solve.status != Status::not_finite; }
 
-bool have_same_solves(std::span<const Solve> solves, std::span<const Solve> others) {
+bool have_same_solves(Solves solves, Solves others) {
   return std::ranges::equal(solves, others, [](const Solve& one, const Solve& two) {
     return one.run == two.run && one.point == two.point && are_same(one, two) && one.evaluations == two.evaluations;
   });
 }
 
 std::vector<Doubt> doubts_of(const StudyResults& study) {
-  std::vector<Doubt> doubts = doubts_of_runs(study);
+  Doubts doubts;
+  add_of_runs(doubts, study);
   add(doubts, study, {.kind = DoubtKind::without_answer}, [](const Solve& solve) { return !gave_answer(solve); });
   add(doubts, study, {.kind = DoubtKind::claimed_but_wrong},
       [](const Solve& solve) { return solve.status == Status::claimed_but_wrong; });
   add(doubts, study, {.kind = DoubtKind::outside_limits}, &Solve::is_outside_limits);
-  const auto append = [&](std::vector<Doubt> more) { std::ranges::move(more, std::back_inserter(doubts)); };
-  append(doubts_of_budgets(study));
-  append(doubts_of_iterations(study));
+  add_of_budgets(doubts, study);
+  add_of_iterations(doubts, study);
   if (const int count = study.definition.out_of_reach; count > 0)
     doubts.push_back({.kind = DoubtKind::out_of_reach,
                       .count = static_cast<double>(count),
                       .of = static_cast<double>(study.points)});
-  append(doubts_of_plan(study));
-  append(doubts_of_repeats(study));
+  add_of_plan(doubts, study);
+  add_of_repeats(doubts, study);
   if (study.solves_of_other_versions > 0)
     doubts.push_back({.kind = DoubtKind::other_version,
                       .who = study.solvers_of_other_versions,
@@ -420,8 +413,7 @@ Observations observe(const StudyResults& study, const Metric& metric) {
     for (Group& group : groups) group.blocks.clear();
   }
   observed.doubts = metric.kind == Kind::time ? doubts_of_times(study) : doubts_of_clock(study);
-  if (metric.column == "evaluations")
-    std::ranges::move(doubts_of_evaluations(study), std::back_inserter(observed.doubts));
+  if (metric.column == "evaluations") add_of_evaluations(observed.doubts, study);
   for (const Doubt& doubt : observed.doubts) {
     // Counted by one and the same.
     if (doubt.kind == DoubtKind::budgets_differ && doubt.who.size() == groups.size()) continue;

@@ -11,10 +11,6 @@
 
 namespace ikbench::compare {
 
-struct Solve;
-struct StudyResults;
-using Run = std::span<const Solve>;  // the solves of one run, by point
-
 // share: solved or not. error: a distance from the target. cost: effort for an answer; with a tolerance, only of
 // targets that both solvers of a pair solved. time: a cost that is compared only where times are comparable.
 enum class Kind { share, error, cost, time };
@@ -30,7 +26,7 @@ struct Metric {
   double rounding;   // values that differ by no more are equal
   bool is_reported;  // in every report; else only where a claim or a command names it
   double (*value)(const Solve& solve, const StudyResults& study);  // NaN: the solve has none
-  double (*of_run)(Run run);                                       // in place of value
+  double (*of_run)(Solves run);                                    // of one run, by point; in place of value
 };
 
 std::span<const Metric> metrics();
@@ -39,7 +35,7 @@ const Metric& metric_named(std::string_view column);
 
 bool gave_answer(const Solve& solve);
 // All solves are the same, bit for bit, and took as many evaluations.
-bool have_same_solves(std::span<const Solve> solves, std::span<const Solve> others);
+bool have_same_solves(Solves solves, Solves others);
 
 // Of all that concerns more than one metric.
 std::vector<Doubt> doubts_of(const StudyResults& study);

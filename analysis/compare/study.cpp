@@ -154,7 +154,7 @@ StudyResults complete(StudyResults study, const std::vector<Session>& sessions) 
 
 }  // namespace
 
-std::span<const Solve> StudyResults::of(std::string_view solver) const {
+Solves StudyResults::of(std::string_view solver) const {
   const auto here = std::ranges::find(solvers, solver) - solvers.begin();
   return {std::ranges::lower_bound(solves, here, {}, &Solve::solver),
           std::ranges::upper_bound(solves, here, {}, &Solve::solver)};

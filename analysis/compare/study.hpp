@@ -35,6 +35,8 @@ struct Solve {
   std::uint64_t target = 0, start = 0, answer = 0;  // hashes of the bits of position and rotation, and of all joints
 };
 
+using Solves = std::span<const Solve>;
+
 struct StudyResults {
   results::StoredStudy entry;               // name, definition as JSON, series
   results::Definition definition;           // the same, read; a control that is no solver is empty
@@ -48,7 +50,7 @@ struct StudyResults {
   std::vector<std::string> solvers_of_other_versions = {};  // whose these are
 
   // By run and point.
-  std::span<const Solve> of(std::string_view solver) const;
+  Solves of(std::string_view solver) const;
   // Of its first run.
   std::span<const results::SolveRecord> first_run_of(std::string_view solver) const;
 };
