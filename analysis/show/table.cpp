@@ -59,11 +59,28 @@ bool excludes_end(const Cell& cell) {
   return of && (of->excludes_low || of->excludes_high);
 }
 
-template <class Kind>
-bool has(const Table& table, std::size_t column) {
-  return std::ranges::any_of(table.rows, [=](const auto& row) { return std::holds_alternative<Kind>(row[column]); });
+// Of which kinds the cells of a column are: what files of numbers have columns for.
+struct Kinds {
+  bool texts = false, intervals = false, excluded = false, printed = false;
+  bool ratios = false, differences = false, spreads = false, marks = false;  // of Marked
+};
+std::vector<Kinds> kinds_of(const Table& table) {
+  std::vector<Kinds> kinds(table.columns.size());
+  for (const auto& row : table.rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const Marked its = std::holds_alternative<Marked>(row[c]) ? std::get<Marked>(row[c]) : Marked{};
+      kinds[c].texts |= std::holds_alternative<std::string>(row[c]);
+      kinds[c].intervals |= std::holds_alternative<compare::Interval>(row[c]);
+      kinds[c].excluded |= excludes_end(row[c]);
+      kinds[c].printed |= std::holds_alternative<Printed>(row[c]);
+      kinds[c].ratios |= its.to_reference == compare::Scale::ratio;
+      kinds[c].differences |= its.to_reference == compare::Scale::difference;
+      kinds[c].spreads |= its.interval.has_value();
+      kinds[c].marks |= !its.mark.empty();
+    }
+  }
+  return kinds;
 }
-bool is_text(const Table& table, std::size_t column) { return has<std::string>(table, column); }
 
 std::string head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
@@ -71,8 +88,9 @@ std::string head(const Column& column) {
 
 // Readers see printed numbers in a column of their own, and no column that is empty in every row.
 Table for_readers(Table table) {
+  const std::vector<Kinds> kinds = kinds_of(table);
   for (std::size_t c = table.columns.size(); c-- > 0;) {
-    if (has<Printed>(table, c)) {
+    if (kinds[c].printed) {
       const auto next = static_cast<std::ptrdiff_t>(c + 1);
       table.columns.insert(table.columns.begin() + next, {"printed"});
       for (auto& row : table.rows) {
@@ -104,41 +122,38 @@ Rows readable(const Table& table, Escape escape) {
 }
 
 constexpr std::string_view times = "times", mark = "mark";  // have no unit
-constexpr std::string_view every_member[]{"", "printed", times, "difference", "low", "high", "excluded", mark};
 
-// What a cell has of a member in files of numbers: the words that follow the name of its column. None: it has it not.
-std::optional<Json> value_of(const Cell& cell, std::string_view member) {
+// The members of a cell in files of numbers, with the words that follow the name of its column.
+std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const Cell& cell) {
   const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
-  const auto* const printed = std::get_if<Printed>(&cell);
+  if (kinds.intervals) {
+    const auto* of = std::get_if<compare::Interval>(&cell);
+    std::vector<std::pair<std::string_view, Json>> of_interval{{"low", of ? number(of->low) : Json()},
+                                                               {"high", of ? number(of->high) : Json()}};
+    if (kinds.excluded)
+      of_interval.emplace_back("excluded", !excludes_end(cell) ? Json() : of->excludes_low ? "low" : "high");
+    return of_interval;
+  }
+  if (const auto* of = std::get_if<Printed>(&cell)) return {{"", number(of->ours)}, {"printed", of->printed}};
   const auto* const marked = std::get_if<Marked>(&cell);
-  const auto* interval = std::get_if<compare::Interval>(&cell);
-  if (member == "excluded" && excludes_end(cell)) return interval->excludes_low ? "low" : "high";
-  if (marked && marked->interval) interval = &*marked->interval;
-  if (member == "low" && interval) return number(interval->low);
-  if (member == "high" && interval) return number(interval->high);
-  if (member == "printed" && printed) return printed->printed;
-  if (member == mark && marked && !marked->mark.empty()) return marked->mark;
-  if (const auto scale = marked ? marked->to_reference : std::nullopt;
-      marked && member == (!scale                           ? ""
-                           : scale == compare::Scale::ratio ? times
-                                                            : "difference"))
-    return number(marked->value);
-  if (!member.empty()) return std::nullopt;
-  if (printed) return number(printed->ours);
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  if (const auto* count = std::get_if<std::int64_t>(&cell)) return *count;
-  if (const auto* of = std::get_if<double>(&cell)) return number(*of);
-  return std::nullopt;
-}
-
-// The members of each column: those that a cell has, and "" but for intervals.
-std::vector<std::vector<std::string_view>> members_of(const Table& table) {
-  std::vector<std::vector<std::string_view>> all(table.columns.size());
-  for (std::size_t c = 0; c < all.size(); ++c)
-    for (const std::string_view member : every_member)
-      if ((member.empty() && !has<compare::Interval>(table, c)) ||
-          std::ranges::any_of(table.rows, [&](const auto& row) { return value_of(row[c], member).has_value(); }))
-        all[c].push_back(member);
+  Json value;
+  if (const auto* text = std::get_if<std::string>(&cell)) value = *text;
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) value = *count;
+  if (const auto* of = std::get_if<double>(&cell)) value = number(*of);
+  if (marked && !marked->to_reference) value = number(marked->value);
+  std::vector<std::pair<std::string_view, Json>> all{{"", value}};
+  if (kinds.printed) all.emplace_back("printed", Json());
+  const auto to_reference = [&](compare::Scale scale) {
+    return marked && marked->to_reference == scale ? number(marked->value) : Json();
+  };
+  if (kinds.ratios) all.emplace_back(times, to_reference(compare::Scale::ratio));
+  if (kinds.differences) all.emplace_back("difference", to_reference(compare::Scale::difference));
+  if (kinds.spreads) {
+    const auto its = marked ? marked->interval : std::nullopt;
+    all.emplace_back("low", its ? number(its->low) : Json());
+    all.emplace_back("high", its ? number(its->high) : Json());
+  }
+  if (kinds.marks) all.emplace_back(mark, marked && !marked->mark.empty() ? Json(marked->mark) : Json());
   return all;
 }
 
@@ -197,21 +212,20 @@ std::string interval_text(const compare::Interval& interval, Number number, cons
 }
 
 std::string to_csv(const Table& table) {
-  const auto members = members_of(table);
+  const std::vector<Kinds> kinds = kinds_of(table);
   std::string text;
   std::vector<std::string> heads;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const Column& column = table.columns[c];
     const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
-    for (const std::string_view member : members[c])
+    for (const auto& [member, value] : members(kinds[c], {}))
       heads.push_back(member_name(column.name, member) + (member == times || member == mark ? "" : unit));
   }
   results::append_csv_row(text, heads);
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      for (const std::string_view member : members[c])
-        cells.push_back(csv_text(value_of(row[c], member).value_or(Json())));
+      for (const auto& [member, value] : members(kinds[c], row[c])) cells.push_back(csv_text(value));
     }
     results::append_csv_row(text, cells);
   }
@@ -219,15 +233,15 @@ std::string to_csv(const Table& table) {
 }
 
 Json to_json(const Table& table) {
-  const auto members = members_of(table);
+  const std::vector<Kinds> kinds = kinds_of(table);
   Json rows = Json::array();
   for (const auto& row : table.rows) {
     Json object = Json::object();
     for (std::size_t c = 0; c < row.size(); ++c) {
-      for (const std::string_view member : members[c]) {
+      for (const auto& [member, value] : members(kinds[c], row[c])) {
         std::string name = member_name(table.columns[c].name, member);
         for (char& letter : name) letter = letter == ' ' ? '_' : static_cast<char>(std::tolower(letter));
-        object[name] = value_of(row[c], member).value_or(Json());
+        object[name] = value;
       }
     }
     rows.push_back(std::move(object));
@@ -242,7 +256,7 @@ std::string to_markdown(const Table& whole) {
   for (const auto& row : rows) {
     text += fmt::format("| {} |\n", fmt::join(row, " | "));
     if (&row != &rows.front()) continue;
-    for (std::size_t c = 0; c < row.size(); ++c) text += is_text(table, c) ? "|---" : "|--:";
+    for (const Kinds& its : kinds_of(table)) text += its.texts ? "|---" : "|--:";
     text += "|\n";
   }
   for (const std::string& note : table.notes) text += fmt::format("\n{}\n", markdown_text(note));
@@ -253,22 +267,18 @@ std::string to_latex(const Table& whole) {
   const Table table = for_readers(whole);
   std::string letters, text;
   std::vector<std::string> heads;
-  std::vector<bool> have_spread;  // which has a column of its own, so that the numbers align
+  const std::vector<Kinds> kinds = kinds_of(table);  // spreads have a column of their own, so that the numbers align
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    have_spread.push_back(std::ranges::any_of(table.rows, [=](const auto& row) {
-      const auto* const marked = std::get_if<Marked>(&row[c]);
-      return marked && marked->interval;
-    }));
-    letters += is_text(table, c) ? "l" : have_spread[c] ? "r@{ }l" : "r";
+    letters += kinds[c].texts ? "l" : kinds[c].spreads ? "r@{ }l" : "r";
     const std::string name = latex_text(head(table.columns[c]));
-    heads.push_back(have_spread[c] ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
+    heads.push_back(kinds[c].spreads ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
   }
   text += fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
       cells.push_back(latex_cell(row[c], table.columns[c]));
-      if (have_spread[c] && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
+      if (kinds[c].spreads && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
     }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
@@ -292,12 +302,8 @@ std::string to_latex(const Table& whole) {
 std::string to_html(const Table& whole) {
   constexpr std::size_t long_text = 20;  // breaks anywhere
   const Table table = for_readers(whole);
+  const std::vector<Kinds> kinds = kinds_of(table);
   const Rows rows = readable(table, html_text);
-  std::vector<std::string_view> classes;
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    classes.push_back(has<Printed>(table, c) ? " class=\"number printed\""
-                      : is_text(table, c)    ? ""
-                                             : " class=\"number\"");
   const auto cell_of = [&](std::size_t r, std::size_t c) {  // digits align, without the mark
     const auto* const of = r == 0 ? nullptr : std::get_if<Marked>(&table.rows[r - 1][c]);
     std::string text = rows[r][c];
@@ -310,10 +316,12 @@ std::string to_html(const Table& whole) {
     std::string text;
     for (std::size_t c = 0; c < row.size(); ++c) {
       const bool is_verdict = tag == "td" && table.columns[c].name == "verdict";
-      text += fmt::format(
-          "<{}{}>{}</{}>", tag,
-          classes[c].empty() && !is_verdict && character_count(row[c]) > long_text ? " class=\"long\"" : classes[c],
-          is_verdict ? pill(row[c]) : cell_of(r, c), tag.substr(0, tag.find(' ')));
+      text += fmt::format("<{}{}>{}</{}>", tag,
+                          kinds[c].printed                                     ? " class=\"number printed\""
+                          : !kinds[c].texts                                    ? " class=\"number\""
+                          : !is_verdict && character_count(row[c]) > long_text ? " class=\"long\""
+                                                                               : "",
+                          is_verdict ? pill(row[c]) : cell_of(r, c), tag.substr(0, tag.find(' ')));
     }
     return fmt::format("<tr>{}</tr>\n", text);
   };
