@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -16,23 +15,17 @@ namespace {
 
 // What design and plan choose, never the values.
 enum class Method { ranks, signed_ranks, sign, sign_and_ranks, paired_t, mcnemar, welch, fisher };
-constexpr std::array<std::string_view, 8> method_names{"Brunner-Munzel and Mann-Whitney",
-                                                       "Wilcoxon's signed ranks",
-                                                       "sign test",
-                                                       "sign test and Mann-Whitney",
-                                                       "paired t",
-                                                       "McNemar's exact",
-                                                       "Welch's t",
-                                                       "Fisher's exact"};
-bool is_one_of(Method method, std::initializer_list<Method> these) { return std::ranges::count(these, method) > 0; }
-bool is_by_ranks(Method method) {
-  return is_one_of(method, {Method::ranks, Method::signed_ranks, Method::sign, Method::sign_and_ranks});
-}
-bool is_by_t(Method method) { return is_one_of(method, {Method::paired_t, Method::welch}); }
-bool is_by_difference(Method method) {
-  return is_one_of(method,
-                   {Method::signed_ranks, Method::sign, Method::sign_and_ranks, Method::paired_t, Method::mcnemar});
-}
+enum Trait : unsigned { by_ranks = 1, by_t = 2, by_difference = 4, by_sign = 8 };
+constexpr std::array<std::pair<std::string_view, unsigned>, 8> methods{
+    {{"Brunner-Munzel and Mann-Whitney", by_ranks},
+     {"Wilcoxon's signed ranks", by_ranks | by_difference},
+     {"sign test", by_ranks | by_difference | by_sign},
+     {"sign test and Mann-Whitney", by_ranks | by_difference | by_sign},
+     {"paired t", by_t | by_difference},
+     {"McNemar's exact", by_difference},
+     {"Welch's t", by_t},
+     {"Fisher's exact", 0}}};
+bool is(Method method, Trait trait) { return (methods[static_cast<std::size_t>(method)].second & trait) != 0; }
 
 Method method_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
   if (a.summary || b.summary) return Method::welch;
@@ -61,7 +54,7 @@ struct Pair {
 };
 
 bool are_on_logs(const Observations& observed, const Pair& pair) {
-  return observed.scale == Scale::ratio && is_by_ranks(pair.method);
+  return observed.scale == Scale::ratio && is(pair.method, by_ranks);
 }
 
 // Relative: smaller than a difference in the fifteenth digit, the last that every double can tell.
@@ -99,7 +92,7 @@ struct Two {
     }
     a.assign(all.begin(), all.begin() + std::ssize(pair.a.values));
     b.assign(all.begin() + std::ssize(pair.a.values), all.end());
-    if (!is_by_difference(pair.method)) return;
+    if (!is(pair.method, by_difference)) return;
     std::vector<double> sizes{0};
     double largest = are_logs ? 1 : 0;
     const bool is_one_value_of_a = a.size() == 1 || pair.a.may_repeat,
@@ -118,8 +111,8 @@ struct Two {
 
 // The smallest that data of these sizes can give.
 double smallest_p(Method method, std::size_t m, std::size_t n) {
-  if (is_by_t(method)) return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
-  if (is_by_difference(method) && method != Method::sign_and_ranks) return smallest_p_paired(n);
+  if (is(method, by_t)) return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
+  if (is(method, by_difference) && method != Method::sign_and_ranks) return smallest_p_paired(n);
   if (std::min(m, n) < 2) return 1;
   if (method == Method::sign_and_ranks) return std::max(smallest_p_paired(std::max(m, n)), smallest_p_unpaired(m, n));
   // The rarest table of Fisher's test is one, or of groups of one size two.
@@ -135,7 +128,7 @@ int runs_that_differ(const Observations& observed, const Pair& pair) {
 Tested tested_by(Method method, const Two& two, const Summary& first, const Summary& second, double alpha) {
   if (method == Method::ranks) return rank_test(two.a, two.b, alpha);
   if (method == Method::signed_ranks) return signed_rank_test(two.differences, alpha);
-  if (is_one_of(method, {Method::sign, Method::sign_and_ranks})) {
+  if (is(method, by_sign)) {
     Tested tested = sign_test(two.differences, alpha);
     if (method == Method::sign_and_ranks) tested.p = std::max(tested.p, mann_whitney(two.a, two.b));
     return tested;
@@ -155,7 +148,7 @@ Tested examined(const Observations& observed, const Plan& plan, const Pair& pair
   Tested tested = tested_by(pair.method, two, first, second, alpha);
   std::optional<Interval>& interval = tested.interval;
   std::optional<double> share_larger;
-  if (is_by_difference(pair.method)) {
+  if (is(pair.method, by_difference)) {
     const auto equal = static_cast<double>(std::ranges::count(two.differences, 0.0));
     const auto larger =
         static_cast<double>(std::ranges::count_if(two.differences, [](double each) { return each > 0; }));
@@ -183,9 +176,10 @@ Tested examined(const Observations& observed, const Plan& plan, const Pair& pair
   // Equal values say nothing of failures that are rarer than so many can show.
   const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : finding.are_all_equal;
   const bool can_fail = are_equal && 1 - wilson(1, std::min(first.n, second.n), alpha).low > plan.margin;
-  const Method by_means = is_by_difference(pair.method) ? Method::paired_t : Method::welch;
-  finding.is_within_margin = !can_fail && lies_within(tested) &&
-                             (!is_by_ranks(pair.method) || lies_within(tested_by(by_means, two, first, second, alpha)));
+  const Method by_means = is(pair.method, by_difference) ? Method::paired_t : Method::welch;
+  finding.is_within_margin =
+      !can_fail && lies_within(tested) &&
+      (!is(pair.method, by_ranks) || lies_within(tested_by(by_means, two, first, second, alpha)));
   const auto unbound = [&](double& value) {
     if (two.no_answer > 0 && std::abs(value) > two.no_answer / 8)
       value = std::copysign(std::numeric_limits<double>::infinity(), value);
@@ -212,7 +206,7 @@ void set_verdict(const Observations& observed, const Plan& plan, const Pair& pai
     if (finding.verdict == Verdict::undecided && !has_width) interval.reset();  // most values are equal, but not all
     return;
   }
-  if (is_by_t(pair.method) && observed.scale != Scale::share &&
+  if (is(pair.method, by_t) && observed.scale != Scale::share &&
       (does_one_value_decide(pair.a) || does_one_value_decide(pair.b))) {
     finding.verdict = Verdict::undecided;
     finding.why = Why::few_decide;
@@ -259,13 +253,13 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
       if (a->copies > 0 && b->copies > 0) finding.why = Why::fact;
       if (a->is_apart || b->is_apart) finding.why = Why::apart;
       const bool has_infinite = has_no_answer(*a) || has_no_answer(*b);
-      if (a->lost > 0 || b->lost > 0 || (has_infinite && is_by_t(pair.method))) finding.why = Why::lost;
+      if (a->lost > 0 || b->lost > 0 || (has_infinite && is(pair.method, by_t))) finding.why = Why::lost;
       if (finding.why != Why::tested || finding.n == 0) continue;
       pair.smallest_p = smallest_p(pair.method, size_of(pair.a), size_of(pair.b));
-      if (!is_one_of(pair.method, {Method::sign, Method::sign_and_ranks})) continue;
+      if (!is(pair.method, by_sign)) continue;
       finding.n = runs_that_differ(observed, pair);
-      const double by_sign = smallest_p_paired(static_cast<std::size_t>(finding.n));
-      pair.smallest_p = pair.method == Method::sign ? by_sign : std::max(by_sign, pair.smallest_p);
+      const double least = smallest_p_paired(static_cast<std::size_t>(finding.n));
+      pair.smallest_p = pair.method == Method::sign ? least : std::max(least, pair.smallest_p);
     }
   }
   return pairs;
@@ -283,7 +277,7 @@ Headline usually_better(const Observations& observed, const Plan& plan, const st
   };
   const Description its = describe(better), theirs = describe(other);
   const bool is_median_worse =
-      is_by_ranks(method_of(observed, plan, better, other)) && is_worse(its.median, theirs.median);
+      is(method_of(observed, plan, better, other), by_ranks) && is_worse(its.median, theirs.median);
   if (!is_median_worse && !is_worse(its.mean, theirs.mean)) return {};
   return {.usual = winner, .other = loser, .is_median_worse = is_median_worse};
 }
@@ -340,7 +334,7 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan) {
     if (std::isfinite(tested.estimate)) finding.estimate = shown(tested.estimate);
     finding.is_within_margin &= is_tested;
     if (!is_tested) continue;
-    finding.test = method_names[static_cast<std::size_t>(pair.method)];
+    finding.test = methods[static_cast<std::size_t>(pair.method)].first;
     if (tested.interval && finding.estimate)
       finding.interval = Interval{shown(tested.interval->low), shown(tested.interval->high)};
     finding.p = std::min(1.0, tested.p * tested_pairs);
