@@ -209,13 +209,23 @@ std::string unbeaten(const Shown& shown) {
   return fmt::format("Not decided{}: {}", is_between_some ? " between " + names_of(rest) : "", numbers);
 }
 
+// Of a best one and another.
+std::vector<Finding> findings_of_best(const Judged& judged) {
+  std::vector<Finding> findings = judged.findings;
+  std::erase_if(findings, [&](const Finding& finding) {
+    const std::vector<std::string>& best = judged.headline.best;
+    return std::ranges::count(best, finding.first) == std::ranges::count(best, finding.second);
+  });
+  return findings;
+}
+
 // ", by less than 5 %", of all or of some that the best ones beat.
 std::string by_little(const Judged& judged) {
   const auto is_best = [&](const std::string& name) { return std::ranges::count(judged.headline.best, name) > 0; };
   std::set<std::string> who;
   bool are_all = true;
-  for (const Finding& finding : judged.findings) {
-    if (is_best(finding.first) == is_best(finding.second) || !is_difference(finding.verdict)) continue;
+  for (const Finding& finding : findings_of_best(judged)) {
+    if (!is_difference(finding.verdict)) continue;
     are_all &= finding.is_within_margin;
     if (finding.is_within_margin) who.insert(is_best(finding.first) ? finding.second : finding.first);
   }
@@ -227,10 +237,7 @@ std::string by_little(const Judged& judged) {
 // "(p < 0.0001)", of the pair with the largest; empty where a verdict has none.
 std::string most_p(const Judged& judged) {
   double most = 0;
-  for (const Finding& finding : judged.findings) {
-    const auto is_best = [&](const std::string& name) { return std::ranges::count(judged.headline.best, name) > 0; };
-    if (is_best(finding.first) != is_best(finding.second)) most = std::max(most, finding.p.value_or(1));
-  }
+  for (const Finding& finding : findings_of_best(judged)) most = std::max(most, finding.p.value_or(1));
   return most == 1
              ? ""
              : fmt::format(" (p {}{})", most < 0.0001 ? "" : "at most ", p_text(most, {judged.plan.significance}));
@@ -239,12 +246,10 @@ std::string most_p(const Judged& judged) {
 std::string best(const Shown& shown) {
   const Judged& judged = shown.decisive();
   const std::vector<std::size_t> order = best_first(judged, shown.metrics);
-  std::vector<std::string> names = judged.headline.best;
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = name_of(judged, order[i]);
-  const std::size_t others = order.size() - names.size();
-  std::vector<std::string> beaten;
-  for (std::size_t i = names.size(); i < order.size(); ++i) beaten.push_back(name_of(judged, order[i]));
-  const std::string other = others <= 2 ? listed(beaten) : fmt::format("each of the {} others", others);
+  std::vector<std::string> names, beaten;
+  for (const std::size_t i : order)
+    (names.size() < judged.headline.best.size() ? names : beaten).push_back(name_of(judged, i));
+  const std::string other = beaten.size() <= 2 ? listed(beaten) : fmt::format("each of the {} others", beaten.size());
   const bool are_listed = judged.findings.size() <= most_pairs;
   std::string text = fmt::format("{} {}{}: {}", names_of(names),
                                  names.size() > 1    ? "are best"
