@@ -88,7 +88,7 @@ void refuse_unknown_figures(const std::vector<std::string>& names) {
 }
 
 // Leaves the figures of these names or first words: "error" is error-boxes and error-by-point.
-void choose_figures(show::Reported& reported, const std::vector<std::string>& names) {
+void choose_figures(show::Report& reported, const std::vector<std::string>& names) {
   std::vector<std::string> there;
   std::set<std::string> unknown(names.begin(), names.end());
   const auto is_left_out = [&](const figures::Figure& figure) {
@@ -191,7 +191,7 @@ std::vector<std::string> references_of(std::string_view name) {
   return keys;
 }
 
-void announce(show::Reported reported, const std::filesystem::path& folder, const ReportArguments& arguments,
+void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const FigureStyle& style, const std::string& screen) {
   if (!arguments.figures.empty() && are_drawn(arguments.figures)) choose_figures(reported, arguments.figures);
   std::set<std::string> names{reported.study.definition.robot, reported.study.definition.published}, keys;
@@ -200,20 +200,20 @@ void announce(show::Reported reported, const std::filesystem::path& folder, cons
   for (const std::string& name : names) std::ranges::copy(references_of(name), std::inserter(keys, keys.end()));
   reported.keys.assign(keys.begin(), keys.end());
   std::optional<ProgressBar> bar(std::in_place, "drawing", "figures");
-  show::Published published =
+  show::Written written =
       show::publish(reported, folder,
                     {.render = are_drawn(arguments.figures),
                      .progress = [&](std::int64_t done, std::int64_t all) { bar->show({.done = done, .total = all}); },
                      .style = style},
                     program_name());
   bar.reset();  // leaves its line to the screen
-  for (const std::string& warning : published.warnings) warn(warning);
+  for (const std::string& warning : written.warnings) warn(warning);
   if (arguments.is_json) {
     numerics::OrderedJson json = show::to_json(reported.shown);
-    json["files"] = published.files;
+    json["files"] = written.files;
     return show_json(json);
   }
-  const std::string page = published.page.string();
+  const std::string page = written.page.string();
   fmt::print("{}", printable(screen.empty() ? show::screen(reported.shown, page)
                                             : fmt::format("{}Report: {}\n", screen, page)));
 }
@@ -223,7 +223,7 @@ void write_and_announce(const Store& store, const StoredStudy& study, const std:
   const FigureStyle style = styled(study, arguments);
   compare::JudgedStudy judged = compare::judge(exported_study(store, study, folder));
   std::vector<figures::Figure> pictures = figures::of_study(judged, figures::look_of(judged.study.entry.series, style));
-  announce(show::reported(std::move(judged), std::move(pictures)), folder, arguments, style);
+  announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, style);
 }
 
 compare::StudyResults checked_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {

@@ -40,7 +40,7 @@ void check_plan(const experiments::Study& study);
 // The keys of docs/references.bib whose keywords name a solver, an arm or a paper.
 std::vector<std::string> references_of(std::string_view name);
 // Writes the report into the folder, and prints its screen (the study's, if it is empty) or JSON.
-void announce(show::Reported reported, const std::filesystem::path& folder, const ReportArguments& arguments,
+void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const results::FigureStyle& style, const std::string& screen = {});
 // The report of a study of the store, written and announced.
 void write_and_announce(const results::Store& store, const results::StoredStudy& study,

@@ -110,7 +110,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
 
   const figures::Look look = figures::look_of(all.front().study.entry.series, style);
   const bool is_slim2023 = paper.name == "slim2023";
-  show::Reported reported = show::reported(
+  show::Report reported = show::report_of(
       all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look) : figures::of_study(all.front(), look));
   for (const compare::JudgedStudy* const companion : repeated.companions) {
     for (const compare::Doubt& doubt : show::shown(*companion).all_doubts())

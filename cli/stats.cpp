@@ -52,7 +52,7 @@ std::string direction_of(const std::vector<compare::Judged>& metrics, bool is_as
 }
 
 // With figures, and the look that they have, if there is a folder for them.
-show::Reported judged(const StatsArguments& arguments, results::FigureStyle& style) {
+show::Report judged(const StatsArguments& arguments, results::FigureStyle& style) {
   const std::string text = contents_of(arguments.file), source = name_of_source(arguments.file);
   csv::Quantities quantities = arguments.are_summaries ? csv::read_summaries(text, source, arguments.csv)
                                                        : csv::read(text, source, arguments.csv);
@@ -61,7 +61,7 @@ show::Reported judged(const StatsArguments& arguments, results::FigureStyle& sty
     const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, each);
     metrics.push_back(compare::judge(std::move(each), plan));
   }
-  show::Reported reported;
+  show::Report reported;
   if (!arguments.out.empty()) {
     std::vector<results::Series> groups;
     for (const compare::Group& group : metrics.front().observations.groups)
@@ -85,7 +85,7 @@ void stats(const StatsArguments& arguments) {
           fmt::format("--out {}: the {} of a study is there; choose another folder", arguments.out, file));
   }
   results::FigureStyle style;
-  show::Reported reported = judged(arguments, style);
+  show::Report reported = judged(arguments, style);
   if (!arguments.out.empty()) return announce(std::move(reported), arguments.out, arguments.report, style);
   if (arguments.report.is_json) return show_json(show::to_json(reported.shown));
   fmt::print("{}", printable(show::screen(reported.shown, "")));

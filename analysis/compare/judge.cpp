@@ -60,10 +60,6 @@ Judged judge(Observations observations, const Plan& plan) {
   return judged;
 }
 
-Judged judge(const StudyResults& study, const Metric& metric) {
-  return judge(observe(study, metric), study.definition.plan);
-}
-
 double average_of(const Judged& judged, std::size_t group) {
   const Description& its = judged.described[group];
   const bool is_mean =

@@ -41,8 +41,6 @@ struct JudgedStudy {
 };
 
 JudgedStudy judge(StudyResults study);
-// A metric that is not in every report.
-Judged judge(const StudyResults& study, const Metric& metric);
 
 // Null if the study has no such metric, by its column.
 const Judged* judged_of(const JudgedStudy& judged, std::string_view column);

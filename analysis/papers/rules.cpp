@@ -49,7 +49,7 @@ bool is_rival(const std::string& name, const Claim& claim) {
 // As its report judged it, so that a claim and the report cannot disagree. What a report does not have is judged alike.
 Judged judged_in(const JudgedStudy& study, const Metric& metric) {
   const Judged* const reported = judged_of(study, metric.column);
-  return reported ? *reported : judge(study.study, metric);
+  return reported ? *reported : judge(observe(study.study, metric), study.study.definition.plan);
 }
 
 Judged spread_of(const Judged& judged) {

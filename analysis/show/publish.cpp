@@ -94,13 +94,13 @@ void keep_telling(Table& pairs, const Shown& shown) {
 
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
 // warnings; a caption says of what. `brief` is what is shown, with short names.
-Table for_article(Table table, const Reported& reported, const Shown& brief) {
+Table for_article(Table table, const Report& report, const Shown& brief) {
   if (table.name == "results") table = results_table(brief);
   if (table.name == "pairs") table = pairs_table(brief);
   if (table.name == "descriptives") table = descriptives_table(brief);
   const bool are_pairs = table.name == "pairs";
   if (are_pairs) {
-    const std::string& metric = reported.shown.decisive().observations.quantity;
+    const std::string& metric = report.shown.decisive().observations.quantity;
     std::erase_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) != metric; });
     table.caption += ": " + metric;
     keep_telling(table, brief);
@@ -120,11 +120,10 @@ Table for_article(Table table, const Reported& reported, const Shown& brief) {
     if (const std::size_t at = note.find(" (--better"); at != std::string::npos)
       note.erase(at, note.find(')', at) + 1 - at);
   }
-  const std::string& name = reported.study.entry.name;
+  const std::string& name = report.study.entry.name;
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
-  if (!reported.study.entry.series.empty())
-    table.caption +=
-        fmt::format(". {}. A solve ends at {}.", what_is_studied(reported.study), stops_of(reported.study));
+  if (!report.study.entry.series.empty())
+    table.caption += fmt::format(". {}. A solve ends at {}.", what_is_studied(report.study), stops_of(report.study));
   else if (!name.empty())
     table.caption += fmt::format(" of {}", name);
   return table;
@@ -152,69 +151,69 @@ void write_table(const Table& table, const fs::path& folder, const std::string& 
   write_table(table, table, folder, program);
 }
 
-Published publish(const Reported& reported, const fs::path& folder, const figures::RenderOptions& options,
-                  const std::string& program) {
+Written publish(const Report& report, const fs::path& folder, const figures::RenderOptions& options,
+                const std::string& program) {
   results::refuse_links(folder);
   for (const char* name : own_files) numerics::refuse_input(folder / name);
   const std::vector<std::string> earlier = files_of_earlier(folder);
   for (const std::string& file : earlier) numerics::refuse_input(folder / file);
-  std::vector<Blocks> sections = sections_of(reported);
+  std::vector<Blocks> sections = sections_of(report);
   const std::vector<figures::Figure> figures = figures_in(sections);
-  Published published{.page = folder / own_files[0]};
-  published.warnings = figures::write_figures(figures, folder / "figures", options);
+  Written written{.page = folder / own_files[0]};
+  written.warnings = figures::write_figures(figures, folder / "figures", options);
 
-  std::vector<std::string>& files = published.files;
+  std::vector<std::string>& files = written.files;
   std::ranges::copy(own_files, std::back_inserter(files));
-  const bool is_of_study = !reported.study.entry.series.empty();
+  const bool is_of_study = !report.study.entry.series.empty();
   if (!is_of_study || !fs::is_regular_file(folder / own_files[3])) files.pop_back();
   if (is_of_study) {
     files.emplace_back("tables/methods.tex");
-    const auto& keys = reported.keys;
-    results::write_file(folder / files.back(),
-                        fmt::format("{}{}{}{}.\n% Keys of docs/references.bib\n",
-                                    latex_text(methods_of(reported.shown, reported.study)),
-                                    keys.empty() ? "" : " \\cite{", fmt::join(keys, ","), keys.empty() ? "" : "}"));
+    const auto& keys = report.keys;
+    results::write_file(
+        folder / files.back(),
+        fmt::format("{}{}{}{}.\n% Keys of docs/references.bib\n", latex_text(methods_of(report.shown, report.study)),
+                    keys.empty() ? "" : " \\cite{", fmt::join(keys, ","), keys.empty() ? "" : "}"));
   }
-  const Shown brief = with_short_names(reported.shown, 20);
+  const Shown brief = with_short_names(report.shown, 20);
   for (const Blocks& blocks : sections) {
     for (const Block& block : blocks) {
       if (!std::holds_alternative<Table>(block)) continue;
       const Table& table = std::get<Table>(block);
       if (table.name.empty()) continue;
-      write_table(table, for_article(table, reported, brief), folder / "tables", program);
+      write_table(table, for_article(table, report, brief), folder / "tables", program);
       for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table.name, type));
     }
   }
   std::ranges::move(files_of(figures, folder), std::back_inserter(files));
   std::ranges::sort(files);
 
-  Json json = to_json(reported.shown);
+  Json json = to_json(report.shown);
   json["files"] = files;
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
   for (Blocks& blocks : sections) {
     for (Block& block : blocks) {
       if (auto* const table = std::get_if<Table>(&block); table && table->name == "pairs")
-        keep_telling(*table, reported.shown);
+        keep_telling(*table, report.shown);
     }
   }
   results::write_file(folder / "report.md", to_markdown(sections, folder));
-  const std::string& title = reported.study.definition.title;
+  const std::string& title = report.study.definition.title;
   std::optional<std::string> arm;
   if (is_of_study) {
     std::vector<std::string> order;
-    for (const std::size_t i : best_first(reported.shown.decisive(), reported.shown.metrics))
-      order.push_back(reported.shown.decisive().observations.groups[i].name);
-    arm = moving_arm(reported.study, order);
+    for (const std::size_t i : best_first(report.shown.decisive(), report.shown.metrics))
+      order.push_back(report.shown.decisive().observations.groups[i].name);
+    arm = moving_arm(report.study, order);
   }
   if (arm && !drawing_library())
-    published.warnings.emplace_back("the page has no moving arm: three.js (libjs-three) is missing or cannot be read");
-  results::write_file(published.page,
-                      to_page(title.empty() ? reported.study.entry.name : title, sections, arm, folder, program));
+    written.warnings.emplace_back("the page has no moving arm: three.js (libjs-three) is missing or cannot be read");
+  results::write_file(written.page,
+                      to_page(title.empty() ? report.study.entry.name : title, sections, arm, folder, program));
   for (const std::string& file : earlier) {
     std::error_code none;
     if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, none);
   }
-  return published;
+  return written;
 }
 
 }  // namespace ikbench::show

@@ -13,7 +13,7 @@
 namespace ikbench::show {
 
 // What sections are made of.
-struct Reported {
+struct Report {
   compare::StudyResults study;  // a user's file: its name alone
   Shown shown;
   std::vector<figures::Figure> figures;
@@ -25,11 +25,11 @@ struct Reported {
   std::vector<std::string> warnings = {};  // beside the study's own
   std::vector<std::string> keys = {};      // that tables/methods.tex cites, of docs/references.bib
 };
-Reported reported(compare::JudgedStudy judged, std::vector<figures::Figure> figures);
+Report report_of(compare::JudgedStudy judged, std::vector<figures::Figure> figures);
 
 // The blocks of each section of sections.inc, and of the additions after the pictures; empty ones are left out. The
 // first begins with the headline.
-std::vector<Blocks> sections_of(const Reported& reported);
+std::vector<Blocks> sections_of(const Report& report);
 
 // They show the pictures that stand in `figures` of the report's folder. The page also has the moving arm, if
 // there is one.
@@ -43,7 +43,7 @@ std::vector<std::string> types_of(const figures::Figure& figure, const std::file
 // NAME.csv, NAME.md and NAME.tex.
 void write_table(const Table& table, const std::filesystem::path& folder, const std::string& program);
 
-struct Published {
+struct Written {
   std::filesystem::path page;         // report.html
   std::vector<std::string> files;     // all, from the folder
   std::vector<std::string> warnings;  // figures that were not drawn
@@ -51,8 +51,8 @@ struct Published {
 // Writes report.html, report.md, results.json, tables/ and figures/ beside the study's solves.csv, which whoever reads
 // its solves has written (results/export.hpp); removes what an earlier report wrote, and this one does not. `program`
 // made it, with its version. Throws std::invalid_argument if the folder cannot be written.
-Published publish(const Reported& reported, const std::filesystem::path& folder, const figures::RenderOptions& options,
-                  const std::string& program = {});
+Written publish(const Report& report, const std::filesystem::path& folder, const figures::RenderOptions& options,
+                const std::string& program = {});
 
 // The last screen of `run`, `report`, `compare` and `stats`: the headline, the table of results, pairs, warnings; where
 // `page` is, if it is not empty. Pairs are those of the metric of the headline, up to most_pairs (words.hpp); where

@@ -20,64 +20,64 @@ Blocks with_heading(std::string heading, Blocks blocks) {
   return blocks;
 }
 
-Blocks first(const Reported& reported) {
-  if (!reported.first.empty()) return reported.first;
-  Blocks blocks{Heading{headline(reported.shown)}};
-  if (!reported.study.entry.series.empty()) blocks.emplace_back(what_is_studied(reported.study) + '.');
-  blocks.emplace_back(results_table(reported.shown));
+Blocks first(const Report& report) {
+  if (!report.first.empty()) return report.first;
+  Blocks blocks{Heading{headline(report.shown)}};
+  if (!report.study.entry.series.empty()) blocks.emplace_back(what_is_studied(report.study) + '.');
+  blocks.emplace_back(results_table(report.shown));
   Table pairs{.caption = "Pairs", .columns = {{"pair"}, {"verdict"}, {"difference"}, {"p"}}};
-  for (const std::vector<std::string>& row : pair_rows(reported.shown)) pairs.rows.emplace_back(row.begin(), row.end());
+  for (const std::vector<std::string>& row : pair_rows(report.shown)) pairs.rows.emplace_back(row.begin(), row.end());
   if (!pairs.rows.empty()) blocks.emplace_back(std::move(pairs));
   return blocks;
 }
 
-Blocks claims(const Reported& reported) { return reported.claims; }
+Blocks claims(const Report& report) { return report.claims; }
 
-Blocks pictures(const Reported& reported) {
-  return with_heading("Pictures", {reported.figures.begin(), reported.figures.end()});
+Blocks pictures(const Report& report) {
+  return with_heading("Pictures", {report.figures.begin(), report.figures.end()});
 }
 
 Blocks table_if_any(std::string heading, Table table) {
   return table.rows.empty() ? Blocks() : Blocks{Heading{std::move(heading)}, std::move(table)};
 }
 
-Blocks pairs(const Reported& reported) { return table_if_any("Who is better?", pairs_table(reported.shown)); }
-Blocks descriptives(const Reported& reported) {
-  return reported.has_own_numbers ? Blocks() : table_if_any("All numbers", descriptives_table(reported.shown));
+Blocks pairs(const Report& report) { return table_if_any("Who is better?", pairs_table(report.shown)); }
+Blocks descriptives(const Report& report) {
+  return report.has_own_numbers ? Blocks() : table_if_any("All numbers", descriptives_table(report.shown));
 }
-Blocks anova(const Reported& reported) {
-  return reported.has_own_numbers ? Blocks() : table_if_any("All solvers at once", anova_table(reported.shown));
+Blocks anova(const Report& report) {
+  return report.has_own_numbers ? Blocks() : table_if_any("All solvers at once", anova_table(report.shown));
 }
 
-Blocks warnings(const Reported& reported) {
+Blocks warnings(const Report& report) {
   Blocks blocks;
-  for (const Doubt& doubt : reported.shown.all_doubts()) blocks.emplace_back(warning_of(doubt));
-  for (const std::string& warning : reported.warnings) blocks.emplace_back(warning);
+  for (const Doubt& doubt : report.shown.all_doubts()) blocks.emplace_back(warning_of(doubt));
+  for (const std::string& warning : report.warnings) blocks.emplace_back(warning);
   return with_heading("Warnings", std::move(blocks));
 }
 
-Blocks setup(const Reported& reported) {
-  if (reported.study.entry.series.empty()) return {};  // of a user's file
-  return with_heading(
-      "Set-up", {methods_of(reported.shown, reported.study) + ". For LaTeX, with what to cite: tables/methods.tex.",
-                 study_table(reported.study), options_table(reported.study), machine_table(reported.study)});
+Blocks setup(const Report& report) {
+  if (report.study.entry.series.empty()) return {};  // of a user's file
+  return with_heading("Set-up",
+                      {methods_of(report.shown, report.study) + ". For LaTeX, with what to cite: tables/methods.tex.",
+                       study_table(report.study), options_table(report.study), machine_table(report.study)});
 }
 
 }  // namespace
 
-Reported reported(JudgedStudy judged, std::vector<figures::Figure> figures) {
-  Reported reported{.shown = shown(judged), .figures = std::move(figures)};
-  reported.study = std::move(judged.study);
-  return reported;
+Report report_of(JudgedStudy judged, std::vector<figures::Figure> figures) {
+  Report report{.shown = shown(judged), .figures = std::move(figures)};
+  report.study = std::move(judged.study);
+  return report;
 }
 
-std::vector<Blocks> sections_of(const Reported& reported) {
+std::vector<Blocks> sections_of(const Report& report) {
   std::vector<Blocks> sections;
   const auto add = [&](std::string_view name, Blocks blocks) {
     if (!blocks.empty()) sections.push_back(std::move(blocks));
-    if (name == "pictures") std::ranges::copy(reported.additions, std::back_inserter(sections));
+    if (name == "pictures") std::ranges::copy(report.additions, std::back_inserter(sections));
   };
-#define SECTION(name) add(#name, name(reported));
+#define SECTION(name) add(#name, name(report));
 #include "analysis/show/sections.inc"
 #undef SECTION
   return sections;

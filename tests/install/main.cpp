@@ -54,7 +54,7 @@ solvers = [{ label = "random", solver = "random_search" }]
   study.solvers.push_back({.label = "mine", .solver = climb.name, .own = std::make_shared<solvers::SolverInfo>(climb)});
   results::Store store("made/store.sqlite", results::Store::Mode::write);
   experiments::run(study, store, {});
-  const auto reported = show::reported(compare::judge(compare::read_study(store, store.study("mine"))), {});
+  const auto reported = show::report_of(compare::judge(compare::read_study(store, store.study("mine"))), {});
   show::publish(reported, "made", {.render = false});
   std::puts(show::headline(reported.shown).c_str());
   std::puts(show::to_markdown(show::results_table(reported.shown)).c_str());

@@ -12,8 +12,8 @@ figures::Figure figure(const std::string& name) {
           .data = "1 2\n2 1\n"};
 }
 
-Reported report_of(const std::string& mine = "mine") {
-  return reported(judged_study(mine), {figure("solved"), figure("error-boxes")});
+Report report_of(const std::string& mine = "mine") {
+  return ikbench::show::report_of(judged_study(mine), {figure("solved"), figure("error-boxes")});
 }
 
 std::size_t words_in(const std::string& text) {
@@ -58,7 +58,7 @@ TEST_CASE("each section has its words", "[show]") {
 }
 
 TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
-  const Reported report = report_of();
+  const Report report = report_of();
   const auto json = to_json(report.shown);
   const Table results = results_table(report.shown);
   const std::string on_screen = screen(report.shown);
@@ -146,7 +146,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   const ScratchFolder folder;
   const std::string hostile = "mine</script><script>alert(1)</script>{{scripts}}|";
   const figures::RenderOptions options{.render = false};
-  Reported before = report_of();
+  Report before = report_of();
   before.figures.push_back(figure("joints"));
   results::write_file(folder.path / "store.sqlite", "not ours");
   results::write_file(folder.path / "solves.csv", "");
@@ -158,7 +158,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
                                [](const auto& entry) { return entry.path().stem() == "joints"; });
   };
   CHECK(has_gone());
-  const Published published = publish(report_of(hostile), folder.path, options);
+  const Written written = publish(report_of(hostile), folder.path, options);
   CHECK_FALSE(has_gone());
   CHECK(fs::exists(folder.path / "store.sqlite"));
   CHECK(fs::exists(folder.path / "tables" / "own.csv"));
@@ -170,7 +170,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
                            "tables/pairs.tex", "tables/methods.tex", "tables/descriptives.md", "tables/anova.csv"})
     CHECK(std::ranges::find(json["files"], file) != json["files"].end());
 
-  const std::string page = *results::read_file(published.page), text = *results::read_file(folder.path / "report.md");
+  const std::string page = *results::read_file(written.page), text = *results::read_file(folder.path / "report.md");
   CHECK(page.find("<script>alert") == std::string::npos);
   CHECK(page.find("src=\"http") == std::string::npos);
   CHECK(contains(page, "{{"));  // the label's own, as text
@@ -298,7 +298,7 @@ TEST_CASE("values below the floor of a ratio are told once", "[show]") {
 TEST_CASE("a report without a picture has no folder of pictures", "[show]") {
   const ScratchFolder folder;
   publish(report_of(), folder.path, {.render = false});
-  Reported none = report_of();
+  Report none = report_of();
   none.figures.clear();
   for (const std::string& file : publish(none, folder.path, {}).files) CHECK_FALSE(file.starts_with("figures"));
   CHECK_FALSE(fs::exists(folder.path / "figures" / "style.gp"));
@@ -307,7 +307,7 @@ TEST_CASE("a report without a picture has no folder of pictures", "[show]") {
 }
 
 TEST_CASE("a paper has its own first screen and sections", "[show]") {
-  Reported paper = report_of();
+  Report paper = report_of();
   paper.first = {Heading{"The paper's claim holds."},
                  Table{.name = "table-3", .caption = "Table 3", .columns = {{"solver"}}}};
   paper.claims = {Heading{"Claims"}, "It holds."};
