@@ -1,7 +1,6 @@
 #include "analysis/papers/claims.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -125,7 +124,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
   std::string text, last;  // verdict
   const auto add = [&](const std::string& words, const std::string& first = "") {
     const std::string indent(std::max<std::size_t>(2, first.size()), ' ');
-    text += fmt::format("{}\n", fmt::join(show::wrapped(words, indent, first), "\n"));
+    text += show::wrapped(words, indent, first);
   };
   for (const std::string& sentence : sentences) add(sentence);
   text += fmt::format("\n{}\n{}\n", table.caption, show::to_text(table));

@@ -345,9 +345,7 @@ std::string to_text(const Table& whole) {
     }
   }
   std::string text = aligned(rows, 3, width);
-  for (const std::string& note : table.notes) {
-    for (const std::string& line : wrapped(note, "")) text += line + '\n';
-  }
+  for (const std::string& note : table.notes) text += wrapped(note, "");
   return text;
 }
 

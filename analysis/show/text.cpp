@@ -188,10 +188,11 @@ std::string aligned(const Rows& rows, std::size_t gap, std::size_t width) {
   return text;
 }
 
-std::vector<std::string> wrapped(const std::string& text, const std::string& indent, const std::string& first) {
+std::string wrapped(const std::string& text, const std::string& indent, const std::string& first) {
   constexpr std::size_t width = 100;
-  std::vector<std::string> lines = broken(one_line(text), width - character_count(first), width - indent.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = (i == 0 ? first : indent) + lines[i];
+  std::string lines;
+  for (const std::string& line : broken(one_line(text), width - character_count(first), width - indent.size()))
+    lines += (lines.empty() ? first : indent) + line + '\n';
   return lines;
 }
 

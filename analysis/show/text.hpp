@@ -34,6 +34,6 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size
 
 // Lines of a screen, at most 100 columns, which break between words; the first begins with `first`, others with
 // `indent`.
-std::vector<std::string> wrapped(const std::string& text, const std::string& indent, const std::string& first = {});
+std::string wrapped(const std::string& text, const std::string& indent, const std::string& first = {});
 
 }  // namespace ikbench::show
