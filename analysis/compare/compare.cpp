@@ -313,6 +313,11 @@ std::string_view name_of(Verdict verdict) {
 
 bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }
 
+Verdict turned(Verdict verdict) {
+  if (!is_difference(verdict)) return verdict;
+  return verdict == Verdict::better ? Verdict::worse : Verdict::better;
+}
+
 std::vector<Finding> compare(const Observations& observed, const Plan& plan) {
   if (!plan.control.empty() && place_of(observed, plan.control) == observed.groups.size())
     throw std::invalid_argument("the control '" + plan.control + "' is no group");
@@ -355,11 +360,7 @@ Finding better_first(Finding finding, std::string_view control) {
   if (const auto of = finding.interval)
     finding.interval = Interval{turn(of->high), turn(of->low), of->excludes_high, of->excludes_low};
   if (finding.effect) finding.effect = 1 - *finding.effect;
-  if (finding.verdict == Verdict::better) {
-    finding.verdict = Verdict::worse;
-  } else if (finding.verdict == Verdict::worse) {
-    finding.verdict = Verdict::better;
-  }
+  finding.verdict = turned(finding.verdict);
   return finding;
 }
 

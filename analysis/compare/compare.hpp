@@ -59,6 +59,8 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan);
 
 // better or worse
 bool is_difference(Verdict verdict);
+// Of the second.
+Verdict turned(Verdict verdict);
 
 // Who is worse than another.
 std::set<std::string> losers_of(const std::vector<Finding>& findings);

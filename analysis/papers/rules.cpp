@@ -391,9 +391,7 @@ Observations deviations(Observations observed) {
 Verdict verdict_between(const Judged& judged, std::string_view first, std::string_view second) {
   const Finding* const finding = finding_of(judged, first, second);
   if (finding == nullptr) return Verdict::not_tested;
-  const Verdict verdict = finding->verdict;
-  if (finding->first == first || !is_difference(verdict)) return verdict;
-  return verdict == Verdict::better ? Verdict::worse : Verdict::better;
+  return finding->first == first ? finding->verdict : turned(finding->verdict);
 }
 
 }  // namespace ikbench::papers
