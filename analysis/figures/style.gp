@@ -27,7 +27,6 @@ do for [i = 1:13 * hues] {
     dt int(word(dashes, (i - 1) / hues % 5 + 1))
 }
 set style line 1000 lw 0.4 lc rgb "#DDDDDD" dt 1
-set style line 1001 lw 1.3 lc rgb "#000000" dt 1
 
 set border 3 lw 0.6
 set tics out nomirror scale 0.6, 0.3
