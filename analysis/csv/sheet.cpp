@@ -75,10 +75,7 @@ bool is_one_of(std::string_view text, const Words& words) {
 }
 
 std::string in_quotes(std::string_view text) {
-  std::string line(numerics::front(text, 60));
-  std::ranges::replace_if(
-      line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return fmt::format("'{}'", line);
+  return fmt::format("'{}'", numerics::one_line(numerics::front(text, 60)));
 }
 
 Sheet::Sheet(std::string_view text, std::string_view source, char separator, char decimal)
