@@ -39,11 +39,6 @@ CurveRow row_at(double x, const std::vector<double>& values, Average average) {
   return {.x = x, .y = all.median, .low = all.lower_quartile, .high = all.upper_quartile};
 }
 
-About about_of(const StudyResults& study, const Metric& metric, std::string caption) {
-  const auto [unit, factor] = drawn_unit(study, metric.unit);
-  return {"", std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
-}
-
 std::string observation_of(const StudyResults& study, const Metric& metric) {
   const std::string_view average = metric.kind == Kind::time ? "median" : "mean";
   if (study.definition.is_chained()) return fmt::format("the {} of a run", average);
@@ -206,6 +201,11 @@ Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle s
   for (const NamedSolver& solver : named) labels.push_back(solver.label);
   look.names = short_names(labels, 36);
   return look;
+}
+
+About about_of(const StudyResults& study, const Metric& metric, std::string caption) {
+  const auto [unit, factor] = drawn_unit(study, metric.unit);
+  return {"", std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
 }
 
 std::vector<std::string> shown_solvers(const StudyResults& study, const Look& look) {

@@ -38,6 +38,9 @@ std::vector<Figure> of_study(const compare::JudgedStudy& judged, const Look& loo
 // Of a user's file: boxes of each metric that has values, and the differences of the first.
 std::vector<Figure> of_file(const std::vector<compare::Judged>& metrics, const Look& look);
 
+// Of a metric, in the unit that figures have.
+About about_of(const compare::StudyResults& study, const compare::Metric& metric, std::string caption);
+
 // The solvers that figures show, in their order.
 std::vector<std::string> shown_solvers(const compare::StudyResults& study, const Look& look);
 int style_of(const Look& look, const std::string& solver);

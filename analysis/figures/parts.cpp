@@ -116,6 +116,8 @@ double round_step_of(double span, double places) {
   return 10 * power;
 }
 
+std::string colour_of(int style) { return style > 0 ? fmt::format("lc rgb colour_of({})", style) : "lc rgb '#808080'"; }
+
 double width_cm_of(std::string_view label) {
   constexpr std::string_view narrow = "fijlrt.,:;|!'()[] -I", wide = "mwMW@%OQGDHN";
   double cm = 0;
@@ -237,7 +239,7 @@ void add_names(Figure& figure, std::vector<Named> marks) {
     const auto& [label, style, y, x] = marks[i];
     const std::string at_name =
                           fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.3), text_of(at[i])),
-                      colour = style > 0 ? fmt::format("lc rgb colour_of({})", style) : "lc rgb '#808080'";
+                      colour = colour_of(style);
     figure.settings += fmt::format(
         "set label {0} at {1} left offset {2}, 0 noenhanced\n"
         "set arrow from graph {3}, graph {4} to {1} nohead back lw 0.5 dt 3 {5}\n",

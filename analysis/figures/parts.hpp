@@ -23,6 +23,9 @@ std::string plotted(const std::vector<std::string>& clauses);
 // The smallest of 1, 2 and 5 times a power of ten that marks at most `places` places of a span.
 double round_step_of(double span, double places);
 
+// "lc rgb colour_of(3)"; of 0 grey.
+std::string colour_of(int style);
+
 double width_cm_of(std::string_view label);  // approximately
 
 // An axis: its commands, which set title, range and ticks, and the function place_x(v) or place_y(v) of values within

@@ -18,7 +18,7 @@ using namespace numerics;
 
 namespace {
 
-constexpr std::string_view grey = "lc rgb '#808080'", black = "lc rgb '#000000'";
+const std::string grey = colour_of(0), black = "lc rgb '#000000'";
 constexpr std::size_t most_rows = 60;     // of a figure, which fits a page
 constexpr std::size_t most_values = 200;  // drawn of a group
 constexpr std::size_t most_lines = 8;     // that can be told apart; the data file has all
@@ -243,8 +243,7 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
     figure.data += fmt::format("# {}\n{}", one_line(row.label),
                                data_row({static_cast<double>(i + 1), row.estimate, std::clamp(row.low, -1e300, 1e300),
                                          std::clamp(row.high, -1e300, 1e300)}));
-    const std::string line = fmt::format("data every ::{0}::{0} using", i),
-                      colour = row.style > 0 ? fmt::format("lc rgb colour_of({})", row.style) : std::string(grey);
+    const std::string line = fmt::format("data every ::{0}::{0} using", i), colour = colour_of(row.style);
     clauses.push_back(
         fmt::format("{} (place_x($3)):1:(place_x($4)-place_x($3)):(0) with vectors nohead lw 1.6 {}", line, colour));
     clauses.push_back(
@@ -358,8 +357,7 @@ Figure path(const About& about, const PathRows& rows) {
   if (!rows.targets.empty()) {
     add("target", fmt::format("0 using {} with points pt 7 ps 0.35 lc rgb '#000000'", target));
     add(rows.reached_label,
-        fmt::format("0 using (u($4,$5,$6)):(v($4,$5,$6)) with points pt 6 ps 0.8 lw 0.8 lc rgb colour_of({})",
-                    rows.style));
+        fmt::format("0 using (u($4,$5,$6)):(v($4,$5,$6)) with points pt 6 ps 0.8 lw 0.8 {}", colour_of(rows.style)));
   }
   // Three axes of one scale.
   double longest = 0;
@@ -497,8 +495,7 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
     xs.insert(xs.end(), {dot.x, dot.printed_x});
     ys.insert(ys.end(), {dot.y, dot.printed_y});
     figure.data += fmt::format("# {}\n{}", one_line(dot.label), data_row({dot.x, dot.y, dot.printed_x, dot.printed_y}));
-    const std::string line = fmt::format("data every ::{0}::{0} using", names.size()),
-                      colour = fmt::format("lc rgb colour_of({})", dot.style);
+    const std::string line = fmt::format("data every ::{0}::{0} using", names.size()), colour = colour_of(dot.style);
     names.push_back({label_of(dot.label), dot.style, dot.y, dot.x});
     clauses.push_back(fmt::format("{} (place_x($1)):(place_y($2)) with points ls {} dt 1 ps 0.9", line, dot.style));
     clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 {}", line, colour));

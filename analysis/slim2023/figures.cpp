@@ -17,25 +17,18 @@ namespace {
 
 constexpr std::string_view error = "position_error_cm", motion = "variation_deg", time = "seconds";
 
-About numbered(int number, const std::string& caption) {
-  return {.name = fmt::format("figure-{}", number), .caption = fmt::format("Figure {}. {}", number, caption)};
+About numbered(int number, About about) {
+  about.name = fmt::format("figure-{}", number);
+  about.caption = fmt::format("Figure {}. {}", number, about.caption);
+  return about;
 }
-
-About about_of(const StudyResults& study, const PaperMetric& of, int number, const std::string& caption) {
-  const Metric& metric = metric_named(of.column);
-  const auto [unit, factor] = drawn_unit(study, metric.unit);
-  const About head = numbered(number, caption);
-  return {head.name, head.caption, std::string(metric.name), unit, factor * metric.rounding};
-}
-
-std::string_view name_of(const PaperMetric& metric) { return metric_named(metric.column).name; }
 
 papers::PrintedRows in_print(std::string_view column) { return papers::printed_means("slim2023", "table-3", column); }
 
 Figure path_figure(const StudyResults& study, int number, std::size_t arms, const Look& look) {
   const std::string solver = shown_solvers(study, look).front();
-  return path(numbered(number, fmt::format("Targets, and what {} reached in its first run, with the arm{}.", solver,
-                                           arms == 1 ? "" : " at three of them")),
+  return path(numbered(number, {.caption = fmt::format("Targets, and what {} reached in its first run, with the arm{}.",
+                                                       solver, arms == 1 ? "" : " at three of them")}),
               path_rows(study, solver, arms, look));
 }
 
@@ -60,22 +53,24 @@ Figures of_helix(const JudgedStudy& judged, const Look& look) {
   Figures figures{overview_figure(judged, look), path_figure(study, 5, 1, look)};
   for (const PaperMetric& metric : paper_metrics) {
     const bool is_time = metric.column == time;
-    const About about =
-        about_of(study, metric, metric.curves,
-                 fmt::format("The {} at each point, {} of the runs.", name_of(metric), is_time ? "median" : "mean"));
-    figures.push_back(
-        curves(about, "point", by_point(study, metric.column, look, is_time ? Average::median : Average::mean)));
+    const Metric& drawn = metric_named(metric.column);
+    const About about = about_of(
+        study, drawn, fmt::format("The {} at each point, {} of the runs.", drawn.name, is_time ? "median" : "mean"));
+    figures.push_back(curves(numbered(metric.curves, about), "point",
+                             by_point(study, metric.column, look, is_time ? Average::median : Average::mean)));
   }
   const auto [rows, columns] = joint_rows(study, look);
   figures.push_back(
-      joints(numbered(9, "Joint angles along the path, first run of each solver. Dashed: limits."), rows, columns));
+      joints(numbered(9, {.caption = "Joint angles along the path, first run of each solver. Dashed: limits."}), rows,
+             columns));
   for (const PaperMetric& metric : paper_metrics) {
     const Judged* const values = judged_of(judged, metric.column);
     if (values == nullptr) continue;
+    const Metric& drawn = metric_named(metric.column);
     About about = about_of(
-        study, metric, metric.boxes,
+        study, drawn,
         fmt::format("The {}: a dot is the {} of a run; box: quartiles and median; whiskers: smallest and largest.",
-                    name_of(metric), metric.column == time ? "median" : "mean"));
+                    drawn.name, metric.column == time ? "median" : "mean"));
     if (metric.column == error) about.floor = 0.00005;  // errors are printed with four decimals
     std::vector<BoxRow> boxed =
         box_rows(*values, drawn_unit(study, values->observations.unit), shown_solvers(study, look), look);
@@ -84,7 +79,7 @@ Figures of_helix(const JudgedStudy& judged, const Look& look) {
       if (const auto* const of = papers::row_of(printed, row.label))
         row.printed = {of->numbers.smallest, of->numbers.median, of->numbers.largest};
     }
-    figures.push_back(boxes(about, boxed));
+    figures.push_back(boxes(numbered(metric.boxes, about), boxed));
   }
   return figures;
 }
@@ -92,7 +87,7 @@ Figures of_helix(const JudgedStudy& judged, const Look& look) {
 Figures of_circle(const StudyResults& study, const Look& look) {
   Figures figures{path_figure(study, 15, 3, look)};
   const auto [rows, columns] = joint_rows(study, look);
-  figures.push_back(joints(numbered(16, "Joint angles along the circle. Dashed: limits."), rows, columns));
+  figures.push_back(joints(numbered(16, {.caption = "Joint angles along the circle. Dashed: limits."}), rows, columns));
   std::vector<Line> errors = by_point(study, error, look, Average::mean);
   const CsvTable printed = results::published::table("slim2023", "table-8");
   Line& beside = errors.emplace_back(Line{.label = "as printed", .style = 0});
@@ -100,9 +95,9 @@ Figures of_circle(const StudyResults& study, const Look& look) {
     beside.rows.push_back({printed.number(row, "point"), printed.number(row, "error_cm")});
   const auto add = [&](int number, const std::string& caption, const std::string& axis,
                        const std::vector<Line>& lines) {
-    About about = about_of(study, paper_metrics[0], number, caption);
+    About about = about_of(study, metric_named(error), caption);
     about.floor = 0;  // all is rounding
-    figures.push_back(curves(about, axis, lines));
+    figures.push_back(curves(numbered(number, about), axis, lines));
   };
   add(17, "The error at each point, beside Table 8's.", "point", errors);
   add(18, "Best error after each iteration, mean of all solves.", "iteration",
