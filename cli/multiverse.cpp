@@ -101,7 +101,7 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
   CancelOnSignal signals;
   const MultiverseRequest request{
       .seeds = arguments.seeds, .overrides = arguments.overrides, .cancelled = &signals.requested()};
-  const auto multiverse = solved_multiverse(paper.name, varied, request, {"multiverse", folder, arguments.jobs});
+  const auto multiverse = solved_multiverse(paper.name, varied, request, folder, arguments.jobs);
   if (signals.end() || !multiverse) {
     say(fmt::format("Stopped. What is solved is in {}; to continue: {}", (folder / "series.csv").string(),
                     invocation.command));
@@ -114,14 +114,15 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
 }  // namespace
 
 std::optional<Multiverse> solved_multiverse(const std::string& study, const std::vector<Dimension>& varied,
-                                            const MultiverseRequest& request, const SeriesArguments& arguments) {
+                                            const MultiverseRequest& request, const std::filesystem::path& folder,
+                                            int jobs) {
   const MultiversePlan plan = plan_multiverse(study, varied, request);
   if (*request.cancelled) return std::nullopt;
-  SeriesMeans kept(arguments.folder / "series.csv");
-  ProgressBar bar(arguments.title);
+  SeriesMeans kept(folder / "series.csv");
+  ProgressBar bar("readings");
   const std::vector<RunMeans> means = solve_series(plan.parts, kept,
                                                    {.means_of = run_means,
-                                                    .jobs = arguments.jobs,
+                                                    .jobs = jobs,
                                                     .progress = [&](const Progress& progress) { bar.show(progress); },
                                                     .cancelled = request.cancelled});
   if (means.size() < plan.parts.size()) return std::nullopt;

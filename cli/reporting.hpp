@@ -70,17 +70,12 @@ std::optional<std::string> run_study(const experiments::Study& study, const resu
                                      const std::filesystem::path& folder, experiments::RunRequest request,
                                      results::Store::Mode mode = results::Store::Mode::write);
 
-struct SeriesArguments {
-  std::string title;             // title of the progress
-  std::filesystem::path folder;  // folder of series.csv, which keeps finished series
-  int jobs = 1;
-};
-// Solves all combinations of what a paper leaves open, with progress (multiverse.cpp). Returns nothing if the request
-// was cancelled: shares need all readings.
+// Solves all combinations of what a paper leaves open, with progress (multiverse.cpp); the folder's series.csv keeps
+// finished series. Returns nothing if the request was cancelled: shares need all readings.
 std::optional<papers::Multiverse> solved_multiverse(const std::string& study,
                                                     const std::vector<results::Dimension>& varied,
                                                     const experiments::MultiverseRequest& request,
-                                                    const SeriesArguments& arguments);
+                                                    const std::filesystem::path& folder, int jobs);
 
 // Writes and draws a figure, and warns if it was not drawn.
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options);

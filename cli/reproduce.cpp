@@ -90,7 +90,7 @@ std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& argumen
   CancelOnSignal signals;
   const MultiverseRequest request{
       .seeds = arguments.seeds, .overrides = overridden_runs(arguments), .cancelled = &signals.requested()};
-  const auto solved = solved_multiverse(paper.name, within(Scope::small, all), request, {"readings", folder, jobs});
+  const auto solved = solved_multiverse(paper.name, within(Scope::small, all), request, folder, jobs);
   if (!solved || signals.end()) {
     say(stopped);
     return std::nullopt;
