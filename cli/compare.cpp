@@ -51,9 +51,9 @@ struct Source {
   StudyResults side(const std::string& label, const CompareArguments& arguments) const {
     if (std::ranges::count(labels(), label) == 0)
       throw std::invalid_argument(numerics::unknown_name("label", label, labels()));
-    results::StoredStudy own = entry;
-    std::erase_if(own.series, [&](const results::Series& series) { return series.label != label; });
-    StudyResults study = checked_study(store, own);
+    results::StoredStudy of_label = entry;
+    std::erase_if(of_label.series, [&](const results::Series& series) { return series.label != label; });
+    StudyResults study = checked_study(store, of_label);
     if (!arguments.margin.empty()) study.definition.plan.margin = margin_from(arguments.margin);
     return study;
   }

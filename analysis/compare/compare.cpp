@@ -366,8 +366,9 @@ Finding better_first(Finding finding, std::string_view control) {
 
 std::set<std::string> losers_of(const std::vector<Finding>& findings) {
   std::set<std::string> losers;
-  for (const Finding& each : findings) {
-    if (is_difference(each.verdict)) losers.insert(each.verdict == Verdict::better ? each.second : each.first);
+  for (const Finding& finding : findings) {
+    if (is_difference(finding.verdict))
+      losers.insert(finding.verdict == Verdict::better ? finding.second : finding.first);
   }
   return losers;
 }
@@ -378,14 +379,14 @@ Headline headline(const Observations& observed, const Plan& plan, const std::vec
   if (losers.empty() || best == 0) return {.is_circle = !losers.empty()};
   Headline said;
   std::size_t known = 0;  // pairs of two unbeaten ones that were tested, and of one that beats a loser
-  for (const Finding& each : findings) {
-    const bool is_first_best = !losers.contains(each.first), is_second_best = !losers.contains(each.second);
-    if (is_first_best && is_second_best) known += each.verdict != Verdict::not_tested;
-    if (is_first_best == is_second_best || !is_difference(each.verdict)) continue;
+  for (const Finding& finding : findings) {
+    const bool is_first_best = !losers.contains(finding.first), is_second_best = !losers.contains(finding.second);
+    if (is_first_best && is_second_best) known += finding.verdict != Verdict::not_tested;
+    if (is_first_best == is_second_best || !is_difference(finding.verdict)) continue;
     ++known;
     if (said.usual.empty())
-      said = usually_better(observed, plan, is_first_best ? each.first : each.second,
-                            is_first_best ? each.second : each.first);
+      said = usually_better(observed, plan, is_first_best ? finding.first : finding.second,
+                            is_first_best ? finding.second : finding.first);
   }
   if (known < best * losers.size() + best * (best - 1) / 2) return {};
   for (const Group& group : observed.groups) {

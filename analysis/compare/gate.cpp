@@ -140,12 +140,12 @@ bool is_lost_for_sure(const Judged& judged) {
 // A metric of which all values vanished, though there are answers.
 void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
   if (judged.metrics.back().described.front().mean == 0) return;
-  for (const Judged& each : judged.metrics) {
-    const std::vector<Group>& groups = each.observations.groups;
+  for (const Judged& metric : judged.metrics) {
+    const std::vector<Group>& groups = metric.observations.groups;
     if (groups.front().lost == 0 || !groups.front().values.empty() || groups.back().values.empty()) continue;
     throw std::invalid_argument(
         fmt::format("not compared: {} lacks all {}, which it had before; if that is meant, make a new baseline", label,
-                    each.observations.quantity));
+                    metric.observations.quantity));
   }
 }
 
@@ -246,10 +246,10 @@ std::string compared_of(const Gate& gate) {
 }
 
 std::string sight_of(const Gate& gate) {
-  for (const Judged& each : gate.judged.metrics) {
-    if (each.observations.metric != "solved") continue;
-    if (each.findings.front().why == Why::apart) return "";
-    if (each.described.back().mean == 0) return "The baseline solved none, so no loss would show.";
+  for (const Judged& metric : gate.judged.metrics) {
+    if (metric.observations.metric != "solved") continue;
+    if (metric.findings.front().why == Why::apart) return "";
+    if (metric.described.back().mean == 0) return "The baseline solved none, so no loss would show.";
     return gate.visible_loss ? fmt::format("A loss of {:.2g} points or more would show in {}.",
                                            100 * *gate.visible_loss, compared_of(gate))
                              : fmt::format("No loss would show in {}: too few.", compared_of(gate));
@@ -258,8 +258,8 @@ std::string sight_of(const Gate& gate) {
 }
 
 int exit_code(const std::vector<Gate>& gates, bool is_strict) {
-  if (std::ranges::any_of(gates, [](const Gate& each) { return !each.worse.empty(); })) return 3;
-  const auto is_open = [](const Gate& each) { return !each.not_decided.empty() || !each.not_tested.empty(); };
+  if (std::ranges::any_of(gates, [](const Gate& gate) { return !gate.worse.empty(); })) return 3;
+  const auto is_open = [](const Gate& gate) { return !gate.not_decided.empty() || !gate.not_tested.empty(); };
   return is_strict && std::ranges::any_of(gates, is_open) ? 4 : 0;
 }
 

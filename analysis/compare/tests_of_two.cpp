@@ -274,10 +274,10 @@ double a12(Values first, Values second) {
 }
 
 double brunner_munzel(Values first, Values second, double shift) {
-  const Summary one = placements(first, second, shift), other = placements(second, first, -shift);
-  const double m = one.n, n = other.n;
-  const double u = one.sd * one.sd / m / (n * n), v = other.sd * other.sd / n / (m * m);
-  const double distance = std::abs(one.mean / n - 0.5);
+  const Summary of_first = placements(first, second, shift), of_second = placements(second, first, -shift);
+  const double m = of_first.n, n = of_second.n;
+  const double u = of_first.sd * of_first.sd / m / (n * n), v = of_second.sd * of_second.sd / n / (m * m);
+  const double distance = std::abs(of_first.mean / n - 0.5);
   if (u + v == 0) return distance == 0 ? 1 : 0;
   return 2 * bm::cdf(bm::complement(StudentsT(df_of(u, m, v, n)), distance / std::sqrt(u + v)));
 }
@@ -292,24 +292,24 @@ double mann_whitney(Values first, Values second) {
 Tested rank_test(Values first, Values second, double alpha) {
   const std::size_t few = std::min(first.size(), second.size());
   const RankSum& sum = without_ties<sum_of_some>(first.size() + second.size(), few);
-  const std::vector<double> one = sorted(first), other = sorted(second);
+  const std::vector<double> first_rising = sorted(first), second_rising = sorted(second);
   std::vector<double> negative;
-  for (const double value : other) negative.push_back(-value);
+  for (const double value : second_rising) negative.push_back(-value);
   const std::size_t rank = sum.critical(number(few) * number(few + 1) / 2, alpha);
-  Tested tested = of_sums(one, std::move(negative), false, rank);
+  Tested tested = of_sums(first_rising, std::move(negative), false, rank);
   // From an end of Mann-Whitney's, by bisection, as far as Brunner-Munzel reaches; more steps would lie within
   // rounding.
   const auto reached = [&](double from, double beyond) {
     for (int step = 0; step < 40; ++step) {
       const double shift = from + (beyond - from) / 2;
-      (brunner_munzel(one, other, shift) >= alpha ? from : beyond) = shift;
+      (brunner_munzel(first_rising, second_rising, shift) >= alpha ? from : beyond) = shift;
     }
     return from;
   };
   if (const auto of = tested.interval)
-    tested.interval =
-        Interval{reached(of->low, one.front() - other.back()), reached(of->high, one.back() - other.front())};
-  tested.p = std::max(brunner_munzel(one, other), mann_whitney(first, second));
+    tested.interval = Interval{reached(of->low, first_rising.front() - second_rising.back()),
+                               reached(of->high, first_rising.back() - second_rising.front())};
+  tested.p = std::max(brunner_munzel(first_rising, second_rising), mann_whitney(first, second));
   tested.direction = sign_of(a12(first, second) - 0.5);
   return tested;
 }

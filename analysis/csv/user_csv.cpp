@@ -76,8 +76,8 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   const std::size_t columns = sheet.titles().size();  // those of the file
   layout.label = named(request.label), layout.block = named(request.block);
   if (!request.run.empty()) layout.run = sheet.column(request.run);
-  for (const std::string& each : request.values) {
-    const std::size_t at = sheet.column(each);
+  for (const std::string& name : request.values) {
+    const std::size_t at = sheet.column(name);
     if (std::ranges::count(layout.values, at) == 0) layout.values.push_back(at);
   }
   if (!layout.label) layout.label = sheet.column_like(label_names);
@@ -102,17 +102,17 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   }
   if (!layout.label) {
     layout.rows = sheet.column_like(run_names);
-    const auto is_row = [&](std::size_t each) { return tells_rows(sheet, each); };
+    const auto is_row = [&](std::size_t column) { return tells_rows(sheet, column); };
     if (const auto found = std::ranges::find_if(numbers, is_row); found != numbers.end()) layout.rows = *found;
     std::erase_if(numbers, is_row);
     const bool has_other = !layout.block && !layout.values.empty() && !numbers.empty();
     if (has_other || layout.values.size() == 1 || (layout.values.empty() && numbers.size() == 1))
       sheet.refuse("no column of labels; name that of the groups with --label COLUMN");
-    const auto is_alike = [&](std::size_t each) { return is_setting(sheet, each); };  // as counts are
+    const auto is_alike = [&](std::size_t column) { return is_setting(sheet, column); };  // as counts are
     if (layout.values.empty() && !numbers.empty() && is_setting(sheet, numbers.front()) &&
         !(layout.block && std::ranges::all_of(numbers, is_alike))) {
       std::string groups;
-      for (const std::size_t each : numbers) groups += fmt::format(" --value '{}'", sheet.titles()[each]);
+      for (const std::size_t column : numbers) groups += fmt::format(" --value '{}'", sheet.titles()[column]);
       sheet.refuse(
           fmt::format("the numbers of '{0}' are whole, in order or repeated: say --block '{0}' if they are of "
                       "problems, --label '{0}' if of groups, or name the column of each group,{1}",
@@ -122,7 +122,7 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   if (layout.values.empty()) layout.values = !numbers.empty() ? numbers : !almost.empty() ? almost : texts;
   std::erase(layout.values, layout.label);
   if (layout.values.empty()) sheet.refuse("no column of numbers; expected one of values");
-  for (const std::size_t each : layout.values) sheet.column(sheet.titles()[each]);  // refuses two of one name
+  for (const std::size_t column : layout.values) sheet.column(sheet.titles()[column]);  // refuses two of one name
   return layout;
 }
 
@@ -180,7 +180,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t
   }
   if (items.values.empty()) sheet.refuse("no row has a label");
   items.units = static_cast<Index>(units.size());
-  const auto place = [](const Value& each) { return std::tuple(each.group, each.unit); };
+  const auto place = [](const Value& item) { return std::tuple(item.group, item.unit); };
   std::ranges::stable_sort(items.values, {}, place);
   const auto twice = std::ranges::adjacent_find(items.values, {}, place);
   items.are_averaged = twice != items.values.end();
@@ -276,27 +276,27 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
     double value() const { return static_cast<double>(sum / rows); }
   };
   std::vector<Mean> means;
-  for (const Value& each : items.values) {
-    const bool is_next = !means.empty() && means.back().group == each.group && means.back().unit == each.unit;
-    if (!is_next) means.push_back({.group = each.group, .unit = each.unit, .rows = 0, .sum = 0});
-    means.back().sum += each.value;
+  for (const Value& item : items.values) {
+    const bool is_next = !means.empty() && means.back().group == item.group && means.back().unit == item.unit;
+    if (!is_next) means.push_back({.group = item.group, .unit = item.unit, .rows = 0, .sum = 0});
+    means.back().sum += item.value;
     ++means.back().rows;
   }
   std::vector<Index> most(layout.block ? items.units : 1);
   const auto most_of = [&](const Mean& mean) -> Index& { return most[layout.block ? mean.unit : 0]; };
-  for (const Mean& each : means) most_of(each) = std::max(most_of(each), each.rows);
+  for (const Mean& mean : means) most_of(mean) = std::max(most_of(mean), mean.rows);
   observed.is_paired = layout.block.has_value();
   observed.trials = static_cast<int>(std::ranges::max(most));
   std::vector<std::size_t> complete(items.units);  // groups that have the block
   std::vector<int> all(items.groups.size());
   for (const std::string& name : items.groups) observed.groups.push_back({.name = name});
-  for (const Mean& each : means) {
-    Group& group = observed.groups[each.group];
-    ++all[each.group];
-    const bool is_lost = std::isnan(each.value()) || each.rows < most_of(each);
+  for (const Mean& mean : means) {
+    Group& group = observed.groups[mean.group];
+    ++all[mean.group];
+    const bool is_lost = std::isnan(mean.value()) || mean.rows < most_of(mean);
     group.lost += is_lost;
-    if (!is_lost) group.values.push_back(each.value());
-    if (!is_lost && layout.block) ++complete[each.unit];
+    if (!is_lost) group.values.push_back(mean.value());
+    if (!is_lost && layout.block) ++complete[mean.unit];
   }
   Doubt lost{.kind = DoubtKind::incomplete,
              .what = layout.block ? "blocks are incomplete"
@@ -330,8 +330,8 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
 }
 
 bool are_shares(const Items& items) {
-  const auto is_share = [](const Value& each) { return std::isnan(each.value) || each.value == 0 || each.value == 1; };
-  const auto is_known = [](const Value& each) { return !std::isnan(each.value); };
+  const auto is_share = [](const Value& item) { return std::isnan(item.value) || item.value == 0 || item.value == 1; };
+  const auto is_known = [](const Value& item) { return !std::isnan(item.value); };
   return std::ranges::all_of(items.values, is_share) && std::ranges::any_of(items.values, is_known);
 }
 
@@ -343,7 +343,7 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
     return;
   }
   observed.trials = 1;
-  const auto low = std::ranges::count_if(items.values, [](const Value& each) { return each.value <= 0; });
+  const auto low = std::ranges::count_if(items.values, [](const Value& item) { return item.value <= 0; });
   if (low == 0) return;
   observed.scale = Scale::difference;
   notes.push_back(fmt::format("{} of {} values of {} are 0 or below: differences are compared, not ratios.", low,

@@ -83,10 +83,10 @@ std::optional<Figure> shares_of(const StudyResults& study, About about, const st
       left_out.push_back(name_of(look, solver));
       continue;
     }
-    Successes& one = all.emplace_back(Successes{.label = name_of(look, solver), .style = style_of(look, solver)});
+    Successes& successes = all.emplace_back(Successes{.label = name_of(look, solver), .style = style_of(look, solver)});
     for (const Solve& solve : study.of(solver)) {
-      ++one.attempts;
-      if (const double value = cost(solve); !std::isnan(value)) one.costs.push_back(value);
+      ++successes.attempts;
+      if (const double value = cost(solve); !std::isnan(value)) successes.costs.push_back(value);
     }
   }
   if (!left_out.empty()) about.caption += fmt::format(" Without {}, {}.", fmt::join(left_out, ", "), why);
@@ -287,19 +287,19 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
   const auto place = [&](const std::string& name) { return std::ranges::find(shown, name) - shown.begin(); };
   const auto places = [&](const Finding& of_two) { return std::minmax({place(of_two.first), place(of_two.second)}); };
   std::vector<Finding> findings = metric.findings;
-  std::erase_if(findings, [&](const Finding& each) {
-    return each.verdict == Verdict::not_tested || places(each).second == std::ssize(shown);
+  std::erase_if(findings, [&](const Finding& finding) {
+    return finding.verdict == Verdict::not_tested || places(finding).second == std::ssize(shown);
   });
   std::string only;
   if (findings.size() > most_pairs && metric.plan.control.empty()) {
-    std::erase_if(findings, [&](const Finding& each) { return places(each).first != 0; });
+    std::erase_if(findings, [&](const Finding& finding) { return places(finding).first != 0; });
     only = fmt::format(" Only the pairs of {}.", shown.front());
   }
   std::ranges::stable_sort(findings, {}, places);
   std::vector<IntervalRow> rows;
   bool are_ratios = false;
-  for (const Finding& each : findings) {
-    const Finding finding = better_first(each, metric.plan.control);
+  for (Finding& finding : findings) {
+    finding = better_first(std::move(finding), metric.plan.control);
     are_ratios = finding.scale == Scale::ratio;
     const double factor = are_ratios ? 1 : finding.scale == Scale::share ? 100 : unit.factor;
     IntervalRow& row = rows.emplace_back();

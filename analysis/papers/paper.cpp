@@ -166,8 +166,8 @@ std::vector<Rate> rates_of(const Repeated& repeated) {
   std::vector<Rate> rates;
   const results::CsvTable printed = results::published::table(repeated.paper.name, plan.table);
   for (std::size_t row = 0; row < printed.rows(); ++row) {
-    for (const JudgedStudy* each : repeated.all()) {
-      const StudyResults& study = each->study;
+    for (const JudgedStudy* judged : repeated.all()) {
+      const StudyResults& study = judged->study;
       const auto arm = plan.rows.find(study.definition.robot);
       if (arm == plan.rows.end() || printed.cell(row, printed.column("arm")) != arm->second) continue;
       for (const auto& [solver, column] : plan.columns) {

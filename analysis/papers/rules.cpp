@@ -173,12 +173,12 @@ JudgedClaims better_in_each_study(const Claim& claim, const Repeated& repeated) 
   JudgedClaim result = begun(claim);
   Tally tally;
   Names arms;
-  for (const JudgedStudy* each : repeated.all()) {
-    const std::optional<Judged> judged = about(claim, judged_in(*each, *claim.metrics.front()));
+  for (const JudgedStudy* on_arm : repeated.all()) {
+    const std::optional<Judged> judged = about(claim, judged_in(*on_arm, *claim.metrics.front()));
     if (!judged) continue;
     const std::string best = rivals_of(*judged, {own}).back();  // read_claim takes shares alone
     tally.add(verdict_between(*judged, own, best));
-    arms.push_back(fmt::format("{} {:.1f} to {:.1f} %", each->study.definition.robot, 100 * mean_of(*judged, best),
+    arms.push_back(fmt::format("{} {:.1f} to {:.1f} %", on_arm->study.definition.robot, 100 * mean_of(*judged, best),
                                100 * mean_of(*judged, own)));
   }
   result.evidence = fmt::format("{} is not among the solvers.", own);

@@ -159,20 +159,20 @@ Table studies_table(const std::vector<Shown>& studies, const std::vector<std::st
   std::map<std::string, std::pair<double, int>> places;  // sum and number of its places in the studies
   std::map<std::string, std::vector<Cell>> rows;
   for (std::size_t s = 0; s < studies.size(); ++s) {
-    const Table one = results_table(studies[s]);
-    table.columns.push_back({.name = names[s], .unit = one.columns[1].unit});
+    const Table of_study = results_table(studies[s]);
+    table.columns.push_back({.name = names[s], .unit = of_study.columns[1].unit});
     const auto value_at = [&](std::size_t r) {
-      const auto* const value = std::get_if<Marked>(&one.rows[r][1]);
+      const auto* const value = std::get_if<Marked>(&of_study.rows[r][1]);
       return value == nullptr ? std::nan("") : value->value;
     };
     std::size_t place = 0;  // the same of equals
-    for (std::size_t r = 0; r < one.rows.size(); ++r) {
-      const std::string& solver = std::get<std::string>(one.rows[r][0]);
+    for (std::size_t r = 0; r < of_study.rows.size(); ++r) {
+      const std::string& solver = std::get<std::string>(of_study.rows[r][0]);
       std::vector<Cell>& row = rows[solver];
       row.resize(s);
-      row.push_back(one.rows[r][1]);
+      row.push_back(of_study.rows[r][1]);
       if (r > 0 && value_at(r) != value_at(r - 1)) place = r;
-      places[solver].first += static_cast<double>(place) / static_cast<double>(one.rows.size());
+      places[solver].first += static_cast<double>(place) / static_cast<double>(of_study.rows.size());
       ++places[solver].second;
     }
   }

@@ -38,8 +38,8 @@ Table table_3(const Repeated& repeated) {
               .notes = {std::string(meaning_of_signs),
                         "Printed times are of another machine and language. Our time of a run is the median of its "
                         "points; Figure 8 has means of the runs."}};
-  for (const Statistic& each : statistics) {
-    for (const std::string& solver : solvers) table.rows.push_back({solver, std::string(each.column)});
+  for (const Statistic& statistic : statistics) {
+    for (const std::string& solver : solvers) table.rows.push_back({solver, std::string(statistic.column)});
   }
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const Metric& metric = metric_named(column);
@@ -89,7 +89,7 @@ std::optional<Table> table_7(const Repeated& repeated) {
               .caption = fmt::format("Table 7: computing time until the error is {:g} cm", tolerance),
               .columns = {{"solver"}, {"solves"}, {"reached"}, {fmt::format("reached in {:g} ms", limit_ms)}},
               .notes = {"Each solve counts, also one that does not reach the tolerance."}};
-  for (const Statistic& each : statistics) table.columns.push_back({std::string(each.column), "ms"});
+  for (const Statistic& statistic : statistics) table.columns.push_back({std::string(statistic.column), "ms"});
   table.columns.push_back({"median iterations"});
   for (const std::string& solver : study.solvers) {
     std::int64_t reached = 0, in_time = 0;  // wherever the joints are
@@ -197,8 +197,8 @@ std::vector<show::Blocks> sections(const Repeated& repeated, const std::vector<f
   show::Blocks anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
   for (Table& table : anova_tables(repeated)) anovas.emplace_back(std::move(table));
   add("Tables 4 to 6", std::move(anovas));
-  for (const JudgedStudy* each : repeated.all()) {
-    const Repeated part{.paper = repeated.paper, .study = *each};
+  for (const JudgedStudy* judged : repeated.all()) {
+    const Repeated part{.paper = repeated.paper, .study = *judged};
     if (auto table = table_7(part)) times.emplace_back(std::move(*table));
     if (auto table = table_8(part)) circle.emplace_back(std::move(*table));
   }
