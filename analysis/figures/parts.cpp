@@ -40,6 +40,10 @@ std::string titled(char letter, const std::string& title) {
   return fmt::format("set label {} at screen margin(0.3), graph 0.5 center rotate noenhanced\n", text);
 }
 
+std::string logarithmic(char letter, double low, double high) {
+  return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n", letter, text_of(low), text_of(high));
+}
+
 // "100", or for gnuplot's enhanced text a power of ten.
 std::string tick(double value, bool is_power) {
   if (!is_power) return fmt::format("{:.6g}", value);
@@ -156,12 +160,9 @@ Axis logarithmic_axis(char letter, double smallest, double largest, const std::s
   smallest = std::max(smallest, std::pow(10, -farthest_decade));
   largest = std::max(smallest * 1.02, std::min(largest, std::pow(10, farthest_decade)));
   const double room = std::pow(largest / smallest, 0.04), low = smallest / room, high = largest * room;
-  return {.settings = fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(low),
-                                  text_of(high), ticks_between(letter, low, high, are_powers(low, high)),
-                                  titled(letter, title), placed(letter, low, high)),
-          .low = low,
-          .high = high,
-          .is_logarithmic = true};
+  return {logarithmic(letter, low, high) + ticks_between(letter, low, high, are_powers(low, high)) +
+              titled(letter, title) + placed(letter, low, high),
+          low, high, true};
 }
 
 Axis value_axis(char letter, std::span<const double> values, const About& about, Begins begins) {
@@ -181,9 +182,8 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
                                              : start / 10,
                low = has_edge ? edge * std::pow(edge / high, 0.03) : edge;  // what is at the edge stands off the axis
   const bool is_power = are_powers(has_edge && about.floor > 0 ? about.floor : start, high);
-  std::string settings =
-      fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n{3}", letter, text_of(low), text_of(high),
-                  ticks_between(letter, has_edge ? std::max(start, 1.01 * edge) : start, high, is_power));
+  std::string settings = logarithmic(letter, low, high) +
+                         ticks_between(letter, has_edge ? std::max(start, 1.01 * edge) : start, high, is_power);
   if (has_edge)
     settings += fmt::format("set {}tics add ('{}' {})\n", letter,
                             about.floor > 0 ? "≤ " + tick(about.floor, is_power) : "0", text_of(edge));
