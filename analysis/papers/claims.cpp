@@ -36,14 +36,8 @@ std::string words_of(std::optional<Holds> holds, const std::string& number) {
 show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) {
   show::Table table{.name = are_ours ? "questions" : "claims",
                     .caption = are_ours ? "What the paper does not say" : "What the paper says",
-                    .columns = {{"verdict"},
-                                {"claim"},
-                                {"number"},
-                                {"by the printed numbers"},
-                                {"by the other reading"},
-                                {"of all readings it fails"},
-                                {"where"},
-                                {"why"}}};
+                    .columns = show::columns_of({"verdict", "claim", "number", "by the printed numbers",
+                                                 "by the other reading", "of all readings it fails", "where", "why"})};
   const auto cell = [](std::string text) { return text.empty() ? show::Cell() : show::Cell(std::move(text)); };
   for (const JudgedClaim& claim : claims) {
     table.rows.push_back({std::string(name_of(claim.holds)), claim.sentence, cell(claim.number),

@@ -40,6 +40,9 @@ struct Column {
   std::vector<double> ends = {};  // from which readers tell numbers apart (digits_apart of text.hpp)
 };
 
+// Columns with nothing but names.
+std::vector<Column> columns_of(const std::vector<std::string>& names);
+
 struct Table {
   std::string name;  // of its files and anchor; empty: it has none
   std::string caption;

@@ -137,19 +137,17 @@ Table results_table(const Shown& shown) {
                       are_common ? fmt::format("on {} that both solved", shown.noun) : "of solved " + shown.noun);
   }
   if (!shown.direction.empty()) key += (key.empty() ? "" : "; ") + shown.direction;
-  std::vector<std::string> meanings;
+  std::vector<std::string> meanings, sentences{key};
   if (marks.contains(star)) {
     const std::string level = number_text(decisive.plan.significance);
     meanings.push_back(fmt::format("{} worse than {} (adjusted p < {})", star, reference, level));
   }
   if (marks.contains(exclamation)) meanings.push_back(fmt::format("{} not tested", exclamation));
-  if (!key.empty() && !meanings.empty()) key += ". ";
-  key += fmt::format("{}", fmt::join(meanings, ", "));
-  if (!key.empty()) key += '.';
+  sentences.push_back(fmt::format("{}", fmt::join(meanings, ", ")));
   if (has_shares)
-    key +=
-        fmt::format("{}Brackets: {:.3g} % intervals.", key.empty() ? "" : " ", 100 * (1 - decisive.plan.significance));
-  if (!key.empty()) table.notes.push_back(key);
+    sentences.push_back(fmt::format("Brackets: {:.3g} % intervals", 100 * (1 - decisive.plan.significance)));
+  std::erase(sentences, "");
+  if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
   table.notes.insert(table.notes.end(), shown.notes.begin(), shown.notes.end());
   return table;
 }
@@ -258,16 +256,8 @@ std::string chosen_before(const Shown& shown) {
 Table pairs_table(const Shown& shown) {
   Table table{.name = "pairs",
               .caption = "The first against the second",
-              .columns = {{"metric"},
-                          {"first"},
-                          {"second"},
-                          {"estimate"},
-                          {"interval"},
-                          {"unit"},
-                          {.name = "p", .is_p = true},
-                          {"A12"},
-                          {"test"},
-                          {"verdict"}}};
+              .columns = columns_of(
+                  {"metric", "first", "second", "estimate", "interval", "unit", "p", "A12", "test", "verdict"})};
   std::set<double> ends;
   for (const Judged& judged : shown.metrics) {
     for (const Finding& finding : judged.findings) {
@@ -281,6 +271,7 @@ Table pairs_table(const Shown& shown) {
     }
   }
   table.columns[3].ends = table.columns[4].ends = {ends.begin(), ends.end()};
+  table.columns[6].is_p = true;
   table.columns[6].ends = {shown.decisive().plan.significance};
   const std::string chosen = chosen_before(shown);
   table.notes = {
@@ -291,22 +282,11 @@ Table pairs_table(const Shown& shown) {
 }
 
 Table descriptives_table(const Shown& shown) {
-  Table table{.name = "descriptives",
-              .caption = "By metric and solver",
-              .columns = {{"metric"},
-                          {"solver"},
-                          {"n"},
-                          {"mean"},
-                          {"sd"},
-                          {"median"},
-                          {"lower quartile"},
-                          {"upper quartile"},
-                          {"95 % quantile"},
-                          {"smallest"},
-                          {"largest"},
-                          {"interval"},
-                          {"unit"},
-                          {"lost"}}};
+  Table table{
+      .name = "descriptives",
+      .caption = "By metric and solver",
+      .columns = columns_of({"metric", "solver", "n", "mean", "sd", "median", "lower quartile", "upper quartile",
+                             "95 % quantile", "smallest", "largest", "interval", "unit", "lost"})};
   bool is_any_lost = false, is_any_share = false, is_any_of_solved = false;
   const Judged& decisive = shown.decisive();
   for (const Judged& judged : shown.metrics) {

@@ -203,6 +203,12 @@ std::string pill(const std::string& verdict) {
 
 }  // namespace
 
+std::vector<Column> columns_of(const std::vector<std::string>& names) {
+  std::vector<Column> columns;
+  for (const std::string& name : names) columns.push_back({name});
+  return columns;
+}
+
 std::string interval_text(const compare::Interval& interval, Number number, const Ends& ends) {
   const auto end = [&](double value) {
     return std::isinf(value) ? "no bound" : number(value, digits_apart(value, ends));
