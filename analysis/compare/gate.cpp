@@ -33,20 +33,21 @@ std::size_t leave_out_further(const StudyResults& baseline, StudyResults& candid
 
 void refuse_other_task(const StudyResults& one, const StudyResults& other) {
   const Definition &a = one.definition, &b = other.definition;
-  const char* differ = one.solves.empty()                         ? "numbers of solves: the baseline has none"
-                       : a.robot != b.robot || a.arm != b.arm     ? "arms"
-                       : a.path != b.path || a.points != b.points ? "targets"
-                       : a.search != b.search                     ? "searches"
-                       : a.start != b.start                       ? "starts"
-                       : a.task != b.task || a.near != b.near || a.rotation_weight != b.rotation_weight
-                           ? "paths, starts or weights of a rotation"
-                       : a.limits != b.limits ? "treatments of joint limits"
-                       : a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance
-                           ? "tolerances"
-                           : nullptr;
-  if (differ)
-    throw std::invalid_argument(
-        fmt::format("{} and {} had different {}", one.solvers.front(), other.solvers.front(), differ));
+  const std::pair<bool, const char*> differences[]{
+      {one.solves.empty(), "numbers of solves: the baseline has none"},
+      {a.robot != b.robot || a.arm != b.arm, "arms"},
+      {a.path != b.path || a.points != b.points, "targets"},
+      {a.search != b.search, "searches"},
+      {a.start != b.start, "starts"},
+      {a.task != b.task || a.near != b.near || a.rotation_weight != b.rotation_weight,
+       "paths, starts or weights of a rotation"},
+      {a.limits != b.limits, "treatments of joint limits"},
+      {a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance, "tolerances"}};
+  for (const auto& [differ, what] : differences) {
+    if (differ)
+      throw std::invalid_argument(
+          fmt::format("{} and {} had different {}", one.solvers.front(), other.solvers.front(), what));
+  }
 }
 
 // Of both sides, as solvers of one study. Takes their solves.
