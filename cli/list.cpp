@@ -120,7 +120,7 @@ show::Table list_of(std::string_view kind) {
     table.columns = {{"metric"}, {"unit"}, {"better"}, {"of"}, {"what"}};
     for (const compare::Metric& metric : compare::metrics())
       row({std::string(metric.column), std::string(metric.unit),
-           metric.kind == compare::Kind::share ? "larger" : "smaller", metric.of_run != nullptr ? "run" : "solve",
+           metric.kind == compare::Kind::share ? "larger" : "smaller", metric.is_of_run ? "run" : "solve",
            std::string(metric.name)});
   } else {
     table.columns = {{"name"}, {"in use"}};

@@ -78,7 +78,7 @@ double tolerance_of(const StudyResults& study, const Metric& metric) {
 // What failed has no cost of an answer; along a path it has, for the next solve starts from there.
 bool is_of_solved(const StudyResults& study, const Metric& metric) {
   const bool is_cost = metric.kind == Kind::cost || metric.kind == Kind::time;
-  return is_cost && metric.of_run == nullptr && study.definition.has_tolerance() && !study.definition.is_chained();
+  return is_cost && !metric.is_of_run && study.definition.has_tolerance() && !study.definition.is_chained();
 }
 
 struct Value {
@@ -95,8 +95,8 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, co
   std::vector<Value> values;
   for (const Solves run : runs_of(study.of(solver))) {
     if (design.are_runs && !is_complete(study, run)) continue;
-    if (metric.of_run != nullptr) {
-      values.push_back({run.front().run, metric.of_run(run)});
+    if (metric.is_of_run) {
+      values.push_back({run.front().run, metric.value(run.back(), study)});
       continue;
     }
     for (const Solve& solve : run) {
@@ -394,7 +394,7 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
 }
 
 Observations observe(const StudyResults& study, const Metric& metric) {
-  const Design design = design_of(study, metric.of_run != nullptr);
+  const Design design = design_of(study, metric.is_of_run);
   Observations observed{.metric = std::string(metric.slug),
                         .quantity = std::string(metric.name),
                         .unit = std::string(metric.unit),

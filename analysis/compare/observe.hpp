@@ -25,8 +25,8 @@ struct Metric {
   double floor;      // of ratios: a smaller value counts as this
   double rounding;   // values that differ by no more are equal
   bool is_reported;  // in every report; else only where a claim or a command names it
+  bool is_of_run;    // its value is that of the last solve of a run
   double (*value)(const Solve& solve, const StudyResults& study);  // NaN: the solve has none
-  double (*of_run)(Solves run);                                    // of one run, by point; in place of value
 };
 
 std::span<const Metric> metrics();
