@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cstddef>
-#include <optional>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -28,13 +28,6 @@ constexpr std::pair<std::string_view, std::size_t> own_places[]{{"ik_bat", 0},
                                                                 {"kdl_newton", 6},
                                                                 {"nlopt", 2}};
 
-std::optional<std::size_t> own_place(std::string_view algorithm) {
-  for (const auto& [name, place] : own_places) {
-    if (name == algorithm) return place;
-  }
-  return std::nullopt;
-}
-
 // The place of a colour, which is added if the palette lacks it.
 std::size_t place_in(std::vector<std::string>& palette, const std::string& colour) {
   const auto is_same = [&](const std::string& other) { return hex_colour(other) == hex_colour(colour); };
@@ -54,8 +47,9 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
     const auto given = style.colours.find(label);
     if (given != style.colours.end()) {
       places.emplace(label, place_in(style.palette, given->second));
-    } else if (const auto own = own_place(algorithm); own && !is_short) {
-      places.emplace(label, *own);
+    } else if (!is_short) {
+      const auto own = std::ranges::find(own_places, algorithm, [](const auto& place) { return place.first; });
+      if (own != std::end(own_places)) places.emplace(label, own->second);
     }
   }
   std::vector<std::size_t> users(style.palette.size());
