@@ -9,6 +9,8 @@
 #include <span>
 #include <utility>
 
+#include "numerics/number.hpp"
+
 namespace ikbench::show {
 namespace {
 
@@ -116,7 +118,7 @@ int digits_apart(double value, const Ends& from, int least) {
   constexpr int most = 9;
   if (!std::isfinite(value)) return least;
   for (int digits = least; digits < most; ++digits) {
-    const double read = std::stod(number_text(value, digits));
+    const double read = numerics::number_from(number_text(value, digits)).value_or(value);
     const auto is_apart = [&](double end) { return (value < end) == (read < end) && (value > end) == (read > end); };
     if (std::ranges::all_of(from, is_apart)) return digits;
   }

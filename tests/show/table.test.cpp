@@ -71,6 +71,7 @@ TEST_CASE("readers see three digits, units, marks and small p-values", "[show]")
   CHECK(contains(latex, "mine & 0.123 & - & 0.333 to 2 & $<$ 0.0001 & 20 & 4200\\rlap{\\,{*}} \\\\"));
   CHECK(contains(latex, "plain & $1.5 \\times 10^{-7}$ & 0.0000 & - & 0.0005 & - & $\\le$ 0.1 \\\\"));
   CHECK(number_text(3715.4) == "3715");
+  CHECK(digits_apart(5e-324, {0}) == 3);  // no double of full precision
 }
 
 TEST_CASE("what stands in place of a number has its own column in files of numbers", "[show]") {
