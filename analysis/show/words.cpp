@@ -187,10 +187,13 @@ std::string unbeaten(const Shown& shown) {
       rest.push_back(name);
   }
   const std::string numbers = numbers_of(shown, true);
-  std::vector<std::string> same, others;  // as the first
+  std::vector<std::string> same, others;  // as all before it
   for (const std::string& name : rest) {
-    const Finding* const pair = finding_of(judged, rest.front(), name);
-    (name == rest.front() || (pair && pair->verdict == Verdict::same) ? same : others).push_back(name);
+    const auto is_same = [&](const std::string& other) {
+      const Finding* const pair = finding_of(judged, other, name);
+      return pair && pair->verdict == Verdict::same;
+    };
+    (std::ranges::all_of(same, is_same) ? same : others).push_back(name);
   }
   if (same.size() > 1)
     return fmt::format("{} are the same within {}{}: {}", names_of(same), margin_words(judged),

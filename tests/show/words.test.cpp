@@ -94,6 +94,9 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   add("two best, of shares",
       of(shares({{"LM", solved(20)}, {"PSO", solved(4)}, {"DLS", solved(20)}, {"mine", solved(2)}})));
   add("the same", of(errors({{"A", values_around(1, 0.01)}, {"B", values_around(1.001, 0.01)}})));
+  add("the same as the first, too few among themselves",
+      of(errors({{"A", {1, 1.01, 1.02, 1.04}}, {"B", {1.005, 1.03, 1.06}}, {"C", {1.0151, 1.05, 1.07}}}),
+         {.significance = 0.2, .margin = 0.5}));
   add("equal, and too few to be the same",
       of(errors({{"A", std::vector<double>(20, 1)}, {"B", std::vector<double>(20, 1)}})));
   add("better by little", of(errors({{"A", values_around(1, 0.01)}, {"B", values_around(1.02, 0.01)}})));
