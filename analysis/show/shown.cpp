@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "analysis/figures/of_study.hpp"
@@ -67,11 +69,11 @@ Shown shown(std::vector<Judged> metrics) {
     for (Finding& finding : judged.findings) finding = better_first(std::move(finding), judged.plan.control);
   }
   for (Judged& judged : shown.metrics) {
-    std::vector<std::string> names;
-    for (const std::size_t i : best_first(judged, shown.metrics)) names.push_back(judged.observations.groups[i].name);
-    const auto place = [&](const std::string& name) { return std::ranges::find(names, name); };
+    std::map<std::string_view, std::size_t> places;
+    for (const std::size_t i : best_first(judged, shown.metrics))
+      places.emplace(judged.observations.groups[i].name, places.size());
     std::ranges::stable_sort(judged.findings, {}, [&](const Finding& finding) {
-      return std::minmax({place(finding.first), place(finding.second)});
+      return std::minmax({places.at(finding.first), places.at(finding.second)});
     });
   }
   return shown;
