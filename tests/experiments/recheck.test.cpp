@@ -48,6 +48,29 @@ TEST_CASE("an arm from a URDF file, verified by its origins and axes, is checked
   }
 }
 
+TEST_CASE("an answer far beyond a slide's way follows from itself", "[recheck]") {
+  const robots::Robot arm = robots::parse_urdf(
+      R"(<robot name="slides"><link name="a"/><link name="b"/><link name="c"/>
+         <joint name="x" type="prismatic"><parent link="a"/><child link="b"/><limit lower="-1" upper="1"/></joint>
+         <joint name="y" type="prismatic"><parent link="b"/><child link="c"/><axis xyz="0 1 0"/>
+           <limit lower="-1" upper="1"/></joint></robot>)",
+      "slides.urdf", {});
+  Study study = study_with("planar_2");
+  study.robot_of_file = std::make_shared<const robots::Robot>(arm);
+  SolveRecord far = solves_of(study).front();
+  far.answer_rad = {1e12, 1e12};
+  far.status = Status::limit_violated;
+  const auto vector = [](const std::vector<double>& of) { return Eigen::VectorXd::Map(of.data(), std::ssize(of)); };
+  Pose target = Pose::Identity();
+  target.translation() = vector(far.target_position_m);
+  const Verification of = verify(arm, target, vector(far.start_rad), vector(far.answer_rad));
+  far.reached_position_m.assign(of.reached.begin(), of.reached.end());
+  far.position_error_cm = of.position_error / centimetre;
+  far.variation_m = of.variation_m;
+  far.limit_violation_m = of.limit_violation_m;
+  CHECK(refused_row(entry_of(study), {far}) == "");
+}
+
 TEST_CASE("an error that does not follow from its answer is refused, with the place of the solve", "[recheck]") {
   const Study study = study_with("stanford");
   const std::vector<SolveRecord> good = solves_of(study);
