@@ -272,7 +272,7 @@ void add_of_evaluations(Doubts& doubts, const StudyResults& study) {
   for (const auto& [by, what] : {std::pair(CountedBy::nobody, "evaluations are not counted"),
                                  {CountedBy::solver, "evaluations by its own count"}})
     add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = what},
-        [by = by](const Solve& solve) { return gave_answer(solve) && solve.counted_by == by; });
+        [by = by](const Solve& solve) { return !is_without_answer(solve.status) && solve.counted_by == by; });
 }
 
 // Solvers whose solves, nearly all, the limit of iterations ends: the one of most and the one of fewest evaluations.
