@@ -186,7 +186,7 @@ Table studies_table(const std::vector<Shown>& studies, const std::vector<std::st
   const bool are_shares = std::ranges::all_of(studies, [](const Shown& shown) { return is_share(shown.decisive()); });
   table.caption = are_shares ? "Share of targets solved" : "What decides each study";
   table.notes = {
-      "* worse than the best of its study or its control; each study is judged alone",
+      "* worse than the best of its study or its control, ! not tested; each study is judged alone",
       are_shares ? "brackets: intervals at the level of each study" : "brackets: intervals of shares, else quartiles"};
   return table;
 }
@@ -224,12 +224,12 @@ std::optional<figures::Figure> studies_figure(const Table& studies) {
       panels[i].marks.push_back(of_study ? of_study->mark : "");
     }
   }
-  return figures::bars({.name = "studies",
-                        .caption = "Share of targets solved." +
-                                   (others.empty() ? "" : " Not of " + listed(others) + ", which has none."),
-                        .quantity = "solved",
-                        .unit = "%"},
-                       solvers, panels);
+  return figures::bars(
+      {.name = "studies",
+       .caption = "Share of targets solved." + (others.empty() ? "" : " Without " + listed(others) + "."),
+       .quantity = "solved",
+       .unit = "%"},
+      solvers, panels);
 }
 
 Table with_a_row_a_study(const Table& studies) {
