@@ -118,7 +118,7 @@ struct StudyData {
 };
 
 constexpr std::pair<std::int64_t, std::int64_t> populations{1, 100'000};
-constexpr std::size_t most_solvers = 1000;  // of a study
+constexpr std::size_t most_solvers = 400;  // of a study, whose pairs all stand in its report
 
 // The fields, listed once: name, member, range, meaning, and whether each decides a number of a solve. Readers and
 // writers of study files and of the store follow this list, and so does the key of a series. A new option of a study is

@@ -170,7 +170,7 @@ TEST_CASE("studies that no study file makes are damage", "[store][faults]") {
       {"UPDATE series SET options = '{broken'", "is no JSON object"},
       {"INSERT INTO series WITH RECURSIVE c(x) AS (SELECT 9 UNION ALL SELECT x + 1 FROM c WHERE x < 1009) "
        "SELECT name, x, 'k' || x, 'l' || x, 'a', '{}' FROM c, studies",
-       "has more than 1000 solvers"}};
+       "has more than 400 solvers"}};
   for (const auto& [change, word] : changes) {
     const ScratchFolder folder;
     const auto file = folder.path / "a.ikb";
