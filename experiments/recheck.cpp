@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -82,7 +84,8 @@ void check(const Definition& study, const Robot& arm, const Left& before, const 
   if (!is_in_order && solve.status != Status::limit_violated)
     return;  // what was answered is not stored: the arm stayed, or the claim decided
   const auto status = [&](double rounding) {
-    const auto about = [&](double tolerance) { return tolerance > 0 ? tolerance + rounding : 0; };
+    constexpr double least = std::numeric_limits<double>::min();  // 0 would be no tolerance
+    const auto about = [&](double tolerance) { return tolerance > 0 ? std::max(tolerance + rounding, least) : 0; };
     return status_by(computed, {.claimed_error = computed.position_error,
                                 .tolerance = about(study.stop.tolerance),
                                 .angle_tolerance = about(study.stop.angle_tolerance)});

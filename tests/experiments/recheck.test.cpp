@@ -71,6 +71,19 @@ TEST_CASE("an answer far beyond a slide's way follows from itself", "[recheck]")
   CHECK(refused_row(entry_of(study), {far}) == "");
 }
 
+TEST_CASE("a target missed by less than the rounding of a check is missed", "[recheck]") {
+  Study study = study_with("kuka_iiwa14");
+  study.stop.tolerance = 1e-9;
+  SolveRecord near = solves_of(study).front();
+  near.target_position_m = near.reached_position_m;
+  near.target_position_m[0] += 5e-9;
+  near.position_error_cm = 5e-7;
+  for (const Status status : {Status::ok, Status::tolerance_missed}) {
+    near.status = status;
+    CHECK(refused_row(entry_of(study), {near}) == "");
+  }
+}
+
 TEST_CASE("an error that does not follow from its answer is refused, with the place of the solve", "[recheck]") {
   const Study study = study_with("stanford");
   const std::vector<SolveRecord> good = solves_of(study);
