@@ -100,10 +100,11 @@ std::string verdict_of(const Gate& gate) {
   if (is_worse) parts.push_back("in " + show::listed(gate.worse));
   if (!gate.better.empty()) parts.push_back((is_worse ? "better in " : "in ") + show::listed(gate.better));
   std::string text = fmt::format("{} is {} {}{}{} ({}).", gate.label.empty() ? solvers.front() : gate.label,
-                                 is_worse               ? "worse than"
-                                 : is_apart             ? "not compared with"
-                                 : !gate.better.empty() ? "better than"
-                                                        : "not worse than",
+                                 is_worse                    ? "worse than"
+                                 : is_apart                  ? "not compared with"
+                                 : !gate.better.empty()      ? "better than"
+                                 : !gate.not_decided.empty() ? "not shown to be worse than"
+                                                             : "not worse than",
                                  gate.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ",
                                  show::listed(parts, ", "), compared_of(gate));
   if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));

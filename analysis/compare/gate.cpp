@@ -249,7 +249,8 @@ std::string compared_of(const Gate& gate) {
 std::string sight_of(const Gate& gate) {
   for (const Judged& metric : gate.judged.metrics) {
     if (metric.observations.metric != "solved") continue;
-    if (metric.findings.front().why == Why::apart) return "";
+    const Finding& finding = metric.findings.front();
+    if (finding.why == Why::apart || finding.estimate.value_or(0) != 0) return "";  // its interval says more
     if (metric.described.back().mean == 0) return "The baseline solved none, so no loss would show.";
     return gate.visible_loss ? fmt::format("A loss of {:.2g} points or more would show in {}.",
                                            100 * *gate.visible_loss, compared_of(gate))
