@@ -61,12 +61,12 @@ std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view colum
   return boxes(about, box_rows(*of, drawn_unit(judged.study, metric.unit), shown_solvers(judged.study, look), look));
 }
 
-// Solvers whose times are not compared; all, where those of none are.
-std::vector<std::string> without_times(const JudgedStudy& judged) {
-  const Judged* const times = judged_of(judged, time);
-  if (times == nullptr) return judged.study.solvers;
+// Solvers whose values of a metric are not compared; all, where those of none are.
+std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_view column) {
+  const Judged* const metric = judged_of(judged, column);
+  if (metric == nullptr) return judged.study.solvers;
   std::vector<std::string> without;
-  for (const Group& group : times->observations.groups) {
+  for (const Group& group : metric->observations.groups) {
     if (group.is_apart) without.push_back(group.name);
   }
   return without;
@@ -93,9 +93,10 @@ std::optional<Figure> shares_of(const StudyResults& study, About about, const st
   return shares(about, y_axis, all, dashed);
 }
 
-std::optional<Figure> error_by(const StudyResults& study, std::string_view axis, const std::vector<Line>& all) {
-  return curves(about_of(study, metric_named(error), fmt::format("Error by {}: medians.", axis)), std::string(axis),
-                all);
+std::optional<Figure> error_by(const StudyResults& study, std::string_view axis, Average average,
+                               const std::vector<Line>& all) {
+  const std::string caption = fmt::format("Error by {}: {}s.", axis, average == Average::mean ? "mean" : "median");
+  return curves(about_of(study, metric_named(error), caption), std::string(axis), all);
 }
 
 std::string first_points(const StudyResults& study) {
@@ -121,38 +122,39 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
   const double tolerance = factor * study.definition.stop.tolerance_cm();
   if (tolerance == 0) return std::nullopt;
   const About about =
-      about_of(study, metric, "Share of targets within a position error, up to 1000 times the tolerance (dashed).");
+      about_of(study, metric,
+               fmt::format("Share of targets within a position error{}, up to 1000 times the tolerance (dashed).",
+                           study.definition.has_direction() ? ", whatever the orientation" : ""));
   return shares_of(study, about, "targets", {}, "", look, tolerance, [&, factor = factor](const Solve& solve) {
     return factor * std::max(solve.position_error_cm, metric.floor);
   });
 }
 
 std::optional<Figure> time_boxes(const JudgedStudy& judged, const Look& look) {
-  return without_times(judged).empty() ? boxes_of(judged, time, look) : std::nullopt;
+  return not_compared(judged, time).empty() ? boxes_of(judged, time, look) : std::nullopt;
 }
 
 std::optional<Figure> motion_boxes(const JudgedStudy& judged, const Look& look) {
-  return without_times(judged).empty() ? std::nullopt : boxes_of(judged, motion, look);
+  return not_compared(judged, time).empty() ? std::nullopt : boxes_of(judged, motion, look);
 }
 
 std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& look) {
-  return error_by(judged.study, "iteration", by_iteration(judged.study, look, Average::median));
+  return error_by(judged.study, "iteration", Average::median, by_iteration(judged.study, look, Average::median));
 }
 
 std::optional<Figure> error_by_point(const JudgedStudy& judged, const Look& look) {
   if (!is_path(judged.study) || error_by_iteration(judged, look)) return std::nullopt;
-  return error_by(judged.study, "point", by_point(judged.study, error, look, Average::median));
+  const bool are_means = judged.study.definition.plan.test == results::Plan::Test::means;
+  const Average average = are_means ? Average::mean : Average::median;
+  return error_by(judged.study, "point", average, by_point(judged.study, error, look, average));
 }
 
 std::optional<Figure> solved_by_evaluations(const JudgedStudy& judged, const Look& look) {
   const StudyResults& study = judged.study;
-  std::vector<std::string> uncounted = study.solvers;
-  std::erase_if(uncounted, [&](const std::string& solver) {
-    return std::ranges::count(study.of(solver), results::CountedBy::nobody, &Solve::counted_by) == 0;
-  });
   return shares_of(
       study, about_of(study, metric_named("evaluations"), "Share of targets solved within a number of evaluations."),
-      "solved", uncounted, "whose evaluations nobody counted", look, nowhere, [&](const Solve& solve) {
+      "solved", not_compared(judged, "evaluations"), "whose evaluations are not comparable", look, nowhere,
+      [&](const Solve& solve) {
         return is_solved(study, solve) ? std::max(1.0, static_cast<double>(solve.evaluations)) : nowhere;
       });
 }
@@ -162,7 +164,8 @@ std::optional<Figure> solved_by_time(const JudgedStudy& judged, const Look& look
   const Metric& metric = metric_named(time);
   const double factor = drawn_unit(study, metric.unit).factor;
   return shares_of(study, about_of(study, metric, "Share of targets solved within a time."), "solved",
-                   without_times(judged), "whose times are not comparable", look, nowhere, [&](const Solve& solve) {
+                   not_compared(judged, time), "whose times are not comparable", look, nowhere,
+                   [&](const Solve& solve) {
                      return is_solved(study, solve) ? factor * std::max(solve.seconds, metric.floor) : nowhere;
                    });
 }

@@ -71,7 +71,7 @@ TEST_CASE("solvers whose costs are not known or not comparable are left out of s
     return std::ranges::find(figures, name, &Figure::name)->caption;
   };
   CHECK(caption_of("solved-by-evaluations") ==
-        "Share of targets solved within a number of evaluations. Without A, whose evaluations nobody counted.");
+        "Share of targets solved within a number of evaluations. Without A, whose evaluations are not comparable.");
   CHECK(caption_of("solved-by-time") ==
         "Share of targets solved within a time. Without B, whose times are not comparable.");
 }
