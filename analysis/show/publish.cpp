@@ -171,8 +171,8 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
     const auto& keys = report.keys;
     results::write_file(
         folder / files.back(),
-        fmt::format("{}{}{}{}.\n% Keys of docs/references.bib\n", latex_text(methods_of(report.shown, report.study)),
-                    keys.empty() ? "" : " \\cite{", fmt::join(keys, ","), keys.empty() ? "" : "}"));
+        fmt::format("{}.{}{}{}\n% Keys of docs/references.bib\n", latex_text(methods_of(report.shown, report.study)),
+                    keys.empty() ? "" : " Solvers and arm: \\cite{", fmt::join(keys, ","), keys.empty() ? "" : "}."));
   }
   const Shown brief = with_short_names(report.shown, 20);
   for (const Blocks& blocks : sections) {

@@ -185,9 +185,9 @@ Table studies_table(const std::vector<Shown>& studies, const std::vector<std::st
   });
   const bool are_shares = std::ranges::all_of(studies, [](const Shown& shown) { return is_share(shown.decisive()); });
   table.caption = are_shares ? "Share of targets solved" : "What decides each study";
-  table.notes = {
-      "* worse than the best of its study or its control, ! not tested; each study is judged alone",
-      are_shares ? "brackets: intervals at the level of each study" : "brackets: intervals of shares, else quartiles"};
+  table.notes = {"* worse than the best of its study or its control, ! not tested; each study is judged alone.",
+                 are_shares ? "Brackets: intervals at the level of each study."
+                            : "Brackets: intervals of shares, else quartiles."};
   return table;
 }
 
