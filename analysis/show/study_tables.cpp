@@ -289,9 +289,10 @@ Table descriptives_table(const Shown& shown) {
                              "95 % quantile", "smallest", "largest", "interval", "unit", "lost"})};
   bool is_any_lost = false, is_any_share = false, is_any_of_solved = false;
   const Judged& decisive = shown.decisive();
+  const std::vector<std::size_t> order = best_first(decisive, shown.metrics);
   for (const Judged& judged : shown.metrics) {
     const Observations& observed = judged.observations;
-    for (const std::size_t place : best_first(decisive, shown.metrics)) {
+    for (const std::size_t place : order) {
       const std::size_t i = place_of(observed, decisive.observations.groups[place].name);
       if (i == observed.groups.size()) continue;
       const Description& its = judged.described[i];
