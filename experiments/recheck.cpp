@@ -60,9 +60,8 @@ void check(const Definition& study, const Robot& arm, const Left& before, const 
     refuse(solve, "it does not start where the solve before it left the arm");
   if (stays(solve.status) && solve.answer_rad != solve.start_rad)
     refuse(solve, fmt::format("the arm moved, though status {} is stored", name_of(solve.status)));
-  const bool is_in_order = solve.status == Status::ok || solve.status == Status::tolerance_missed;
   if ((solve.counted_by == CountedBy::suite && solve.evaluations == 0) ||
-      (is_in_order && is_over({.iterations = solve.iterations}, study.stop)))
+      (is_in_order(solve.status) && is_over({.iterations = solve.iterations}, study.stop)))
     refuse(solve, fmt::format("{} evaluations in {} iterations are stored, which no solve of this study makes",
                               solve.evaluations, solve.iterations));
   Pose target = Pose::Identity();
@@ -81,7 +80,7 @@ void check(const Definition& study, const Robot& arm, const Left& before, const 
   for (Eigen::Index i = 0; i < 3; ++i)
     expect("reached_position_m", solve, solve.reached_position_m[static_cast<std::size_t>(i)], computed.reached[i],
            1e-8 * (1 + far));
-  if (!is_in_order && solve.status != Status::limit_violated)
+  if (!is_in_order(solve.status) && solve.status != Status::limit_violated)
     return;  // what was answered is not stored: the arm stayed, or the claim decided
   const auto status = [&](double rounding) {
     constexpr double least = std::numeric_limits<double>::min();  // 0 would be no tolerance

@@ -226,8 +226,7 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
                            .angle_tolerance = study_.stop.angle_tolerance,
                            .orientation_is_exact = study_.search == Search::wrist,
                            .limits_are_enforced = study_.limits == Limits::enforced});
-  const bool is_in_order = status == Status::ok || status == Status::tolerance_missed;
-  return is_in_order && is_late(timed) ? Status::over_budget : status;
+  return is_in_order(status) && is_late(timed) ? Status::over_budget : status;
 }
 
 // Solvers that stop by themselves may take too much: programs and libraries. A library's time is that of its thread.

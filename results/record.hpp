@@ -51,6 +51,8 @@ constexpr std::array<std::string_view, 3> names_of(CountedBy) { return {"suite",
 constexpr bool is_without_answer(Status status) { return status >= Status::crashed; }
 // True if the arm stayed where it was, and the record's answer is that.
 constexpr bool stays(Status status) { return status == Status::refused || is_without_answer(status); }
+// Nothing is wrong with the answer, near enough or not.
+constexpr bool is_in_order(Status status) { return status == Status::ok || status == Status::tolerance_missed; }
 
 template <class Enum>
 constexpr std::string_view name_of(Enum value) {
