@@ -236,7 +236,8 @@ compare::StudyResults checked_study(const Store& store, const StoredStudy& entry
 compare::StudyResults exported_study(const Store& store, const StoredStudy& entry,
                                      const std::filesystem::path& folder) {
   compare::StudyResults study;
-  write_csv(folder / "solves.csv", [&](const TakeSolve& take) { study = checked_study(store, entry, take); });
+  const auto pass = [&](const TakeSolve& take) { study = checked_study(store, entry, take); };
+  write_file(folder / "solves.csv", [&](const Write& write) { write_csv(pass, write); });
   return study;
 }
 

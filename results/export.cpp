@@ -1,26 +1,19 @@
 #include "results/export.hpp"
 
-#include <algorithm>
+#include <fmt/core.h>
+
+#include <cmath>
+#include <stdexcept>
 #include <type_traits>
+
+#include "numerics/number.hpp"
+#include "results/csv.hpp"
 
 namespace ikbench::results {
 
-#define EXPORT_TEXT(name, meaning) void name##_text(const Exported&, const Write&);
-#define EXPORT_FOLDER(name, meaning) \
-  std::vector<std::string> write_##name(const Exported&, const std::filesystem::path&);
-#include "results/export_formats.inc"
-#undef EXPORT_TEXT
-#undef EXPORT_FOLDER
+using namespace numerics;
 
 namespace {
-
-constexpr ExportFormat formats[]{
-#define EXPORT_TEXT(name, meaning) {#name, meaning, name##_text, nullptr},
-#define EXPORT_FOLDER(name, meaning) {#name, meaning, nullptr, write_##name},
-#include "results/export_formats.inc"
-#undef EXPORT_TEXT
-#undef EXPORT_FOLDER
-};
 
 template <class Value>
 constexpr std::string_view type_name() {
@@ -31,13 +24,84 @@ constexpr std::string_view type_name() {
   return "text";
 }
 
-}  // namespace
+template <class Value>
+constexpr bool is_list = std::is_same_v<Value, std::vector<double>>;
 
-std::span<const ExportFormat> export_formats() { return formats; }
-
-const ExportFormat& export_format(std::string_view name) {
-  return *std::ranges::find(formats, name, &ExportFormat::name);
+template <class Value>
+void append(std::string& text, const Value& value) {
+  if constexpr (std::is_same_v<Value, std::string>) {
+    append_csv_cell(text, value);
+  } else if constexpr (std::is_enum_v<Value>) {
+    text += name_of(value);
+  } else if constexpr (std::is_integral_v<Value>) {
+    text += std::to_string(value);
+  } else if (std::isfinite(value)) {
+    numerics::append(text, value);
+  } else {
+    text += text_of(value);
+  }
 }
+
+// Visits the columns of CSV.
+template <class Visit>
+void for_each_csv_column(Visit&& visit) {
+  for_each_column([&](std::string_view name, auto member, std::string_view) {
+    if (name != "trace_cm" && name != "improved_at" && name != "improved_to_cm") visit(name, member);
+  });
+}
+
+// Cells per column.
+using Widths = std::vector<std::size_t>;
+
+Widths widths_of(const SolveRecord& record) {
+  Widths widths;
+  for_each_csv_column([&]<class Value>(std::string_view, Value SolveRecord::*member) {
+    widths.push_back(1);
+    if constexpr (is_list<Value>) widths.back() = (record.*member).size();
+  });
+  return widths;
+}
+
+void append_header(std::string& text, const Widths& widths) {
+  std::vector<std::string> cells;
+  auto width = widths.begin();
+  for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*) {
+    const std::size_t count = width == widths.end() ? 0 : *width++;
+    if constexpr (is_list<Value>) {
+      for (std::size_t i = 1; i <= count; ++i) cells.push_back(std::string(name) + "_" + std::to_string(i));
+    } else {
+      cells.emplace_back(name);
+    }
+  });
+  append_csv_row(text, cells);
+}
+
+void append_row(std::string& text, const SolveRecord& record, const Widths& widths) {
+  auto width = widths.begin();
+  for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*member) {
+    const Value& value = record.*member;
+    if constexpr (is_list<Value>) {
+      if (value.size() > *width)
+        throw std::invalid_argument(
+            fmt::format("run {}, point {} of {} has {} numbers as {}, the first solve {}; read the "
+                        "store instead",
+                        record.run, record.point, record.solver, value.size(), name, *width));
+      for (const double element : value) {
+        append(text, element);
+        text += ',';
+      }
+      text.append(*width - value.size(), ',');
+    } else {
+      const bool is_uncounted = name == "evaluations" && record.counted_by == CountedBy::nobody;
+      if (!is_uncounted) append(text, value);
+      text += ',';
+    }
+    ++width;
+  });
+  text.back() = '\n';
+}
+
+}  // namespace
 
 std::vector<ColumnInfo> columns() {
   std::vector<ColumnInfo> list;
@@ -47,8 +111,22 @@ std::vector<ColumnInfo> columns() {
   return list;
 }
 
-bool is_uncounted(std::string_view column, const SolveRecord& record) {
-  return column == "evaluations" && record.counted_by == CountedBy::nobody;
+void write_csv(const PassSolves& pass, const Write& write) {
+  constexpr std::size_t part = 1 << 20;  // written at a time
+  Widths widths;
+  std::string text;
+  pass([&](const SolveRecord& record) {
+    if (widths.empty()) {
+      widths = widths_of(record);
+      append_header(text, widths);
+    }
+    append_row(text, record, widths);
+    if (text.size() < part) return;
+    write(text);
+    text.clear();
+  });
+  if (widths.empty()) append_header(text, widths);
+  write(text);
 }
 
 }  // namespace ikbench::results

@@ -1,9 +1,8 @@
-// Exports a store for other programs: the formats, and the list of columns that tidy CSV and JSON share.
+// Writes the solves of a study for other programs.
 #pragma once
 
 #include <filesystem>
 #include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,34 +21,22 @@ struct ColumnInfo {
 
 // The columns of a solve, in their order.
 std::vector<ColumnInfo> columns();
-// True if the column has no value: nobody counted the evaluations.
-bool is_uncounted(std::string_view column, const SolveRecord& record);
 
-// Passes solves on one by one, as often as it is called.
+// Passes solves on one by one, in the order solver, run, point, as often as it is called.
 using PassSolves = std::function<void(const TakeSolve& take)>;
 
-// The exported solves and their study. The solves are in the order solver, run, point.
-struct Exported {
-  const StoredStudy& study;
-  const std::vector<Session>& sessions;
-  PassSolves each_solve;
-};
+// Tidy CSV: one row per solve. A list becomes one column per element, numbered from 1 (answer_rad_1 ...), as many as
+// the first solve has; shorter lists leave cells empty, and longer ones throw std::invalid_argument. The trace and the
+// improvements have up to one element per iteration, so only the store has them. Values that are not finite are NaN,
+// Inf or -Inf; evaluations that nobody counted are empty.
+void write_csv(const PassSolves& pass, const Write& write);
 
-// A format is either a text, which is written in parts, or a folder, which must be absent or empty. Both functions
-// throw std::invalid_argument if the format cannot hold the study. `write_folder` returns warnings.
-struct ExportFormat {
-  std::string_view name;
-  std::string_view meaning;
-  void (*write_text)(const Exported& exported, const Write& write) = nullptr;
-  std::vector<std::string> (*write_folder)(const Exported& exported, const std::filesystem::path& folder) = nullptr;
-};
-
-// The formats in the order of export_formats.inc.
-std::span<const ExportFormat> export_formats();
-// The one of that name; there must be one.
-const ExportFormat& export_format(std::string_view name);
-
-// Writes the CSV of solves into a file.
-void write_csv(const std::filesystem::path& file, const PassSolves& pass);
+// The format of IOHprofiler (Doerr, Wang, Ye, van Rijn and Baeck 2018), for IOHanalyzer and IOHinspector: a folder for
+// each solver, with IOHprofiler_f1_target.json, data_f1_target/IOHprofiler_f1_DIM7.dat and so on. If a program gave no
+// answer, evaluation 1 has the error at the start and is the last. Returns a warning for each solver that is left out.
+// Throws std::invalid_argument for a study without traces, or with more points or runs than IOHprofiler's numbers, and
+// for a folder that is not empty.
+std::vector<std::string> write_iohprofiler(const StoredStudy& study, const PassSolves& pass,
+                                           const std::filesystem::path& folder);
 
 }  // namespace ikbench::results

@@ -1,5 +1,5 @@
 // One row per solve: everything that the store keeps of it. columns.inc lists the columns once; this struct, the
-// store's schema, its reader, CSV, JSON and `ikbench list columns` derive from that list.
+// store's schema, its reader, CSV and `ikbench list columns` derive from that list.
 #pragma once
 
 #include <array>

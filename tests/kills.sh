@@ -145,7 +145,7 @@ kill_files() { # whole or not there, and the same command again succeeds
   local format k
   look() { echo 0; }
   succeeds run slim2023 --set runs=8 --set trace=best_error --out traced --no-report
-  for format in csv json iohprofiler; do
+  for format in csv iohprofiler; do
     lasts export traced/store.sqlite --format $format -o undisturbed.$format
     for ((k = 0; k < rounds; ++k)); do
       rm -rf exported && mkdir exported
@@ -172,7 +172,7 @@ kill_disk() { # full while solves are stored, merged, exported and drawn: exit c
   as_whole small/run/store.sqlite "a full disk"
   mount -o remount,size=200m small
   succeeds run slim2023 --set runs=2 --set trace=best_error --out few --no-report
-  for format in csv json iohprofiler report; do
+  for format in csv iohprofiler report; do
     local command=(export few/store.sqlite --format $format -o small/$format)
     [ $format != report ] || command=(report few/store.sqlite --out small/report)
     succeeds "${command[@]}"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Exports are what other programs read: CSV, JSON, a folder for IOHprofiler, a fingerprint.
+# Exports are what other programs read: CSV, a folder for IOHprofiler, a fingerprint.
 source "$(dirname "$0")/common.sh"
 traced=(slim2023 "${small[@]}" --set trace=best_error --no-report)
 succeeds run "${traced[@]}" --out made
@@ -62,5 +62,4 @@ bash -c "${lines[1]}" | awk -F'|' '$1 == "slim2023" { printf "%s,%s,%.9g\n", $2,
 awk -F, '$1 == "error" { printf "%s,%s,%.9g\n", $2, $3, $4 }' tables/descriptives.csv | sort | diff ../means - || fail "other means than the report's"
 cd ..
 
-succeeds export made/store.sqlite --format json -o solves.json
 python3 "$scripts/exports.py" || fail "other programs would not read it"

@@ -1,23 +1,21 @@
-# The CSV and the JSON say the same, to every digit; the folder follows the rules by which IOHanalyzer 0.1.8.11 and
+# The CSV and the store say the same, to every digit; the folder follows the rules by which IOHanalyzer 0.1.8.11 and
 # IOHinspector read it, numbered as in the specification of their format.
-import csv, json, os, re
+import csv, json, os, re, sqlite3
 
-def strict(constant):
-    raise ValueError(constant)  # NaN and Infinity are not JSON
-
-data, rows = json.load(open("solves.json"), parse_constant=strict), list(csv.DictReader(open("first.csv", newline="")))
-assert data["study"] == "slim2023" and data["definition"]["points"] == 3 and data["definition"]["runs"] == 2
-assert [series["label"] for series in data["series"]] == ["IK-BA", "BA", "DE", "PSO", "K-ABC", "MO-PSO"]
-assert len(data["sessions"]) == 2 and len(data["solves"]) == len(rows) == 36
-for solve, row in zip(data["solves"], rows):
+store = sqlite3.connect("made/store.sqlite")
+store.row_factory = sqlite3.Row
+rows = list(csv.DictReader(open("first.csv", newline="")))
+solves = {(solve["solver"], solve["point"], solve["run"]): solve
+          for solve in store.execute("SELECT * FROM current_solves WHERE study = 'slim2023'")}
+assert len(solves) == len(rows) == 36
+for row in rows:
+    solve = solves[row["solver"], int(row["point"]), int(row["run"])]
     for name in ("position_error_cm", "claimed_error_cm", "variation_deg", "seconds"):
         assert solve[name] == float(row[name]), name
-    assert solve["answer_rad"] == [float(row[f"answer_rad_{joint}"]) for joint in range(1, 8)]
-    assert solve["solver"] == row["solver"] and solve["point"] == int(row["point"])
-    assert len(solve["trace_cm"]) == solve["iterations"] == 5
+    assert json.loads(solve["answer_rad"]) == [float(row[f"answer_rad_{joint}"]) for joint in range(1, 8)]
+    assert len(json.loads(solve["trace_cm"])) == solve["iterations"] == 5
     assert abs(solve["position_error_cm"] - solve["claimed_error_cm"]) < 1e-7
 
-solves = {(s["solver"], s["point"], s["run"]): s for s in data["solves"]}
 seen, files, plain = set(), set(), re.compile(r"[A-Za-z0-9_-]+(\.json|\.dat)?")
 required = ["version", "suite", "function_id", "function_name", "maximization", "algorithm", "attributes", "scenarios"]
 for folder, _, names in os.walk("ioh"):
@@ -42,14 +40,14 @@ for file in sorted(f for f in files if f.endswith(".json")):
             lines = [line.split(" ") for line in block.splitlines()]
             evaluations, errors = [int(line[0]) for line in lines], [float(line[1]) for line in lines]
             key = (head["algorithm"]["name"], head["function_id"], run["instance"])
-            solve = solves[key]
+            solve, trace = solves[key], json.loads(solves[key]["trace_cm"])
             assert key not in seen  # 8
             seen.add(key)
             assert evaluations[0] == 1 and evaluations.count(1) == 1  # 1
             assert evaluations == sorted(set(evaluations)) and evaluations[-1] == run["evals"] == solve["evaluations"]
             assert all(a > b for a, b in zip(errors, errors[1:-1])) and errors[-1] == min(errors)
-            assert errors[-1] == run["best"]["y"] == solve["trace_cm"][-1]  # 5: every digit
+            assert errors[-1] == run["best"]["y"] == trace[-1]  # 5: every digit
             assert evaluations[errors.index(min(errors))] == run["best"]["evals"] and len(run["best"]["x"]) == 4
-            assert set(errors[2:]) <= set(solve["trace_cm"])
+            assert set(errors[2:]) <= set(trace)
 assert len(seen) == len(solves) == 36
 assert all(f.endswith(".json") for f in files), files  # every other file is named by one of them

@@ -1,12 +1,11 @@
-# names.py STUDY FOLDER <LABELS: export.csv, export.json and the tables of FOLDER have the names as they are.
+# names.py STUDY FOLDER <LABELS: export.csv and the tables of FOLDER have the names as they are.
 import csv, json, sys
 labels = sys.stdin.read().split("\n")[:-1]
-solves, rows = json.load(open("export.json"))["solves"], list(csv.DictReader(open("export.csv", newline="")))
-assert len(solves) == len(rows) == 6 * len(labels), (len(solves), len(rows))
+rows = list(csv.DictReader(open("export.csv", newline="")))
+assert len(rows) == 6 * len(labels), len(rows)
 texts = {chr(39) + label if label[0] in "=+-@" else label for label in labels}
-for found, named in ((solves, set(labels)), (rows, texts)):
-    assert {solve["solver"] for solve in found} == named, {solve["solver"] for solve in found} ^ named
-    assert {solve["study"] for solve in found} == {sys.argv[1]}
+assert {row["solver"] for row in rows} == texts, {row["solver"] for row in rows} ^ texts
+assert {row["study"] for row in rows} == {sys.argv[1]}
 results = json.load(open(sys.argv[2] + "/results.json"))
 assert {row["solver"] for row in results["groups"]} == set(labels)
 for name in ("results", "pairs", "descriptives", "anova"):

@@ -1,4 +1,4 @@
-// CSV and JSON of a record, against text written by hand.
+// CSV of records, against text written by hand.
 #include "tests/results/samples.hpp"
 
 TEST_CASE("CSV has a row per solve and a column per joint", "[export]") {
@@ -7,7 +7,7 @@ TEST_CASE("CSV has a row per solve and a column per joint", "[export]") {
   four_joints.start_rad = four_joints.answer_rad = {0.5, 1, 1.5, 2};
   four_joints.position_error_cm = std::numeric_limits<double>::quiet_NaN();
   four_joints.seconds = std::numeric_limits<double>::infinity();
-  std::istringstream csv(exported("csv", {sample_record(), four_joints}));
+  std::istringstream csv(csv_of({sample_record(), four_joints}));
   for (const std::string line :
        {"study,robot,solver,series,run,point,target_position_m_1,target_position_m_2,target_position_m_3,"
         "target_rotation_1,target_rotation_2,target_rotation_3,target_rotation_4,target_rotation_5,target_rotation_6,"
@@ -31,51 +31,12 @@ TEST_CASE("CSV has a row per solve and a column per joint", "[export]") {
 }
 
 TEST_CASE("CSV of no solves is the header without lists", "[export]") {
-  const std::string csv = exported("csv", {});
+  const std::string csv = csv_of({});
   const CsvTable table = parse_csv(csv, "empty.csv");
   CHECK(table.rows() == 0);
   CHECK(table.header.front() == "study");
   CHECK(std::ranges::count(columns(), "list of numbers", &ColumnInfo::type) ==
         static_cast<std::ptrdiff_t>(columns().size() - table.header.size()));
-}
-
-TEST_CASE("JSON holds the study, its sessions and every column of its solves", "[export]") {
-  SolveRecord record = sample_record();
-  record.position_error_cm = -std::numeric_limits<double>::infinity();
-  record.trace_cm = {1.5, std::numeric_limits<double>::quiet_NaN()};
-  const std::string text =
-      exported("json", {record, sample_record()}, {{.id = 1, .environment = {{"cpu", "<script>\"x\"</script>"}}}});
-  const auto json = nlohmann::ordered_json::parse(text);
-  CHECK(json["note"] == "null stands for a number that is not finite");
-  CHECK(json["columns"].size() == columns().size());
-  CHECK(json["study"] == "table-3");
-  CHECK(json["definition"].dump() == R"({"robot":"iiwa14","runs":20,"points":20})");
-  CHECK(json["series"].dump() == R"([{"key":"key-a","label":"IK-BA","algorithm":"ik_ba","options":{"gamma":0.1}},)"
-                                 R"({"key":"key-b","label":"BA","algorithm":"ba","options":{}}])");
-  CHECK(json["sessions"].dump() == R"([{"id":1,"environment":{"cpu":"<script>\"x\"</script>"}}])");
-  CHECK(json["solves"].size() == 2);
-  CHECK_THAT(
-      json["solves"][0].dump(),
-      StartsWith(
-          R"({"study":"table-3","robot":"iiwa14","solver":"IK-BA","series":"key-a","run":1,"point":1,)"
-          R"("target_position_m":[0.6,0.2,0.1],"target_rotation":[-1.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,-1.0],)"
-          R"("start_rad":[0.0,0.0,0.0,0.0,0.0,0.0,0.0],)"
-          R"("answer_rad":[0.1,-0.2,0.3333333333333333,0.4,0.5,0.6,0.7],"reached_position_m":[0.6,0.2,0.100019],)"
-          R"("position_error_cm":null,"claimed_error_cm":0.0018,"orientation_error":1e-16,"variation_deg":87.1916,)"
-          R"("largest_move_deg":60.25,"limit_violation_deg":0.5,"evaluations":10000,"iterations":200,)"
-          R"("stop_reason":"tolerance","status":"limit_violated","seconds":0.2439,"cpu_seconds":0.2438,)"
-          R"("timing":"parallel","session":1,"trace_cm":[1.5,null])"));
-}
-
-TEST_CASE("JSON of a study that was never solved has no solves", "[export]") {
-  CHECK(nlohmann::json::parse(exported("json", {}))["solves"].empty());
-}
-
-TEST_CASE("text that is not UTF-8 leaves JSON that can be read", "[export]") {
-  SolveRecord record = sample_record();
-  record.solver = "caf\xE9";
-  const auto json = nlohmann::json::parse(exported("json", {record}));
-  CHECK(json["solves"][0]["solver"] == "caf\xEF\xBF\xBD");  // U+FFFD
 }
 
 TEST_CASE("every column has a name of its own, a type and a meaning", "[export]") {

@@ -82,15 +82,12 @@ inline results::StoredStudy sample_study(const std::string& name = "table-3") {
                      {.key = "key-b", .label = "BA", .algorithm = "ba", .options = "{}"}}};
 }
 
-// The solves in a format that is a text.
-inline std::string exported(std::string_view format, const std::vector<results::SolveRecord>& solves,
-                            const std::vector<results::Session>& sessions = {}) {
+inline std::string csv_of(const std::vector<results::SolveRecord>& solves) {
   const auto each = [&](const std::function<void(const results::SolveRecord&)>& take) {
     for (const results::SolveRecord& solve : solves) take(solve);
   };
   std::string text;
-  results::export_format(format).write_text({sample_study(), sessions, each},
-                                            [&](std::string_view part) { text += part; });
+  results::write_csv(each, [&](std::string_view part) { text += part; });
   return text;
 }
 

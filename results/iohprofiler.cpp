@@ -1,6 +1,6 @@
-// A study in the format of IOHprofiler (Doerr, Wang, Ye, van Rijn and Baeck 2018), for IOHanalyzer and IOHinspector. A
-// target of the path is a function, a run an instance, the number of searched joints the dimension, and the error [cm]
-// the objective. Each solve lists the evaluations at which its best error became smaller.
+// A study in the format of IOHprofiler. A target of the path is a function, a run an instance, the number of searched
+// joints the dimension, and the error [cm] the objective. Each solve lists the evaluations at which its best error
+// became smaller.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -122,19 +122,16 @@ void refuse_full(const std::filesystem::path& folder) {
 
 }  // namespace
 
-// Writes a folder for each solver: IOHprofiler_f1_target.json, data_f1_target/IOHprofiler_f1_DIM7.dat and so on. If a
-// program gave no answer, evaluation 1 has the error at the start and is the last. Warns of solvers that are left out.
-// Refuses a study without traces, with more points or runs than IOHprofiler's numbers, and a folder that is not empty.
-std::vector<std::string> write_iohprofiler(const Exported& exported, const std::filesystem::path& folder) {
-  const StoredStudy& study = exported.study;
+std::vector<std::string> write_iohprofiler(const StoredStudy& study, const PassSolves& pass,
+                                           const std::filesystem::path& folder) {
   const Json definition = numerics::parsed_ordered_json(study.definition);
   std::map<std::string, std::map<int, std::map<std::size_t, Function>>> functions;  // by solver, point and dimension
   std::set<std::string> left_out;
-  exported.each_solve([&](const SolveRecord& solve) {
+  pass([&](const SolveRecord& solve) {
     if (!has_rows(solve)) left_out.insert(solve.solver);
   });
   bool has_trace = false;
-  exported.each_solve([&](const SolveRecord& solve) {
+  pass([&](const SolveRecord& solve) {
     if (left_out.contains(solve.solver)) return;
     has_trace = true;
     if (solve.point > largest_id || solve.run > largest_id)
