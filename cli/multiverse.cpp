@@ -1,4 +1,6 @@
 // ikbench multiverse: the claims of a paper in every reading of what it leaves open.
+#include "experiments/multiverse.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,8 +13,6 @@
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
-#include "experiments/series_means.hpp"
-#include "experiments/study_reader.hpp"
 #include "numerics/json.hpp"
 #include "results/files.hpp"
 
@@ -33,33 +33,11 @@ struct MultiverseArguments {
   bool list = false, small = false, is_json = false;
 };
 
-constexpr double endless = std::numeric_limits<double>::infinity();
-
-// The mean of each run; infinite where an answer is not finite.
-RunMeans run_means(const Study& study, const std::vector<SolveRecord>& solves) {
-  RunMeans means;
-  const auto runs = static_cast<std::size_t>(study.runs);
-  means.error_cm.resize(runs);
-  means.variation_deg.resize(runs);
-  for (const SolveRecord& solve : solves) {
-    const auto run = static_cast<std::size_t>(solve.run - 1);
-    means.error_cm[run] += solve.position_error_cm;
-    means.variation_deg[run] += solve.variation_deg;
-  }
-  for (std::vector<double>* values : {&means.error_cm, &means.variation_deg}) {
-    for (double& value : *values) {
-      value /= study.path->points();
-      if (!std::isfinite(value)) value = endless;
-    }
-  }
-  return means;
-}
-
 // The door of these numbers: a run with an answer that is not finite is lost.
 compare::Group group_of(const std::vector<double>& runs) {
   compare::Group group;
   for (const double value : runs) {
-    if (value < endless)
+    if (std::isfinite(value))
       group.values.push_back(value);
     else
       ++group.lost;
@@ -80,9 +58,12 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
       rows.push_back({one.set, each.section, is_default ? "default" : is_varied ? "yes" : "no", one.where});
     }
   }
-  const MultiverseSize size = size_of(varied, labels_of(study));
-  return fmt::format("{} readings of {} questions: {} choices for the study, {} solver settings for a seed\n{}",
-                     size.readings, varied.size(), size.studies, size.series, aligned(rows));
+  const results::Multiverse choices = choices_of(varied, labels_of(study));
+  std::size_t settings = 0;
+  for (const auto& of_study : choices.studies)
+    for (const auto& of_solver : of_study.solvers) settings += of_solver.size();
+  return fmt::format("{:.0f} readings of {} questions: {} choices for the study, {} solver settings for a seed\n{}",
+                     choices.readings(), varied.size(), choices.studies.size(), settings, aligned(rows));
 }
 
 void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arguments,
@@ -101,10 +82,9 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
   CancelOnSignal signals;
   const MultiverseRequest request{
       .seeds = arguments.seeds, .overrides = arguments.overrides, .cancelled = &signals.requested()};
-  const auto multiverse = solved_multiverse(paper.name, varied, request, folder, arguments.jobs);
+  const auto multiverse = solved_multiverse(paper.name, varied, request, arguments.jobs);
   if (signals.end() || !multiverse) {
-    say(fmt::format("Stopped. What is solved is in {}; to continue: {}", (folder / "series.csv").string(),
-                    invocation.command));
+    say("Stopped before the table. Nothing is kept; the same command begins anew.");
     invocation.exit_code = cancelled_exit_code();
     return;
   }
@@ -114,18 +94,15 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
 }  // namespace
 
 std::optional<Multiverse> solved_multiverse(const std::string& study, const std::vector<Dimension>& varied,
-                                            const MultiverseRequest& request, const std::filesystem::path& folder,
-                                            int jobs) {
+                                            const MultiverseRequest& request, int jobs) {
   const MultiversePlan plan = plan_multiverse(study, varied, request);
   if (*request.cancelled) return std::nullopt;
-  SeriesMeans kept(folder / "series.csv");
   ProgressBar bar("readings");
-  const std::vector<RunMeans> means = solve_series(plan.parts, kept,
-                                                   {.means_of = run_means,
-                                                    .jobs = jobs,
-                                                    .progress = [&](const Progress& progress) { bar.show(progress); },
-                                                    .cancelled = request.cancelled});
-  if (means.size() < plan.parts.size()) return std::nullopt;
+  const std::vector<RunMeans> means =
+      solve_parts(plan.parts, {.jobs = jobs,
+                               .progress = [&](const Progress& progress) { bar.show(progress); },
+                               .cancelled = request.cancelled});
+  if (means.empty()) return std::nullopt;
   Multiverse multiverse{plan, {}};
   for (const RunMeans& each : means)
     multiverse.means.push_back({group_of(each.error_cm), group_of(each.variation_deg)});
@@ -165,7 +142,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       "  ikbench multiverse slim2023 --small --seeds 2 --out out/small\n"
       "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n\n"
       "A reading is one choice for every question. Each solver is solved once for each of its own choices; claims are\n"
-      "judged in all combinations. After Ctrl-C the same command continues.");
+      "judged in all combinations.");
   command->callback([arguments, &invocation] {
     const papers::Paper& paper = papers::paper_named(arguments->paper);
     const std::vector<Dimension> all = dimensions(arguments->paper);

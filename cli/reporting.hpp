@@ -70,12 +70,11 @@ std::optional<std::string> run_study(const experiments::Study& study, const resu
                                      const std::filesystem::path& folder, experiments::RunRequest request,
                                      results::Store::Mode mode = results::Store::Mode::write);
 
-// Solves all combinations of what a paper leaves open, with progress (multiverse.cpp); the folder's series.csv keeps
-// finished series. Returns nothing if the request was cancelled: shares need all readings.
+// Solves all combinations of what a paper leaves open, with progress (multiverse.cpp). Returns nothing if the
+// request was cancelled: shares need all readings.
 std::optional<papers::Multiverse> solved_multiverse(const std::string& study,
                                                     const std::vector<results::Dimension>& varied,
-                                                    const experiments::MultiverseRequest& request,
-                                                    const std::filesystem::path& folder, int jobs);
+                                                    const experiments::MultiverseRequest& request, int jobs);
 
 // Writes and draws a figure, and warns if it was not drawn.
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options);

@@ -82,15 +82,14 @@ std::string fingerprints_of(const Store& store, const std::vector<compare::Judge
 }
 
 // It measures no time, so all processors may work. Nothing if it was stopped, which it says.
-std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& arguments, const Paper& paper,
-                                                        const std::filesystem::path& folder) {
+std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& arguments, const Paper& paper) {
   const std::vector<Dimension> all = dimensions(paper.name);
   if (arguments.seeds == 0 || all.empty()) return papers::JudgedMultiverse{};
   const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   CancelOnSignal signals;
   const MultiverseRequest request{
       .seeds = arguments.seeds, .overrides = overridden_runs(arguments), .cancelled = &signals.requested()};
-  const auto solved = solved_multiverse(paper.name, within(Scope::small, all), request, folder, jobs);
+  const auto solved = solved_multiverse(paper.name, within(Scope::small, all), request, jobs);
   if (!solved || signals.end()) {
     say(stopped);
     return std::nullopt;
@@ -184,7 +183,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       const bool is_first = judged.empty();
       judged.push_back(compare::judge(is_first ? exported_study(store, stored, folder) : checked_study(store, stored)));
     }
-    const auto readings = judged_readings(*arguments, paper, folder);
+    const auto readings = judged_readings(*arguments, paper);
     if (!readings) return stop();
     const EndOnSignal signals(
         "Stopped before the report was complete. All solves are kept; run the same command again to write it.");

@@ -3,15 +3,21 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <mutex>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "experiments/study_writer.hpp"
+#include "experiments/task.hpp"
+#include "experiments/verifier.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/names.hpp"
 #include "numerics/toml_table.hpp"
+#include "numerics/units.hpp"
 
 namespace ikbench::experiments {
 
@@ -216,52 +222,42 @@ void refuse_varied(const Overrides& overrides, const std::vector<Dimension>& dim
   }
 }
 
-MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers) {
+Multiverse choices_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers) {
   const Combinations combinations{dimensions};
-  MultiverseSize size;
-  double readings = 0;
+  Multiverse all{.dimensions = dimensions, .solvers = solvers, .studies = {}};
+  double settings = 0;
   for (const Chosen& chosen : combinations.of("", {})) {
-    double of_solvers = 1;
+    Multiverse::OfStudy& of_study = all.studies.emplace_back();
+    of_study.chosen = chosen;
     for (const std::string& solver : solvers) {
-      const std::size_t own = combinations.of(solver, chosen).size();
-      size.series += static_cast<std::int64_t>(own);
-      of_solvers *= static_cast<double>(own);
+      std::vector<Multiverse::ChosenSolver>& of_solver = of_study.solvers.emplace_back();
+      for (const Chosen& own : combinations.of(solver, chosen)) of_solver.push_back({.chosen = own, .parts = {}});
+      settings += static_cast<double>(of_solver.size());
     }
-    readings += of_solvers;
-    ++size.studies;
-    refuse_too_many(dimensions, "solver settings for a seed", static_cast<double>(size.series), most_combinations);
-    refuse_too_many(dimensions, "readings", readings, most_readings);
+    refuse_too_many(dimensions, "solver settings for a seed", settings, most_combinations);
   }
-  size.readings = static_cast<std::int64_t>(readings);
-  return size;
+  refuse_too_many(dimensions, "readings", all.readings(), most_readings);
+  return all;
 }
 
 MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimension>& dimensions,
                                const MultiverseRequest& request) {
   refuse_varied(request.overrides, dimensions);
-  MultiversePlan plan;
-  plan.dimensions = dimensions;
-  plan.solvers = labels_of(load_study(name, request.overrides));
-  size_of(dimensions, plan.solvers);
-  const Combinations combinations{dimensions};
+  MultiversePlan plan{choices_of(dimensions, labels_of(load_study(name, request.overrides))), {}};
   std::map<std::string, std::size_t> places;  // in the plan's parts, by series key
-  for (const Chosen& chosen : combinations.of("", {})) {
-    MultiversePlan::OfStudy& of_study = plan.studies.emplace_back();
-    of_study.chosen = chosen;
+  for (Multiverse::OfStudy& of_study : plan.studies) {
     Overrides all = request.overrides;
-    add_overrides(all, dimensions, chosen);
+    add_overrides(all, dimensions, of_study.chosen);
     for (std::size_t s = 0; s < plan.solvers.size(); ++s) {
-      std::vector<MultiversePlan::ChosenSolver>& of_solver = of_study.solvers.emplace_back();
-      for (const Chosen& own : combinations.of(plan.solvers[s], chosen)) {
-        of_solver.push_back({.chosen = own, .parts = {}});
+      for (Multiverse::ChosenSolver& of_solver : of_study.solvers[s]) {
         Overrides of_own = all;
-        add_overrides(of_own, dimensions, own);
+        add_overrides(of_own, dimensions, of_solver.chosen);
         Study study = load_study(name, of_own);
         for (int seed = 1; seed <= request.seeds; ++seed) {
           if (request.cancelled != nullptr && *request.cancelled) return plan;
           study.seed = static_cast<std::uint64_t>(seed);
           const auto [place, is_new] = places.try_emplace(series_key(study, study.solvers[s]), plan.parts.size());
-          of_solver.back().parts.push_back(place->second);
+          of_solver.parts.push_back(place->second);
           if (!is_new) continue;
           plan.parts.push_back(study);
           plan.parts.back().solvers = {study.solvers[s]};
@@ -270,6 +266,91 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
     }
   }
   return plan;
+}
+
+namespace {
+
+// The key of the search alone: unless limits or wraps change where a solve starts, no search sees which way the wrist
+// bends and turns. A program or library may be too late.
+std::string search_key(Study study) {
+  const SolverEntry& entry = study.solvers.front();
+  const bool is_built_in = !entry.program && info_of(entry).library.empty();
+  if (is_built_in && study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == Wrap::no) {
+    study.wrist_branch = WristBranch::nearest;
+    study.wrist_turns = WristTurns::principal;
+  }
+  return series_key(study, study.solvers.front());
+}
+
+// Solves of one search with the wrist of another study: its errors and joint motion.
+std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveRecord> solves) {
+  const robots::Robot arm = arm_of(study);
+  const Task task(study, arm);
+  std::vector<robots::Pose> poses;
+  std::vector<robots::Configuration> own_starts;
+  robots::Configuration start;
+  for (int run = 0; SolveRecord & solve : solves) {
+    if (solve.run != run) {
+      run = solve.run;
+      poses = targets(study, arm, run);
+      own_starts = starts(study, arm, run);
+      start = study.initial;
+    }
+    const auto place = static_cast<std::size_t>(solve.point - 1);
+    if (!own_starts.empty()) start = own_starts[place];
+    const robots::Configuration answer = task.completed(
+        Eigen::Map<const Eigen::VectorXd>(solve.answer_rad.data(), task.arm().joints()), poses[place], start);
+    const Verification verified = verify(arm, poses[place], start, answer);
+    solve.position_error_cm = verified.position_error / centimetre;
+    solve.variation_deg = verified.variation / degree;
+    if (moves_arm(solve, study.start)) start = answer;
+  }
+  return solves;
+}
+
+RunMeans means_of(const Study& study, const std::vector<SolveRecord>& solves) {
+  const auto runs = static_cast<std::size_t>(study.runs);
+  RunMeans means{.error_cm = std::vector<double>(runs), .variation_deg = std::vector<double>(runs)};
+  for (const SolveRecord& solve : solves) {
+    const auto run = static_cast<std::size_t>(solve.run - 1);
+    means.error_cm[run] += solve.position_error_cm;
+    means.variation_deg[run] += solve.variation_deg;
+  }
+  for (std::vector<double>* values : {&means.error_cm, &means.variation_deg}) {
+    for (double& value : *values)
+      value = std::isfinite(value) ? value / study.path->points() : std::numeric_limits<double>::infinity();
+  }
+  return means;
+}
+
+}  // namespace
+
+std::vector<RunMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request) {
+  std::map<std::string, std::vector<std::size_t>> by_search;
+  Progress progress;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    by_search[search_key(parts[i])].push_back(i);
+    progress.total += solves_of({}, parts[i]);
+  }
+  std::vector<std::vector<std::size_t>> searches;
+  for (auto& [key, places] : by_search) searches.push_back(std::move(places));
+  std::vector<RunMeans> means(parts.size());
+  std::mutex mutex;
+  share_out(searches.size(), request.jobs, request.cancelled, [&](std::size_t s, std::size_t, const IsOver& is_over) {
+    const Study& first = parts[searches[s].front()];
+    std::vector<SolveRecord> solves;
+    solve_study(
+        first, 1, [&](SolveRecord record) { solves.push_back(std::move(record)); }, request.cancelled);
+    if (is_over()) return;
+    for (const std::size_t i : searches[s]) {
+      means[i] = means_of(parts[i], &parts[i] == &first ? solves : with_wrist_of(parts[i], solves));
+      const std::scoped_lock lock(mutex);
+      progress.done += solves_of({}, parts[i]);
+      if (request.progress) request.progress(progress);
+    }
+  });
+  if (progress.done < progress.total) means.clear();
+  return means;
 }
 
 }  // namespace ikbench::experiments

@@ -1,5 +1,5 @@
-// What a paper leaves open (multiverse/NAME.toml), all combinations of it, and the series to solve to judge claims in
-// each of them.
+// What a paper leaves open (multiverse/NAME.toml), all combinations of it, and the solves to judge claims in each of
+// them.
 #pragma once
 
 #include <atomic>
@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "results/dimension.hpp"
 
@@ -34,12 +35,10 @@ struct MultiversePlan : results::Multiverse {
   std::vector<Study> parts;
 };
 
-// Counts before anything is loaded or solved. Throws std::invalid_argument for more than 100000 choices or series per
-// seed, or more than 10^15 readings.
-struct MultiverseSize {
-  std::int64_t studies = 0, series = 0, readings = 0;
-};
-MultiverseSize size_of(const std::vector<results::Dimension>& dimensions, const std::vector<std::string>& solvers);
+// All choices, before anything is loaded or solved. Throws std::invalid_argument for more than 100000 choices or series
+// per seed, or more than 10^15 readings.
+results::Multiverse choices_of(const std::vector<results::Dimension>& dimensions,
+                               const std::vector<std::string>& solvers);
 
 struct MultiverseRequest {
   int seeds = 1;                                 // seeds 1, 2, ...
@@ -53,5 +52,14 @@ void refuse_varied(const Overrides& overrides, const std::vector<results::Dimens
 // Checks the overrides, too.
 MultiversePlan plan_multiverse(const std::string& study, const std::vector<results::Dimension>& dimensions,
                                const MultiverseRequest& request = {});
+
+// One value per run, the mean over its points; infinite if an answer is not finite.
+struct RunMeans {
+  std::vector<double> error_cm, variation_deg;
+};
+
+// Solves the parts of a plan. Returns the means of each, in their order; none if the request was cancelled. Of the
+// request only jobs (parts at once), progress and cancelled count.
+std::vector<RunMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request);
 
 }  // namespace ikbench::experiments

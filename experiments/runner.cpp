@@ -38,8 +38,6 @@ struct Work {
     for (std::size_t s = 0; s < series.size(); ++s)
       solve_runners.emplace_back(study, study.solvers[s], series[s].key, arm, repeats, jobs);
     done.resize(solve_runners.size() * static_cast<std::size_t>(study.runs));
-    for (int run = 1; run <= study.runs; ++run)
-      if (has_any(shard, study, run)) runs.push_back(run);
   }
   Work(const Work&) = delete;  // solve_runners refer to the arm
   Work& operator=(const Work&) = delete;
@@ -47,11 +45,12 @@ struct Work {
   std::size_t index(std::size_t solver, int run) const {
     return static_cast<std::size_t>(run - 1) * solve_runners.size() + solver;
   }
-  // The index of the chain that comes next after `begun_chains`. Runs are the outer loop, and solvers take turns at
-  // being first, so that a drift of the machine touches all solvers alike.
-  std::size_t next_index(std::size_t begun_chains) const {
-    const std::size_t place = begun_chains / solve_runners.size();
-    return index((begun_chains + place) % solve_runners.size(), runs[place]);
+  // The index of the chain at a place in the order of work. Runs are the outer loop, and solvers take turns at being
+  // first, among the runs of which a shard has a part, so that a drift of the machine touches all solvers alike.
+  std::size_t index_at(std::size_t place) const {
+    const int run = static_cast<int>(place / solve_runners.size()) + 1, parts = study.is_chained() ? 1 : points;
+    const int turn = (run - 1) / std::max(1, shard.count / parts);
+    return index((place + static_cast<std::size_t>(turn)) % solve_runners.size(), run);
   }
   const SolveRunner& solve_runner(std::size_t index) const { return solve_runners[index % solve_runners.size()]; }
   int run(std::size_t index) const { return static_cast<int>(index / solve_runners.size()) + 1; }
@@ -76,7 +75,6 @@ struct Work {
   Robot arm;
   int points;  // per run
   std::vector<SolveRunner> solve_runners;
-  std::vector<int> runs;                 // of which the shard has a point
   std::vector<bool> done;                // true for chains that miss nothing
   std::map<std::size_t, Chained> begun;  // chains of which the store has a part
 };
@@ -145,14 +143,15 @@ struct RunTask {
 
 // Solves the rest of every chain, `jobs` chains at once. What is solved is passed on, whatever ends this.
 void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, RecordQueue& record_queue) {
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> has_failed{false};
-  const auto is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
-  const auto work_on = [&](std::size_t index, RunTask& task) {
+  std::vector<RunTask> tasks(static_cast<std::size_t>(jobs));
+  const auto work_on = [&](std::size_t turn, std::size_t worker, const IsOver& is_over) {
+    RunTask& task = tasks[worker];
+    const std::size_t index = work.index_at(turn);
     const int run = work.run(index);
     if (work.done[index]) return;
     Chained chain = work.chain(index);
     int point = work.next_point(chain, run, 1);
+    if (point > work.points) return;
     const SolveRunner& solve_runner = work.solve_runner(index);
     const std::unique_ptr<Solver> solver = solve_runner.make_solver();
     if (task.run != run) task = {run, targets(work.study, work.arm, run), starts(work.study, work.arm, run)};
@@ -168,16 +167,7 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
     }
   };
   try {
-    work_together(jobs, [&] {
-      RunTask task;
-      try {
-        const std::size_t chains = work.runs.size() * work.solve_runners.size();
-        for (std::size_t i = next++; i < chains && !is_over(); i = next++) work_on(work.next_index(i), task);
-      } catch (...) {
-        has_failed = true;  // the other workers stop after their present solve
-        throw;
-      }
-    });
+    share_out(work.done.size(), jobs, cancelled, work_on);
   } catch (...) {
     record_queue.flush();
     throw;

@@ -139,12 +139,6 @@ bool contains(Shard shard, const Study& study, int run, int point) {
   return part(study, run, point) % shard.count == shard.index - 1;
 }
 
-bool has_any(Shard shard, const Study& study, int run) {
-  for (int point = 1; point <= (study.is_chained() ? 1 : study.path->points()); ++point)
-    if (contains(shard, study, run, point)) return true;
-  return false;
-}
-
 std::int64_t parts_of(const Study& study) {
   return study.is_chained() ? study.runs : std::int64_t{study.runs} * study.path->points();
 }

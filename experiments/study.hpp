@@ -111,7 +111,6 @@ struct Shard {
 Shard shard_from(std::string_view text);
 
 bool contains(Shard shard, const Study& study, int run, int point);
-bool has_any(Shard shard, const Study& study, int run);  // true if the shard has a point of the run
 std::int64_t parts_of(const Study& study);
 std::int64_t solves_of(Shard shard, const Study& study);  // by all solvers
 

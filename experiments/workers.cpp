@@ -7,10 +7,23 @@ namespace ikbench::experiments {
 
 using namespace results;
 
-void work_together(int jobs, const std::function<void()>& worker) {
-  if (jobs == 1) return worker();
+void share_out(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
+               const std::function<void(std::size_t, std::size_t, const IsOver&)>& work) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> has_failed{false};
+  const IsOver is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
+  const auto work_as = [&](std::size_t worker) {
+    try {
+      for (std::size_t i = next++; i < count && !is_over(); i = next++) work(i, worker, is_over);
+    } catch (...) {
+      has_failed = true;
+      throw;
+    }
+  };
+  if (jobs == 1) return work_as(0);
   std::vector<std::future<void>> workers;  // each waits for its end before it goes
-  for (int i = 0; i < jobs; ++i) workers.push_back(std::async(std::launch::async, worker));
+  for (int i = 0; i < jobs; ++i)
+    workers.push_back(std::async(std::launch::async, work_as, static_cast<std::size_t>(i)));
   for (std::future<void>& each : workers) each.get();
 }
 

@@ -1,7 +1,9 @@
 // Threads that work side by side, how far they are, and the queue where they hand in their records.
 #pragma once
 
+#include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -19,9 +21,12 @@ struct Progress {
   std::vector<std::string> notes = {};  // at the end: one sentence per program about more than its solves
 };
 
-// Calls `worker` in `jobs` threads and returns when all have ended; one job runs in this thread. Rethrows what a worker
-// throws.
-void work_together(int jobs, const std::function<void()>& worker);
+// True if a worker has to stop: another one threw, or the user cancelled.
+using IsOver = std::function<bool()>;
+// Calls work(index, worker, is_over) for each index below `count`, in their order, by the workers 0 to jobs - 1, each a
+// thread; one job runs in this thread. Returns when all have ended, and rethrows what one throws.
+void share_out(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
+               const std::function<void(std::size_t index, std::size_t worker, const IsOver& is_over)>& work);
 
 // Passes records on, one thread at a time, `patience` after the last time or later. Records handed in meanwhile wait
 // and are passed on all at once, so that no worker waits for another. After a failure it passes nothing on.

@@ -43,10 +43,22 @@ struct Multiverse {
   struct OfStudy {
     Chosen chosen;
     std::vector<std::vector<ChosenSolver>> solvers;  // in the order of `solvers`
+
+    double readings() const {
+      double product = 1;
+      for (const auto& of_solver : solvers) product *= static_cast<double>(of_solver.size());
+      return product;
+    }
   };
   std::vector<Dimension> dimensions;
   std::vector<std::string> solvers;
   std::vector<OfStudy> studies;
+
+  double readings() const {
+    double sum = 0;
+    for (const OfStudy& study : studies) sum += study.readings();
+    return sum;
+  }
 };
 
 }  // namespace ikbench::results

@@ -28,12 +28,6 @@ std::size_t place_of(const Names& all, std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(all, name) - all.begin());
 }
 
-double readings_of(const OfStudy& study) {
-  double product = 1;
-  for (const std::vector<ChosenSolver>& of_solver : study.solvers) product *= static_cast<double>(of_solver.size());
-  return product;
-}
-
 // If it is that a solver is better in error, variation or their spread.
 bool hangs_on_reading(const Claim& claim) {
   return claim.rule != nullptr && claim.rule->name == "better" && claim.metrics.size() == 1 && claim.study.empty() &&
@@ -105,7 +99,7 @@ std::vector<Part> parts_of(const Multiverse& multiverse, const Claim& claim, con
       };
       OwnChoices chosen;
       for (std::size_t number = 0; !(chosen = combination(study, own, number)).empty(); ++number) {
-        Part& part = parts.emplace_back(Part{study.chosen, {}, readings_of(study)});
+        Part& part = parts.emplace_back(Part{study.chosen, {}, study.readings()});
         for (const auto& [solver, choice] : chosen) {
           const Chosen& more = study.solvers[solver][choice].chosen;
           part.chosen.insert(part.chosen.end(), more.begin(), more.end());
@@ -274,12 +268,10 @@ JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const 
     result.table.rows.push_back({claim.sentence, whole(count.holds), whole(count.fails), whole(count.undecided),
                                  condition.fails, where(multiverse, parts, &Readings::undecided)});
   }
-  double readings = 0;
-  for (const OfStudy& study : multiverse.studies) readings += readings_of(study);
   result.table.notes = {fmt::format(
       "{:.0f} readings, each with seeds 1 to {}. Each pair is judged alone, at significance / pairs. Counts depend on "
       "which answers are listed; they are no probabilities.",
-      readings, multiverse.studies[0].solvers[0][0].parts.size())};
+      multiverse.readings(), multiverse.studies[0].solvers[0][0].parts.size())};
   return result;
 }
 

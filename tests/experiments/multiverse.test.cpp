@@ -6,45 +6,6 @@ namespace {
 const Overrides tiny{"runs=2", "path.points=2", "stop.iterations=2", "population=6"};
 const std::vector<std::string> three_labels{"A", "B", "C"};
 
-struct MeansFolder {
-  ScratchFolder folder;
-  std::filesystem::path file() const { return folder.path / "series.csv"; }
-  std::string text() const { return text_in(file()); }
-  std::set<std::string> lines() const {
-    std::istringstream all(text());
-    std::set<std::string> found;
-    for (std::string line; std::getline(all, line);) found.insert(line);
-    return found;
-  }
-};
-
-RunMeans first_points(const Study&, const std::vector<SolveRecord>& solves) {
-  RunMeans means;
-  std::vector<SolveRecord> sorted = solves;
-  std::ranges::sort(sorted, {}, &SolveRecord::run);
-  for (const SolveRecord& solve : sorted) {
-    if (solve.point != 1) continue;
-    means.error_cm.push_back(solve.position_error_cm);
-    means.variation_deg.push_back(solve.variation_deg);
-  }
-  return means;
-}
-
-std::vector<RunMeans> solved_into(const MeansFolder& folder, const std::vector<Study>& series, int jobs,
-                                  int* solved = nullptr) {
-  SeriesMeans kept(folder.file());
-  std::atomic<int> count{0};
-  auto means = solve_series(series, kept,
-                            {.means_of =
-                                 [&](const Study& study, std::vector<SolveRecord> solves) {
-                                   ++count;
-                                   return first_points(study, solves);
-                                 },
-                             .jobs = jobs});
-  if (solved != nullptr) *solved = count;
-  return means;
-}
-
 std::vector<Dimension> parsed(const std::string& alternatives) {
   return parse_dimensions("[[dimensions]]\nsection = '2.1'\nalternatives = [" + alternatives + "]\n", "open.toml",
                           three_labels);
@@ -116,10 +77,7 @@ TEST_CASE("a plan has every combination of the alternatives that go together, ea
     REQUIRE(part.solvers.size() == 1);
     CHECK(keys.insert(series_key(part, part.solvers.front())).second);
   }
-  const MultiverseSize size = size_of(varied, plan.solvers);
-  CHECK(size.studies == static_cast<std::int64_t>(plan.studies.size()));
-  CHECK(size.series == series);
-  CHECK(size.series > static_cast<std::int64_t>(plan.parts.size()));
+  CHECK(series > static_cast<std::int64_t>(plan.parts.size()));
   CHECK(plan.studies.front().chosen == Chosen{{0, 0}, {1, 0}, {3, 0}});
 }
 
@@ -156,132 +114,28 @@ TEST_CASE("too many readings are refused with their number", "[multiverse]") {
   CHECK_THROWS_AS(plan_multiverse("slim2023", {}, {.overrides = {"seed=3"}}), std::invalid_argument);
 }
 
-TEST_CASE("series that are solved are kept, the same by any number of jobs", "[multiverse]") {
-  const auto series =
-      plan_multiverse("slim2023", named({"bounds"}, dimensions("slim2023")), {.seeds = 2, .overrides = tiny}).parts;
-  int solved = 0;
-  const MeansFolder one;
-  const std::vector<RunMeans> means = solved_into(one, series, 1, &solved);
-  REQUIRE(means.size() == series.size());
-  CHECK(solved == static_cast<int>(series.size()));
-  const std::set<std::string> lines = one.lines();
-  solved_into(one, series, 1, &solved);
-  CHECK(solved == 0);
-  std::filesystem::remove(one.file());
-  const std::vector<RunMeans> again = solved_into(one, series, 3);
-  CHECK(one.lines() == lines);
-  for (std::size_t i = 0; i < series.size(); ++i) {
+TEST_CASE("the parts of a plan have the means of their runs, by any number of jobs; cancelled, none", "[multiverse]") {
+  const auto varied = named({"bounds", "wrist_branch", "wrist_turns"}, dimensions("slim2023"));
+  const auto parts = plan_multiverse("slim2023", varied, {.seeds = 2, .overrides = tiny}).parts;
+  const std::vector<RunMeans> means = solve_parts(parts, {.jobs = 1}), again = solve_parts(parts, {.jobs = 3});
+  REQUIRE(means.size() == parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
     CHECK(again[i].error_cm == means[i].error_cm);
     CHECK(again[i].variation_deg == means[i].variation_deg);
-  }
-  // Fewer runs are the first of many; more are solved again.
-  std::vector<Study> shorter{series.front()};
-  shorter.front().runs = 1;
-  const std::vector<RunMeans> first = solved_into(one, shorter, 1, &solved);
-  CHECK(solved == 0);
-  CHECK(first.front().error_cm == std::vector<double>{means.front().error_cm.front()});
-  shorter.front().runs = 3;
-  solved_into(one, shorter, 1, &solved);
-  CHECK(solved == 1);
-}
-
-TEST_CASE("a file that was cut anywhere is continued to the same lines", "[multiverse]") {
-  const auto series =
-      plan_multiverse("slim2023", named({"bounds"}, dimensions("slim2023")), {.seeds = 1, .overrides = tiny}).parts;
-  const MeansFolder folder;
-  solved_into(folder, series, 1);
-  const std::set<std::string> lines = folder.lines();
-  const auto size = static_cast<double>(folder.text().size());
-  for (const double share : {0.0, 0.002, 0.3, 0.55, 0.999}) {
-    std::filesystem::resize_file(folder.file(), static_cast<std::uintmax_t>(share * size));
-    solved_into(folder, series, 2);
-    CHECK(folder.lines() == lines);
-  }
-}
-
-TEST_CASE("a file of series that was edited is refused with its line and what to do", "[multiverse]") {
-  const MeansFolder folder;
-  const auto refuses = [&](const std::string& text, const std::string& words) {
-    CAPTURE(text);
-    write_text(folder.file(), text);
-    CHECK_THROWS_AS(SeriesMeans(folder.file()), std::invalid_argument);
-    CHECK_THROWS_WITH(SeriesMeans(folder.file()), Catch::Matchers::StartsWith(folder.file().string() + words) &&
-                                                      Catch::Matchers::Contains("choose another --out"));
-  };
-  // The file with one series of these means, as it is kept.
-  const auto kept = [&](const RunMeans& means) {
-    std::filesystem::remove(folder.file());
-    SeriesMeans(folder.file()).keep("key", means);
-    return folder.text();
-  };
-  const std::string good = kept({{0, HUGE_VAL}, {1, 2}});
-  refuses("not ours\n", ":1: expected the header 'series,position_error_cm,variation_deg,check'; remove the file");
-  for (std::size_t at = good.find("key"); at + 1 < good.size(); ++at) {
-    std::string edited = good;
-    edited[at] = edited[at] == '3' ? '4' : '3';
-    refuses(edited, ":2: the file was edited");
-  }
-  for (const RunMeans& wrong : {RunMeans{{1}, {1, 2}}, {{}, {}}, {{1, NAN}, {1, 2}}, {{1, 1}, {1, -1}}})
-    refuses(kept(wrong), ":2: the file was edited");
-  write_text(folder.file(), good + good.substr(good.find("key"), 9));  // the last line lacks its end
-  CHECK(SeriesMeans(folder.file()).find("key", 2)->error_cm == std::vector<double>{0, HUGE_VAL});
-  CHECK(folder.text() == good);
-}
-
-TEST_CASE("what cannot be kept is an error that names the file", "[multiverse]") {
-  const auto cannot_keep = [](const std::filesystem::path& file) {
-    CHECK_THROWS_AS(SeriesMeans(file).keep("key", {{1}, {1}}), std::runtime_error);
-    CHECK_THROWS_WITH(SeriesMeans(file).keep("key", {{1}, {1}}),
-                      Catch::Matchers::StartsWith("cannot write " + file.string() + ": ") &&
-                          Catch::Matchers::Contains("; make it writable"));
-  };
-  const MeansFolder folder;
-  write_text(folder.file(), "series,position_error_cm,variation_deg,check\n");
-  cannot_keep(folder.file() / "series.csv");  // a file in the place of the folder
-  std::filesystem::permissions(folder.file(), std::filesystem::perms::owner_read);
-  if (!std::ofstream(folder.file(), std::ios::app)) cannot_keep(folder.file());  // root can write anyway
-  CHECK_THROWS_WITH(SeriesMeans(folder.folder.path),
-                    Catch::Matchers::EndsWith("is no regular file; choose another --out"));
-}
-
-TEST_CASE("cancelled, the series before the first that is missing are told and kept", "[multiverse]") {
-  const auto series =
-      plan_multiverse("slim2023", named({"bounds"}, dimensions("slim2023")), {.seeds = 1, .overrides = tiny}).parts;
-  const MeansFolder folder;
-  std::atomic<bool> cancelled{false};
-  SeriesMeans kept(folder.file());
-  const auto means = solve_series(series, kept,
-                                  {.means_of =
-                                       [&](const Study& study, std::vector<SolveRecord> solves) {
-                                         cancelled = true;
-                                         return first_points(study, solves);
-                                       },
-                                   .cancelled = &cancelled});
-  CHECK(means.size() == 1);
-  CHECK(std::ranges::count(folder.text(), '\n') == 2);
-}
-
-TEST_CASE("a series that is solved is kept though one before it is not", "[multiverse]") {
-  const auto series =
-      plan_multiverse("slim2023", named({"bounds"}, dimensions("slim2023")), {.seeds = 1, .overrides = tiny}).parts;
-  const MeansFolder folder;
-  SeriesMeans kept(folder.file());
-  const std::string first = series_key(series.front(), series.front().solvers.front());
-  std::atomic<std::size_t> others{0};
-  const auto means_of = [&](const Study& study, std::vector<SolveRecord> solves) {
-    if (series_key(study, study.solvers.front()) == first) {
-      while (others + 1 < series.size()) std::this_thread::yield();
-      throw std::runtime_error("killed");
+    RunMeans by_hand{{0, 0}, {0, 0}};
+    for (const SolveRecord& solve : solves_of(parts[i])) {
+      by_hand.error_cm[static_cast<std::size_t>(solve.run - 1)] += solve.position_error_cm / 2;
+      by_hand.variation_deg[static_cast<std::size_t>(solve.run - 1)] += solve.variation_deg / 2;
     }
-    ++others;
-    return first_points(study, solves);
-  };
-  CHECK_THROWS_WITH(solve_series(series, kept, {.means_of = means_of, .jobs = 2}), "killed");
-  const SeriesMeans again(folder.file());
-  CHECK(again.find(first, 1) == nullptr);
-  for (std::size_t i = 1; i < series.size(); ++i) {
-    CHECK(again.find(series_key(series[i], series[i].solvers.front()), 2) != nullptr);
+    for (const std::size_t run : {0U, 1U}) {
+      CHECK(means[i].error_cm[run] == Approx(by_hand.error_cm[run]).epsilon(1e-12));
+      CHECK(means[i].variation_deg[run] == Approx(by_hand.variation_deg[run]).epsilon(1e-12));
+    }
   }
+  std::atomic<bool> cancelled{false};
+  const RunRequest request{.progress = [&](const Progress& progress) { cancelled = progress.done > 0; },
+                           .cancelled = &cancelled};
+  CHECK(solve_parts(parts, request).empty());
 }
 
 TEST_CASE("a file of dimensions says in one sentence where it is wrong", "[multiverse]") {

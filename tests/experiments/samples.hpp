@@ -13,7 +13,6 @@
 #include "experiments/orientation.hpp"
 #include "experiments/path.hpp"
 #include "experiments/runner.hpp"
-#include "experiments/series_means.hpp"
 #include "experiments/solve_runner.hpp"
 #include "experiments/source_digest.hpp"
 #include "experiments/study.hpp"

@@ -1,38 +1,35 @@
 // Workers side by side, and the queue of their records.
 #include "tests/experiments/samples.hpp"
 
-TEST_CASE("a worker is called as often as there are jobs, one job by the calling thread", "[workers]") {
-  for (const int jobs : {1, 2, 5}) {
-    std::atomic<int> calls{0};
-    work_together(jobs, [&] { ++calls; });
-    CHECK(calls == jobs);
-  }
-  std::thread::id worker;
-  work_together(1, [&] { worker = std::this_thread::get_id(); });
-  CHECK(worker == std::this_thread::get_id());
-}
-
-TEST_CASE("workers are side by side, also where there are more than processors", "[workers]") {
-  std::atomic<int> here{0};
-  work_together(5, [&] {
-    ++here;
-    while (here < 5) std::this_thread::yield();  // endless if they ran one after the other
-  });
-  CHECK(here == 5);
-}
-
-TEST_CASE("what workers did is there for whoever called them, and what one throws", "[workers]") {
-  for (const int jobs : {1, 3}) {
-    std::atomic<int> next{0};
-    std::vector<int> done(3);
-    work_together(jobs, [&] {
-      for (int i = next++; i < 3; i = next++) done[static_cast<std::size_t>(i)] = i + 1;
+TEST_CASE("work is shared out once each, side by side, and one job is done by the calling thread", "[workers]") {
+  for (const std::size_t jobs : {1U, 3U}) {
+    const std::thread::id caller = std::this_thread::get_id();
+    std::vector<int> done(7);
+    std::atomic<std::size_t> here{0};
+    std::atomic<bool> is_right{true};
+    share_out(done.size(), static_cast<int>(jobs), nullptr, [&](std::size_t i, std::size_t worker, const IsOver&) {
+      is_right = is_right && worker < jobs && (jobs > 1 || std::this_thread::get_id() == caller);
+      ++here;
+      while (here < jobs) std::this_thread::yield();  // endless if they worked one after the other
+      ++done[i];
     });
-    CHECK(done == std::vector<int>{1, 2, 3});
-    const auto fail = [&] {
-      work_together(jobs, [] { throw std::runtime_error(std::string(40, 'x') + " no space"); });
+    CHECK(done == std::vector<int>(7, 1));
+    CHECK(is_right);
+  }
+}
+
+TEST_CASE("workers stop once one throws, which is rethrown, or the user cancels", "[workers]") {
+  for (const int jobs : {1, 3}) {
+    std::atomic<int> calls{0};
+    const auto fail = [&](std::size_t, std::size_t, const IsOver& is_over) {
+      if (++calls == 1) throw std::runtime_error("no space");
+      while (!is_over()) std::this_thread::yield();
     };
-    CHECK_THAT(complaint<std::runtime_error>(fail), ContainsSubstring("no space"));
+    CHECK(complaint<std::runtime_error>([&] { share_out(100, jobs, nullptr, fail); }) == "no space");
+    CHECK(calls <= jobs);
+    const std::atomic<bool> cancelled{true};
+    CHECK_NOTHROW(share_out(100, jobs, &cancelled, fail));
+    CHECK(calls <= jobs);
   }
 }
 
