@@ -26,4 +26,19 @@ std::vector<Path> paths() {
   return all;
 }
 
+Eigen::Matrix3d rotation(Tool tool) {
+  Eigen::Matrix3d R;
+  if (tool == Tool::down) {
+    R << -1, 0, 0, 0, 1, 0, 0, 0, -1;
+  } else {
+    R << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  }
+  return R;
+}
+
+std::vector<double> by_rows(const Eigen::Matrix3d& R) {
+  const Eigen::Matrix3d columns = R.transpose();
+  return {columns.reshaped().begin(), columns.reshaped().end()};
+}
+
 }  // namespace ikbench::experiments

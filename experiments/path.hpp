@@ -1,5 +1,5 @@
-// Paths: lists of target poses of the tool, in metres and radians. A kind of path is one file of paths/ and one line of
-// paths.inc (docs/extending.md).
+// Paths: lists of target poses of the tool, in metres and radians. A kind of path is a class in a file of paths/ and
+// one line of paths.inc (docs/extending.md).
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace ikbench::experiments {
 
 using numerics::Fields, numerics::InKey;
 
-// A kind of path, with the fields of one path of it. The file NAME.cpp defines NAME_path(), a path with the defaults.
+// A kind of path, with the fields of one path of it. Its file defines NAME_path(), a path with the defaults.
 class PathKind {
  public:
   virtual ~PathKind() = default;
@@ -29,7 +29,7 @@ class PathKind {
   // Throws std::invalid_argument if the fields do not fit each other, or if the arm has no such targets.
   virtual void check(const robots::Robot&) const {}
   // True if every run draws its own targets, false if all runs have the same.
-  virtual bool is_drawn() const = 0;
+  virtual bool is_drawn() const { return false; }
   virtual int points() const = 0;
   // One pose per point. `random` belongs to the run; only random paths use it.
   virtual std::vector<robots::Pose> poses(const robots::Robot& arm, numerics::Random& random) const = 0;
@@ -63,13 +63,20 @@ std::vector<Path> paths();
 Path path_through(std::vector<robots::Pose> poses);
 
 // Poses from a CSV file of any origin. The first line names the columns, in any order, with their units: x, y and z,
-// each with _m, _cm or _mm; and one of: qw, qx, qy, qz (of length 1 to 1 %); roll, pitch, yaw, each with _deg or _rad
-// (Rz(yaw) Ry(pitch) Rx(roll)); r11, r12, ... r33 (row by row, a rotation to 1e-3); nothing for a tool that points
-// straight down. Quaternions and matrices are made exact. Blanks about a cell are skipped, and what results/csv.hpp
-// skips. Anything else, a number that is not finite or beyond 1e6, no row, or more than 100000 rows throws
-// std::invalid_argument with file, line and column.
+// each with _m, _cm or _mm; and qw, qx, qy, qz (of length 1 to 1 %, then made exact); or roll, pitch, yaw, each with
+// _deg or _rad (Rz(yaw) Ry(pitch) Rx(roll)); or nothing for a tool that points straight down. Blanks about a cell are
+// skipped, and what results/csv.hpp skips. Anything else, a number that is not finite or beyond 1e6, no row, or more
+// than 100000 rows throws std::invalid_argument with file, line and column.
 std::vector<robots::Pose> poses_from_csv(std::string_view text, std::string_view file);
 
 constexpr std::pair<std::int64_t, std::int64_t> point_counts{1, 100'000};
+
+// The tool's orientation along a path. down: R = diag(-1, 1, -1). eq27: its third column is (0, 1, 0), a horizontal
+// tool, as Eq. 27 prints; its other columns are our choice.
+enum class Tool { down, eq27 };
+Eigen::Matrix3d rotation(Tool tool);
+
+// The nine elements of a rotation, row by row.
+std::vector<double> by_rows(const Eigen::Matrix3d& R);
 
 }  // namespace ikbench::experiments

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "experiments/environment.hpp"
-#include "experiments/orientation.hpp"
 #include "numerics/inputs.hpp"
 #include "numerics/units.hpp"
 

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "experiments/foreign/program.hpp"
-#include "experiments/orientation.hpp"
 #include "experiments/source_digest.hpp"
 #include "experiments/study_reader.hpp"
 #include "numerics/json.hpp"

@@ -12,46 +12,18 @@ bool same_poses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
   return std::ranges::equal(a, b, [](const Pose& x, const Pose& y) { return x.matrix() == y.matrix(); });
 }
 
-// Sets the number of points of any path; for a path from a file, writes a file with so many poses.
-class PointsSetter final : public Fields {
- public:
-  explicit PointsSetter(int count) : count_(count) {}
-
-  void set(Path& path) {
-    path->list_fields(*this);
-    if (!file_.empty()) path->load(folder_.path);
-  }
-
- private:
-  void on_text(Name, std::string& field) override {
-    field = file_ = "path.csv";
-    std::ofstream out(folder_.path / file_);
-    out << "x_m,y_m,z_m\n";
-    for (int i = 0; i < count_; ++i) out << "0.5,0,0." << i << '\n';
-  }
-  void on_texts(Name, std::vector<std::string>&) override {}
-  void on_choice(Name, std::size_t&, const std::vector<std::string>&) override {}
-  void on_chosen(Name, std::vector<std::size_t>&, const std::vector<std::string>&) override {}
-  void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
-    if (name.key == "points") field = count_;
-  }
-  void on_number(Name, double&, double, std::pair<double, double>) override {}
-  void on_numbers(Name, std::vector<double>&, double, int) override {}
-  void on_poses(Name, std::any field) override {
-    std::any_cast<std::vector<Pose>*>(field)->assign(static_cast<std::size_t>(count_), Pose::Identity());
-  }
-
-  int count_;
-  ScratchFolder folder_;
-  std::string file_;
-};
-
 // A path of every kind, with `count` points.
 std::vector<Path> with_points(int count) {
-  std::vector<Path> all = paths();
-  for (Path& path : all) {
-    PointsSetter(count).set(path);
-  }
+  const ScratchFolder folder;
+  std::string csv = "x_m,y_m,z_m\n";
+  for (int i = 0; i < count; ++i) csv += fmt::format("0.5,0,0.{}\n", i);
+  write_text(folder.path / "path.csv", csv);
+  write_text(folder.path / "study.toml", "[path]\nkind = 'csv'\nfile = 'path.csv'\n[[solvers]]\nsolver = 'bat'\n");
+  std::vector<Path> all{path_through(std::vector(static_cast<std::size_t>(count), Pose::Identity())),
+                        load_study((folder.path / "study.toml").string()).path};
+  for (const char* kind : {"helix", "circle", "random"})
+    all.push_back(path_of({fmt::format("kind={}", kind), fmt::format("points={}", count)}));
+  CHECK(all.size() == paths().size());
   return all;
 }
 
@@ -169,17 +141,6 @@ TEST_CASE("drawn targets differ from stream to stream, others know no stream, an
     CHECK((other.uniform() == untouched.uniform()) == !path->is_drawn());
     Random third(Key(1));
     CHECK(same_poses(path->poses(other_arm, third), poses) == !path->is_drawn());
-  }
-}
-
-TEST_CASE("a copy of a path is another path", "[path]") {
-  for (const Path& path : with_points(3)) {
-    INFO(path->name());
-    Path copy = path;
-    PointsSetter(7).set(copy);
-    CHECK(copy->name() == path->name());
-    CHECK(copy->points() == 7);
-    CHECK(path->points() == 3);
   }
 }
 

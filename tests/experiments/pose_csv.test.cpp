@@ -45,15 +45,6 @@ TEST_CASE("roll, pitch and yaw turn about x, then y, then z", "[csv]") {
   CHECK((poses_in(text)[0].linear() - expected).norm() < 1e-6);
 }
 
-TEST_CASE("a matrix is read row by row, and made a rotation", "[csv]") {
-  const std::string head = "x_m,y_m,z_m,r11,r12,r13,r21,r22,r23,r31,r32,r33\n";
-  CHECK(poses_in(head + "0,0,0,0,-1,0,1,0,0,0,0,1\n")[0].linear() ==
-        (Eigen::Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished());
-  const Eigen::Matrix3d R = poses_in(head + "0,0,0,0.866,-0.5,0,0.5,0.866,0,0,0,1\n")[0].linear();
-  CHECK(R.isUnitary(1e-15));
-  CHECK(R(0, 0) == Approx(std::sqrt(0.75)).epsilon(1e-3));
-}
-
 TEST_CASE("without a rotation the tool points straight down", "[csv]") {
   CHECK(poses_in("x_m,y_m,z_m\n1,2,3\n")[0].linear() == down);
 }
@@ -120,13 +111,11 @@ TEST_CASE("a CSV file that is missing, elsewhere or too large is refused", "[csv
     return complaint<std::invalid_argument>([&] { load_study((folder.path / "study/my.toml").string()); });
   };
   CHECK_THAT(said("none.csv"), ContainsSubstring("my.toml:3:8: there is no file ") && ContainsSubstring("none.csv"));
-  for (const std::string file : {"", "../outside.csv", "/etc/hostname", "a/../../outside.csv"}) {
-    CHECK_THAT(said(file), ContainsSubstring("my.toml:3:8: path.file is ") &&
-                               ContainsSubstring("expected a CSV file in the study's folder"));
-  }
   std::filesystem::create_symlink("../outside.csv", folder.path / "study/link.csv");
-  CHECK_THAT(said("link.csv"),
-             ContainsSubstring("my.toml:3:8: path.file is \"link.csv\", a link that leads out of the study's folder"));
+  for (const std::string file : {"../outside.csv", "/etc/hostname", "link.csv"})
+    CHECK_THAT(said(file), StartsWith((folder.path / "study/my.toml").string() + ":3:8: path.file is \"" + file +
+                                      "\", which is outside"));
+  CHECK_THAT(said(""), ContainsSubstring("there is no file "));
   std::filesystem::create_symlink("/dev/zero", folder.path / "study/endless.csv");
   CHECK_THAT(said("endless.csv"), ContainsSubstring("there is no file "));
   std::ofstream(folder.path / "study/sparse.csv").close();

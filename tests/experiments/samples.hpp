@@ -10,7 +10,6 @@
 #include "experiments/environment.hpp"
 #include "experiments/foreign/protocol.hpp"
 #include "experiments/multiverse.hpp"
-#include "experiments/orientation.hpp"
 #include "experiments/path.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/solve_runner.hpp"
