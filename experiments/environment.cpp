@@ -7,13 +7,16 @@
 #include <unistd.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <limits>
+#include <stdexcept>
 #include <string_view>
 #include <thread>
+#include <utility>
 
-#include "experiments/source_digest.hpp"
+#include "build_info.hpp"
 #include "numerics/instruction_set.hpp"
 
 namespace ikbench::experiments {
@@ -21,6 +24,8 @@ namespace ikbench::experiments {
 using namespace numerics;
 
 namespace {
+
+#include "source_digests.inc"
 
 std::string cpu_model() {
   std::ifstream info("/proc/cpuinfo");
@@ -39,11 +44,6 @@ std::string compiler() {
 #endif
 }
 
-std::string operating_system() {
-  utsname name{};
-  return uname(&name) == 0 ? fmt::format("{} {} {}", name.sysname, name.release, name.machine) : "unknown";
-}
-
 // Identifies one start of the system: all its containers share it, whatever their host names.
 std::string boot() {
   std::ifstream file("/proc/sys/kernel/random/boot_id");
@@ -51,25 +51,26 @@ std::string boot() {
   return std::getline(file, id) ? id : "unknown";
 }
 
-std::string host() {
-  utsname name{};
-  return uname(&name) == 0 ? name.nodename : "unknown";
-}
-
 }  // namespace
 
 std::map<std::string, std::string> environment() {
-  std::map<std::string, std::string> facts = build_facts();
-  facts.insert({{"boot", boot()},
-                {"compiler", compiler()},
-                {"cpu", cpu_model()},
-                {"cpus", std::to_string(std::thread::hardware_concurrency())},
-                {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
-                {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-                {"host", host()},
-                {"instruction_set", std::string(name_of(instruction_set()))},
-                {"os", operating_system()}});
-  return facts;
+  utsname system{};
+  uname(&system);
+  return {{"boot", boot()},
+          {"build_type", build_info::build_type},
+          {"commit", build_info::commit},
+          {"compiler", compiler()},
+          {"cpu", cpu_model()},
+          {"cpus", std::to_string(std::thread::hardware_concurrency())},
+          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
+          {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"flags", build_info::flags},
+          {"host", system.nodename},
+          {"instruction_set", std::string(name_of(instruction_set()))},
+          {"os", fmt::format("{} {} {}", system.sysname, system.release, system.machine)},
+          {"sanitizers", build_info::sanitize},
+          {"source", shared_source_digest()},
+          {"version", build_info::version}};
 }
 
 double thread_seconds() {
@@ -89,17 +90,22 @@ double stolen_seconds() {
 
 bool is_debug_build() {
 #ifdef NDEBUG
-  return build_facts().at("sanitizers") != "none";
+  return std::string_view(build_info::sanitize) != "none";
 #else
   return true;
 #endif
 }
 
-std::string version() {
-  const std::map<std::string, std::string> facts = build_facts();
-  return fmt::format("{} ({}, source {})", facts.at("version"), facts.at("commit"), source_digest());
+std::string program_name() {
+  return fmt::format("ikbench {} ({}, source {})", build_info::version, build_info::commit, of_all);
 }
 
-std::string program_name() { return "ikbench " + version(); }
+std::string shared_source_digest() { return std::string(shared); }
+
+std::string solver_source_digest(std::string_view solver) {
+  const auto* found = std::ranges::find(of_solvers, solver, &std::pair<std::string_view, std::string_view>::first);
+  if (found == std::end(of_solvers)) throw std::logic_error("a solver without a source");
+  return std::string(found->second);
+}
 
 }  // namespace ikbench::experiments

@@ -10,8 +10,8 @@
 #include <sstream>
 #include <utility>
 
+#include "experiments/environment.hpp"
 #include "experiments/foreign/program.hpp"
-#include "experiments/source_digest.hpp"
 #include "experiments/study_reader.hpp"
 #include "numerics/json.hpp"
 #include "numerics/number.hpp"

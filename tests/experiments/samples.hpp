@@ -13,7 +13,6 @@
 #include "experiments/path.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/solve_runner.hpp"
-#include "experiments/source_digest.hpp"
 #include "experiments/study.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
