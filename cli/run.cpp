@@ -52,7 +52,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command
       ->add_option("--sweep", arguments->sweep,
                    fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
-                               most_swept))
+                               most_solvers))
       ->allow_extra_args(false);
   command->add_option("--only", arguments->only, "solve and report these labels alone: A,B; of a sweep also its label")
       ->delimiter(',')

@@ -37,9 +37,7 @@ struct SolverEntry {
   // counts as its source, so any change of the program solves anew.
   std::shared_ptr<const solvers::SolverInfo> own = {};
   std::string colour = {};  // in figures; empty: by its solver
-  // One of the entries that a sweep made of an entry: that one's label, and the swept settings with their values here.
-  std::string family = {};
-  solvers::Settings swept = {};
+  std::string family = {};  // the label of the entry with lists that this is one of; empty: none
 };
 
 // The solver of an entry that is no program.

@@ -64,9 +64,20 @@ toml::table& subtable(toml::table& table, std::string_view key) {
   return *part;
 }
 
-constexpr std::string_view population_key = "population";
+constexpr std::string_view population_key = "population", swept_owner = "sweep";
 
-// Applies one override to a study's table.
+// What can be swept of a solver: the population, and the options of one that is built in.
+std::set<std::string> settings_of(const std::string& solver) {
+  std::set<std::string> settings{std::string(population_key)};
+  for (const SolverInfo& info : all_solvers()) {
+    if (info.name != solver) continue;
+    for (const auto& [option, value] : info.options({})) settings.insert(option);
+  }
+  return settings;
+}
+
+// Applies one override to a study's table. "IK-BA.alpha" is of the entries with that label or solver, and "sweep.alpha"
+// of those whose solver has that setting.
 void override_one(toml::table& study, const std::string& text) {
   const std::size_t equals = text.find('=');
   constexpr std::size_t longest_key = 300;
@@ -75,8 +86,7 @@ void override_one(toml::table& study, const std::string& text) {
         fmt::format("--set {}: expected key=value, such as runs=5 or ik_bat.bounds=clamp", text.substr(0, 100)));
   }
   const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
-  const bool is_swept = key.starts_with("sweep.");
-  const std::size_t dot = is_swept ? key.find('.') : key.rfind('.');
+  const std::size_t dot = key.rfind('.');
   if (dot == std::string::npos) {
     constexpr std::array<std::string_view, 5> stops{"seconds", "iterations", "evaluations", "tolerance_cm",
                                                     "tolerance_deg"};
@@ -88,8 +98,9 @@ void override_one(toml::table& study, const std::string& text) {
   if (owner.empty() || field.empty()) {
     throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
   }
-  std::vector<std::string> owners{"analysis", "figures", "path", "stop", "urdf"};
-  if (is_swept || std::ranges::find(owners, owner) != owners.end()) return insert(subtable(study, owner), field, value);
+  std::set<std::string> owners{"analysis", "figures", "path", "stop", "urdf"}, settings;
+  if (owners.contains(owner)) return insert(subtable(study, owner), field, value);
+  const bool is_of_all = owner == swept_owner;
   bool is_known = false;
   if (toml::array* const entries = study["solvers"].as_array()) {
     for (toml::node& element : *entries) {
@@ -97,18 +108,23 @@ void override_one(toml::table& study, const std::string& text) {
       if (entry == nullptr) continue;
       const std::string label = (*entry)["label"].value_or(std::string());
       const std::string solver = (*entry)["solver"].value_or(std::string());
-      if (owner == label || owner == solver) {
+      const std::set<std::string> own = settings_of(solver);
+      if (is_of_all ? own.contains(field) : owner == label || owner == solver) {
         insert(field == population_key || field == "colour" || field == "patience_s" ? *entry
                                                                                      : subtable(*entry, "options"),
                field, value);
         is_known = true;
       }
-      for (const std::string& name : {label, solver}) {
-        if (!name.empty() && std::ranges::find(owners, name) == owners.end()) owners.push_back(name);
-      }
+      settings.insert(own.begin(), own.end());
+      owners.insert({label, solver});
     }
   }
-  if (!is_known) throw std::invalid_argument(fmt::format("--set {}: {}", key, unknown_name("solver", owner, owners)));
+  if (is_known) return;
+  owners.erase("");
+  throw std::invalid_argument(
+      is_of_all
+          ? fmt::format("--sweep {}: {}", field, unknown_name("setting", field, {settings.begin(), settings.end()}))
+          : fmt::format("--set {}: {}", key, unknown_name("solver", owner, {owners.begin(), owners.end()})));
 }
 
 // ---- parts of a study ---------------------------------------------------------------------------------------------
@@ -306,8 +322,8 @@ using Axes = std::map<std::string, std::vector<std::string>>;
 void read_values(const TomlReader& settings, const SolverEntry& entry, Axes& axes, const std::string& setting,
                  const toml::node& node) {
   const toml::array* list = node.as_array();
-  if (list == nullptr || list->empty() || list->size() > most_swept)
-    settings.fail(setting, node, fmt::format("a list of 1 to {} values", most_swept));
+  if (list == nullptr || list->empty() || list->size() > most_solvers)
+    settings.fail(setting, node, fmt::format("a list of 1 to {} values", most_solvers));
   std::vector<std::string> values;
   for (const toml::node& element : *list) {
     values.push_back(value_in(settings, entry, setting, element));
@@ -325,89 +341,31 @@ void read_setting(const TomlReader& settings, SolverEntry& entry, Axes& axes, co
     give(entry, setting, value_in(settings, entry, setting, node));
 }
 
-// A key of [sweep].
-struct SweptKey {
-  std::string owner;  // a label or a solver's name; empty: every solver that has the setting
-  std::string setting;
-  const toml::node* values;
-  bool is_used = false;
-};
-
-std::vector<SweptKey> swept_keys(TomlReader& study) {
-  std::vector<SweptKey> keys;
-  const toml::table* sweep = study.subtable("sweep");
-  if (sweep == nullptr) return keys;
-  for (const auto& [key, node] : *sweep) {
-    const std::string name(key.str());
-    if (const toml::table* of_owner = node.as_table()) {  // IK-BA.alpha, without quotes
-      for (const auto& [setting, values] : *of_owner) keys.push_back({name, std::string(setting.str()), &values});
-      continue;
-    }
-    const std::size_t dot = name.rfind('.');
-    const bool has_owner = dot != std::string::npos;
-    keys.push_back({has_owner ? name.substr(0, dot) : "", has_owner ? name.substr(dot + 1) : name, &node});
-  }
-  return keys;
-}
-
-// The way in which a key names the entry. A later one replaces the values of an earlier one.
-enum class Names { not_it, every_solver, its_solver, its_label };
-
-Names names_of(const SweptKey& key, const SolverEntry& entry) {
-  if (key.owner == entry.label) return Names::its_label;
-  if (key.owner == entry.solver) return Names::its_solver;
-  const bool has_setting = key.setting == population_key || options_with(entry, {}).contains(key.setting);
-  return key.owner.empty() && has_setting ? Names::every_solver : Names::not_it;
-}
-
-void refuse_unused(const TomlReader& reader, const std::vector<SweptKey>& keys, const Study& study) {
-  for (const SweptKey& key : keys) {
-    if (key.is_used || std::ranges::find(study.left_out, key.owner, &LeftOut::label) != study.left_out.end()) continue;
-    std::set<std::string> owners, settings{std::string(population_key)};
-    for (const SolverEntry& entry : study.solvers) {
-      owners.insert({entry.family.empty() ? entry.label : entry.family, entry.solver});
-      for (const auto& [option, value] : options_with(entry, {})) settings.insert(option);
-    }
-    const bool has_owner = !key.owner.empty();
-    const std::string& name = has_owner ? key.owner : key.setting;
-    const std::set<std::string>& known = has_owner ? owners : settings;
-    throw std::invalid_argument(
-        reader.where(key.values->source(), "sweep." + name) +
-        unknown_name(has_owner ? "solver" : "setting to sweep", name, {known.begin(), known.end()}));
-  }
-}
+const std::string too_many_solvers = fmt::format("more than {0} solvers; expected at most {0}", most_solvers);
 
 // One entry per combination of the values; the last setting varies fastest. The entry itself if nothing is swept.
 std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntry& entry, const Axes& axes) {
-  if (axes.empty()) return {entry};
-  const auto wrong = [&](const std::string& message) {
-    return std::invalid_argument(fmt::format("{}the sweep of {} makes {}",
-                                             reader.where(reader.table().source(), "solvers"), entry.label, message));
+  const auto refuse_if = [&](bool is_wrong, std::string_view what) {
+    if (is_wrong)
+      throw std::invalid_argument(fmt::format("{}the sweep of {} makes {}",
+                                              reader.where(reader.table().source(), "solvers"), entry.label, what));
   };
-  std::vector<std::size_t> counts;
-  double product = 1;
-  for (const auto& [setting, values] : axes) {
-    counts.push_back(values.size());
-    product *= static_cast<double>(values.size());
-  }
-  if (product > most_swept)
-    throw wrong(fmt::format("{} = {:.0f} solvers; expected at most {}", fmt::join(counts, " x "), product, most_swept));
   std::vector<SolverEntry> entries{entry};
-  entries.front().family = entry.label;
+  if (!axes.empty()) entries.front().family = entry.label;
   for (const auto& [setting, values] : axes) {
+    refuse_if(entries.size() * values.size() > most_solvers, too_many_solvers);
     std::vector<SolverEntry> longer;
     for (const SolverEntry& shorter : entries) {
       for (const std::string& value : values) {
         SolverEntry& one = longer.emplace_back(shorter);
         give(one, setting, value);
-        one.swept[setting] = value;
         one.label += fmt::format(" {}={}", setting, value);
       }
     }
     entries = std::move(longer);
   }
-  if (!std::ranges::all_of(entries, is_plain, &SolverEntry::label))
-    throw wrong("a label of more than 200 bytes; expected a shorter label");
+  refuse_if(!std::ranges::all_of(entries, is_plain, &SolverEntry::label),
+            "a label of more than 200 bytes; expected a shorter label");
   return entries;
 }
 
@@ -438,10 +396,8 @@ void check_entry(const TomlReader& reader, const TomlReader& at_entry, const Sol
   }
 }
 
-// Reads an entry. A setting that has a list of values, in the entry or in the table [sweep], makes one entry per
-// combination: "IK-BA population=20". A key of [sweep] is a setting of every solver that has it, or with a label or a
-// solver's name in front ("IK-BA.alpha") of these alone; it replaces what the entry says.
-std::vector<SolverEntry> read_entry(TomlReader reader, std::vector<SweptKey>& sweep) {
+// Reads an entry. A setting that has a list of values makes one entry per combination: "IK-BA population=20".
+std::vector<SolverEntry> read_entry(TomlReader reader) {
   SolverEntry entry;
   read_kind(reader, entry);
   entry.label = entry.solver;
@@ -459,20 +415,12 @@ std::vector<SolverEntry> read_entry(TomlReader reader, std::vector<SweptKey>& sw
   if (const toml::table* options = reader.subtable("options")) {
     for (const auto& [key, node] : *options) read_setting(settings, entry, axes, std::string(key.str()), node);
   }
-  for (const Names names : {Names::every_solver, Names::its_solver, Names::its_label}) {
-    for (SweptKey& key : sweep) {
-      if (names_of(key, entry) != names) continue;
-      read_values(settings, entry, axes, key.setting, *key.values);
-      key.is_used = true;
-    }
-  }
   reader.refuse_unknown_keys();
   return combinations(reader, entry, axes);
 }
 
 void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
   constexpr std::string_view key = "solvers", expected = "at least one [[solvers]] with solver = \"...\"";
-  std::vector<SweptKey> sweep = swept_keys(reader);
   std::set<std::string> labels;
   for (const toml::table* const table : reader.tables(key, most_solvers, expected)) {
     const TomlReader of_entry = reader.nested(*table, "solvers.");
@@ -480,24 +428,18 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
       study.left_out.push_back(*left_out);
       continue;
     }
-    for (SolverEntry& entry : read_entry(of_entry, sweep)) {
+    for (SolverEntry& entry : read_entry(of_entry)) {
       if (!labels.insert(entry.label).second) {
         throw std::invalid_argument(
             fmt::format("{}label \"{}\" is used twice; expected a different label for each of [[solvers]]",
                         reader.where(table->source(), key), entry.label));
       }
       check_entry(reader, reader.nested(*table, entry.label + "."), entry, study, arm);
+      if (study.solvers.size() == most_solvers) throw reader.mistake(key, "the entries make " + too_many_solvers);
       study.solvers.push_back(std::move(entry));
     }
   }
   if (study.solvers.empty()) reader.fail(key, *reader.find(key), expected);
-  refuse_unused(reader, sweep, study);
-  const bool is_swept =
-      std::ranges::any_of(study.solvers, [](const SolverEntry& entry) { return !entry.swept.empty(); });
-  if (is_swept && study.solvers.size() > most_swept) {
-    throw reader.mistake(
-        key, fmt::format("the sweeps make {} solvers; expected at most {}", study.solvers.size(), most_swept));
-  }
 }
 
 // ---- what fields ask of each other --------------------------------------------------------------------------------
@@ -621,27 +563,16 @@ Study read_study(const toml::table& table, std::string_view source) {
   return study;
 }
 
-// Says that there is no such study, and which one has a name like it: built in, or a file in the folder that was meant.
 std::string no_study(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
     return fmt::format("{} is a folder; expected a TOML file, or a name of: ikbench list studies", file.string());
   if (std::filesystem::exists(file, error)) return fmt::format("{} is not a regular file", file.string());
-  std::vector<std::string> names, files;
+  if (file.extension() == ".toml" || file.has_parent_path())
+    return fmt::format("no such file: {}; expected a TOML file, or a name of: ikbench list studies", file.string());
+  std::vector<std::string> names;
   for (const EmbeddedFile& embedded : study_files) names.emplace_back(embedded.stem());
-  std::ranges::sort(names);
-  if (file.extension() != ".toml" && !file.has_parent_path())
-    return "no such file, and " + unknown_name("built-in study", file.string(), names);
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  for (std::filesystem::directory_iterator entry(folder, error), end; entry != end; entry.increment(error)) {
-    if (entry->path().extension() == ".toml") files.push_back(entry->path().stem().string());
-  }
-  std::ranges::sort(files);
-  const std::string stem = file.stem().string(), near = nearest_name(stem, files), built_in = nearest_name(stem, names);
-  const std::string meant = near.empty() ? built_in : (file.parent_path() / (near + ".toml")).string();
-  return fmt::format("no such file: {}; {}", file.string(),
-                     meant.empty() ? "expected a TOML file, or a name of: ikbench list studies"
-                                   : fmt::format("did you mean \"{}\"?", meant));
+  return "no such file, and " + unknown_name("built-in study", file.string(), names);
 }
 
 }  // namespace
@@ -679,7 +610,9 @@ std::string sweep_override(const std::string& text) {
     values += ", ";
     from = end + 1;
   }
-  return fmt::format("sweep.{}=[{}]", text.substr(0, equals), values);
+  const std::string setting = text.substr(0, equals);
+  return fmt::format(
+      "{}=[{}]", setting.find('.') == std::string::npos ? fmt::format("{}.{}", swept_owner, setting) : setting, values);
 }
 
 Study parse_study(std::string_view toml_text, std::string_view source, const Overrides& overrides) {

@@ -13,10 +13,9 @@ namespace ikbench::experiments {
 // `IK-BA.bounds=clamp`.
 using Overrides = std::vector<std::string>;
 
-// The override that sweeps a setting: "population=10,20" becomes "sweep.population=[10, 20]".
-// std::invalid_argument says what is wrong with it.
+// The override that sweeps a setting of one solver ("IK-BA.alpha=0.5,0.9"), or of all built-in ones that have it
+// ("alpha=0.5,0.9"). std::invalid_argument says what is wrong with it.
 std::string sweep_override(const std::string& text);
-constexpr std::size_t most_swept = 200;  // entries of a study with a sweep
 
 // Throws std::invalid_argument with place, mistake and what is expected; for an unknown name, with the nearest known
 // one.

@@ -36,10 +36,6 @@ std::vector<double> in_units(const Values& values, double unit) {
   return result;
 }
 
-bool is_exact(const Eigen::VectorXd& values, double unit) {
-  return std::all_of(values.begin(), values.end(), [&](double value) { return in_unit(value, unit) * unit == value; });
-}
-
 // Every bit of the values.
 template <class Values>
 std::string exact(const Values& values) {
@@ -237,10 +233,8 @@ std::string lines_of(const FieldsWritten& fields) {
     }
     text += fmt::format("{} = [\n", key);
     for (const Pose& pose : *poses) {
-      const Eigen::VectorXd position = pose.translation();
-      const bool in_cm = is_exact(position, centimetre);
-      text += fmt::format("  {{ {} = {}, rotation = {} }},\n", in_cm ? "position_cm" : "position_m",
-                          toml_text(in_units(position, in_cm ? centimetre : 1)), toml_text(by_rows(pose.linear())));
+      text += fmt::format("  {{ position_m = {}, rotation = {} }},\n", toml_text(in_units(pose.translation(), 1)),
+                          toml_text(by_rows(pose.linear())));
     }
     text += "]\n";
   }
@@ -248,28 +242,6 @@ std::string lines_of(const FieldsWritten& fields) {
 }
 
 std::string toml_value(const std::string& setting) { return number_from(setting) ? setting : toml_string(setting); }
-
-using EntryPlace = std::vector<SolverEntry>::const_iterator;
-
-// The end of the entries that a sweep made of one.
-EntryPlace end_of_family(EntryPlace first, EntryPlace end) {
-  if (first->family.empty()) return first + 1;
-  return std::find_if(first, end, [&](const SolverEntry& entry) { return entry.family != first->family; });
-}
-
-// Swept settings, each with its values in TOML, in their order.
-using SweptValues = std::map<std::string, std::vector<std::string>>;
-
-SweptValues swept_values(EntryPlace first, EntryPlace end) {
-  SweptValues axes;
-  for (; first != end; ++first) {
-    for (const auto& [setting, text] : first->swept) {
-      std::vector<std::string>& values = axes[setting];
-      if (std::ranges::find(values, toml_value(text)) == values.end()) values.push_back(toml_value(text));
-    }
-  }
-  return axes;
-}
 
 // ---- keys ---------------------------------------------------------------------------------------------------------
 
@@ -320,15 +292,8 @@ std::string to_toml(const Study& study) {
   text += "\n[stop]\n" + lines_of(written(fields.stop)) + '\n' + to_toml(fields.path);
   for (const LeftOut& left_out : study.left_out)
     text += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.why);
-  for (auto first = study.solvers.begin(); first != study.solvers.end();
-       first = end_of_family(first, study.solvers.end())) {
-    const SolverEntry& entry = *first;
-    const SweptValues axes = swept_values(first, end_of_family(first, study.solvers.end()));
-    const auto value = [&](const std::string& setting, const std::string& of_entry) {
-      const auto axis = axes.find(setting);
-      return axis == axes.end() ? toml_value(of_entry) : fmt::format("[{}]", fmt::join(axis->second, ", "));
-    };
-    text += "\n[[solvers]]\n" + line("label", toml_string(entry.family.empty() ? entry.label : entry.family), "");
+  for (const SolverEntry& entry : study.solvers) {
+    text += "\n[[solvers]]\n" + line("label", toml_string(entry.label), "");
     if (entry.program) {
       ProgramChoice choice = entry.program->choice;
       text += lines_of(written(choice));
@@ -336,15 +301,14 @@ std::string to_toml(const Study& study) {
       text += line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);
     }
     if (entry.population > 0)
-      text += line("population", value("population", fmt::format("{}", entry.population)),
-                   "overrides the population of the study");
+      text += line("population", fmt::format("{}", entry.population), "overrides the population of the study");
     if (!entry.colour.empty())
       text += line("colour", toml_string(entry.colour), "of the solver in every figure: \"#RRGGBB\"");
     if (entry.if_missing == IfMissing::leave_out)
       text +=
           line("if_missing", "'leave_out'", "where it was not built the study goes on without it; refuse: it does not");
     std::vector<std::string> options;
-    for (const auto& [name, of_entry] : entry.options) options.push_back(name + " = " + value(name, of_entry));
+    for (const auto& [name, of_entry] : entry.options) options.push_back(name + " = " + toml_value(of_entry));
     if (!options.empty()) text += line("options", fmt::format("{{ {} }}", fmt::join(options, ", ")), "");
   }
   return text;
@@ -385,8 +349,8 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
   text += said_by_name(study.stop, StopRule{}, "stop.");
   // Does not compile with a further field of SolverEntry. Options and population enter as they are in effect, whether
   // a sweep chose them or not.
-  [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own, colour, family,
-                                swept] = entry;
+  [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own, colour, family] =
+      entry;
   text += fmt::format("\nsolver {} label {}", algorithm, label);
   if (program) text += said_by_name(program->choice, ProgramChoice{}, "program.");
   for (const auto& [name, value] : effective_options(study, entry)) text += fmt::format("\n{} = {}", name, value);
