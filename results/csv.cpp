@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <istream>
-#include <limits>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -21,23 +19,18 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-// A cell: a part of the text, or, if it was quoted, a copy without its quotes.
-struct Cell {
-  std::string_view plain = {};
-  std::optional<std::string> unquoted = {};
-};
-
 // Reads the text once, row by row, and counts lines for its messages.
 class Reader {
  public:
-  Reader(std::string_view text, std::string_view source, char separator)
-      : rest_(text), source_(source), separator_(separator) {
+  Reader(std::string_view text, std::string_view source, char separator,
+         std::vector<std::unique_ptr<const std::string>>& unquoted)
+      : rest_(text), source_(source), separator_(separator), unquoted_(unquoted) {
     if (text.size() > max_csv_bytes) refuse(fmt::format("{} bytes; expected at most {}", text.size(), max_csv_bytes));
     take(byte_order_mark);
   }
 
   // The next row that is not an empty line; empty at the end.
-  std::vector<Cell>& row() {
+  const std::vector<std::string_view>& row() {
     while (take_line_end()) {
     }
     row_line_ = line_;
@@ -46,7 +39,7 @@ class Reader {
     do {
       if (cells_.size() == max_csv_columns)
         refuse(fmt::format("too many columns; expected at most {}", max_csv_columns));
-      cells_.push_back(take("\"") ? Cell{.unquoted = quoted_cell()} : Cell{.plain = plain_cell()});
+      cells_.push_back(take("\"") ? quoted_cell() : plain_cell());
     } while (take({&separator_, 1}));
     if (!rest_.empty() && !take_line_end()) {
       refuse(rest_.front() == '\r' ? "a lone carriage return; expected lines to end in LF or CRLF"
@@ -72,7 +65,7 @@ class Reader {
   }
 
   // Reads a quoted cell, after its opening quote.
-  std::string quoted_cell() {
+  std::string_view quoted_cell() {
     std::string cell;
     do {
       const std::size_t length = rest_.find('"');
@@ -81,7 +74,7 @@ class Reader {
       cell += take_front(length + 1);  // with the quote, which belongs to the text if another follows
     } while (take("\""));
     cell.pop_back();
-    return cell;
+    return *unquoted_.emplace_back(std::make_unique<const std::string>(std::move(cell)));
   }
 
   bool take_line_end() {
@@ -106,10 +99,11 @@ class Reader {
     throw std::invalid_argument(fmt::format("{}:{}: {}", source_, line_, what));
   }
 
-  std::vector<Cell> cells_;
+  std::vector<std::string_view> cells_;
   std::string_view rest_;
   std::string_view source_;
   char separator_;
+  std::vector<std::unique_ptr<const std::string>>& unquoted_;
   std::size_t line_ = 1;
   std::size_t row_line_ = 1;
 };
@@ -150,22 +144,6 @@ double CsvTable::number(std::size_t row, std::string_view column_name) const {
       fmt::format("row {} below the header, column '{}': '{}'; expected a number", row + 1, column_name, text));
 }
 
-std::string_view CsvTable::cell(std::size_t row, std::size_t column) const {
-  const std::size_t place = places_[row * header.size() + column];
-  if (place > text_.size()) return unquoted_[place - text_.size() - 1];
-  const std::string_view rest = text_.substr(place);
-  return rest.substr(0, rest.find_first_of({ends_.data(), ends_.size()}));
-}
-
-void CsvTable::append_plain(std::string_view cell) {
-  places_.push_back(static_cast<std::uint32_t>(cell.data() - text_.data()));
-}
-
-void CsvTable::append_unquoted(std::string cell) {
-  unquoted_.push_back(std::move(cell));
-  places_.push_back(static_cast<std::uint32_t>(text_.size() + unquoted_.size()));
-}
-
 void expect_text(std::string_view text, std::string_view source) {
   const std::size_t nul = text.find('\0');
   if (nul == std::string_view::npos) return;
@@ -186,23 +164,16 @@ std::string csv_text(std::istream& stream, std::string_view source) {
 }
 
 CsvTable parse_csv(std::string_view text, std::string_view source, char separator) {
-  static_assert(2 * max_csv_bytes < std::numeric_limits<std::uint32_t>::max());  // there are no more cells than bytes
-  Reader reader(text, source, separator);
-  CsvTable table(text, separator);
-  for (Cell& cell : reader.row())
-    table.header.push_back(cell.unquoted ? std::move(*cell.unquoted) : std::string(cell.plain));
-  if (table.header.empty()) reader.refuse_row("the file is empty; expected a line with the names of the columns");
-  for (std::vector<Cell>* row = &reader.row(); !row->empty(); row = &reader.row()) {
+  CsvTable table;
+  Reader reader(text, source, separator, table.unquoted_);
+  const std::vector<std::string_view>* row = &reader.row();
+  if (row->empty()) reader.refuse_row("the file is empty; expected a line with the names of the columns");
+  table.header.assign(row->begin(), row->end());
+  for (row = &reader.row(); !row->empty(); row = &reader.row()) {
     if (row->size() != table.header.size())
       reader.refuse_row(fmt::format("{} cells; expected {} as in the header", row->size(), table.header.size()));
-    table.begin_row(reader.row_line());
-    for (Cell& cell : *row) {
-      if (cell.unquoted) {
-        table.append_unquoted(std::move(*cell.unquoted));
-      } else {
-        table.append_plain(cell.plain);
-      }
-    }
+    table.lines_.push_back(reader.row_line());
+    table.cells_.insert(table.cells_.end(), row->begin(), row->end());
   }
   return table;
 }

@@ -78,8 +78,7 @@ std::string in_quotes(std::string_view text) {
   return fmt::format("'{}'", numerics::one_line(numerics::front(text, 60)));
 }
 
-Sheet::Sheet(std::string_view text, std::string_view source, char separator, char decimal)
-    : source_(source), table_(text) {
+Sheet::Sheet(std::string_view text, std::string_view source, char separator, char decimal) : source_(source) {
   results::expect_text(text, source);
   if (std::ranges::count(text, '\n') > most_lines + 1)
     refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", most_lines));
