@@ -74,24 +74,9 @@ void add_column(Hash& hash, const Value& value) {
   }
 }
 
-// For each column of a record, in order, whether it is in a fingerprint.
-const std::vector<bool>& covered() {
-  static const std::vector<bool> of_columns = [] {
-    std::vector<bool> result;
-    for_each_column([&](std::string_view name, auto, std::string_view) {
-      result.push_back(std::ranges::find(in_fingerprint, name) != in_fingerprint.end());
-    });
-    return result;
-  }();
-  return of_columns;
-}
-
 void add_record(Hash& hash, SolveRecord& record) {
   record.series = configuration_of(record.series);
-  std::size_t column = 0;
-  for_each_column([&](std::string_view, auto member, std::string_view) {
-    if (covered()[column++]) add_column(hash, record.*member);
-  });
+  for_each_column_of_fingerprint([&](std::string_view, auto member) { add_column(hash, record.*member); });
 }
 
 }  // namespace

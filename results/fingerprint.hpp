@@ -1,7 +1,6 @@
 // One hash of all results of a study, to compare the bits of two machines, compilers or versions in one line.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,30 +11,16 @@
 
 namespace ikbench::results {
 
-// The columns of a fingerprint: questions and answers, not times. New columns of the record are not among them, so a
-// store has the same fingerprint in every version of the program.
-constexpr std::array<std::string_view, 22> in_fingerprint{"study",
-                                                          "robot",
-                                                          "solver",
-                                                          "series",
-                                                          "run",
-                                                          "point",
-                                                          "target_position_m",
-                                                          "target_rotation",
-                                                          "start_rad",
-                                                          "answer_rad",
-                                                          "reached_position_m",
-                                                          "position_error_cm",
-                                                          "claimed_error_cm",
-                                                          "orientation_error",
-                                                          "variation_deg",
-                                                          "largest_move_deg",
-                                                          "limit_violation_deg",
-                                                          "evaluations",
-                                                          "iterations",
-                                                          "stop_reason",
-                                                          "status",
-                                                          "trace_cm"};
+// Calls visit(name, member) for every column of a fingerprint: questions and answers, which stand before the times, and
+// the trace. New columns of the record come after these, so a store has the same fingerprint in every version.
+template <class Visit>
+constexpr void for_each_column_of_fingerprint(Visit&& visit) {
+  bool is_before_times = true;
+  for_each_column([&](std::string_view name, auto member, std::string_view) {
+    is_before_times = is_before_times && name != "seconds";
+    if (is_before_times || name == "trace_cm") visit(name, member);
+  });
+}
 
 // 32 hexadecimal digits, the same for records in any order. Every bit of a number counts, with two exceptions, because
 // a store cannot tell them apart: all NaN are the same, and -0.0 outside of lists is 0.0. Of the series only the

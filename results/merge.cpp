@@ -76,9 +76,10 @@ void refuse_another_study(Studies& known, const fs::path& place) {
 void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs::path& theirs) {
   if (sqlite.execAndGet("SELECT NOT EXISTS (SELECT 1 FROM main.solves)").getInt() != 0) return;  // spares a whole scan
   std::vector<std::string> differ;
-  for (const std::string_view column : in_fingerprint)
+  for_each_column_of_fingerprint([&](std::string_view column, auto) {
     if (column != "study")  // the same solve may belong to two studies
       differ.push_back(fmt::format("iif(theirs.{0} IS NOT ours.{0}, ' {0}', '')", column));
+  });
   SQLite::Statement query(
       sqlite, fmt::format("SELECT theirs.run, theirs.point, theirs.solver, {} AS others "
                           "FROM source.solves AS theirs JOIN main.solves AS ours USING (series, run, point) "
