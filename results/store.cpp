@@ -226,10 +226,12 @@ struct Store::Database {
 
   template <class Action>
   void write(Action&& action) {
-    SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
-    action();
-    transaction.commit();
-    check_place();
+    guarded(name, [&] {
+      SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
+      action();
+      transaction.commit();
+      check_place();
+    });
   }
 
   // Folds the log in, unless another process goes on reading or writing. The committed data are safe even then, and the
@@ -250,11 +252,8 @@ struct Store::Database {
     }
   }
 
-  // The studies, or the one of that name.
-  std::vector<StoredStudy> studies(const std::string* wanted = nullptr) {
-    SQLite::Statement query(sqlite, fmt::format("SELECT name, definition FROM studies {} ORDER BY position",
-                                                wanted == nullptr ? "" : "WHERE name = ?"));
-    if (wanted != nullptr) query.bind(1, *wanted);
+  std::vector<StoredStudy> studies() {
+    SQLite::Statement query(sqlite, "SELECT name, definition FROM studies ORDER BY position");
     SQLite::Statement of_study(sqlite,
                                "SELECT key, label, algorithm, options FROM series WHERE study = ? ORDER BY position");
     std::vector<StoredStudy> list;
@@ -306,27 +305,25 @@ Store::Store(const fs::path& file, Mode mode)
 Store::~Store() = default;
 
 void Store::save_study(const StoredStudy& study) {
-  guarded(database_->name, [&] {
-    database_->write([&] {
-      SQLite::Statement save(
-          database_->sqlite,
-          "INSERT INTO studies (name, definition, saved) VALUES (?1, ?2, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) "
-          "ON CONFLICT (name) DO UPDATE SET definition = excluded.definition, saved = excluded.saved");
-      SQLite::bind(save, study.name, study.definition);
-      save.exec();
-      SQLite::Statement clear(database_->sqlite, "DELETE FROM series WHERE study = ?");
-      clear.bind(1, study.name);
-      clear.exec();
-      SQLite::Statement add(
-          database_->sqlite,
-          "INSERT INTO series (study, position, key, label, algorithm, options) VALUES (?, ?, ?, ?, ?, ?)");
-      std::int64_t position = 0;
-      for (const Series& series : study.series) {
-        SQLite::bind(add, study.name, ++position, series.key, series.label, series.algorithm, series.options);
-        add.exec();
-        add.reset();
-      }
-    });
+  database_->write([&] {
+    SQLite::Statement save(
+        database_->sqlite,
+        "INSERT INTO studies (name, definition, saved) VALUES (?1, ?2, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) "
+        "ON CONFLICT (name) DO UPDATE SET definition = excluded.definition, saved = excluded.saved");
+    SQLite::bind(save, study.name, study.definition);
+    save.exec();
+    SQLite::Statement clear(database_->sqlite, "DELETE FROM series WHERE study = ?");
+    clear.bind(1, study.name);
+    clear.exec();
+    SQLite::Statement add(
+        database_->sqlite,
+        "INSERT INTO series (study, position, key, label, algorithm, options) VALUES (?, ?, ?, ?, ?, ?)");
+    std::int64_t position = 0;
+    for (const Series& series : study.series) {
+      SQLite::bind(add, study.name, ++position, series.key, series.label, series.algorithm, series.options);
+      add.exec();
+      add.reset();
+    }
   });
 }
 
@@ -335,32 +332,27 @@ std::vector<StoredStudy> Store::studies() const {
 }
 
 StoredStudy Store::study(const std::string& name) const {
-  return guarded(database_->name, [&] {
-    if (std::vector<StoredStudy> named = database_->studies(&name); !named.empty()) return std::move(named.front());
-    const std::string names = database_->sqlite
-                                  .execAndGet(
-                                      "SELECT coalesce(group_concat(name, ', '), '(the store is empty)') "
-                                      "FROM (SELECT name FROM studies ORDER BY position)")
-                                  .getString();
-    throw std::invalid_argument(
-        fmt::format("no study '{}' in '{}'; expected one of: {}", name, database_->name, names));
-  });
+  std::string names;
+  for (StoredStudy& each : studies()) {
+    if (each.name == name) return std::move(each);
+    names += (names.empty() ? "" : ", ") + each.name;
+  }
+  throw std::invalid_argument(fmt::format("no study '{}' in '{}'; expected one of: {}", name, database_->name,
+                                          names.empty() ? "(the store is empty)" : names));
 }
 
 std::int64_t Store::begin_session(const std::map<std::string, std::string>& environment) {
-  return guarded(database_->name, [&] {
-    std::int64_t id = 0;
-    database_->write([&] {
-      database_->sqlite.exec("INSERT INTO sessions (began) VALUES (strftime('%Y-%m-%dT%H:%M:%SZ', 'now'))");
-      id = database_->sqlite.getLastInsertRowid();
-      database_->add_environment(id, environment);
-    });
-    return id;
+  std::int64_t id = 0;
+  database_->write([&] {
+    database_->sqlite.exec("INSERT INTO sessions (began) VALUES (strftime('%Y-%m-%dT%H:%M:%SZ', 'now'))");
+    id = database_->sqlite.getLastInsertRowid();
+    database_->add_environment(id, environment);
   });
+  return id;
 }
 
 void Store::add_to_session(std::int64_t id, const std::map<std::string, std::string>& environment) {
-  guarded(database_->name, [&] { database_->write([&] { database_->add_environment(id, environment); }); });
+  database_->write([&] { database_->add_environment(id, environment); });
 }
 
 std::vector<Session> Store::sessions() const {
@@ -380,11 +372,9 @@ std::vector<Session> Store::sessions() const {
 }
 
 void Store::append(const std::vector<SolveRecord>& records) {
-  guarded(database_->name, [&] {
-    database_->write([&] {
-      if (!database_->insert) database_->insert.emplace(database_->sqlite);
-      for (const SolveRecord& record : records) (*database_->insert)(record);
-    });
+  database_->write([&] {
+    if (!database_->insert) database_->insert.emplace(database_->sqlite);
+    for (const SolveRecord& record : records) (*database_->insert)(record);
   });
 }
 
@@ -404,15 +394,17 @@ void Store::write_from(const fs::path& source, const std::function<void(SQLite::
   SQLite::Database& sqlite = database_->sqlite;
   std::string blamed = database_->name;
   try {
-    database_->write([&] {
-      SQLite::Statement attach(sqlite,
-                               "ATTACH ? AS source");  // within the transaction, so that it locks this store alone
+    {
+      SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
+      SQLite::Statement attach(sqlite, "ATTACH ? AS source");  // now, so that the transaction locks this store alone
       attach.bind(1, fs::absolute(source).string());
       blamed = source.string();
       attach.exec();
       action(sqlite);
       blamed = database_->name;
-    });
+      transaction.commit();
+    }
+    database_->check_place();
     sqlite.exec("DETACH source");
   } catch (const SQLite::Exception& error) {
     refuse(error.getErrorCode() == SQLITE_FULL ? database_->name : blamed, error);
