@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -84,61 +85,48 @@ std::unique_ptr<Solver> SolveRunner::make_solver() const {
 
 std::string SolveRunner::last_failure() const { return conversations_ ? conversations_->last_failure() : ""; }
 
-SolveRunner::Posed SolveRunner::posed(const Pose& target, const Configuration& start, int run, int point) const {
-  return {.target = target,
-          .start = start,
-          .problem = task_.problem(start, effective_population(study_, entry_)),
-          .stream = Key(study_.seed)
-                        .with(entry_.label)
-                        .with(static_cast<std::uint64_t>(run))
-                        .with(static_cast<std::uint64_t>(point))};
-}
-
-SolveRunner::Timed SolveRunner::timed(Solver& solver, const Posed& given) const {
-  Objective objective(task_.arm(), task_.goal(given.target));
-  Random random(given.stream);
+SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const Configuration& start, int run,
+                                      int point) const {
+  const Problem problem = task_.problem(start, effective_population(study_, entry_));
+  Objective objective(task_.arm(), task_.goal(target));
+  Random random(Key(study_.seed)
+                    .with(entry_.label)
+                    .with(static_cast<std::uint64_t>(run))
+                    .with(static_cast<std::uint64_t>(point)));
   auto* const program = conversations_ ? static_cast<ForeignSolver*>(&solver) : nullptr;
-  if (program != nullptr) program->prepare(given.problem, objective);
-  Timed timed{task_.clocked(solver, given.problem, objective, random, given.target, given.start)};
-  if (program != nullptr) {
-    timed.account = program->account();
-    add_account(timed, *timed.account);
-  }
+  if (program != nullptr) program->prepare(problem, objective);
+  const auto started = std::chrono::steady_clock::now();
+  Timed timed{.solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace)};
+  timed.answer = task_.completed(timed.solution.best.q, target, start);
+  timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  if (program == nullptr) return timed;
+  const Account& account = timed.account.emplace(program->account());
+  timed.cpu_seconds = account.cpu_seconds;
+  timed.solution.evaluations = account.evaluations;
+  timed.solution.iterations = account.iterations;
+  if (study_.trace == Trace::none) return timed;
+  timed.solution.trace = account.trace;
+  timed.solution.improved = account.improved;
   return timed;
 }
 
-void SolveRunner::add_account(Timed& timed, const Account& account) const {
-  timed.cpu_seconds = account.cpu_seconds;
-  Solution& solution = timed.solution;
-  solution.evaluations = account.evaluations;
-  solution.iterations = account.iterations;
-  if (study_.trace == Trace::none) return;
-  solution.trace = account.trace;
-  solution.improved = account.improved;
-}
-
-std::vector<SolveRunner::Timed> SolveRunner::repeated(Solver& solver, const Posed& given) const {
-  std::vector<Timed> all;
-  all.reserve(static_cast<std::size_t>(repeats_));
-  // The thread's clock is a call of the system, which may cost more than a solve, so it is read once between two.
-  double before = thread_seconds();
-  for (int i = 0; i < repeats_; ++i) {
-    all.push_back(timed(solver, given));
-    const double after = thread_seconds();
-    if (!all.back().account) all.back().cpu_seconds = after - before;
-    before = after;
-  }
-  return all;
-}
-
 void SolveRunner::warm_up(Solver& solver, const Pose& target, const Configuration& start) const {
-  if (repeats_ > 1) timed(solver, posed(target, start, 1, 1));
+  if (repeats_ > 1) timed(solver, target, start, 1, 1);
 }
 
 SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configuration& start, int run,
                                int point) const {
   const double interrupted_before = thread_interruptions();
-  std::vector<Timed> all = repeated(solver, posed(target, start, run, point));
+  std::vector<Timed> all;
+  all.reserve(static_cast<std::size_t>(repeats_));
+  // The thread's clock is a call of the system, which may cost more than a solve, so it is read once between two.
+  double before = thread_seconds();
+  for (int i = 0; i < repeats_; ++i) {
+    all.push_back(timed(solver, target, start, run, point));
+    const double after = thread_seconds();
+    if (!all.back().account) all.back().cpu_seconds = after - before;
+    before = after;
+  }
   const double interruptions = thread_interruptions() - interrupted_before;
   for (const Timed& repeat : all) {
     if (same_answer(repeat.solution, all.front().solution) && same_bits(repeat.answer, all.front().answer)) continue;

@@ -34,24 +34,18 @@ class SolveRunner {
                              int run, int point) const;
 
  private:
-  struct Timed : Clocked {
+  struct Timed {
+    solvers::Solution solution;
+    robots::Configuration answer = {};    // all joints
+    double seconds = 0;                   // to solve, and to complete the answer
     std::optional<Account> account = {};  // if a program solved
     double cpu_seconds = 0;               // of the program, else of this thread
   };
-  struct Posed {  // a problem, and the random numbers to solve it with
-    const robots::Pose& target;
-    const robots::Configuration& start;
-    solvers::Problem problem;
-    numerics::Key stream;
-  };
-  Posed posed(const robots::Pose& target, const robots::Configuration& start, int run, int point) const;
-  Timed timed(solvers::Solver& solver, const Posed& given) const;
-  std::vector<Timed> repeated(solvers::Solver& solver, const Posed& given) const;
+  Timed timed(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start, int run,
+              int point) const;
   results::StopReason stop_reason_of(const Timed& timed) const;
   results::Status status_of(const Timed& timed, const Verification& verified, const robots::Pose& target) const;
   bool is_late(const Timed& timed) const;
-  // Copies what only the account of a program has into a solve.
-  void add_account(Timed& timed, const Account& account) const;
 
   const Study& study_;
   const SolverEntry& entry_;

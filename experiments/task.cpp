@@ -1,8 +1,6 @@
 #include "experiments/task.hpp"
 
-#include <chrono>
 #include <cmath>
-#include <utility>
 
 #include "solvers/bounds.hpp"
 
@@ -48,15 +46,6 @@ Problem Task::problem(const Configuration& start, int population) const {
           .lower = arm_.limits.lower.head(joints),
           .upper = arm_.limits.upper.head(joints),
           .population = population};
-}
-
-Clocked Task::clocked(Solver& solver, const Problem& problem, Objective& objective, Random& random, const Pose& target,
-                      const Configuration& start) const {
-  const auto started = std::chrono::steady_clock::now();
-  Solution solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
-  Configuration answer = completed(solution.best.q, target, start);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
-  return {std::move(solution), std::move(answer), seconds.count()};
 }
 
 Configuration Task::completed(const Configuration& found, const Pose& target, const Configuration& start) const {

@@ -1,4 +1,4 @@
-// The search for one target, and the clock around it.
+// The search for one target.
 #pragma once
 
 #include <array>
@@ -9,12 +9,6 @@
 #include "solvers/solve.hpp"
 
 namespace ikbench::experiments {
-
-struct Clocked {
-  solvers::Solution solution;
-  robots::Configuration answer;  // all joints
-  double seconds;
-};
 
 // True if the last joint turns the tool about its own point, so that it moves that point nowhere.
 bool only_turns_tool(const robots::Chain& whole);
@@ -28,10 +22,6 @@ class Task {
   const robots::Chain& arm() const { return searched_; }
   solvers::Goal goal(const robots::Pose& target) const;
   solvers::Problem problem(const robots::Configuration& start, int population) const;
-
-  // Solves, and completes the answer, within the solve clock.
-  Clocked clocked(solvers::Solver& solver, const solvers::Problem& problem, solvers::Objective& objective,
-                  numerics::Random& random, const robots::Pose& target, const robots::Configuration& start) const;
 
   // All joints of the answer: those found by the search, the wrist's by the closed form, wrapped if the study says so.
   robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target,

@@ -1,7 +1,6 @@
 #include "experiments/verifier.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,20 +15,17 @@ using solvers::StopRule;
 
 namespace {
 
-using Matrix = std::array<std::array<double, 4>, 4>;
+using Matrix = Eigen::Matrix4d;
 
 constexpr double rounding = 1e-9;  // [m], [rad]
 
-constexpr Matrix identity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-
+// Sums in the order of the elements: Eigen's own product may add them in another.
 Matrix product(const Matrix& left, const Matrix& right) {
-  Matrix result;
-  for (std::size_t row = 0; row < 4; ++row) {
-    std::array<double, 4> sums{};
-    for (std::size_t k = 0; k < 4; ++k) {
-      for (std::size_t column = 0; column < 4; ++column) sums[column] += left[row][k] * right[k][column];
+  Matrix result = Matrix::Zero();
+  for (Eigen::Index row = 0; row < 4; ++row) {
+    for (Eigen::Index k = 0; k < 4; ++k) {
+      for (Eigen::Index column = 0; column < 4; ++column) result(row, column) += left(row, k) * right(k, column);
     }
-    result[row] = sums;
   }
   return result;
 }
@@ -44,26 +40,20 @@ SinCos witnessed_sin_cos(double angle) {
 
 Matrix turned_about_z(double angle) {
   const auto [sine, cosine] = witnessed_sin_cos(angle);
-  return {{{cosine, -sine, 0, 0}, {sine, cosine, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+  return Matrix{{cosine, -sine, 0, 0}, {sine, cosine, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 }
 
 Matrix turned_about_x(double angle) {
   const auto [sine, cosine] = witnessed_sin_cos(angle);
-  return {{{1, 0, 0, 0}, {0, cosine, -sine, 0}, {0, sine, cosine, 0}, {0, 0, 0, 1}}};
+  return Matrix{{1, 0, 0, 0}, {0, cosine, -sine, 0}, {0, sine, cosine, 0}, {0, 0, 0, 1}};
 }
 
 Matrix turned_about_y(double angle) {
   const auto [sine, cosine] = witnessed_sin_cos(angle);
-  return {{{cosine, 0, sine, 0}, {0, 1, 0, 0}, {-sine, 0, cosine, 0}, {0, 0, 0, 1}}};
+  return Matrix{{cosine, 0, sine, 0}, {0, 1, 0, 0}, {-sine, 0, cosine, 0}, {0, 0, 0, 1}};
 }
 
-Matrix moved(double x, double y, double z) {
-  Matrix matrix = identity;
-  matrix[0][3] = x;
-  matrix[1][3] = y;
-  matrix[2][3] = z;
-  return matrix;
-}
+Matrix moved(double x, double y, double z) { return Matrix{{1, 0, 0, x}, {0, 1, 0, y}, {0, 0, 1, z}, {0, 0, 0, 1}}; }
 
 // The largest element, at least 0; NaN if the vector is not finite, which maxCoeff may pass over.
 double largest(const Eigen::VectorXd& values) {
@@ -108,7 +98,7 @@ double pose_error(const Verification& verified, double weight) {
 }
 
 Matrix pose_of(const Frame& frame) {
-  if (frame.position.isZero(0) && frame.rpy.isZero(0)) return identity;
+  if (frame.position.isZero(0) && frame.rpy.isZero(0)) return Matrix::Identity();
   Matrix pose = moved(frame.position.x(), frame.position.y(), frame.position.z());
   pose = product(product(pose, turned_about_z(frame.rpy.z())), turned_about_y(frame.rpy.y()));
   return product(pose, turned_about_x(frame.rpy.x()));
@@ -120,20 +110,10 @@ Matrix motion_of(const DescribedJoint& joint, double value) {
   if (joint.motion == DescribedJoint::Motion::slides) return moved(value * x, value * y, value * z);
   const auto [s, c] = witnessed_sin_cos(value);
   const double v = 1 - c;
-  return {{{x * x * v + c, x * y * v - z * s, x * z * v + y * s, 0},
-           {y * x * v + z * s, y * y * v + c, y * z * v - x * s, 0},
-           {z * x * v - y * s, z * y * v + x * s, z * z * v + c, 0},
-           {0, 0, 0, 1}}};
-}
-
-Eigen::Matrix4d as_eigen(const Matrix& pose) {
-  Eigen::Matrix4d result;
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      result(row, column) = pose[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-    }
-  }
-  return result;
+  return Matrix{{x * x * v + c, x * y * v - z * s, x * z * v + y * s, 0},
+                {y * x * v + z * s, y * y * v + c, y * z * v - x * s, 0},
+                {z * x * v - y * s, z * y * v + x * s, z * z * v + c, 0},
+                {0, 0, 0, 1}};
 }
 
 // A link moves the frame before it to the frame after it.
@@ -153,18 +133,18 @@ Eigen::Matrix4d verified_pose(const Chain& arm, const Eigen::VectorXd& q) {
   Matrix pose = pose_of(arm.base());
   Eigen::Index joint = 0;
   for (const DhLink& link : arm.links()) pose = past(link, q[joint++], pose);
-  return as_eigen(product(pose, pose_of(arm.tool())));
+  return product(pose, pose_of(arm.tool()));
 }
 
 Eigen::Matrix4d verified_pose(const Robot& arm, const Eigen::VectorXd& q) {
   if (arm.description.empty()) return verified_pose(arm.chain, q);
-  Matrix pose = identity;
+  Matrix pose = Matrix::Identity();
   Eigen::Index moving = 0;
   for (const DescribedJoint& joint : arm.description) {
     pose = product(pose, pose_of(joint.origin));
     if (joint.motion != DescribedJoint::Motion::none) pose = product(pose, motion_of(joint, q[moving++]));
   }
-  return as_eigen(pose);
+  return pose;
 }
 
 Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer,
