@@ -127,14 +127,6 @@ TEST_CASE("a run that is stopped anywhere and continued gives what an uninterrup
   }
 }
 
-TEST_CASE("what is cancelled before it begins solves nothing", "[runner]") {
-  ScratchStore scratch;
-  const std::atomic<bool> cancelled{true};
-  CHECK(run(small_study(), scratch.store, {.cancelled = &cancelled}).done == 0);
-  CHECK(run(small_study(), scratch.store, {.jobs = 2, .cancelled = &cancelled}).done == 0);
-  CHECK(scratch.store.solves("small").empty());
-}
-
 TEST_CASE("parallel jobs stop soon after they are asked to, and what they did stays", "[runner]") {
   ScratchStore scratch;
   Study study = small_study();
@@ -289,16 +281,6 @@ TEST_CASE("a run whose study another process replaces is refused, keeps its solv
     CHECK(run(small_study(), store, {}).reused == 24);
     CHECK(same_numbers(store.solves("small"), solves_of(small_study())));
   }
-}
-
-TEST_CASE("a run whose analysis plan another process replaces is refused too", "[runner][analysis]") {
-  ScratchStore scratch;
-  Study other = small_study();
-  other.plan.significance = 0.01;
-  const auto meddle = [&](const Progress& now) {
-    if (now.done == now.total) run_for(other, scratch.store, 24);
-  };
-  CHECK_THROWS_AS(run(small_study(), scratch.store, {.progress = meddle}), std::invalid_argument);
 }
 
 TEST_CASE("a store that was edited is refused and says where", "[runner]") {

@@ -65,16 +65,6 @@ TEST_CASE("a merged store has the studies, solves and sessions of all", "[merge]
   }
 }
 
-TEST_CASE("merging again changes nothing", "[merge]") {
-  const ScratchFolder folder;
-  make_store(folder.path / "a", "one", {1, 2});
-  merge(folder.path / "out", {folder.path / "a"});
-  const Merged again = merge(folder.path / "out", {folder.path / "a", folder.path / "a"});
-  CHECK(again.added == 0);
-  CHECK(again.known == 4);
-  CHECK(Store(folder.path / "out", Store::Mode::read).sessions().size() == 1);
-}
-
 TEST_CASE("a solve with other bits is named, with both stores, and its store is not merged", "[merge]") {
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1, 2});
@@ -218,28 +208,6 @@ TEST_CASE("a text with a NUL character in it is not cut off there and taken for 
   make_store(folder.path / "b", "two", {1});
   edit(folder.path / "b", "UPDATE solves SET series = series || char(0) || 'x'");
   CHECK(merge(folder.path / "out", {folder.path / "a", folder.path / "b"}).added == 2);
-}
-
-TEST_CASE("many solves, of which some are there", "[merge]") {
-  const ScratchFolder folder;
-  const auto make = [&](const char* name, int first, int last) {
-    std::vector<SolveRecord> records;
-    for (int run = first; run <= last; ++run) records.push_back(sample_record("key-a", run));
-    Store store(folder.path / name, Store::Mode::write);
-    store.save_study(sample_study());
-    for (SolveRecord& record : records) record.session = 1;
-    store.begin_session({{"machine", name}});
-    store.append(records);
-  };
-  make("a", 1, 25'000);
-  make("b", 20'001, 35'000);
-  const Merged merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
-  CHECK(merged.added == 35'000);
-  CHECK(merged.known == 5'000);
-  edit(folder.path / "b", "UPDATE solves SET iterations = 7 WHERE run = 34999");
-  CHECK_THAT(complaint<std::invalid_argument>([&] { merge(folder.path / "out", {folder.path / "b"}); }),
-             ContainsSubstring("run 34999, point 1") && ContainsSubstring("(iterations)"));
-  CHECK(series_of(Store(folder.path / "out", Store::Mode::read), "key-a").size() == 35'000);
 }
 
 TEST_CASE("more stores than SQLite attaches at once, into a store that is there", "[merge]") {

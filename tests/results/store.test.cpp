@@ -224,16 +224,6 @@ TEST_CASE("a store makes its folders, and is one plain file when closed", "[stor
   CHECK(series_of(Store(folder.path / "copy.ikb", Store::Mode::read), "key-a").size() == 1);
 }
 
-TEST_CASE("a store can be read while it is written", "[store]") {
-  const ScratchFolder folder;
-  Store writer(folder.path / "a.ikb", Store::Mode::write);
-  const Store reader(folder.path / "a.ikb", Store::Mode::read);
-  writer.append({sample_record("a", 1, 1)});
-  CHECK(series_of(reader, "a").size() == 1);
-  writer.append({sample_record("a", 1, 2)});
-  CHECK(series_of(reader, "a").size() == 2);
-}
-
 TEST_CASE("the file names its program and the version of its schema", "[store]") {
   const ScratchFolder folder;
   { const Store store(folder.path / "a.ikb", Store::Mode::write); }

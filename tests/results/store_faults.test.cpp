@@ -367,19 +367,6 @@ TEST_CASE("where a reader does not end, the files that belong together are named
   CHECK(solves(file) == 42);
 }
 
-TEST_CASE("a log is folded in while another program has the store open and reads nothing", "[store][faults]") {
-  const ScratchFolder folder;
-  const auto file = folder.path / "a.ikb";
-  write_store(file);
-  SQLite::Database idle(file.string(), SQLite::OPEN_READONLY);
-  Store store(file, Store::Mode::write);
-  store.append({sample_record("key-a", 21)});
-  idle.execAndGet("SELECT count(*) FROM solves");
-  CHECK(store.finish() == std::vector{file});
-  std::filesystem::copy_file(file, folder.path / "copy.ikb");
-  CHECK(series_of(Store(folder.path / "copy.ikb", Store::Mode::read), "key-a").size() == 21);
-}
-
 TEST_CASE("a store that a kill left half-written is told apart, and writing mends it", "[store][faults]") {
   const ScratchFolder folder;
   const auto file = folder.path / "a.ikb";
@@ -399,16 +386,6 @@ TEST_CASE("a store that a kill left half-written is told apart, and writing mend
   const std::vector<SolveRecord> solves = Store(file, Store::Mode::read).solves("table-3");
   REQUIRE(solves.size() == 40);
   CHECK(same(solves.front(), sample_record()));
-}
-
-TEST_CASE("a store that another process keeps locked is refused after a wait", "[store][faults][.slow]") {
-  const ScratchFolder folder;
-  const auto file = folder.path / "a.ikb";
-  write_store(file);
-  SQLite::Database rival(file.string(), SQLite::OPEN_READWRITE);
-  rival.exec("BEGIN IMMEDIATE");
-  CHECK_THAT(complaint<std::runtime_error>([&] { const Store store(file, Store::Mode::write); }),
-             ContainsSubstring("another process has locked " + quoted(file)));
 }
 
 TEST_CASE("a reader needs no permission to write, neither to the store nor to its folder", "[store][faults]") {
