@@ -11,7 +11,6 @@
 #include "cli/console.hpp"
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/verifier.hpp"
-#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "robots/urdf.hpp"
 
@@ -197,32 +196,21 @@ class Checks {
 }  // namespace
 
 void add_check_solver(CLI::App& app, Invocation& invocation) {
-  struct Arguments {
-    ProgramChoice choice{.process = {}, .files = {}, .patience = 5};
-    bool is_json = false;
-  };
-  auto arguments = std::make_shared<Arguments>();
+  auto choice = std::make_shared<ProgramChoice>(ProgramChoice{.process = {}, .files = {}, .patience = 5});
   CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program");
-  command->add_option("COMMAND", arguments->choice.process, "the program and its arguments, after --")->required();
-  command->add_option("--patience", arguments->choice.patience, "seconds after which a solve is given up")
+  command->add_option("COMMAND", choice->process, "the program and its arguments, after --")->required();
+  command->add_option("--patience", choice->patience, "seconds after which a solve is given up")
       ->check(number_in({0.1, 3600}))
       ->capture_default_str();
-  add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"
       "  ikbench check-solver -- python3 my_solver.py\n"
       "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
       "Exit code 1 where a check fails. docs/reference/protocol.md describes what a program has to say.");
-  command->callback([arguments, &invocation] {
-    const std::vector<CheckLine> lines = Checks(arguments->choice).lines;
+  command->callback([choice, &invocation] {
+    const std::vector<CheckLine> lines = Checks(*choice).lines;
     const auto failed = std::ranges::count(lines, false, &CheckLine::passed);
     if (failed > 0) invocation.exit_code = 1;
-    if (arguments->is_json) {
-      OrderedJson all = OrderedJson::array();
-      for (const CheckLine& line : lines)
-        all.push_back({{"check", line.what}, {"passed", line.passed}, {"seen", line.seen}});
-      return show_json(all);
-    }
     fmt::print("{}\n\n", failed == 0 ? fmt::format("All {} checks passed.", lines.size())
                                      : fmt::format("{} of {} checks failed{}", failed, lines.size(),
                                                    lines.size() < 9 ? "; the others were not made." : "."));

@@ -11,7 +11,6 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "results/study.hpp"
 
@@ -47,7 +46,6 @@ void add_merge(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::string out;
     std::vector<std::string> places;
-    bool is_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("merge", "Put the stores of several shards or machines together into one");
@@ -59,7 +57,6 @@ void add_merge(CLI::App& app, Invocation& invocation) {
                    "stores, folders with a store.sqlite, or a folder of such folders, as out/<study>/shards")
       ->required()
       ->check(not_empty());
-  add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
@@ -75,13 +72,10 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       ProgressBar bar("merging", "stores");
       return merge(out, stores, [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });
     }();
-    if (!arguments->is_json) {
-      fmt::print("{}\n", wrapped(fmt::format("{}: {} added from {}, {} were there with the same bits", out.string(),
-                                             numerics::counted(merged.added, "solves"),
-                                             numerics::counted(std::ssize(stores), "stores"), merged.known)));
-    }
+    fmt::print("{}\n", wrapped(fmt::format("{}: {} added from {}, {} were there with the same bits", out.string(),
+                                           numerics::counted(merged.added, "solves"),
+                                           numerics::counted(std::ssize(stores), "stores"), merged.known)));
     const Store store(out, Store::Mode::read);
-    numerics::OrderedJson missing = numerics::OrderedJson::object();
     for (const StoredStudy& study : store.studies()) {
       const Definition definition = definition_of(study.definition);
       const std::int64_t all = std::int64_t{definition.runs} * definition.points * std::ssize(study.series);
@@ -89,14 +83,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       if (lacks == 0) continue;
       say(fmt::format("{} lacks {} of {} solves; solve its missing shards, then merge again", study.name, lacks, all));
       invocation.exit_code = 5;
-      missing[study.name] = lacks;
     }
-    if (!arguments->is_json) return;
-    show_json({{"store", out.string()},
-               {"stores", stores.size()},
-               {"added", merged.added},
-               {"known", merged.known},
-               {"missing", std::move(missing)}});
   });
 }
 

@@ -13,7 +13,7 @@
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
-#include "numerics/json.hpp"
+#include "experiments/study_reader.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::cli {
@@ -30,7 +30,7 @@ struct MultiverseArguments {
   std::vector<std::string> dimensions;
   Overrides overrides;
   int seeds = 1, jobs = 1;
-  bool list = false, small = false, is_json = false;
+  bool list = false, small = false;
 };
 
 // The door of these numbers: a run with an answer that is not finite is lost.
@@ -66,15 +66,6 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
                      choices.readings(), varied.size(), choices.studies.size(), settings, aligned(rows));
 }
 
-void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arguments,
-          const std::filesystem::path& folder) {
-  refuse_links(folder);
-  show::write_table(judged.table, folder / "tables", program_name());
-  if (arguments.is_json) return show_json(show::to_json(judged.table));
-  fmt::print("{}", printable(show::to_text(judged.table)));
-  fmt::print("Table: {}\n", printable((folder / "tables" / "multiverse.csv").string()));
-}
-
 void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& arguments,
                     const std::vector<Dimension>& varied, const Plan& plan, Invocation& invocation) {
   const std::filesystem::path folder =
@@ -88,7 +79,11 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
     invocation.exit_code = cancelled_exit_code();
     return;
   }
-  tell(papers::judged(paper, *multiverse, plan), arguments, folder);
+  const show::Table table = papers::judged(paper, *multiverse, plan).table;
+  refuse_links(folder);
+  show::write_table(table, folder / "tables", program_name());
+  fmt::print("{}Table: {}\n", printable(show::to_text(table)),
+             printable((folder / "tables" / "multiverse.csv").string()));
 }
 
 }  // namespace
@@ -135,7 +130,6 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       ->add_option("--out", arguments->out,
                    "folder for the table, which also keeps what is solved; default: out/PAPER-multiverse")
       ->check(not_empty());
-  add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"
       "  ikbench multiverse slim2023 --list\n"

@@ -15,9 +15,6 @@
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study.hpp"
-#include "experiments/study_writer.hpp"
-#include "numerics/json.hpp"
-#include "numerics/number.hpp"
 #include "numerics/units.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "robots/urdf.hpp"
@@ -31,36 +28,25 @@ using namespace figures;
 namespace {
 
 struct RobotArguments {
-  std::string robot, out, limits = "hard";
+  std::string robot, out;
   UrdfChoice urdf;
-  double snap_deg = 0.001;
   std::vector<double> at;
-  bool is_json = false, shows_links = false;
+  bool shows_links = false;
 };
 
-constexpr double noise = 1e-14;
-
-// The first 12 digits of what was calculated; --json has every bit.
-double rounded(double value, double unit) {
-  const double exact = in_unit(value, unit);
-  return std::abs(exact) < noise ? 0 : number_from(fmt::format("{:.12g}", exact)).value_or(exact);
-}
-std::string calculated(double value, double unit) { return text_of(rounded(value, unit)); }
-
-// All digits of what a file says, but for those that a conversion left beyond the twelfth.
+// The first 12 digits: conversions leave digits of their own beyond.
 std::string number(double value, double unit = 1) {
-  const double exact = in_unit(value, unit), near = rounded(value, unit);
-  return text_of(near == 0 || std::abs(near - exact) <= noise * std::abs(exact) ? near : exact);
+  return std::abs(value) < 1e-14 ? "0" : fmt::format("{:.12g}", value / unit);
 }
 
-std::string frame_text(const Frame& frame, std::string (*shown)(double value, double unit)) {
+std::string frame_text(const Frame& frame) {
   const Eigen::Vector3d &at = frame.position, &rpy = frame.rpy;
-  return fmt::format("at ({}, {}, {}) m, roll pitch yaw ({}, {}, {}) deg", shown(at.x(), 1), shown(at.y(), 1),
-                     shown(at.z(), 1), shown(rpy.x(), degree), shown(rpy.y(), degree), shown(rpy.z(), degree));
+  return fmt::format("at ({}, {}, {}) m, roll pitch yaw ({}, {}, {}) deg", number(at.x()), number(at.y()),
+                     number(at.z()), number(rpy.x(), degree), number(rpy.y(), degree), number(rpy.z(), degree));
 }
 
 std::string frame_line(std::string_view name, const Frame& frame) {
-  return frame == Frame() ? "" : fmt::format("{} {}\n", name, frame_text(frame, number));
+  return frame == Frame() ? "" : fmt::format("{} {}\n", name, frame_text(frame));
 }
 
 std::string joint_table(const Robot& arm) {
@@ -91,9 +77,8 @@ std::string joint_table(const Robot& arm) {
 std::string reach_text(const Robot& arm) {
   const Chain::Ball ball = arm.chain.reach();
   if (!std::isfinite(ball.radius)) return "reach: not known, because a joint slides";
-  const auto shown = [](double value) { return std::abs(value) < 1e-12 ? 0 : value; };
-  return fmt::format("reach: at most {:.6g} m from ({:.6g}, {:.6g}, {:.6g}) m", ball.radius, shown(ball.centre.x()),
-                     shown(ball.centre.y()), shown(ball.centre.z()));
+  return fmt::format("reach: at most {:.6g} m from ({}, {}, {}) m", ball.radius, number(ball.centre.x()),
+                     number(ball.centre.y()), number(ball.centre.z()));
 }
 
 // The configuration of --at.
@@ -105,9 +90,6 @@ Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
     throw std::invalid_argument(
         fmt::format("--at has {} values; expected {}, one for each joint of {}", at.size(), arm.joints(), arm.name));
   }
-  if (const auto far = std::ranges::find_if(at, [](double value) { return !(std::abs(value) <= 1e6); });
-      far != at.end())
-    throw std::invalid_argument(fmt::format("--at has {}; expected values within +-1e6", *far));
   return Eigen::Map<const Eigen::VectorXd>(at.data(), arm.joints()).cwiseProduct(experiments::joint_units(arm.chain));
 }
 
@@ -117,7 +99,7 @@ std::string tool_text(const Robot& arm, const Configuration& q) {
     values.push_back(arm.chain.slides(j) ? number(q[j]) + " m" : number(q[j], degree) + " deg");
   }
   std::string text = fmt::format("with the joints at {}, the tool is {}", fmt::join(values, ", "),
-                                 frame_text(frame_of(arm.chain.forward(q)), calculated));
+                                 frame_text(frame_of(arm.chain.forward(q))));
   if (arm.limits.violation(q) > 0) text += "; a joint is outside its limits";
   return text;
 }
@@ -139,16 +121,6 @@ std::string robot_text(const Robot& arm) {
   return wrapped(head) + joint_table(arm) + wrapped(rest);
 }
 
-OrderedJson robot_json(const Robot& arm) {
-  OrderedJson json{{"name", arm.name}, {"summary", arm.summary}, {"source", arm.source}, {"joints", arm.joints()}};
-  const OrderedJson definition = parsed_ordered_json(experiments::to_json(arm));
-  for (const auto& [key, value] : definition.items()) json[key] = value;
-  const double reach = arm.chain.reach().radius;
-  json["reach_m"] = std::isfinite(reach) ? OrderedJson(reach) : OrderedJson(nullptr);
-  json["has_spherical_wrist"] = SphericalWrist::fits(arm.chain);
-  return json;
-}
-
 }  // namespace
 
 void add_robot(CLI::App& app, Invocation&) {
@@ -160,29 +132,21 @@ void add_robot(CLI::App& app, Invocation&) {
       ->add_option(
           "--at", arguments->at,
           "values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the limits")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->check(number_in({-1e6, 1e6}));
   command->add_option("--base", arguments->urdf.base,
                       "link of a URDF file from which the arm is read; default: the root");
   command->add_option("--tip", arguments->urdf.tip,
                       "link of a URDF file to which the arm is read; default: the end after most joints");
   command->add_flag("--links", arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
-  command->add_option("--limits", arguments->limits, "limits of a URDF file: hard, or soft where they are tighter")
-      ->check(CLI::IsMember({"hard", "soft"}))
-      ->capture_default_str();
-  command
-      ->add_option("--snap-deg", arguments->snap_deg,
-                   "angles of a URDF file this near a multiple of 15 deg, and axes this near parallel, are it; 0: none")
-      ->check(number_in({0, 1}))
-      ->capture_default_str();
   command->add_option("--out", arguments->out, "also draw the arm into this folder: robot.svg, .pdf, .png");
-  add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"
       "  ikbench robot ur5e\n"
       "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45 --out out/panda\n"
-      "  ikbench robot my_arm.urdf --base base_link --tip tool0 --limits soft");
+      "  ikbench robot my_arm.urdf --base base_link --tip tool0");
   command->callback([arguments, command] {
-    for (const char* option : {"--base", "--tip", "--limits", "--snap-deg", "--links"}) {
+    for (const char* option : {"--base", "--tip", "--links"}) {
       if (command->count(option) == 0 || is_urdf_file(arguments->robot)) continue;
       throw std::invalid_argument(
           fmt::format("{} is about a URDF file, but the arm is {}; leave it out", option, arguments->robot));
@@ -191,27 +155,15 @@ void add_robot(CLI::App& app, Invocation&) {
       fmt::print("{}", link_tree(text_of_arm_file(arguments->robot), arguments->robot));
       return;
     }
-    UrdfChoice choice = arguments->urdf;
-    choice.limits = arguments->limits == "soft" ? UrdfChoice::Limits::soft : UrdfChoice::Limits::hard;
-    choice.snap = arguments->snap_deg * degree;
-    const Robot arm = is_arm_file(arguments->robot) ? load_robot(arguments->robot, choice) : robot(arguments->robot);
+    const Robot arm =
+        is_arm_file(arguments->robot) ? load_robot(arguments->robot, arguments->urdf) : robot(arguments->robot);
     const Configuration q = joints_at(arm, arguments->at);
     const std::string where_tool_is = tool_text(arm, q);
-    if (arguments->is_json) {
-      const Configuration in_units = q.cwiseQuotient(experiments::joint_units(arm.chain));
-      const Frame tool = frame_of(arm.chain.forward(q));
-      const Eigen::Vector3d rpy_deg = tool.rpy / degree;
-      OrderedJson json = robot_json(arm);
-      json["at"] = std::vector<double>(in_units.begin(), in_units.end());
-      json["tool_at"] = {{"position_m", std::vector<double>(tool.position.begin(), tool.position.end())},
-                         {"rpy_deg", std::vector<double>(rpy_deg.begin(), rpy_deg.end())}};
-      show_json(json);
-    } else
-      fmt::print("{}{}\n", robot_text(arm), wrapped(where_tool_is));
+    fmt::print("{}{}\n", robot_text(arm), wrapped(where_tool_is));
     if (arguments->out.empty()) return;
     const std::filesystem::path folder(arguments->out);
     draw(picture(arm, q, fmt::format("{}: {}.", arm.name, where_tool_is)), folder, {});
-    if (!arguments->is_json) fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
+    fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
   });
 }
 

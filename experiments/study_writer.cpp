@@ -329,8 +329,6 @@ std::string to_json(const Study& study) {
   return numerics::text_of(json);
 }
 
-std::string to_json(const Robot& arm) { return numerics::text_of(arm_definition(arm)); }
-
 std::string to_json(results::Plan plan) { return numerics::text_of(json_of(written(plan))); }
 
 std::string configuration_key(const Study& study, const SolverEntry& entry) {

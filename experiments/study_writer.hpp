@@ -19,8 +19,6 @@ std::string to_toml(Path path);
 std::string to_toml(results::FigureStyle style);
 // The study without its solvers, with its number of points and its arm, as the store keeps it.
 std::string to_json(const Study& study);
-// The arm's links, base and tool, as in its file.
-std::string to_json(const robots::Robot& arm);
 // A plan, as in the definition at "/analysis".
 std::string to_json(results::Plan plan);
 

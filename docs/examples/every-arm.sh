@@ -3,7 +3,7 @@
 set -e
 poses=$(dirname "$0")/every_arm.toml positions=every_arm_positions.toml
 sed -e '/tolerance_deg/d' -e 's/"pose" .*/"all_joints"/' "$poses" > $positions
-[ $# -gt 0 ] || set -- $(ikbench list robots --json | sed -n 's/.*"name": "\(.*\)".*/\1/p')
+[ $# -gt 0 ] || set -- $(ikbench list robots | sed -n 's/^\([a-z]\S*\).*/\1/p')
 for arm; do
   for kind in poses positions; do
     eval "ikbench run \$$kind --set robot=$arm --set name=$arm --no-report --out out/every-arm/$kind/$arm"

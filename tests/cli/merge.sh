@@ -6,8 +6,8 @@ cp "$scripts/studies/drawn.toml" .
 chained=(slim2023 "${small[@]}" --set runs=8)
 drawn=(drawn.toml)
 
-# counts ADDED KNOWN MISSING: what the last merge, with --json, said.
-counts() { json "(of['added'], of['known'], sum(of['missing'].values())) == ($1, $2, $3)"; }
+# counts ADDED KNOWN: what the last merge said.
+counts() { [[ ${out//$'\n ' /} == *": $1 solves added "*" $2 were there"* ]] || fail "expected $1 added and $2 known: $out"; }
 
 for name in chained drawn; do
   declare -n study=$name
@@ -24,20 +24,21 @@ for name in chained drawn; do
 done
 
 # Merged again, one by one or with itself, nothing is added. The verdict is the same, bit for bit, but for times.
-succeeds merge chained/7 chained/7/shards/{5,1}-of-7 chained/7/store.sqlite chained/7/shards/5-of-7/store.sqlite --json
-counts 0 72 0 # 6 solvers x 3 points x (1 run + 2 + 1), without itself
+succeeds merge chained/7 chained/7/shards/{5,1}-of-7 chained/7/store.sqlite chained/7/shards/5-of-7/store.sqlite
+counts 0 72 # 6 solvers x 3 points x (1 run + 2 + 1), without itself
 for n in one 7; do succeeds report chained/$n/store.sqlite --figures none --out report-$n; done
 cmp <(grep -v '^time,' report-one/tables/descriptives.csv) <(grep -v '^time,' report-7/tables/descriptives.csv) || fail "another report of shards"
 
 # What is missing is counted; a run goes on from there. More runs are merged into what there is.
 mkdir parts && cp -r drawn/7/shards/{2,6}-of-7 parts
-ends 5 merge holes parts --json
-counts 26 0 64 # 7 + 6 targets by 2 solvers of 90
+ends 5 merge holes parts
+counts 26 0
+has "$err" "lacks 64 of 90 solves" # 7 + 6 targets by 2 solvers of 90
 succeeds run drawn.toml --out holes --no-report
 same_fingerprint holes/store.sqlite drawn/one/store.sqlite
 for i in 1 2; do succeeds run drawn.toml --set runs=6 --shard $i/2 --out more/shards/$i-of-2; done
-succeeds merge drawn/7 more/shards --json
-counts 18 90 0
+succeeds merge drawn/7 more/shards
+counts 18 90
 
 # Other bits and no store are refused; of several stores those before are there.
 cp -r drawn/7/shards/2-of-7 edited

@@ -62,8 +62,8 @@ for bad in "--runs 0" "--runs 99999999999999999999999" "--seed -1" "--seed 010";
 
 # All readings: the same with any number of jobs.
 few=(multiverse slim2023 "${small[@]}" --dimensions bounds,IK-BA.step_factor,BA.best_of)
-succeeds "${few[@]}" --jobs 2 --out folder --json
-json '[row["claim"] for row in of] and all(row["holds"] + row["fails"] + row["not_decided"] == 12 for row in of)'
+succeeds "${few[@]}" --jobs 2 --out folder
+equal "readings" "$(tail -n +2 folder/tables/multiverse.csv | awk -F, '{ print $2 + $3 + $4 }' | sort -u)" 12
 succeeds "${few[@]}" --out again
 diff -r folder again || fail "other readings with one job"
 for bad in "bound bound" "twice bounds,bounds"; do refused "${bad% *}" multiverse slim2023 --dimensions "${bad#* }"; done
