@@ -24,7 +24,6 @@ constexpr std::pair<std::string_view, std::size_t> own_places[]{{"ik_bat", 0},
                                                                 {"damped_least_squares", 5},
                                                                 {"newton", 1},
                                                                 {"levenberg_marquardt", 4},
-                                                                {"kdl_lma", 3},
                                                                 {"kdl_newton", 6},
                                                                 {"nlopt", 2}};
 

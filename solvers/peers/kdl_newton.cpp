@@ -1,12 +1,18 @@
 // KDL's ChainIkSolverPos_NR_JL: Newton's method with the pseudo-inverse, clipped at the joint limits, on KDL's own
-// kinematics. One step is one call of the library.
+// kinematics. One step is one call of the library, which knows no clock: where the study has a limit of time, a call
+// makes a few iterations and the next goes on from its answer.
+#include <kdl/config.h>
+
+#include <algorithm>
+#include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainiksolverpos_nr_jl.hpp>
 #include <kdl/chainiksolvervel_pinv.hpp>
+#include <kdl/jntarray.hpp>
 #include <memory>
 #include <optional>
 
-#include "solvers/peers/kdl.hpp"
+#include "solvers/registry.hpp"
 
 namespace ikbench::solvers {
 
@@ -14,6 +20,33 @@ using namespace numerics;
 using namespace robots;
 
 namespace {
+
+KDL::Frame kdl_frame(const Pose& T) {
+  KDL::Frame frame;
+  for (int i = 0; i < 3; ++i) {
+    frame.p(i) = T.translation()[i];
+    for (int j = 0; j < 3; ++j) frame.M(i, j) = T.linear()(i, j);
+  }
+  return frame;
+}
+
+KDL::JntArray kdl_joints(const Configuration& q) {
+  KDL::JntArray array(static_cast<unsigned>(q.size()));
+  array.data = q;
+  return array;
+}
+
+// The first segment is the frame of the base, which no joint moves.
+KDL::Chain kdl_chain(const Chain& arm) {
+  KDL::Chain chain;
+  chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), kdl_frame(arm.base().pose())));
+  for (const DhLink& link : arm.links()) {
+    const KDL::Joint joint(link.joint == Joint::slides ? KDL::Joint::TransZ : KDL::Joint::RotZ);
+    chain.addSegment(KDL::Segment(joint, KDL::Frame::DH(link.a, link.alpha, link.d, link.offset)));
+  }
+  chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), kdl_frame(arm.tool().pose())));
+  return chain;
+}
 
 // KDL's solvers of one call; they refer to each other.
 struct KdlNewtonCall {
@@ -50,15 +83,20 @@ class KdlNewton final : public Solver {
 
   static std::string why_not(const Chain& arm, GoalKind goal) {
     if (goal != GoalKind::pose) return "kdl_newton solves for a pose; expected search = \"pose\"";
-    return why_kdl_cannot(arm);
+    const bool is_coupled = std::ranges::count(arm.links(), Joint::coupled, &DhLink::joint) > 0;
+    return is_coupled ? "KDL has no coupled joints; expected an arm whose joints turn or slide" : "";
   }
 
   void start(const Problem& problem, Objective& objective, Random&) override {
     // A vector is short enough if each of its three coordinates is at most this.
     const double within = std::min(problem.stop.tolerance, problem.stop.angle_tolerance) / std::sqrt(3.0);
     const double accuracy = options_.accuracy > 0 ? options_.accuracy : within > 0 ? within : 1e-6;
-    calls_.start(problem, objective, options_.iterations);
-    const int iterations = calls_.iterations_of_call();
+    // An iteration is about one evaluation.
+    std::int64_t most = options_.iterations > 0 ? options_.iterations : std::min(problem.stop.iterations, 1'000'000);
+    if (problem.stop.evaluations > 0) most = std::min(most, problem.stop.evaluations);
+    left_ = static_cast<int>(most);
+    const int calls = problem.stop.seconds > 0 ? (left_ + longest_call - 1) / longest_call : 1;
+    const int iterations = left_ / std::max(1, calls);
     if (!call_ || *arm_ != objective.arm() || accuracy != accuracy_ || iterations != iterations_) {
       arm_ = objective.arm();
       accuracy_ = accuracy;
@@ -67,29 +105,43 @@ class KdlNewton final : public Solver {
     } else {
       call_->newton.setJointLimits(kdl_joints(problem.lower), kdl_joints(problem.upper));
     }
+    q_ = problem.start;
+    best_ = {q_};
+    best_.improve(q_, objective.error(q_));
   }
 
   void step(Objective& objective, Random&) override {
-    if (!calls_.has_ended()) calls_.call(call_->newton, objective);
+    if (finished()) return;
+    KDL::JntArray answer(static_cast<unsigned>(q_.size()));
+    const int how = call_->newton.CartToJnt(kdl_joints(q_), kdl_frame(objective.goal().target), answer);
+    q_ = answer.data;
+    best_.improve(q_, objective.error(q_));
+    left_ = how == KDL::SolverI::E_MAX_ITERATIONS_EXCEEDED && left_ >= 2 * iterations_ ? left_ - iterations_ : 0;
   }
 
-  const Best& best() const override { return calls_.best; }
-  bool finished() const override { return calls_.has_ended(); }
+  const Best& best() const override { return best_; }
+  bool finished() const override { return left_ <= 0; }
 
  private:
+  static constexpr int longest_call = 50;  // iterations between looks at the clock
+
   Options options_;
-  std::optional<Chain> arm_;  // the arm of the call
-  double accuracy_ = 0;
-  int iterations_ = 0;
+  std::optional<Chain> arm_;       // the arm of the call
+  double accuracy_ = 0;            // and its accuracy
+  int iterations_ = 0, left_ = 0;  // of a call; of all calls
   std::unique_ptr<KdlNewtonCall> call_;
-  KdlCalls calls_;
+  Configuration q_;
+  Best best_;
 };
 
 }  // namespace
 
 SolverInfo kdl_newton() {
-  return kdl_info<KdlNewton>("kdl_newton", "KDL's Newton-Raphson, clipped at the limits",
-                             "Orocos KDL, ChainIkSolverPos_NR_JL");
+  SolverInfo info = solver_info<KdlNewton>("kdl_newton", "KDL's Newton-Raphson, clipped at the limits",
+                                           "Orocos KDL, ChainIkSolverPos_NR_JL");
+  info.library = "KDL " KDL_VERSION_STRING;
+  info.is_counted = false;  // it has its own kinematics
+  return info;
 }
 
 }  // namespace ikbench::solvers

@@ -51,7 +51,7 @@ TEST_CASE("a built-in solver has one colour in every study, whatever its label a
       last{{"x", "x"}, {"DE", "differential_evolution"}, {"bats", "ik_bat"}};
   CHECK(colour_in(alone, "IK-BA") == own_palette[0]);
   CHECK(colour_in(last, "bats") == own_palette[0]);
-  for (const std::string name : {"bat", "particle_swarm", "damped_least_squares", "newton", "kdl_lma", "nlopt"}) {
+  for (const std::string name : {"bat", "particle_swarm", "damped_least_squares", "newton", "kdl_newton", "nlopt"}) {
     CAPTURE(name);
     const std::vector<NamedSolver> first{{"a", name}}, second{{"b", "unknown"}, {"c", name}};
     CHECK(colour_in(first, "a") == colour_in(second, "c"));

@@ -220,7 +220,6 @@ TEST_CASE("with bounds = clamp no candidate is outside the limits", "[contract]"
 TEST_CASE("solvers without a choice of bounds stay inside the limits", "[contract]") {
   for (const SolverInfo& info : solvers_of_positions()) {
     if (info.options({}).contains("bounds")) continue;
-    if (info.name == "kdl_lma") continue;  // it knows no limits
     CAPTURE(info.name);
     const Task task = iiwa_task();
     RecordingObjective objective(task.chain, task.target);
