@@ -28,9 +28,7 @@ namespace {
 // The state for the thread of SignalWatch.
 std::atomic<bool> cancel_requested{false}, may_cancel{false}, is_over{false};
 std::atomic<int> last_signal{0};
-std::mutex words_mutex;
-constexpr std::string_view usual_words = "Stopped. What is stored is kept.";
-std::string last_words(usual_words);
+std::mutex answering;
 
 sigset_t watched_signals() {
   sigset_t set;
@@ -47,21 +45,16 @@ void write_at_once(const std::string& text) { static_cast<void>(!write(STDERR_FI
 
 void watch(const sigset_t& set) {
   for (int number = 0; sigwait(&set, &number) == 0 && !is_over;) {
-    const std::scoped_lock lock(words_mutex);
+    const std::scoped_lock lock(answering);
     last_signal = number;
     if (may_cancel && !cancel_requested.exchange(true)) {
       write_at_once("\nStopping after the current solve. Once more: at once.\n");
       continue;
     }
-    write_at_once('\n' + last_words + '\n');
+    write_at_once("\nStopped. What is stored is kept; the same command goes on.\n");
     results::remove_temporary_folders();
     _exit(128 + number);
   }
-}
-
-void set_last_words(std::string words) {
-  const std::scoped_lock lock(words_mutex);
-  last_words = std::move(words);
 }
 
 // The only writer to standard error. If both streams go into one file, earlier standard output comes first.
@@ -179,7 +172,7 @@ CancelOnSignal::CancelOnSignal() {
 CancelOnSignal::~CancelOnSignal() { may_cancel = false; }
 
 bool CancelOnSignal::end() {
-  const std::scoped_lock lock(words_mutex);
+  const std::scoped_lock lock(answering);
   may_cancel = false;
   return cancel_requested;
 }
@@ -188,20 +181,19 @@ const std::atomic<bool>& CancelOnSignal::requested() const { return cancel_reque
 
 int cancelled_exit_code() { return 128 + last_signal; }
 
-EndOnSignal::EndOnSignal(std::string_view words) { set_last_words(printable(words)); }
+ProgressBar::ProgressBar(std::string title, std::string noun)
+    : ProgressBar(std::move(title), std::move(noun), isatty(STDERR_FILENO) != 0, Clock::now()) {}
 
-EndOnSignal::~EndOnSignal() { set_last_words(std::string(usual_words)); }
-
-ProgressText::ProgressText(std::string title, Medium medium, Clock::time_point started, std::string noun)
-    : title_(printable(title)), noun_(std::move(noun)), medium_(medium), started_(started), next_(started) {
-  if (medium_ == Medium::log) next_ += std::chrono::seconds(30);
+ProgressBar::ProgressBar(std::string title, std::string noun, bool on_terminal, Clock::time_point started)
+    : title_(printable(title)), noun_(std::move(noun)), on_terminal_(on_terminal), started_(started), next_(started) {
+  if (!on_terminal_) next_ += std::chrono::seconds(30);
 }
 
-std::string ProgressText::at(Clock::time_point now, const Progress& progress) {
+std::string ProgressBar::text_at(Clock::time_point now, const Progress& progress) {
   if (now < next_) return "";
   const std::string state = fmt::format("{}/{} {}{}", progress.done, progress.total, noun_,
                                         pace(progress, std::chrono::duration<double>(now - started_).count()));
-  if (medium_ == Medium::log) {
+  if (!on_terminal_) {
     next_ = now + std::chrono::seconds(30);
     return fmt::format("{}: {}\n", title_, state);
   }
@@ -211,17 +203,12 @@ std::string ProgressText::at(Clock::time_point now, const Progress& progress) {
   return fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {}", title_, "", full, "", cells - full, state);
 }
 
-ProgressBar::ProgressBar(std::string title, std::string noun)
-    : on_terminal_(isatty(STDERR_FILENO) != 0),
-      text_(std::move(title), on_terminal_ ? ProgressText::Medium::terminal : ProgressText::Medium::log,
-            ProgressText::Clock::now(), std::move(noun)) {}
-
 ProgressBar::~ProgressBar() {
   if (on_terminal_) write_error("\r\x1b[K");
 }
 
 void ProgressBar::show(const Progress& progress) {
-  if (const std::string text = text_.at(ProgressText::Clock::now(), progress); !text.empty()) write_error(text);
+  if (const std::string text = text_at(Clock::now(), progress); !text.empty()) write_error(text);
 }
 
 std::filesystem::path default_folder(std::string_view study) {

@@ -40,7 +40,7 @@ std::string aligned(Rows rows, std::size_t width = text_width());
 
 // While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (unless started by nohup), so their handling may use
 // any function. They end the program with a sentence and 128 + the number of the signal, and remove scratch folders;
-// the two classes below change that. Make it once, before any other thread.
+// CancelOnSignal changes that. Make it once, before any other thread.
 class SignalWatch {
  public:
   SignalWatch();
@@ -65,47 +65,30 @@ class CancelOnSignal {
   [[nodiscard]] bool end();
 };
 
+// Thrown by what was cancelled, after it has said what is kept.
+struct Cancelled {};
 // The exit code of a cancelled program: 128 + the number of its signal.
 int cancelled_exit_code();
 
-// While it lives, a signal ends the program with these words.
-class EndOnSignal {
- public:
-  explicit EndOnSignal(std::string_view words);
-  ~EndOnSignal();
-  EndOnSignal(const EndOnSignal&) = delete;
-  EndOnSignal& operator=(const EndOnSignal&) = delete;
-};
-
-// The text of a progress, and its times: on a terminal a moving bar, in a log a line now and then.
-class ProgressText {
- public:
-  using Clock = std::chrono::steady_clock;
-  enum class Medium { terminal, log };
-
-  ProgressText(std::string title, Medium medium, Clock::time_point started, std::string noun = "solves");
-  std::string at(Clock::time_point now,
-                 const experiments::Progress& progress);  // empty if it is too soon after the last text
-
- private:
-  std::string title_, noun_;
-  Medium medium_;
-  Clock::time_point started_;
-  Clock::time_point next_;
-};
-
-// Shows the progress on standard error, with rate and time left; on a terminal it is wiped at the end.
+// Shows a progress on standard error, with rate and time left: on a terminal as a moving bar, which is wiped at the
+// end, in a log as a line now and then.
 class ProgressBar {
  public:
+  using Clock = std::chrono::steady_clock;
+
   explicit ProgressBar(std::string title, std::string noun = "solves");
+  ProgressBar(std::string title, std::string noun, bool on_terminal, Clock::time_point started);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
   void show(const experiments::Progress& progress);
+  // What is to be shown; empty if it is too soon after the last text.
+  std::string text_at(Clock::time_point now, const experiments::Progress& progress);
 
  private:
+  std::string title_, noun_;
   bool on_terminal_;
-  ProgressText text_;
+  Clock::time_point started_, next_;
 };
 
 // out/<name>, where '_' replaces all but letters, digits, '-', '_' and '.' in the name.

@@ -81,6 +81,8 @@ int main(int argc, char** argv) {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw std::runtime_error("cannot write to standard output");
     return invocation.exit_code;
+  } catch (const cli::Cancelled&) {
+    return cli::cancelled_exit_code();
   } catch (const CLI::RequiredError& error) {
     if (!app.get_subcommands().empty()) return app.exit(error) == 0 ? 0 : 1;
     // CLI11 does not say which word it did not know.

@@ -67,7 +67,6 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     const fs::path out = store_in(arguments->out);
     std::vector<fs::path> stores;
     for (const std::string& place : arguments->places) std::ranges::copy(stores_in(place), std::back_inserter(stores));
-    const EndOnSignal signals("Stopped. Give the same command again, which goes on.");
     const Merged merged = [&] {
       ProgressBar bar("merging", "stores");
       return merge(out, stores, [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });

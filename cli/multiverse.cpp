@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
@@ -67,19 +68,12 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
 }
 
 void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& arguments,
-                    const std::vector<Dimension>& varied, const Plan& plan, Invocation& invocation) {
+                    const std::vector<Dimension>& varied, const Plan& plan) {
   const std::filesystem::path folder =
       arguments.out.empty() ? default_folder(paper.name + "-multiverse") : std::filesystem::path(arguments.out);
-  CancelOnSignal signals;
-  const MultiverseRequest request{
-      .seeds = arguments.seeds, .overrides = arguments.overrides, .cancelled = &signals.requested()};
-  const auto multiverse = solved_multiverse(paper.name, varied, request, arguments.jobs);
-  if (signals.end() || !multiverse) {
-    say("Stopped before the table. Nothing is kept; the same command begins anew.");
-    invocation.exit_code = cancelled_exit_code();
-    return;
-  }
-  const show::Table table = papers::judged(paper, *multiverse, plan).table;
+  const Multiverse multiverse = solved_multiverse(
+      paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides}, arguments.jobs);
+  const show::Table table = papers::judged(paper, multiverse, plan).table;
   refuse_links(folder);
   show::write_table(table, folder / "tables", program_name());
   fmt::print("{}Table: {}\n", printable(show::to_text(table)),
@@ -88,23 +82,28 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
 
 }  // namespace
 
-std::optional<Multiverse> solved_multiverse(const std::string& study, const std::vector<Dimension>& varied,
-                                            const MultiverseRequest& request, int jobs) {
+Multiverse solved_multiverse(const std::string& study, const std::vector<Dimension>& varied, MultiverseRequest request,
+                             int jobs) {
+  CancelOnSignal signals;
+  request.cancelled = &signals.requested();
   const MultiversePlan plan = plan_multiverse(study, varied, request);
-  if (*request.cancelled) return std::nullopt;
-  ProgressBar bar("readings");
+  std::optional<ProgressBar> bar("readings");
   const std::vector<RunMeans> means =
       solve_parts(plan.parts, {.jobs = jobs,
-                               .progress = [&](const Progress& progress) { bar.show(progress); },
+                               .progress = [&](const Progress& progress) { bar->show(progress); },
                                .cancelled = request.cancelled});
-  if (means.empty()) return std::nullopt;
+  bar.reset();  // leaves its line to the next words
+  if (signals.end()) {
+    say("Stopped. Readings are judged together, so none is kept; the same command solves them anew.");
+    throw Cancelled();
+  }
   Multiverse multiverse{plan, {}};
   for (const RunMeans& each : means)
     multiverse.means.push_back({group_of(each.error_cm), group_of(each.variation_deg)});
   return multiverse;
 }
 
-void add_multiverse(CLI::App& app, Invocation& invocation) {
+void add_multiverse(CLI::App& app, Invocation&) {
   auto arguments = std::make_shared<MultiverseArguments>();
   CLI::App* command =
       app.add_subcommand("multiverse", "Judge the claims of a paper in every reading of what it leaves open");
@@ -137,7 +136,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n\n"
       "A reading is one choice for every question. Each solver is solved once for each of its own choices; claims are\n"
       "judged in all combinations.");
-  command->callback([arguments, &invocation] {
+  command->callback([arguments] {
     const papers::Paper& paper = papers::paper_named(arguments->paper);
     const std::vector<Dimension> all = dimensions(arguments->paper);
     if (all.empty())
@@ -149,7 +148,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
     const Study study = load_study(paper.name, arguments->overrides);
     check_plan(study);
     if (arguments->list) return fmt::print("{}", dimension_list(study, all, varied));
-    solve_and_tell(paper, *arguments, varied, study.plan, invocation);
+    solve_and_tell(paper, *arguments, varied, study.plan);
   });
 }
 

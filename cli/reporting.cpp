@@ -248,8 +248,8 @@ StoredStudy chosen_study(const Store& store, const std::string& name) {
   return std::move(studies.front());
 }
 
-std::optional<std::string> run_study(const Study& study, const StoredStudy& stored, const std::filesystem::path& folder,
-                                     RunRequest request, Store::Mode mode) {
+std::string run_study(const Study& study, const StoredStudy& stored, const std::filesystem::path& folder,
+                      RunRequest request, Store::Mode mode) {
   if (const auto& arm = study.robot_of_file; arm != nullptr && !arm->tip_link.empty()) {
     say(fmt::format("arm: {}", arm->summary));
     for (const std::string& note : arm->notes) say(note);
@@ -301,7 +301,7 @@ std::optional<std::string> run_study(const Study& study, const StoredStudy& stor
   if (is_cancelled) {
     say(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.", progress.done,
                     progress.total, store_in(folder).string()));
-    return std::nullopt;
+    throw Cancelled();
   }
   return fmt::format("{}{}: {} in {}{}", study.name,
                      request.shard.count == 1 ? "" : fmt::format(", shard {}", request.shard.text()),

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,16 +64,15 @@ void add_run_options(CLI::App& command, RunArguments& arguments);
 
 // Runs a study, and its stored_study, into the folder's store.sqlite, opened in this mode, with progress, and warns of
 // targets out of reach. Returns "six: 288 solves in out/six/store.sqlite"; after Ctrl-C it says how to continue, and
-// returns nothing.
-std::optional<std::string> run_study(const experiments::Study& study, const results::StoredStudy& stored,
-                                     const std::filesystem::path& folder, experiments::RunRequest request,
-                                     results::Store::Mode mode = results::Store::Mode::write);
+// throws Cancelled.
+std::string run_study(const experiments::Study& study, const results::StoredStudy& stored,
+                      const std::filesystem::path& folder, experiments::RunRequest request,
+                      results::Store::Mode mode = results::Store::Mode::write);
 
-// Solves all combinations of what a paper leaves open, with progress (multiverse.cpp). Returns nothing if the
-// request was cancelled: shares need all readings.
-std::optional<papers::Multiverse> solved_multiverse(const std::string& study,
-                                                    const std::vector<results::Dimension>& varied,
-                                                    const experiments::MultiverseRequest& request, int jobs);
+// Solves all combinations of what a paper leaves open, with progress (multiverse.cpp). After Ctrl-C it says so, and
+// throws Cancelled: shares need all readings.
+papers::Multiverse solved_multiverse(const std::string& study, const std::vector<results::Dimension>& varied,
+                                     experiments::MultiverseRequest request, int jobs);
 
 // Writes and draws a figure, and warns if it was not drawn.
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -27,9 +26,6 @@ using namespace experiments;
 using papers::Paper;
 
 namespace {
-
-constexpr const char* stopped =
-    "Stopped before the report. The solves are kept; run the same command again to continue.";
 
 struct Arguments {
   std::string paper;
@@ -81,20 +77,15 @@ std::string fingerprints_of(const Store& store, const std::vector<compare::Judge
                      different.empty() ? "" : "; different: ", fmt::join(different, ", "));
 }
 
-// It measures no time, so all processors may work. Nothing if it was stopped, which it says.
-std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& arguments, const Paper& paper) {
+// It measures no time, so all processors may work.
+papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper& paper) {
   const std::vector<Dimension> all = dimensions(paper.name);
-  if (arguments.seeds == 0 || all.empty()) return papers::JudgedMultiverse{};
+  if (arguments.seeds == 0 || all.empty()) return {};
   const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-  CancelOnSignal signals;
-  const MultiverseRequest request{
-      .seeds = arguments.seeds, .overrides = overridden_runs(arguments), .cancelled = &signals.requested()};
-  const auto solved = solved_multiverse(paper.name, within(Scope::small, all), request, jobs);
-  if (!solved || signals.end()) {
-    say(stopped);
-    return std::nullopt;
-  }
-  return papers::judged(paper, *solved, load_study(paper.name).plan);
+  const papers::Multiverse solved =
+      solved_multiverse(paper.name, within(Scope::small, all),
+                        {.seeds = arguments.seeds, .overrides = overridden_runs(arguments)}, jobs);
+  return papers::judged(paper, solved, load_study(paper.name).plan);
 }
 
 // The first of the studies is the paper's own.
@@ -172,22 +163,15 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
           fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(paper.studies.front()) : std::filesystem::path(arguments->run.out);
-    const auto stop = [&] { invocation.exit_code = cancelled_exit_code(); };
     std::vector<compare::JudgedStudy> judged;
     for (const Study& study : studies_of(paper, *arguments)) {
       const StoredStudy stored = stored_study(study);
-      if (!run_study(study, stored, folder, {.jobs = arguments->run.jobs, .command = invocation.command}))
-        return stop();
-      const EndOnSignal signals(stopped);
+      run_study(study, stored, folder, {.jobs = arguments->run.jobs, .command = invocation.command});
       const Store store(store_in(folder), Store::Mode::read);
       const bool is_first = judged.empty();
       judged.push_back(compare::judge(is_first ? exported_study(store, stored, folder) : checked_study(store, stored)));
     }
-    const auto readings = judged_readings(*arguments, paper);
-    if (!readings) return stop();
-    const EndOnSignal signals(
-        "Stopped before the report was complete. All solves are kept; run the same command again to write it.");
-    report(judged, paper, *arguments, folder, *readings);
+    report(judged, paper, *arguments, folder, judged_readings(*arguments, paper));
   });
 }
 

@@ -88,14 +88,10 @@ void add_run(CLI::App& app, Invocation& invocation) {
       folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
     const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
     const StoredStudy stored = stored_study(study);
-    const auto solved =
+    const std::string solved =
         run_study(study, stored, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write);
-    if (!solved) {
-      invocation.exit_code = cancelled_exit_code();
-      return;
-    }
     if (arguments->without_report || is_part) {
-      if (!arguments->report.is_json) fmt::print("{}\n", wrapped(*solved));
+      if (!arguments->report.is_json) fmt::print("{}\n", wrapped(solved));
       return;
     }
     const Store store(store_in(folder), Store::Mode::read);

@@ -78,7 +78,6 @@ show::Report judged(const StatsArguments& arguments, results::FigureStyle& style
 }
 
 void stats(const StatsArguments& arguments) {
-  const EndOnSignal at_once("Stopped. No report was written.");
   for (const char* file : {"store.sqlite", "solves.csv"}) {
     if (!arguments.out.empty() && std::filesystem::exists(std::filesystem::path(arguments.out) / file))
       throw std::invalid_argument(
