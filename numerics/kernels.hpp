@@ -9,6 +9,21 @@ namespace ikbench::numerics {
 
 enum class InstructionSet;
 
+// Declares, in a folder's namespace, the table of its kernels for each instruction set that they are compiled for, for
+// a set that this machine runs, and for the set in use, looked up once (IKBENCH_DEFINE_KERNELS).
+#define IKBENCH_DECLARE_KERNELS                  \
+  namespace portable {                           \
+  Kernels kernels();                             \
+  }                                              \
+  namespace x86_64_v3 {                          \
+  Kernels kernels();                             \
+  }                                              \
+  namespace x86_64_v4 {                          \
+  Kernels kernels();                             \
+  }                                              \
+  Kernels kernels(numerics::InstructionSet set); \
+  const Kernels& kernels();
+
 constexpr int random_lanes = 8;
 
 // The four words of each lane's xoshiro256++, stored lane beside lane.
@@ -25,19 +40,6 @@ struct Kernels {
   void (*truncated_normals)(RandomState& state, double* out, ptrdiff_t count);  // standard normal within [-1, 1]
 };
 
-namespace portable {
-Kernels kernels();
-}
-namespace x86_64_v3 {
-Kernels kernels();
-}
-namespace x86_64_v4 {
-Kernels kernels();
-}
-
-// The kernels of a set that this machine runs.
-Kernels kernels(InstructionSet set);
-// The kernels of the set in use, looked up once.
-const Kernels& kernels();
+IKBENCH_DECLARE_KERNELS
 
 }  // namespace ikbench::numerics

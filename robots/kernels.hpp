@@ -4,9 +4,7 @@
 
 #include <stddef.h>
 
-namespace ikbench::numerics {
-enum class InstructionSet;
-}
+#include "numerics/kernels.hpp"
 
 namespace ikbench::robots {
 
@@ -58,19 +56,6 @@ struct Kernels {
                       double* errors);
 };
 
-namespace portable {
-Kernels kernels();
-}
-namespace x86_64_v3 {
-Kernels kernels();
-}
-namespace x86_64_v4 {
-Kernels kernels();
-}
-
-// The kernels of a set that this machine runs.
-Kernels kernels(numerics::InstructionSet set);
-// The kernels of the set in use, looked up once.
-const Kernels& kernels();
+IKBENCH_DECLARE_KERNELS
 
 }  // namespace ikbench::robots

@@ -4,9 +4,7 @@
 
 #include <stddef.h>
 
-namespace ikbench::numerics {
-enum class InstructionSet;
-}
+#include "numerics/kernels.hpp"
 
 namespace ikbench::solvers {
 
@@ -57,19 +55,6 @@ struct Kernels {
   void (*add_squares)(double centre, const double* q, double* sums, ptrdiff_t count);  // sums += (q - centre)^2
 };
 
-namespace portable {
-Kernels kernels();
-}
-namespace x86_64_v3 {
-Kernels kernels();
-}
-namespace x86_64_v4 {
-Kernels kernels();
-}
-
-// The kernels of a set that this machine runs.
-Kernels kernels(numerics::InstructionSet set);
-// The kernels of the set in use, looked up once.
-const Kernels& kernels();
+IKBENCH_DECLARE_KERNELS
 
 }  // namespace ikbench::solvers

@@ -3,9 +3,7 @@
 
 #include <stddef.h>
 
-namespace ikbench::numerics {
-enum class InstructionSet;
-}
+#include "numerics/kernels.hpp"
 
 namespace ikbench::microbenchmarks {
 
@@ -14,19 +12,6 @@ struct Kernels {
   void (*iiwa_errors)(const double* target, const double* q, ptrdiff_t row, ptrdiff_t count, double* errors);
 };
 
-namespace portable {
-Kernels kernels();
-}
-namespace x86_64_v3 {
-Kernels kernels();
-}
-namespace x86_64_v4 {
-Kernels kernels();
-}
-
-// The kernels of a set that this machine runs.
-Kernels kernels(numerics::InstructionSet set);
-// The kernels of the set in use, looked up once.
-const Kernels& kernels();
+IKBENCH_DECLARE_KERNELS
 
 }  // namespace ikbench::microbenchmarks
