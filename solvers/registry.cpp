@@ -44,6 +44,15 @@ const Registry& registry() {
 
 }  // namespace
 
+Settings SolverInfo::options(const Settings& settings) const {
+  Settings values;
+  describe([&](OptionList& list) {
+    list.set(settings);
+    values = list.values();
+  });
+  return values;
+}
+
 std::vector<SolverInfo> all_solvers() { return registry().solvers; }
 
 std::vector<MissingPeer> missing_peers() { return registry().missing; }

@@ -21,10 +21,11 @@ struct SolverInfo {
   bool is_counted = true;    // we count its evaluations; false for a library with its own kinematics
   // Says in one sentence why it cannot solve for an arm; empty if it can.
   std::function<std::string(const robots::Chain& arm, GoalKind goal)> why_not;
-  // The defaults with `settings` applied. Throws std::invalid_argument as OptionList::set does.
-  std::function<Settings(const Settings& settings)> options;
   std::function<std::unique_ptr<Solver>(const Settings& settings)> make;
-  std::function<void(const std::function<void(const OptionList&)>& visit)> describe;
+  std::function<void(const std::function<void(OptionList&)>& visit)> describe;  // passes the defaults
+
+  // The defaults with `settings` applied. Throws std::invalid_argument as OptionList::set does.
+  Settings options(const Settings& settings) const;
 };
 
 std::vector<SolverInfo> all_solvers();
@@ -43,13 +44,6 @@ std::vector<MissingPeer> missing_peers();
 template <class S>
 SolverInfo solver_info(std::string name, std::string summary, std::string source, int least_population = 1) {
   using Options = typename S::Options;
-  const auto configured = [](const Settings& settings) {
-    Options options;
-    OptionList list;
-    options.list(list);
-    list.set(settings);
-    return options;
-  };
   return {.name = std::move(name),
           .summary = std::move(summary),
           .source = std::move(source),
@@ -58,18 +52,15 @@ SolverInfo solver_info(std::string name, std::string summary, std::string source
             if constexpr (requires { S::why_not(arm, goal); }) return S::why_not(arm, goal);
             return {};
           },
-          .options =
-              [configured](const Settings& settings) {
-                Options options = configured(settings);
-                OptionList list;
-                options.list(list);
-                return list.values();
-              },
-          .make = [configured](const Settings& settings) -> std::unique_ptr<Solver> {
-            return std::make_unique<S>(configured(settings));
+          .make = [](const Settings& settings) -> std::unique_ptr<Solver> {
+            Options options;
+            OptionList list;
+            options.list(list);
+            list.set(settings);
+            return std::make_unique<S>(options);
           },
           .describe =
-              [](const std::function<void(const OptionList&)>& visit) {
+              [](const std::function<void(OptionList&)>& visit) {
                 Options options;
                 OptionList list;
                 options.list(list);

@@ -1,13 +1,26 @@
-// Evaluations of our objective by a library: keeps the best of them, and knows when the study's stop rule ends the
-// solve.
+// What the solvers by NLopt share. Evaluations of our objective by the library: keeps the best of them, and knows when
+// the study's stop rule ends the solve.
 #pragma once
+
+#include <fmt/core.h>
+#include <nlopt.h>
 
 #include <chrono>
 #include <cmath>
+#include <memory>
+#include <string>
 
 #include "solvers/solve.hpp"
 
 namespace ikbench::solvers {
+
+using NloptHandle = std::unique_ptr<nlopt_opt_s, decltype([](nlopt_opt opt) { nlopt_destroy(opt); })>;
+
+inline std::string nlopt_version_text() {
+  int major = 0, minor = 0, fix = 0;
+  nlopt_version(&major, &minor, &fix);
+  return fmt::format("NLopt {}.{}.{}", major, minor, fix);
+}
 
 // The state of a solve by calls of a library.
 struct LibrarySolve {

@@ -1,7 +1,5 @@
 // NLopt (Johnson 2007) minimizes our objective: half the square of the residual for algorithms that use a slope, else
 // the error. One step is one call of the library, which ends by itself or by the study's budgets and tolerances.
-#include "solvers/peers/nlopt.hpp"
-
 #include <limits>
 
 #include "solvers/bounds.hpp"

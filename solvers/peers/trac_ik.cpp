@@ -7,7 +7,6 @@
 #include "solvers/bounds.hpp"
 #include "solvers/damped_step.hpp"
 #include "solvers/peers/evaluations.hpp"
-#include "solvers/peers/nlopt.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::solvers {
