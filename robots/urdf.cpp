@@ -139,7 +139,7 @@ bool floats(const XMLElement& joint) { return type_of(joint) == "floating" || ty
 
 bool mimics(const XMLElement& joint) { return joint.FirstChildElement("mimic") != nullptr; }
 
-bool moves(const XMLElement* joint) { return type_of(*joint) != "fixed" && !floats(*joint) && !mimics(*joint); }
+bool moves(const XMLElement* joint) { return type_of(*joint) != "fixed" && !floats(*joint); }
 
 // The tree of links and the joints between them.
 class Tree {
@@ -162,9 +162,6 @@ class Tree {
                                        known->second->Attribute("name")));
       }
       after_[parent].push_back(child);
-      if (!mimics(*joint)) continue;
-      mimicking_.insert(name);
-      if (const char* const other = joint->FirstChildElement("mimic")->Attribute("joint")) mimicking_.insert(other);
     }
   }
 
@@ -197,9 +194,9 @@ class Tree {
                                      all.size(), some(all)));
   }
 
-  // The end of the tree with the most moving joints between the base and it. Frames of a camera are no joints; and
-  // where a gripper follows, or two ends are equal, the file does not say where the arm ends. The last joint may be a
-  // gripper's jaw if the link before it, which the arm moves, leads to an end without it.
+  // The end of the tree with the most moving joints between the base and it. Frames of a camera are no joints. Where
+  // two ends are equal, as those of fingers are, the file does not say where the arm ends. The last joint may be a
+  // gripper's jaw if it mimics another, or if the link before it, which the arm moves, leads to an end without it.
   std::string farthest(const std::string& base) const {
     std::deque<std::string> ends;
     int most = 0;
@@ -210,16 +207,18 @@ class Tree {
       ends.push_back(seen.link);
     }
     if (ends.empty()) place_.fail(1, "the joints form a cycle; expected a tree");
-    std::string before = before_gripper(base, ends.front());
-    if (before.empty() && most > 1) {
-      const std::vector<const XMLElement*> way = path(base, ends.front());
-      const std::string hand = end(**std::find_if(way.rbegin(), way.rend(), moves), "parent");
+    const std::vector<const XMLElement*> way = path(base, ends.front());
+    if (most > 0 && ends.size() > 1) {  // the last link on the way to both
+      const std::string fork = end(**std::ranges::mismatch(way, path(base, ends.back())).in1, "parent");
+      if (std::ranges::any_of(path(base, fork), moves)) ends.push_front(fork);
+    } else if (most > 1) {
+      const XMLElement& last = **std::find_if(way.rbegin(), way.rend(), moves);
+      const std::string hand = end(last, "parent");
       for (const Seen& seen : behind({hand}))
         if (seen.moving == 0 && seen.depth > 0 && !after_.contains(seen.link)) ends.push_front(seen.link);
+      if (ends.size() > 1 || mimics(last)) ends.push_front(hand);
     }
-    if (most == 0 || (before.empty() && ends.size() == 1)) return ends.front();
-    if (before.empty()) before = fork(base, ends.front(), ends.back());
-    if (std::ranges::any_of(path(base, before), moves)) ends.push_front(before);
+    if (most == 0 || ends.size() == 1) return ends.front();
     place_.fail(1, fmt::format("the arm may end at {}; add --tip LINK, or tip = \"LINK\" in [urdf] (ikbench robot FILE "
                                "--links shows the tree)",
                                some({ends.begin(), ends.end()})));
@@ -310,29 +309,10 @@ class Tree {
     return all;
   }
 
-  // The link before joints of which one mimics another, if no further joint moves behind them; empty if there are none.
-  std::string before_gripper(const std::string& base, const std::string& tip) const {
-    std::string hand;
-    const std::vector<const XMLElement*> way = path(base, tip);
-    for (auto joint = way.rbegin(); joint != way.rend(); ++joint) {
-      const bool is_of_gripper = mimicking_.contains((*joint)->Attribute("name"));
-      if (is_of_gripper) hand = end(**joint, "parent");
-      if (!is_of_gripper && moves(*joint)) break;
-    }
-    return hand;
-  }
-
-  // The last link on the way to both ends.
-  std::string fork(const std::string& base, const std::string& one, const std::string& other) const {
-    const auto way = path(base, one);
-    return end(**std::ranges::mismatch(way, path(base, other)).in1, "parent");
-  }
-
   const Place& place_;
   std::map<std::string, const XMLElement*> links_;
   std::map<std::string, const XMLElement*> before_;        // joints, by their child
   std::map<std::string, std::vector<std::string>> after_;  // children, by parent
-  std::set<std::string> mimicking_;                        // joints that mimic or are mimicked
 };
 
 Motion motion_of(const XMLElement& joint, const Place& place) {
