@@ -82,11 +82,6 @@ class Written final : public Fields {
   void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
     add(name, choices.at(chosen), choices.at(chosen), choices);
   }
-  void on_chosen(Name name, std::vector<std::size_t>& chosen, const std::vector<std::string>& choices) override {
-    std::vector<std::string> names;
-    for (const std::size_t place : chosen) names.push_back(choices.at(place));
-    add(name, names, "", choices);
-  }
   void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
     add(name, field, fmt::format("{}", field));
   }

@@ -50,16 +50,6 @@ class Fields {
     field = static_cast<Enum>(chosen);
   }
 
-  // Some of the choices.
-  template <class Enum, class Names>
-  void chosen(std::string_view key, std::vector<Enum>& field, const Names& choices, std::string_view meaning) {
-    std::vector<std::size_t> places;
-    for (const Enum value : field) places.push_back(static_cast<std::size_t>(value));
-    on_chosen({key, meaning, InKey::by_name}, places, std::vector<std::string>(choices.begin(), choices.end()));
-    field.clear();
-    for (const std::size_t place : places) field.push_back(static_cast<Enum>(place));
-  }
-
   template <class Whole>
   void whole(std::string_view key, Whole& field, std::pair<std::int64_t, std::int64_t> range,
              std::string_view meaning = "", InKey in_key = InKey::by_name) {
@@ -94,7 +84,6 @@ class Fields {
   virtual void on_text(Name name, std::string& field) = 0;
   virtual void on_texts(Name name, std::vector<std::string>& field) = 0;
   virtual void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) = 0;
-  virtual void on_chosen(Name name, std::vector<std::size_t>& chosen, const std::vector<std::string>& choices) = 0;
   virtual void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t> range) = 0;
   virtual void on_number(Name name, double& field, double unit, std::pair<double, double> range) = 0;
   virtual void on_numbers(Name name, std::vector<double>& field, double unit, int size) = 0;

@@ -111,19 +111,6 @@ void TomlReader::on_choice(Name name, std::size_t& chosen, const std::vector<std
   chosen = static_cast<std::size_t>(found - choices.begin());
 }
 
-void TomlReader::on_chosen(Name name, std::vector<std::size_t>& chosen, const std::vector<std::string>& choices) {
-  const toml::node* node = find(name.key);
-  if (node == nullptr) return;
-  std::vector<std::string> wanted = texts_in(*node);
-  chosen.clear();
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (std::erase(wanted, choices[i]) == 1) chosen.push_back(i);
-  }
-  const toml::array* array = node->as_array();
-  if (array == nullptr || array->size() != chosen.size() || chosen.empty())
-    fail(name.key, *node, fmt::format("a list of some of \"{}\", each once", fmt::join(choices, "\", \"")));
-}
-
 void TomlReader::on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t> range) {
   const toml::node* node = find(name.key);
   if (node == nullptr) return;

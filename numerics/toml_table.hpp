@@ -72,8 +72,6 @@ class TomlReader : public Fields {
   void on_text(Name name, std::string& field) override;
   void on_texts(Name name, std::vector<std::string>& field) override;
   void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override;
-  // At least one and none twice, in the order of the choices.
-  void on_chosen(Name name, std::vector<std::size_t>& chosen, const std::vector<std::string>& choices) override;
   void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t> range) override;
   void on_number(Name name, double& field, double unit, std::pair<double, double> range) override;
   void on_numbers(Name name, std::vector<double>& field, double unit, int size) override;

@@ -2,7 +2,6 @@
 // It decides no number.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -25,8 +24,7 @@ namespace ikbench::results {
 inline const std::vector<std::string> own_palette{"#267195", "#9A3409", "#573B4B", "#1803A2",
                                                   "#EB365A", "#9B80FF", "#000000"};
 
-enum class Picture { svg, pdf, png };
-constexpr std::array<std::string_view, 3> picture_names{"svg", "pdf", "png"};
+inline const std::vector<std::string> picture_formats{"svg", "pdf", "png"};
 
 struct FigureStyle {
   double width_cm = 0, height_cm = 0;  // of every figure; 0: each its own
@@ -34,7 +32,7 @@ struct FigureStyle {
   double text_pt = 8;
   std::vector<std::string> palette = own_palette;
   std::vector<std::string> solvers = {};  // labels in the order of the figures; empty: all, as in the study
-  std::vector<Picture> formats = {Picture::svg, Picture::pdf, Picture::png};
+  std::vector<std::string> formats = picture_formats;
   std::map<std::string, std::string> colours = {};  // of solvers, by label: `colour` of their entries
 
   bool operator==(const FigureStyle&) const = default;
@@ -50,10 +48,8 @@ inline void list_fields(numerics::Fields& io, FigureStyle& style) {
   io.number("text_pt", style.text_pt, 1, {4, 24}, "size of text; heights and margins follow it");
   io.texts("palette", style.palette, "colours of solvers, in the order in which they are given out: \"#RRGGBB\"");
   io.texts("solvers", style.solvers, "only these labels in figures, in this order; []: all");
-  io.chosen("formats", style.formats, picture_names, "pictures of each figure; the page shows svg");
+  io.texts("formats", style.formats, "pictures of each figure: svg, pdf, png; the page shows svg");
 }
-
-constexpr std::string_view name_of(Picture picture) { return picture_names[static_cast<std::size_t>(picture)]; }
 
 // "#1E8CF8" for "#1e8cf8"; nothing for what is no colour.
 std::optional<std::string> hex_colour(std::string_view colour);

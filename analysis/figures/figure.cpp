@@ -34,21 +34,19 @@ constexpr EmbeddedFile style_file[]{
 #include "style.inc"
 };
 
-// The end of a whole file, by type.
-constexpr std::array<std::string_view, 3> ends_of_pictures{"</svg>", "%%EOF", "IEND\xAE\x42\x60\x82"};
-
 bool is_own_file(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored));
 }
 
-std::filesystem::path picture_of(const Figure& figure, Picture type) {
-  return fmt::format("{}.{}", figure.name, name_of(type));
+std::filesystem::path picture_of(const Figure& figure, std::string_view type) {
+  return fmt::format("{}.{}", figure.name, type);
 }
 
 // Removes pictures of an earlier report; a link or a device in their place is not ours to remove.
-void remove_pictures(const Figure& figure, const std::filesystem::path& folder, const std::vector<Picture>& but_not) {
-  for (const Picture type : {Picture::svg, Picture::pdf, Picture::png}) {
+void remove_pictures(const Figure& figure, const std::filesystem::path& folder,
+                     const std::vector<std::string>& but_not) {
+  for (const std::string& type : results::picture_formats) {
     const std::filesystem::path file = folder / picture_of(figure, type);
     std::error_code ignored;
     if (std::ranges::count(but_not, type) == 0 && is_own_file(file)) std::filesystem::remove(file, ignored);
@@ -112,8 +110,8 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
     throw std::invalid_argument(result.output.empty() ? fmt::format("{} failed without a message", gnuplot)
                                                       : result.output);
   }
-  for (const Picture type : options.style.formats) {
-    const std::string_view end = ends_of_pictures[static_cast<std::size_t>(type)];
+  for (const std::string& type : options.style.formats) {
+    const std::string_view end = type == "svg" ? "</svg>" : type == "pdf" ? "%%EOF" : "IEND\xAE\x42\x60\x82";
     const std::string file = picture_of(figure, type);
     std::optional<std::string> picture = read_file(workshop / file);
     if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
@@ -122,24 +120,24 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
       // gnuplot does not say that a disk is full
       throw std::runtime_error(
           fmt::format("cannot write '{}': {} wrote only a part of it; is the disk full?", place.string(), gnuplot));
-    if (type == Picture::pdf) remove_date(*picture);
-    if (type == Picture::svg) complete_svg(*picture, figure);
+    if (type == "pdf") remove_date(*picture);
+    if (type == "svg") complete_svg(*picture, figure);
     write_file(place, *picture);
   }
 }
 
 // The complete script of a figure.
-std::string script_of(const Figure& figure, const std::vector<Picture>& formats) {
+std::string script_of(const Figure& figure, const std::vector<std::string>& formats) {
   std::string script = fmt::format(
       "# To draw it again: gnuplot {0}.gp\ndata = '{0}.dat'\nwidth_cm = {1}\nheight_cm = {2}\nlegend = {3}\n"
       "sides_cm = {4}\nload 'style.gp'\n\n{5}\n",
       figure.name, text_of(figure.width_cm), text_of(figure.height_cm), figure.legend, text_of(figure.sides_cm),
       figure.settings);
   const bool can_repeat = !figure.plot.starts_with("set multiplot");
-  for (const Picture type : formats) {
+  for (const std::string& type : formats) {
     const bool is_repeated = can_repeat && type != formats.front();
-    if (figure.legend > 0) script += fmt::format("set key spacing {}_rows\n", name_of(type));
-    script += fmt::format("set terminal @{0}\nset output '{1}.{0}'\n{2}\n", name_of(type), figure.name,
+    if (figure.legend > 0) script += fmt::format("set key spacing {}_rows\n", type);
+    script += fmt::format("set terminal @{0}\nset output '{1}.{0}'\n{2}\n", type, figure.name,
                           is_repeated ? "replot" : figure.plot);
   }
   return script + "unset output\n";
@@ -213,7 +211,7 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
         failures[i] = std::current_exception();
         next = figures.size();
       }
-      remove_pictures(figures[i], folder, errors[i].empty() ? options.style.formats : std::vector<Picture>());
+      remove_pictures(figures[i], folder, errors[i].empty() ? options.style.formats : std::vector<std::string>());
       if (!options.progress) continue;
       const std::scoped_lock lock(one_at_a_time);
       options.progress(++done, static_cast<std::int64_t>(figures.size()));

@@ -31,7 +31,6 @@ class Changer final : public Fields {
   void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
     if (is_at(name)) chosen = (chosen + 1) % choices.size();
   }
-  void on_chosen(Name, std::vector<std::size_t>&, const std::vector<std::string>&) override {}
   void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
     if (is_at(name)) ++field;
   }

@@ -95,7 +95,7 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
                    .text_pt = 9.5,
                    .palette = {"#000000", "#ABCDEF"},
                    .solvers = {"плечо", study.solvers[0].label},
-                   .formats = {Picture::pdf}};
+                   .formats = {"pdf"}};
   study.solvers[1].colour = "#123456";
   const Study again = read(to_toml(study));
   CHECK(to_toml(again) == to_toml(study));

@@ -192,7 +192,7 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
                           .font = "Liberation Serif",
                           .text_pt = 10,
                           .palette = {"#AA0001"},
-                          .formats = {Picture::svg}};
+                          .formats = {"svg"}};
   REQUIRE(write_figures({figure}, folder.path, {.style = style}).empty());
   const std::string svg = text_in(folder.path / "f.svg");
   for (const char* const part : {"width=\"360pt\" height=\"216pt\"", "font-family=\"Liberation Serif\"",
@@ -206,7 +206,7 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
 TEST_CASE("an SVG is well-formed whatever a label has", "[files][figure]") {
   const ScratchFolder folder;
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot x title 'a]]>b'", .data = ""};
-  REQUIRE(write_figures({figure}, folder.path, {.style = {.formats = {Picture::svg}}}).empty());
+  REQUIRE(write_figures({figure}, folder.path, {.style = {.formats = {"svg"}}}).empty());
   const std::string svg = text_in(folder.path / "f.svg");
   CHECK(contains(svg, "a]]&gt;b"));
   CHECK(svg.find("]]>") == std::string::npos);

@@ -80,7 +80,7 @@ TEST_CASE("The look of figures is read, and one that no figure may have is refus
                     .text_pt = 10,
                     .palette = {"#ff0000", "#1E8CF8"},
                     .solvers = {"B", "A"},
-                    .formats = {Picture::svg, Picture::png},  // in their own order
+                    .formats = {"png", "svg"},
                     .colours = {{"A", "#8D1804"}}});
   for (const char* wrong : {R"({"font": "a'; !touch pwned"})", R"({"palette": []})", R"({"palette": ["blau"]})",
                             R"({"colours": {"A": "'"}})", R"({"width_cm": 1})", R"({"text_pt": 1000})"}) {

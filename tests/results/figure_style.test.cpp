@@ -22,7 +22,7 @@ TEST_CASE("a style has the keys that it gives, and the rest as before", "[style]
   CHECK(style.font == "DejaVu Sans");
   CHECK(style.text_pt == 10);
   CHECK(style.palette.size() == 2);
-  CHECK(style.formats == std::vector{Picture::pdf});
+  CHECK(style.formats == std::vector<std::string>{"pdf"});
   CHECK(style.solvers == std::vector<std::string>{"DE", "IK-BA"});
   CHECK(style_in("") == FigureStyle());
 }
