@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/reporting.hpp"
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/verifier.hpp"
 #include "numerics/names.hpp"

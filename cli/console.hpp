@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <boost/core/noncopyable.hpp>
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
@@ -41,24 +42,20 @@ std::string aligned(Rows rows, std::size_t width = text_width());
 // While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (unless started by nohup), so their handling may use
 // any function. They end the program with a sentence and 128 + the number of the signal, and remove scratch folders;
 // CancelOnSignal changes that. Make it once, before any other thread.
-class SignalWatch {
+class SignalWatch : boost::noncopyable {
  public:
   SignalWatch();
   ~SignalWatch();
-  SignalWatch(const SignalWatch&) = delete;
-  SignalWatch& operator=(const SignalWatch&) = delete;
 
  private:
   std::thread thread_;
 };
 
 // While it lives, a first signal sets a flag and says so; a second one ends the program.
-class CancelOnSignal {
+class CancelOnSignal : boost::noncopyable {
  public:
   CancelOnSignal();
   ~CancelOnSignal();
-  CancelOnSignal(const CancelOnSignal&) = delete;
-  CancelOnSignal& operator=(const CancelOnSignal&) = delete;
 
   const std::atomic<bool>& requested() const;
   // Afterwards a signal ends the program. Returns true if one came before, which was announced and must be obeyed.
@@ -72,15 +69,13 @@ int cancelled_exit_code();
 
 // Shows a progress on standard error, with rate and time left: on a terminal as a moving bar, which is wiped at the
 // end, in a log as a line now and then.
-class ProgressBar {
+class ProgressBar : boost::noncopyable {
  public:
   using Clock = std::chrono::steady_clock;
 
   explicit ProgressBar(std::string title, std::string noun = "solves");
   ProgressBar(std::string title, std::string noun, bool on_terminal, Clock::time_point started);
   ~ProgressBar();
-  ProgressBar(const ProgressBar&) = delete;
-  ProgressBar& operator=(const ProgressBar&) = delete;
   void show(const experiments::Progress& progress);
   // What is to be shown; empty if it is too soon after the last text.
   std::string text_at(Clock::time_point now, const experiments::Progress& progress);

@@ -110,6 +110,7 @@ Rows list_of(std::string_view kind) {
 }
 
 std::string listed(const std::string& kind, const std::string& name) {
+  if (kind == "figures" && name.empty()) return list_of_figures();
   if (name.empty()) return aligned(list_of(kind));
   if (kind == "solvers") return solver_details(name);
   if (kind == "studies") return study_details(name);
@@ -126,9 +127,9 @@ void add_list(CLI::App& app, Invocation&) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
-      app.add_subcommand("list", "List solvers, arms, studies, paths, columns, metrics or instruction sets");
-  const std::vector<std::string> kinds{"solvers", "robots",  "studies",         "paths",
-                                       "columns", "metrics", "instruction-sets"};
+      app.add_subcommand("list", "List solvers, arms, studies, paths, columns, metrics, figures or instruction sets");
+  const std::vector<std::string> kinds{"solvers", "robots",  "studies", "paths",
+                                       "columns", "metrics", "figures", "instruction-sets"};
   command->add_option("KIND", arguments->kind, fmt::format("{}; default: these names", fmt::join(kinds, ", ")));
   command->add_option("NAME", arguments->name,
                       "show this solver in full; a study or a path is printed as TOML, ready to edit");

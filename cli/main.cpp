@@ -11,7 +11,6 @@
 #include <new>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -31,10 +30,6 @@ int main(int argc, char** argv) {
   using namespace ikbench::numerics;
   using namespace ikbench::experiments;
   std::vector<std::string> words(argv + 1, argv + argc);
-  if (words == std::vector<std::string>{"--version"}) {  // before all that takes longer
-    fmt::print("{}\n", program_name());
-    return std::fflush(stdout) == 0 ? 0 : 2;
-  }
   CLI::App app("Runs inverse-kinematics solvers on studies, stores every solve and says what the numbers mean.",
                "ikbench");
   app.footer(
@@ -42,7 +37,7 @@ int main(int argc, char** argv) {
       "  ikbench reproduce         repeats Slim et al. 2023: which of its claims hold?\n"
       "  ikbench run my.toml       compares the solvers of a study, and writes a report\n"
       "  ikbench stats my.csv      says which group of your own data is better\n"
-      "  ikbench help COMMAND      has more; ikbench help figures: their names and style\n\n"
+      "  ikbench COMMAND --help    has more\n\n"
       "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system,\n"
       "3 something is worse, 4 something is not decided (compare), 5 solves are missing (merge), 128 + a signal's number.");
   app.set_version_flag("--version", program_name());
@@ -50,23 +45,12 @@ int main(int argc, char** argv) {
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("ikbench: {}\n  see --help\n", cli::printable(error.what()));
   });
-  // "help COMMAND" is "COMMAND --help", "help" is "--help".
-  const bool is_help = !words.empty() && words.front() == "help";
-  if (is_help) words.erase(words.begin());
   cli::Invocation invocation{.command = cli::shell_command("ikbench", {argv + 1, argv + argc})};
 #define COMMAND(name) cli::add_##name(app, invocation);
 #include "cli/commands.inc"
 #undef COMMAND
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-  if (is_help && (words.empty() || std::ranges::find(commands, words.front()) != commands.end())) {
-    words.resize(std::min<std::size_t>(words.size(), 1));
-    words.emplace_back("--help");
-  }
-  if (is_help && words == std::vector<std::string>{"figures"}) {
-    fmt::print("{}", cli::help_of_figures());
-    return std::fflush(stdout) == 0 ? 0 : 2;
-  }
   if (words.empty()) words.emplace_back("--help");
   const std::string first = words.front();
   std::ranges::reverse(words);  // as CLI11 takes them
@@ -112,9 +96,7 @@ int main(int argc, char** argv) {
     cli::say_mistake(error.what());
     return 1;
   } catch (const std::runtime_error& error) {  // no space left, a store that another process writes, ...
-    const auto* const system = dynamic_cast<const std::system_error*>(&error);
-    const bool is_thread = system != nullptr && system->code() == std::errc::resource_unavailable_try_again;
-    cli::say_mistake(is_thread ? "the system starts no more threads; raise ulimit -u" : error.what());
+    cli::say_mistake(error.what());
     return 2;
   } catch (const std::bad_alloc&) {
     cli::say_mistake("there is not enough memory (ulimit -v, or the machine's); what is stored is kept");

@@ -25,6 +25,7 @@
 #include "numerics/embedded_file.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
+#include "numerics/number.hpp"
 #include "results/export.hpp"
 #include "results/merge.hpp"
 
@@ -89,15 +90,10 @@ void refuse_unknown_figures(const std::vector<std::string>& names) {
 
 // Leaves the figures of these names or first words: "error" is error-boxes and error-by-point.
 void choose_figures(show::Report& reported, const std::vector<std::string>& names) {
-  std::vector<std::string> there;
-  std::set<std::string> unknown(names.begin(), names.end());
+  std::set<std::string> lacking(names.begin(), names.end());
   const auto is_left_out = [&](const figures::Figure& figure) {
-    there.push_back(figure.name);
-    return std::ranges::none_of(names, [&](const std::string& name) {
-      const bool is_chosen = is_meant(figure.name, name);
-      if (is_chosen) unknown.erase(name);
-      return is_chosen;
-    });
+    std::erase_if(lacking, [&](const std::string& name) { return is_meant(figure.name, name); });
+    return std::ranges::none_of(names, [&](const std::string& name) { return is_meant(figure.name, name); });
   };
   std::erase_if(reported.figures, is_left_out);
   for (show::Blocks& blocks : reported.additions) {
@@ -106,31 +102,58 @@ void choose_figures(show::Report& reported, const std::vector<std::string>& name
       return figure != nullptr && is_left_out(*figure);
     });
   }
-  if (!unknown.empty())
-    throw std::invalid_argument(
-        fmt::format("this study has no figure \"{}\"; it has {}", *unknown.begin(), fmt::join(there, ", ")));
+  if (!lacking.empty()) warn(fmt::format("there is nothing to draw for {}", fmt::join(lacking, ", ")));
 }
 
 bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
 
 }  // namespace
 
+CLI::Validator number_in(std::pair<double, double> range) {
+  const auto mistake = [range](const std::string& text) {
+    const auto value = number_from(text);
+    return value && *value >= range.first && *value <= range.second
+               ? std::string()
+               : fmt::format("{} is not a number from {} to {}", text.substr(0, 100), range.first, range.second);
+  };
+  return {mistake, ""};
+}
+
+CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range) {
+  const auto mistake = [range](const std::string& text) {
+    const bool are_digits = !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == text.npos &&
+                            (text == "0" || text[0] != '0');
+    if (are_digits && std::stoll(text) >= range.first && std::stoll(text) <= range.second) return std::string();
+    return fmt::format("{} is not a whole number from {} to {}, without zeros before it", text.substr(0, 100),
+                       range.first, range.second);
+  };
+  return {mistake, range.second < largest_whole ? fmt::format("{} to {}", range.first, range.second) : ""};
+}
+
+CLI::Validator not_empty() {
+  return {[](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, ""};
+}
+
+void add_json_option(CLI::App& command, bool& is_json) {
+  command.add_flag("--json", is_json, "print the answer as JSON");
+}
+
+void show_json(const numerics::OrderedJson& json) { fmt::print("{}\n", numerics::text_of(json, 2)); }
+
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
   command.add_option("--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      .add_option("--style", arguments.style, "TOML file of keys of [figures], in place of the study's (help figures)")
+      .add_option("--style", arguments.style, "TOML file of keys of [figures], in place of the study's (list figures)")
       ->check(not_empty());
   add_json_option(command, arguments.is_json);
 }
 
-std::string help_of_figures() {
-  std::string text =
-      "Figures of a report, those that it has values for: run, report, reproduce, stats --figures NAME,NAME\n";
-  for (const auto& [name, meaning] : all_figures()) text += fmt::format("  {:24}{}\n", name, meaning);
-  return text + "error stands for all that begin with it, none for no figure.\n\n" +
-         "Keys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle());
+std::string list_of_figures() {
+  Rows rows{{"FIGURE", "OF"}};
+  for (const auto& [name, meaning] : all_figures()) rows.push_back({name, meaning});
+  return aligned(rows) + "\nKeys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle());
 }
 
 FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {

@@ -1,8 +1,10 @@
-// Shared by `reproduce`, `run` and `report`: options, writing and announcement of a report.
+// What commands share: checks of options, running a study, writing and announcement of a report.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/compare/study.hpp"
@@ -11,10 +13,27 @@
 #include "cli/commands.hpp"
 #include "experiments/multiverse.hpp"
 #include "experiments/runner.hpp"
+#include "numerics/json.hpp"
 #include "results/figure_style.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::cli {
+
+// Checks of options, and JSON as an answer.
+
+// Accepts a decimal number in the range: CLI11 accepts more texts as numbers.
+CLI::Validator number_in(std::pair<double, double> range);
+
+constexpr std::int64_t largest_whole = 999'999'999'999'999'999;
+// Accepts numbers in the range, written in decimal digits only: CLI11 alone reads 010 as 8 and takes what is too large
+// for the largest.
+CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range = {0, largest_whole});
+
+// Refuses an empty folder name: it comes from an unset variable of a script.
+CLI::Validator not_empty();
+
+void add_json_option(CLI::App& command, bool& is_json);
+void show_json(const numerics::OrderedJson& json);
 
 // Adds PAPER, the name of a paper; the first by default.
 void add_paper_option(CLI::App& command, std::string& paper);
@@ -25,6 +44,8 @@ struct ReportArguments {
   std::string style = {};                 // a file; its keys replace those of the study's [figures]
 };
 
+// The names of figures, and the keys of their look.
+std::string list_of_figures();
 void add_report_options(CLI::App& command, ReportArguments& arguments);
 // Of a study of these labels, with the style file, if there is one. Throws std::invalid_argument for what cannot be
 // drawn. Call it before anything is solved.

@@ -40,8 +40,8 @@ succeeds report made/store.sqlite --figures none --json --out again
 golden slim2023
 has "$("$program" export made/store.sqlite --format fingerprint)" "  90  slim2023"
 
-# Of the store alone, in another folder, at another time, by somebody who may only read it: the same bytes.
-mkdir -p "another folder" closed
+# Of the store alone, in another folder, at another time, by somebody else: the same bytes.
+mkdir "another folder"
 cp made/store.sqlite "another folder/theirs.sqlite"
 (
   cd "another folder" || exit 1
@@ -50,20 +50,6 @@ cp made/store.sqlite "another folder/theirs.sqlite"
 rm made/store.sqlite-* 2>/dev/null
 diff -r --exclude='*.sqlite' made "another folder" || fail "two reports of one store differ"
 cmp made/store.sqlite "another folder/theirs.sqlite" || fail "report changed the store"
-cp made/store.sqlite closed/
-chmod 444 closed/store.sqlite
-chmod 555 closed
-mkdir -m 777 open
-reader=()
-if [ "$(id -u)" = 0 ] && command -v setpriv >/dev/null; then
-  chmod 755 "$work"
-  reader=(setpriv --reuid=65534 --regid=65534 --clear-groups)
-  "${reader[@]}" "$program" --version >/dev/null 2>&1 || reader=() # the build folder may be closed to others
-fi
-"${reader[@]}" "$program" report closed/store.sqlite --figures none --out open/report >.out 2>.err || fail "read only: $(<.err)"
-cmp open/report/results.json made/results.json || fail "another report of a store that may only be read"
-equal "read only" "$(ls closed)" store.sqlite
-chmod 755 closed
 
 # Two studies in a store: the first, unless another is asked for. More runs: only those.
 succeeds run slim2023-context "${small[@]}" --no-report --out made
@@ -87,9 +73,9 @@ json 'len({row["solver"] for row in of["groups"]}) == 9'
 # Every figure can be asked for alone, and no other is drawn; where solves were made by two machines, times are not compared.
 echo 'formats = ["svg"]' >svg.toml
 drawn=
-for figure in $("$program" help figures | sed -n 's/^  \([a-z-]*\)  .*/\1/p'); do
-  run_it report mine/store.sqlite --figures "$figure" --style svg.toml --out "only-$figure"
-  [ $code = 0 ] || { has "$err" "no figure \"$figure\""; continue; }
+for figure in $("$program" list figures | sed -n '2,/^$/s/^\([a-z][^ ]*\) .*/\1/p'); do
+  succeeds report mine/store.sqlite --figures "$figure" --style svg.toml --out "only-$figure"
+  [ -z "$err" ] || { equal warning "$err" "warning: there is nothing to draw for $figure"; continue; }
   drawn+=" $figure"
   equal "drawn for $figure" "$(cd "only-$figure/figures" && echo *.svg)" "$figure.svg"
 done
