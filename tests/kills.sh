@@ -1,16 +1,13 @@
 #!/usr/bin/env bash
-# Disturbs a working program: kill -9, SIGTERM and SIGHUP at random moments, a full disk, a locked store. No stored
-# solve is lost, none is there twice, and at the end all is as if nothing had happened.
+# Disturbs a working program: kill -9, SIGTERM and SIGHUP at random moments, a full disk. No stored solve is lost, none is
+# there twice, and at the end all is as if nothing had happened. (Files: files.test.cpp; locks: store_faults.test.cpp.)
 #
 #   tests/kills.sh PROGRAM                  one of each, as ./check does
 #   tests/kills.sh PROGRAM 100              a hundred of each
-#   tests/kills.sh PROGRAM 100 run merge    of these parts alone: run merge report files disk locked
 #
 # IKBENCH_KILLS_SEED=N repeats the moments of another time.
 source "$(dirname "$0")/cli/common.sh"
 rounds=${2:-1}
-parts=("${@:3}")
-[ ${#parts[@]} -gt 0 ] || parts=(run merge report files disk locked)
 seed=${IKBENCH_KILLS_SEED:-$((10#$(date +%N)))}
 RANDOM=$seed
 echo "kills.sh: $rounds of each, IKBENCH_KILLS_SEED=$seed"
@@ -102,24 +99,21 @@ kill_run() {
   done
 }
 
-kill_merge() { # into a new store and into one that is there
-  local k kind signal begun
+kill_merge() { # into a store that is there; a new one: merge.test.cpp
+  local k signal begun
   look() { echo 0; }
   ends 5 merge begun shards/2-of-3
   begun=$(rows begun/store.sqlite)
   lasts merge first shards
-  for kind in new there; do
-    for signal in KILL TERM; do
-      for ((k = 0; k < rounds; ++k)); do
-        rm -rf merged
-        [ $kind = new ] || cp -r begun merged
-        signalled $signal merge merged shards
-        [ "$(rows merged/store.sqlite)" -ge "$([ $kind = new ] && echo 0 || echo "$begun")" ] || fail "SIG$signal of a merge lost solves"
-        succeeds merge merged shards
-        as_whole merged/store.sqlite "a merge with SIG$signal"
-        equal "files of a merge" "$(ls merged)" store.sqlite
-      done
-    done
+  for ((k = 0; k < 2 * rounds; ++k)); do
+    signal=$( ((k % 2)) && echo KILL || echo TERM)
+    rm -rf merged
+    cp -r begun merged
+    signalled "$signal" merge merged shards
+    [ "$(rows merged/store.sqlite)" -ge "$begun" ] || fail "SIG$signal of a merge lost solves"
+    succeeds merge merged shards
+    as_whole merged/store.sqlite "a merge with SIG$signal"
+    equal "files of a merge" "$(ls merged)" store.sqlite
   done
 }
 
@@ -130,32 +124,10 @@ kill_report() { # while it is drawn
     at_work "drawn/figures/.ikbench-*" $signal report whole/store.sqlite --out drawn
     equal "SIG$signal left" "$(find drawn -name '.ikbench-*')" ""
   done
-  mkdir hanging
-  printf '#!/bin/sh\necho $$ >%s/hangs\nexec sleep 1000\n' "$work" >hanging/gnuplot
-  chmod +x hanging/gnuplot
-  for signal in KILL TERM; do
-    rm -f hangs
-    PATH=$work/hanging:$PATH at_work hangs $signal report whole/store.sqlite --out drawn
-    sleep 0.2
-    ! grep -qvs ') Z' "/proc/$(<hangs)/stat" || fail "a gnuplot that hangs outlives SIG$signal"
-  done
-}
-
-kill_files() { # whole or not there, and the same command again succeeds
-  local format k
-  look() { echo 0; }
-  succeeds run slim2023 --set runs=8 --set trace=best_error --out traced --no-report
-  for format in csv iohprofiler; do
-    lasts export traced/store.sqlite --format $format -o undisturbed.$format
-    for ((k = 0; k < rounds; ++k)); do
-      rm -rf exported && mkdir exported
-      signalled KILL export traced/store.sqlite --format $format -o exported/result
-      [ -e exported/result ] || succeeds export traced/store.sqlite --format $format -o exported/result
-      diff -r exported/result undisturbed.$format || fail "a killed export of $format is not whole"
-      [ $format = iohprofiler ] || succeeds export traced/store.sqlite --format $format -o exported/result
-      equal "a killed export of $format leaves" "$(ls exported)" result
-    done
-  done
+  printf '#!/bin/sh\necho $$ >%s/hangs\nexec sleep 1000\n' "$work" | install -D /dev/stdin hanging/gnuplot
+  PATH=$work/hanging:$PATH at_work hangs KILL report whole/store.sqlite --out drawn
+  sleep 0.2
+  ! grep -qvs ') Z' "/proc/$(<hangs)/stat" || fail "a gnuplot that hangs outlives SIGKILL"
 }
 
 kill_disk() { # full while solves are stored, merged, exported and drawn: exit code 2, the name, and later all goes on
@@ -189,20 +161,7 @@ kill_disk() { # full while solves are stored, merged, exported and drawn: exit c
   done
 }
 
-kill_locked() { # by another program: some seconds of waiting, and later all goes on
-  cp -r whole locked
-  mkfifo hold
-  printf 'BEGIN EXCLUSIVE;\n.shell touch holds; cat hold\n' | sqlite3 locked/store.sqlite &
-  until [ -e holds ]; do sleep 0.1; done
-  ends 2 "${study[@]}" --set runs=13 --out locked
-  has "$err" locked/store.sqlite
-  echo >hold
-  wait
-  succeeds "${study[@]}" --set runs=13 --out locked
-}
-
-for part in "${parts[@]}"; do
-  declare -F "kill_$part" >/dev/null || fail "there is no part $part"
-  "kill_$part"
-done
-exit 0
+kill_run
+kill_merge
+kill_report
+kill_disk

@@ -33,7 +33,6 @@ grep -qc '^| error |' verdict.md || fail "no table: $(<verdict.md)"
 equal "metrics of two labels in verdict.md" "$(grep -c '^| error |' verdict.md)" 2
 
 # What the candidate lacks is not compared, unless --label leaves it out (gate.test.cpp).
-refused twice compare $base $again --label BA --label BA
 make three --set runs=3
 refused 'lacks 15 of the 24 solves' compare $base three/store.sqlite --label BA
 cp $again five.sqlite
@@ -50,9 +49,8 @@ cmp $base before.sqlite || fail "compare changed the store"
 # Another task is refused.
 make turned --set 'initial_deg=[1,0,0,0,0,0,0]' --set start=initial
 refused different compare $base turned/store.sqlite
-refused empty compare $base $again -o ''
 
-# Programs: a crash in 5 of 100 solves, and three times the evaluations for the same answers, are worse.
+# Programs: three times the evaluations for the same answers are worse (crashes: gate.test.cpp).
 cp "$scripts/studies/gate.toml" .
 pso=$root/docs/examples/pso.py action=$(sed -n 's/^ *run: //p' "$root/action.yml")
 for input in $(sed -n 's/^ *\([A-Z_]*\): \${{ inputs.*/\1/p' "$root/action.yml"); do
@@ -74,14 +72,9 @@ cp ikbench-gate/store.sqlite baseline.sqlite
 gate 0 passed OUT=same STRICT=true
 [ -s same/verdict.md ] && cmp same/verdict.md summary.md || fail "no verdict in the summary: $(<summary.md)"
 sed 's/errors := evaluate(swarm):/told := evaluate(3 * swarm):\n        errors = told[:size]/' "$pso" >mine.py
-gate 3 worse OUT=thrice
+gate 3 worse OUT=thrice MARGIN=10%
 equal "evaluations" "$(column thrice/store.sqlite evaluations mine | awk '{ n += $1 } END { print n }')" \
   "$((3 * $(column baseline.sqlite evaluations mine | awk '{ n += $1 } END { print n }')))"
-sed 's/^def solve.*/&\n    with open("count", "a") as count:\n        count.write(".")\n        if count.tell() in (10, 30, 50, 70, 90): sys.exit(4)/' "$pso" >mine.py
-gate 3 worse OUT=crash MARGIN=10%
-equal "answers" "$(column crash/store.sqlite status mine | counted | head -n 1)" "5 crashed"
-ends 3 compare baseline.sqlite crash/store.sqlite --json
-golden compare-crash
 sed 's/^runs = 20/runs = 19/' gate.toml >shorter.toml
 gate 1 failed STUDY=shorter.toml OUT=shorter
 gate 1 failed STUDY=none.toml OUT=none GITHUB_ACTIONS=true

@@ -21,14 +21,7 @@ succeeds run "${traced[@]}" --set seed=2 --out seed-2
 [ "$("$program" export seed-2/store.sqlite --format fingerprint)" != "$("$program" export made/store.sqlite --format fingerprint)" ] ||
   fail "the same fingerprint with another seed"
 
-# -o follows a link, and writes into no pipe and no device (files.test.cpp has all of it).
-echo old >private.csv
-ln -s private.csv link.csv
-succeeds export made/store.sqlite -o link.csv
-[ -z "$out" ] && [ -L link.csv ] && cmp private.csv first.csv || fail "-o through a link"
-mkfifo pipe
-refused pipe export made/store.sqlite -o pipe
-refused /dev/full export made/store.sqlite -o /dev/full
+# -o writes a whole file, and none of the store's (files.test.cpp has more).
 code=0
 (ulimit -f 1 && "$program" export made/store.sqlite -o limited.csv 2>.err) || code=$?
 equal "code beyond ulimit -f, which said $(<.err)" $code 2
@@ -45,11 +38,7 @@ code=${PIPESTATUS[0]}
 # IOHprofiler.
 succeeds export made/store.sqlite --format iohprofiler -o ioh
 [ -z "$err" ] || fail "a solver of the paper is left out: $err"
-refused 'FOLDER' export made/store.sqlite --format iohprofiler
 refused 'ioh' export made/store.sqlite --format iohprofiler -o ioh
-succeeds run slim2023 "${small[@]}" --no-report --out untraced
-refused 'best_error' export untraced/store.sqlite --format iohprofiler -o none
-[ ! -e none ] || fail "a folder without anything in it"
 # The SQL of the docs counts no solve of an older program, and has the means of the report.
 cp -r made asked
 sqlite3 asked/store.sqlite "CREATE TEMP TABLE older AS SELECT * FROM solves; UPDATE older SET series = 'older@' || series; INSERT INTO solves SELECT * FROM older"

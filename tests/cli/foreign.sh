@@ -23,11 +23,7 @@ study plain
 succeeds run plain.toml --no-report --out plain
 alone=$(column plain/store.sqlite position_error_cm DLS)
 
-# A user's mistakes. A program has 20 s to say hello: meanwhile the rest goes on.
-command_is() { printf '[[solvers]]\nprocess = [%s]\n%s' "$1" "${2:-}"; }
-study silent "$(command_is '"sleep", "1000"' 'patience_s = 0.5')"
-(mkdir .silent && work=$work/.silent && refused patience_s run silent.toml) &
-silent=$!
+
 
 # Each fault is a status of its own solves, and changes nothing of the others'.
 runs faults "$(entry good fine)" "$(entry hangs hangs "" 2)" "$(entry dies dies)" "$(entry noise noise)" "$(entry lies lies)" \
@@ -107,37 +103,24 @@ touch package && echo "package 1.0" >packages.txt
 runs needy "$needy"
 is needy needy "$any"
 
-# If the system cannot start it any more, that is no result: the run ends, and continues when it can.
-{ echo '#!/usr/bin/env python3'; sed '/solves += 1/a\        if solves == 6 and not os.path.exists("righted"): open("righted", "w"); os.chmod(__file__, 0o644); os._exit(3)' faulty.py; } >rights.py
-chmod +x rights.py
-study rights '[[solvers]]' 'label = "rights"' 'process = ["./rights.py"]'
-ends 2 run rights.toml --no-report --out rights
-refused rights.py run rights.toml --no-report --out rights
-chmod +x rights.py
-succeeds run rights.toml --no-report --out rights
-is rights rights "1 crashed $any"
-
-wait $silent || exit 1
-mistake() { study mistake "$2" && refused "$1" run mistake.toml; }
-mistake "option w" "$(entry mine fine 'options = { w = 2 }')"
-mistake missing.py "$(entry mine fine 'files = ["missing.py"]')"
-mistake no_such_program "$(command_is '"no_such_program"')"
-mistake "exit code 1" "$(command_is '"false"')"
-mistake million "$(command_is '"cat", "/dev/zero"')"
-sed 's/"name": "w"/"name": "label"/' faulty.py >clash.py
-mistake "is no key" "$(command_is '"python3", "clash.py"')"
-# Without stop.seconds a solve may take its time.
-sed '/solves += 1/a\        if solves == 4: time.sleep(6)' faulty.py >slow.py
-study slow "$(command_is '"python3", "slow.py"' 'label = "slow"')"
-succeeds run slow.toml --set runs=1 --set path.points=1 --no-report --out slow
-is slow slow "1 (ok|tolerance_missed)"
-
-sed 's/ikbench=2/ikbench=2, goals=["axis", "pose"]/' faulty.py >poses.py
-mistake "solves for axis, pose" "$(command_is '"python3", "poses.py"')"
-sed 's/ikbench=2/ikbench=2, goals=["poses"]/' faulty.py >nothing.py
-mistake '"goals" of position' "$(command_is '"python3", "nothing.py"')"
-sed 's/ikbench=2/ikbench=1/' faulty.py >old.py
-mistake '"ikbench":2' "$(command_is '"python3", "old.py"')"
+# A user's mistakes: what is said, the program, and the change of faulty.py that makes it.
+while IFS='|' read -r said command change; do
+  sed "$change" faulty.py >changed.py
+  study mistake [[solvers]] "process = [$command]"
+  refused "$said" run mistake.toml
+done <<'TABLE'
+no_such_program|"no_such_program"|
+exit code 1|"false"|
+million|"cat", "/dev/zero"|
+is no key|"python3", "changed.py"|s/"name": "w"/"name": "label"/
+solves for axis, pose|"python3", "changed.py"|s/ikbench=2/ikbench=2, goals=["axis", "pose"]/
+"goals" of position|"python3", "changed.py"|s/ikbench=2/ikbench=2, goals=["poses"]/
+"ikbench":2|"python3", "changed.py"|s/ikbench=2/ikbench=1/
+TABLE
+for wrong in "option w|options = { w = 2 }" 'missing.py|files = ["missing.py"]'; do
+  study mistake "$(entry mine fine "${wrong#*|}")"
+  refused "${wrong%|*}" run mistake.toml
+done
 
 # Any end of ikbench ends its programs.
 left() { pgrep -f "faulty.py until-$1-$$\$" | wc -l; }

@@ -47,6 +47,3 @@ refused "run 1, point 2" merge drawn/7 edited
 refused edited merge new drawn/7/shards/2-of-7 edited
 mkdir bad && echo text >bad/store.sqlite
 refused bad merge drawn/7 bad
-refused I/N run drawn.toml --shard 4/3 --out none
-refused 1/46 run drawn.toml --shard 1/46 --out none
-[ ! -e none ] || fail "what was refused left files"

@@ -52,6 +52,10 @@ sed 's/robot = .*/robot = "fetch.urdf"/' my_study.toml >urdf_study.toml
 succeeds run urdf_study.toml "${small[@]}" --set urdf.tip=wrist_roll_link --no-report --out described
 equal "solves" "$(column described/store.sqlite robot damped_least_squares | counted)" "6 fetch"
 
+# Files with the features of public URDF files, held against other kinematics, and run.
+cp "$root"/tests/data/urdf/*.urdf "$scripts"/programs/snapped/*.urdf .
+python3 "$scripts/urdfs.py" "$program" *.urdf || fail "see above"
+
 # Mistakes.
 sed -i 's/d_m = 0.40/d_m = 400/' my_arm.toml
 refused my_arm.toml:4:11 robot my_arm.toml

@@ -144,13 +144,6 @@ TEST_CASE("every instruction set gives the portable errors bit for bit, for 1 to
   }
 }
 
-TEST_CASE("every instruction set gives the portable errors bit for bit, for 100000 candidates", "[kernels]") {
-  Dice dice;
-  const Arm arm(RandomArm(dice, 7));
-  check_errors(arm, dice, 100'000, 100'000, 0, Guarded::Page::after);
-  check_errors(arm, dice, 100'000, 100'013, 3, Guarded::Page::before);
-}
-
 TEST_CASE("no candidates at all are read and written by no instruction set", "[kernels]") {
   Dice dice;
   const Arm arm(RandomArm(dice, 3));
@@ -181,29 +174,6 @@ TEST_CASE("every instruction set gives the portable sines and cosines bit for bi
         REQUIRE(same_bits(s.data(), sines.data(), count));
         REQUIRE(same_bits(c.data(), cosines.data(), count));
       }
-    }
-  }
-}
-
-TEST_CASE("the errors of the iiwa are within 1e-13 cm of 4x4 products in long double", "[kernels]") {
-  RandomConfigurations random;
-  Dice dice;
-  const Robot iiwa = robot("kuka_iiwa14");
-  for (const Eigen::Vector3d& tip : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.01, -0.02, 0.15)}) {
-    const Chain chain(iiwa.chain.links(), tip);
-    const Arm arm(iiwa.chain.links(), tip);
-    for (int trial = 0; trial < 10000; ++trial) {
-      const Eigen::VectorXd q = random(iiwa.limits);
-      const Eigen::Vector3d target = random_target(dice);
-      const long double expected = reference_distance(reference_position(chain, q), target);
-      double error = 0;
-      for (const InstructionSet set : instruction_sets()) {
-        robots::kernels(set).position_errors(arm.chain(), target.data(), q.data(), 1, 1, &error);
-        REQUIRE(std::abs(static_cast<double>(error - expected)) < 1e-15);  // [m]
-      }
-      Eigen::VectorXd by_chain(1);
-      chain.position_errors(q, target, by_chain);
-      REQUIRE(by_chain[0] == error);  // the chain leaves out joints that move nothing
     }
   }
 }
@@ -325,9 +295,4 @@ TEST_CASE("an instruction set can be named, and an unknown one is refused with t
     CHECK(contains(text, "x86-64-v5"));
     for (const InstructionSet set : instruction_sets()) CHECK(contains(text, std::string(name_of(set))));
   }
-}
-
-TEST_CASE("an arm has 64 joints at most", "[chain]") {
-  CHECK(Chain(std::vector<DhLink>(64)).joints() == 64);
-  CHECK_THROWS_WITH(Chain(std::vector<DhLink>(65)), "the arm has 65 joints; expected at most 64");
 }

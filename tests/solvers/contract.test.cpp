@@ -109,13 +109,6 @@ TEST_CASE("every solver says what it is and where it comes from", "[contract]") 
   }
 }
 
-TEST_CASE("an option given its default's text is the default", "[contract]") {
-  for (const SolverInfo& info : all_solvers()) {
-    const Settings defaults = info.options({});
-    CHECK(info.options(defaults) == defaults);
-  }
-}
-
 TEST_CASE("best never worsens and is exactly as good as it says, in every corner of the options", "[contract]") {
   at_corners(solvers_of_positions(), [](const SolverInfo& info, const Settings& settings) {
     const Task task = iiwa_task();
@@ -256,17 +249,6 @@ TEST_CASE("a population of 100000 is started and takes a step", "[contract][larg
     const Solution solution = solve(*info.make({}), task.problem, objective, random, {.iterations = 1});
     CHECK(solution.iterations == 1);
     CHECK(std::isfinite(solution.best.error));
-  }
-}
-
-TEST_CASE("one joint, two, twenty and sixty-four are searched alike", "[contract]") {
-  for (const SolverInfo& info : solvers_of_positions()) {
-    for (const int joints : {1, 2, 20, most_joints}) {
-      CAPTURE(info.name, joints);
-      const Task task = snake_task(joints);
-      Objective objective(task.chain, task.target);
-      check_best(*info.make({}), task, objective);
-    }
   }
 }
 
