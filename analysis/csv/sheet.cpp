@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <unordered_map>
 
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
@@ -78,14 +77,17 @@ std::string in_quotes(std::string_view text) {
   return fmt::format("'{}'", numerics::one_line(numerics::front(text, 60)));
 }
 
-Sheet::Sheet(std::string_view text, std::string_view source, char separator, char decimal) : source_(source) {
+std::string listed(const std::vector<std::string>& titles) {
+  return std::string(numerics::front(fmt::format("{}", fmt::join(titles, ", ")), 300));
+}
+
+Sheet::Sheet(std::string_view text, std::string_view source) : source_(source), separator_(separator_of(text)) {
   results::expect_text(text, source);
   if (std::ranges::count(text, '\n') > most_lines + 1)
     refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", most_lines));
-  if (separator == 0) separator = separator_of(text);
-  table_ = results::parse_csv(text, source, separator);
+  table_ = results::parse_csv(text, source, separator_);
   for (const std::string& title : table_.header) titles_.emplace_back(trimmed(title));
-  decimals_.assign(titles_.size(), decimal);
+  decimals_.resize(titles_.size());
   if (const auto number = std::ranges::find_if(titles_, is_number); number != titles_.end())
     refuse(fmt::format("{} in the header; expected names of columns in the first line", in_quotes(*number)));
   for (std::uint32_t row = 0; row < table_.rows(); ++row) {
@@ -118,7 +120,7 @@ std::size_t Sheet::column(std::string_view name) const {
   if (number > 1) refuse(fmt::format("{} columns {}; give them different names", number, in_quotes(name)));
   if (number == 0)
     refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), numerics::did_you_mean(name, titles_),
-                       numerics::front(fmt::format("{}", fmt::join(titles_, ", ")), 300)));
+                       listed(titles_)));
   return static_cast<std::size_t>(std::ranges::find(titles_, name) - titles_.begin());
 }
 
@@ -127,17 +129,12 @@ std::size_t Sheet::joined(const std::vector<std::string>& names) {
   for (const std::string& name : names) parts.push_back(column(name));
   if (parts.size() == 1) return parts.front();
   std::vector<std::string>& texts = joined_.emplace_back(table_.rows());
-  std::unordered_map<std::string, std::uint32_t> first;  // row of each text
   for (const std::uint32_t row : rows_) {
     const auto is_empty = [&](std::size_t part) { return cell(row, part).empty(); };
     if (std::ranges::any_of(parts, is_empty)) continue;
-    for (const std::size_t part : parts) texts[row].append(texts[row].empty() ? "" : " ").append(cell(row, part));
-    const std::uint32_t before = first.try_emplace(texts[row], row).first->second;
-    if (std::ranges::any_of(parts, [&](std::size_t part) { return cell(row, part) != cell(before, part); }))
-      refuse(row, parts.front(),
-             fmt::format("reads {} with the other columns, as other cells do", in_quotes(texts[row])));
+    for (const std::size_t part : parts) texts[row].append(texts[row].empty() ? "" : "/").append(cell(row, part));
   }
-  titles_.push_back(fmt::format("{}", fmt::join(names, " ")));
+  titles_.push_back(fmt::format("{}", fmt::join(names, "/")));
   decimals_.push_back(0);
   return titles_.size() - 1;
 }
@@ -151,55 +148,37 @@ std::optional<std::size_t> Sheet::column_like(const Words& names) const {
   return std::nullopt;
 }
 
-std::string Sheet::names_of(const std::vector<std::size_t>& columns) const {
-  std::string names;
-  for (const std::size_t each : columns) names += (names.empty() ? "" : ", ") + titles_[each];
-  return std::string(numerics::front(names, 300));
-}
-
-Sheet::Content Sheet::content(std::size_t column) const {
-  std::size_t filled = 0, numbers = 0, almost = 0;
+bool Sheet::has_numbers(std::size_t column) const {
+  std::size_t filled = 0, numbers = 0;
   for (const std::uint32_t row : rows_) {
-    std::string_view text = cell(row, column);
-    if (is_missing(text)) continue;
-    ++filled;
-    const bool is_one = is_number(text);
-    numbers += is_one;
-    text.remove_prefix(text.starts_with('<') || text.starts_with('>') ? 1 : 0);
-    text.remove_suffix(text.ends_with('%') ? 1 : 0);
-    almost += is_one || is_number(trimmed(text)) || is_one_of(text, {"true", "false"});
+    filled += !is_missing(cell(row, column));
+    numbers += is_number(cell(row, column));
   }
-  return 2 * numbers > filled ? Content::numbers : 2 * almost > filled ? Content::almost_numbers : Content::text;
+  return 2 * numbers > filled;
 }
 
-// Of the first cell that is a number by one mark alone; 0 if there is none. Else one that is two numbers may be there.
-char Sheet::decimal_of(std::size_t column, std::optional<std::uint32_t>& doubtful) const {
-  for (const std::uint32_t row : rows_) {
-    const std::string_view text = cell(row, column);
-    if (!has_mark(text)) continue;
-    const bool is_by_point = parsed(text, '.').has_value(), is_by_comma = parsed(text, ',').has_value();
-    if (is_by_point != is_by_comma) return is_by_point ? '.' : ',';
-    if (is_by_point && !doubtful) doubtful = row;
-  }
-  return 0;
-}
-
+// By the first cell that is a number by one mark alone; of this column, else of the others.
 char Sheet::decimal_of(std::size_t column) const {
-  std::optional<std::uint32_t> doubtful, other;
-  const char own = decimal_of(column, doubtful);
-  if (own != 0 || !doubtful) return own == 0 ? '.' : own;
-  std::string marks;  // of other columns
-  for (std::size_t i = 0; i < table_.header.size(); ++i) {
-    const char mark = has_numbers(i) ? decimal_of(i, other) : '\0';
-    if (mark != 0 && marks.find(mark) == std::string::npos) marks += mark;
+  std::optional<std::uint32_t> doubtful;
+  for (std::size_t i = 0; i <= table_.header.size(); ++i) {
+    const std::size_t at = i == 0 ? column : i - 1;
+    if (at != column && !has_numbers(at)) continue;
+    for (const std::uint32_t row : rows_) {
+      const std::string_view text = cell(row, at);
+      if (!has_mark(text)) continue;
+      const bool is_by_point = parsed(text, '.').has_value(), is_by_comma = parsed(text, ',').has_value();
+      if (is_by_point != is_by_comma) return is_by_point ? '.' : ',';
+      if (i == 0 && is_by_point && !doubtful) doubtful = row;
+    }
+    if (!doubtful) break;
   }
-  if (marks.size() != 1) {
-    const std::string_view text = cell(*doubtful, column);
-    refuse(*doubtful, column,
-           fmt::format("is {} with --decimal . and {} with --decimal , and no cell tells which: say it",
-                       *parsed(text, '.'), *parsed(text, ',')));
-  }
-  return marks.front();
+  // Where commas part cells, points are of decimals.
+  if (!doubtful || (separator_ == ',' && cell(*doubtful, column).find(',') == std::string_view::npos)) return '.';
+  const std::string_view text = cell(*doubtful, column);
+  refuse(*doubtful, column,
+         fmt::format("may be {} or {}, and no cell tells which: write it without a mark of thousands, or with other "
+                     "decimals",
+                     *parsed(text, '.'), *parsed(text, ',')));
 }
 
 double Sheet::number(std::size_t row, std::size_t column) {
@@ -209,7 +188,7 @@ double Sheet::number(std::size_t row, std::size_t column) {
   const auto value = parsed(text, decimals_[column]);
   if (!value && is_number(text))
     refuse(row, column,
-           fmt::format("is no number with a decimal {}; --decimal says what marks decimals",
+           fmt::format("is no number with a decimal {}, as other cells have it",
                        decimals_[column] == ',' ? "comma" : "point"));
   if (!value)
     refuse(row, column,

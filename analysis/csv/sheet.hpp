@@ -17,11 +17,12 @@ constexpr std::ptrdiff_t most_lines = 10'000'000;  // of solves a study may have
 using Words = std::initializer_list<std::string_view>;
 bool is_one_of(std::string_view text, const Words& words);  // in any case
 std::string in_quotes(std::string_view text);               // one line, cut, for messages
+std::string listed(const std::vector<std::string>& titles);
 
 class Sheet {
  public:
-  // Separator and decimal mark are found where they are 0. The text must outlive the sheet.
-  Sheet(std::string_view text, std::string_view source, char separator, char decimal);
+  // The text must outlive the sheet.
+  Sheet(std::string_view text, std::string_view source);
 
   // Takes the rows with this value in this column alone: "metric=error".
   void choose(std::string_view condition);
@@ -32,17 +33,12 @@ class Sheet {
   std::string_view cell(std::size_t row, std::size_t column) const;  // without blanks at its ends
 
   std::size_t column(std::string_view name) const;
-  // The column of this name; of several a new one, of their texts joined by blanks, empty where one of them is.
+  // The column of this name; of several a new one, of their texts joined by /, empty where one of them is.
   std::size_t joined(const std::vector<std::string>& names);
   std::optional<std::size_t> column_like(const Words& names) const;  // named so; earlier names first
-  std::string names_of(const std::vector<std::size_t>& columns) const;
-
-  // What most cells of a column are. Almost: "93%", "<1", "True", which number() refuses with their place.
-  enum class Content { text, almost_numbers, numbers };
-  Content content(std::size_t column) const;
-  bool has_numbers(std::size_t column) const { return content(column) == Content::numbers; }
+  bool has_numbers(std::size_t column) const;  // most cells of the column, but those that are missing
   // Not a number where it is missing. "1.020" may be 1.02 or 1020: other cells of the column say which mark is of
-  // decimals, else those of the file, else the column is refused.
+  // decimals, else those of the file, else the comma that parts cells, else the column is refused.
   double number(std::size_t row, std::size_t column);
 
   [[noreturn]] void refuse(std::string_view what) const;
@@ -50,13 +46,13 @@ class Sheet {
 
  private:
   std::string source_;
+  char separator_;
   results::CsvTable table_;
   std::vector<std::string> titles_;
   std::vector<std::uint32_t> rows_;
   std::vector<std::vector<std::string>> joined_;  // columns after the file's
   std::vector<char> decimals_;                    // of each column; 0: not known yet
 
-  char decimal_of(std::size_t column, std::optional<std::uint32_t>& doubtful) const;
   char decimal_of(std::size_t column) const;
 };
 

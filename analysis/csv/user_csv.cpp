@@ -1,15 +1,12 @@
 #include "analysis/csv/user_csv.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -30,11 +27,10 @@ using Column = std::optional<std::size_t>;
 const Words label_names{"solver", "algorithm", "group", "label", "method", "name"};
 const Words metric_names{"metric", "quantity", "variable", "measure"};
 const Words run_names{"run", "trial", "seed", "repetition", "replicate", "rep", "repeat", "run_id", "seed_id"};
-const Words row_names{"id", "index", "row", "point", "target", "problem", "no", "number"};
 
 // Where things are. Without a label each column of values is a group.
 struct Layout {
-  Column label, block, run, rows = {};    // rows: without a label, what tells rows apart
+  Column label, block, run;
   std::vector<std::size_t> values, used;  // used: columns that the user named
 
   bool has(std::size_t column) const {
@@ -42,30 +38,6 @@ struct Layout {
            std::ranges::count(used, column) > 0;
   }
 };
-
-// A column of whole numbers that are named as rows' are, or stand first and count rows: no group of a wide file.
-bool tells_rows(const Sheet& sheet, std::size_t column) {
-  const std::string_view begin = sheet.cell(sheet.rows().front(), column);
-  std::int64_t next = begin == "1" ? 1 : 0;
-  bool is_whole = true, counts = column == 0 && sheet.rows().size() > 4;
-  for (const Index row : sheet.rows()) {
-    const std::string_view text = sheet.cell(row, column);
-    is_whole = is_whole && text.find_first_not_of("0123456789") == std::string_view::npos;
-    counts = counts && text == std::to_string(next++);
-  }
-  return counts || (is_whole && is_one_of(sheet.titles()[column], row_names));
-}
-
-// Numbers as settings and labels have them: whole, in order, or repeated.
-bool is_setting(Sheet& sheet, std::size_t column) {
-  std::vector<double> values;
-  for (const Index row : sheet.rows()) values.push_back(sheet.number(row, column));
-  std::erase_if(values, [](double value) { return std::isnan(value); });
-  const std::set<double> different(values.begin(), values.end());
-  return std::ranges::all_of(values, [](double value) { return value == std::floor(value); }) ||
-         std::ranges::is_sorted(values) || std::ranges::is_sorted(values, std::greater()) ||
-         2 * different.size() <= values.size();
-}
 
 Layout layout_of(Sheet& sheet, const Request& request) {
   Layout layout;
@@ -82,47 +54,30 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   }
   if (!layout.label) layout.label = sheet.column_like(label_names);
   if (layout.label && !layout.values.empty()) return layout;
-  std::vector<std::size_t> numbers, almost, texts;
+  std::vector<std::string> numbers, texts;
   for (std::size_t i = 0; i < columns; ++i) {
     const std::string& title = sheet.titles()[i];
     const auto is_chosen = [&](const std::string& where) { return where.starts_with(title + '='); };
     if (layout.has(i) || is_one_of(title, run_names) || std::ranges::any_of(request.where, is_chosen)) continue;
     if (title.empty() || title == "Unnamed: 0") continue;  // numbers of rows, as R and pandas write them
-    const Sheet::Content content = sheet.content(i);
-    (content == Sheet::Content::numbers ? numbers : content == Sheet::Content::text ? texts : almost).push_back(i);
+    (sheet.has_numbers(i) ? numbers : texts).push_back(title);
   }
   if (!layout.label && texts.size() > 1)
-    sheet.refuse(fmt::format("text in the columns {}; name that of the groups with --label", sheet.names_of(texts)));
-  if (!layout.label && !texts.empty()) layout.label = texts.front();
-  if (layout.label && numbers.size() > 1 && layout.values.empty()) {
-    const std::string& title = sheet.titles()[*layout.label];
-    const std::string or_block = fmt::format(", or, if each is a group, what all groups had with --block '{}'", title);
-    sheet.refuse(fmt::format("numbers in the columns {}; name one with --value{}", sheet.names_of(numbers),
-                             is_one_of(title, label_names) ? ", what all groups had with --block" : or_block));
-  }
-  if (!layout.label) {
-    layout.rows = sheet.column_like(run_names);
-    const auto is_row = [&](std::size_t column) { return tells_rows(sheet, column); };
-    if (const auto found = std::ranges::find_if(numbers, is_row); found != numbers.end()) layout.rows = *found;
-    std::erase_if(numbers, is_row);
-    const bool has_other = !layout.block && !layout.values.empty() && !numbers.empty();
-    if (has_other || layout.values.size() == 1 || (layout.values.empty() && numbers.size() == 1))
-      sheet.refuse("no column of labels; name that of the groups with --label COLUMN");
-    const auto is_alike = [&](std::size_t column) { return is_setting(sheet, column); };  // as counts are
-    if (layout.values.empty() && !numbers.empty() && is_setting(sheet, numbers.front()) &&
-        !(layout.block && std::ranges::all_of(numbers, is_alike))) {
-      std::string groups;
-      for (const std::size_t column : numbers) groups += fmt::format(" --value '{}'", sheet.titles()[column]);
-      sheet.refuse(
-          fmt::format("the numbers of '{0}' are whole, in order or repeated: say --block '{0}' if they are of "
-                      "problems, --label '{0}' if of groups, or name the column of each group,{1}",
-                      sheet.titles()[numbers.front()], numerics::front(groups, 300)));
-    }
-  }
-  if (layout.values.empty()) layout.values = !numbers.empty() ? numbers : !almost.empty() ? almost : texts;
-  std::erase(layout.values, layout.label);
-  if (layout.values.empty()) sheet.refuse("no column of numbers; expected one of values");
-  for (const std::size_t column : layout.values) sheet.column(sheet.titles()[column]);  // refuses two of one name
+    sheet.refuse(fmt::format("text in the columns {}; name that of the groups with --label", listed(texts)));
+  if (!layout.label && !texts.empty()) layout.label = sheet.column(texts.front());
+  if (!layout.label && layout.values.size() < 2)
+    sheet.refuse(
+        fmt::format("no column of labels; name that of the groups with --label, or the column of each: "
+                    "--value '{}'",
+                    numerics::front(fmt::format("{}", fmt::join(numbers, "' --value '")), 300)));
+  if (!layout.values.empty()) return layout;
+  if (numbers.size() > 1)
+    sheet.refuse(
+        fmt::format("numbers in the columns {0}; name one with --value, what all groups had with --block; or, "
+                    "if each is a group, --block '{1}' and each with --value",
+                    listed(numbers), sheet.titles()[*layout.label]));
+  if (numbers.empty()) sheet.refuse("no column of numbers; name that of the values with --value");
+  layout.values = {sheet.column(numbers.front())};
   return layout;
 }
 
@@ -209,16 +164,6 @@ void refuse_mixed(const Sheet& sheet, const Layout& layout, const Items& items) 
   }
 }
 
-// Whether a word of the text begins so: "success_rate", "SuccessRate".
-bool has_word_beginning(std::string_view text, std::string_view word) {
-  const std::string lower = lower_case(text);
-  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
-  for (std::size_t at = lower.find(word); at != std::string::npos; at = lower.find(word, at + 1)) {
-    if (at == 0 || !is_small(lower[at - 1]) || (is_small(text[at - 1]) && !is_small(text[at]))) return true;
-  }
-  return false;
-}
-
 // Asks where larger values may be better.
 Better better_of(const Sheet& sheet, const Request& request, const std::string& title, bool are_shares) {
   std::string_view said;
@@ -230,13 +175,10 @@ Better better_of(const Sheet& sheet, const Request& request, const std::string& 
       sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(each)));
     if (is_of_all ? said.empty() : each.substr(0, equals) == title) said = way;
   }
-  std::vector<std::string_view> texts(request.where.begin(), request.where.end());
-  texts.emplace_back(title);
+  const std::string names = lower_case(fmt::format("{} {}", title, fmt::join(request.where, " ")));
+  const auto is_there = [&](std::string_view word) { return names.find(word) != std::string::npos; };
   const bool may_be_larger =
-      are_shares || std::ranges::any_of(texts, [](std::string_view text) {
-        constexpr std::array<std::string_view, 6> words{"success", "solved", "rate", "accuracy", "reward", "score"};
-        return std::ranges::any_of(words, [&](std::string_view word) { return has_word_beginning(text, word); });
-      });
+      are_shares || std::ranges::any_of(Words{"success", "solved", "rate", "accuracy", "reward", "score"}, is_there);
   if (said.empty() && may_be_larger)
     sheet.refuse(
         fmt::format("are larger or smaller values of {0} better?; --better larger or --better smaller; of this column "
@@ -352,20 +294,13 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
 
 // The first column that has the same texts in all groups, and several: its rows look paired.
 Column shared_by_groups(const Sheet& sheet, const Layout& layout, const Items& items) {
-  const std::size_t groups = items.groups.size(), most = items.values.size() / groups;
-  for (std::size_t column = 0; column < sheet.titles().size() && groups > 1; ++column) {
+  for (std::size_t column = 0; column < sheet.titles().size() && items.groups.size() > 1; ++column) {
     if (layout.has(column)) continue;
-    std::unordered_map<std::string_view, std::vector<Index>> counts;
-    for (const Value& each : items.values) {
-      std::vector<Index>& of = counts[sheet.cell(each.row, column)];
-      of.resize(groups);
-      ++of[each.group];
-      if (counts.size() > most) break;
-    }
-    const auto is_even = [](const auto& each) {
-      return std::ranges::count(each.second, each.second.front()) == std::ssize(each.second);
-    };
-    if (counts.size() > 1 && std::ranges::all_of(counts, is_even)) return column;
+    std::vector<std::vector<std::string_view>> texts(items.groups.size());
+    for (const Value& each : items.values) texts[each.group].push_back(sheet.cell(each.row, column));
+    for (std::vector<std::string_view>& of_group : texts) std::ranges::sort(of_group);
+    if (texts.front().front() != texts.front().back() && std::ranges::count(texts, texts.front()) == std::ssize(texts))
+      return column;
   }
   return {};
 }
@@ -379,7 +314,7 @@ bool is_constant(const Group& group) {
 }  // namespace
 
 Quantities read(std::string_view text, std::string_view source, const Request& request) {
-  Sheet sheet(text, source, request.separator, request.decimal);
+  Sheet sheet(text, source);
   if (sheet.column_like({"stop_reason"}) && sheet.column_like({"series"}))
     sheet.refuse("solves of a study, which a CSV does not say all of; `ikbench report` judges its store");
   for (const std::string& each : request.where) sheet.choose(each);
@@ -393,7 +328,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   for (const std::size_t each : layout.values) titles.push_back(sheet.titles()[each]);
   if (!layout.label) titles = {"value"};
   refuse_unknown_better(sheet, request, titles);
-  Column rows = layout.rows;
+  Column rows;
   for (std::size_t i = 0; i < titles.size(); ++i) {
     const Items items = items_of(sheet, layout, layout.label ? std::vector{layout.values[i]} : layout.values);
     Observations observed = quantity_of(titles[i]);
@@ -402,7 +337,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     };
     if (std::ranges::count_if(titles, has_its_name) > 1) observed.quantity = titles[i], observed.unit.clear();
     refuse_mixed(sheet, layout, items);
-    if (layout.label && !layout.run) rows = shared_by_groups(sheet, layout, items);
+    if (!layout.run) rows = shared_by_groups(sheet, layout, items);
     observed.better = better_of(sheet, request, titles[i], are_shares(items));
     for (const Value& each : items.values) {
       if (std::isinf(each.value) && (each.value < 0 || observed.better == Better::larger))
@@ -423,7 +358,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
 }
 
 Quantities read_summaries(std::string_view text, std::string_view source, const Request& request) {
-  Sheet sheet(text, source, request.separator, request.decimal);
+  Sheet sheet(text, source);
   for (const std::string& each : request.where) sheet.choose(each);
   const auto column = [&](const Words& names) {
     const Column found = sheet.column_like(names);

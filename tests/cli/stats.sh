@@ -26,7 +26,7 @@ judged control "$data/zero.csv" --control B --significance 0.01
 judged zeros "$data/zero0.csv"
 judged means "$data/zero.csv" --test means
 judged where "$data/mixed-metrics.csv" --value value --where metric=error
-judged larger comma.csv --better larger --separator ';' --decimal ,
+judged larger comma.csv --better larger
 judged comma comma.csv
 judged summaries --summaries "$root/results/published/slim2023/table-3.csv"
 judged many many.csv --value error --run run --control S1
