@@ -22,7 +22,7 @@ namespace ikbench::cli {
 namespace {
 
 struct StatsArguments {
-  std::string file, test, margin, out;
+  std::string file, test, margin, out, decimal;
   csv::Request csv;
   results::Plan plan;
   bool are_summaries = false;
@@ -100,12 +100,12 @@ void add_stats(CLI::App& app, Invocation&) {
   };
   csv::Request& csv = arguments->csv;
   add("FILE", arguments->file,
-      "CSV with a column of names and one of values; - for standard input")
+      "CSV with a column of names and one of values, or one of values a solver; - for standard input")
       ->required();
   const auto add_several = [&](const char* name, std::vector<std::string>& values, const char* meaning) {
     add(name, values, meaning)->allow_extra_args(false);
   };
-  add_several("--value", csv.values, "column of values; repeat for several, or without names for each group; not needed if there is one");
+  add_several("--value", csv.values, "column of values; repeat for several; not needed if there is one");
   add_several("--label", csv.label,
               "column of names, or several; not needed if it is called solver or alike, or is the only text");
   add_several("--block", csv.block, "column of targets that all groups had, or several: compares within them");
@@ -114,6 +114,7 @@ void add_stats(CLI::App& app, Invocation&) {
   add_several("--better", csv.better, "smaller or larger is better; COLUMN=larger: of this column [smaller]");
   command->add_flag("--summaries", arguments->are_summaries,
                     "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
+  add("--decimal", arguments->decimal, "mark in numbers [found]")->check(CLI::IsMember({".", ","}));
   add("--test", arguments->test, "of ranks or means [ranks]")->check(CLI::IsMember({"ranks", "means"}));
   add("--control", arguments->plan.control, "compares with this group alone");
   add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]");
@@ -129,6 +130,7 @@ void add_stats(CLI::App& app, Invocation&) {
       "docs/your-own-csv.md explains which rows are yours.");
   command->callback([arguments] {
     if (arguments->test == "means" || arguments->are_summaries) arguments->plan.test = results::Plan::Test::means;
+    if (!arguments->decimal.empty()) arguments->csv.decimal = arguments->decimal[0];
     stats(*arguments);
   });
 }

@@ -81,13 +81,14 @@ std::string listed(const std::vector<std::string>& titles) {
   return std::string(numerics::front(fmt::format("{}", fmt::join(titles, ", ")), 300));
 }
 
-Sheet::Sheet(std::string_view text, std::string_view source) : source_(source), separator_(separator_of(text)) {
+Sheet::Sheet(std::string_view text, std::string_view source, char decimal)
+    : source_(source), separator_(separator_of(text)) {
   results::expect_text(text, source);
   if (std::ranges::count(text, '\n') > most_lines + 1)
     refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", most_lines));
   table_ = results::parse_csv(text, source, separator_);
   for (const std::string& title : table_.header) titles_.emplace_back(trimmed(title));
-  decimals_.resize(titles_.size());
+  decimals_.assign(titles_.size(), decimal);
   if (const auto number = std::ranges::find_if(titles_, is_number); number != titles_.end())
     refuse(fmt::format("{} in the header; expected names of columns in the first line", in_quotes(*number)));
   for (std::uint32_t row = 0; row < table_.rows(); ++row) {
@@ -176,8 +177,7 @@ char Sheet::decimal_of(std::size_t column) const {
   if (!doubtful || (separator_ == ',' && cell(*doubtful, column).find(',') == std::string_view::npos)) return '.';
   const std::string_view text = cell(*doubtful, column);
   refuse(*doubtful, column,
-         fmt::format("may be {} or {}, and no cell tells which: write it without a mark of thousands, or with other "
-                     "decimals",
+         fmt::format("is {} with --decimal . and {} with --decimal , and no cell tells which: say it",
                      *parsed(text, '.'), *parsed(text, ',')));
 }
 
@@ -188,7 +188,7 @@ double Sheet::number(std::size_t row, std::size_t column) {
   const auto value = parsed(text, decimals_[column]);
   if (!value && is_number(text))
     refuse(row, column,
-           fmt::format("is no number with a decimal {}, as other cells have it",
+           fmt::format("is no number with a decimal {}; --decimal says what marks decimals",
                        decimals_[column] == ',' ? "comma" : "point"));
   if (!value)
     refuse(row, column,

@@ -21,8 +21,8 @@ std::string listed(const std::vector<std::string>& titles);
 
 class Sheet {
  public:
-  // The text must outlive the sheet.
-  Sheet(std::string_view text, std::string_view source);
+  // The mark of decimals is found where it is 0. The text must outlive the sheet.
+  Sheet(std::string_view text, std::string_view source, char decimal);
 
   // Takes the rows with this value in this column alone: "metric=error".
   void choose(std::string_view condition);

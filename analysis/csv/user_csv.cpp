@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -39,6 +41,17 @@ struct Layout {
   }
 };
 
+// Numbers as settings and labels have them: whole, in order, or repeated.
+bool is_setting(Sheet& sheet, const std::string& title) {
+  std::vector<double> values;
+  for (const Index row : sheet.rows()) values.push_back(sheet.number(row, sheet.column(title)));
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  const std::set<double> different(values.begin(), values.end());
+  return std::ranges::all_of(values, [](double value) { return value == std::floor(value); }) ||
+         std::ranges::is_sorted(values) || std::ranges::is_sorted(values, std::greater()) ||
+         2 * different.size() <= values.size();
+}
+
 Layout layout_of(Sheet& sheet, const Request& request) {
   Layout layout;
   const auto named = [&](const std::vector<std::string>& names) {
@@ -65,17 +78,25 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   if (!layout.label && texts.size() > 1)
     sheet.refuse(fmt::format("text in the columns {}; name that of the groups with --label", listed(texts)));
   if (!layout.label && !texts.empty()) layout.label = sheet.column(texts.front());
+  if (!layout.label && layout.values.empty()) {
+    const auto is_alike = [&](const std::string& title) { return is_setting(sheet, title); };  // as counts are
+    if (!numbers.empty() && is_alike(numbers.front()) && !(layout.block && std::ranges::all_of(numbers, is_alike)))
+      sheet.refuse(
+          fmt::format("the numbers of '{0}' are whole, in order or repeated: say --block '{0}' if they are of "
+                      "problems, --label '{0}' if of groups, or name the column of each group, --value '{1}'",
+                      numbers.front(), numerics::front(fmt::format("{}", fmt::join(numbers, "' --value '")), 300)));
+    for (const std::string& title : numbers) layout.values.push_back(sheet.column(title));
+  }
   if (!layout.label && layout.values.size() < 2)
-    sheet.refuse(
-        fmt::format("no column of labels; name that of the groups with --label, or the column of each: "
-                    "--value '{}'",
-                    numerics::front(fmt::format("{}", fmt::join(numbers, "' --value '")), 300)));
+    sheet.refuse("no column of labels; name that of the groups with --label, or the column of each with --value");
   if (!layout.values.empty()) return layout;
-  if (numbers.size() > 1)
-    sheet.refuse(
-        fmt::format("numbers in the columns {0}; name one with --value, what all groups had with --block; or, "
-                    "if each is a group, --block '{1}' and each with --value",
-                    listed(numbers), sheet.titles()[*layout.label]));
+  if (numbers.size() > 1) {
+    const std::string& title = sheet.titles()[*layout.label];
+    const std::string or_groups =
+        is_one_of(title, label_names) ? "" : fmt::format(", or, if each is a group, --block {}", in_quotes(title));
+    sheet.refuse(fmt::format("numbers in the columns {}; name one with --value, what all groups had with --block{}",
+                             listed(numbers), or_groups));
+  }
   if (numbers.empty()) sheet.refuse("no column of numbers; name that of the values with --value");
   layout.values = {sheet.column(numbers.front())};
   return layout;
@@ -314,7 +335,7 @@ bool is_constant(const Group& group) {
 }  // namespace
 
 Quantities read(std::string_view text, std::string_view source, const Request& request) {
-  Sheet sheet(text, source);
+  Sheet sheet(text, source, request.decimal);
   if (sheet.column_like({"stop_reason"}) && sheet.column_like({"series"}))
     sheet.refuse("solves of a study, which a CSV does not say all of; `ikbench report` judges its store");
   for (const std::string& each : request.where) sheet.choose(each);
@@ -358,7 +379,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
 }
 
 Quantities read_summaries(std::string_view text, std::string_view source, const Request& request) {
-  Sheet sheet(text, source);
+  Sheet sheet(text, source, request.decimal);
   for (const std::string& each : request.where) sheet.choose(each);
   const auto column = [&](const Words& names) {
     const Column found = sheet.column_like(names);

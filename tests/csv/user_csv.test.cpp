@@ -118,7 +118,7 @@ TEST_CASE("rows of several metrics are refused with the advice --where") {
             .empty());
 }
 
-TEST_CASE("separators and decimal marks are found") {
+TEST_CASE("separators and decimal marks are found, or given") {
   const std::vector<double> a{0.5, 1.25}, b{3, 4};
   for (const std::string text :
        {"s,v\nA,0.5\nA,1.25\nB,3\nB,4\n", "s;v\nA;0,5\nA;1,25\nB;3\nB;4\n", "s\tv\nA\t0,5\nA\t1,25\nB\t3\nB\t4\n",
@@ -134,6 +134,7 @@ TEST_CASE("separators and decimal marks are found") {
   CHECK(contains(said_of("s;v\nA;0,5\nA;1.5\nB;3\nB;4\n", {.values = {"v"}}), "data.csv:3:2"));
   CHECK(observations("s,v\nA,\"0,5\"\nA,\"1,25\"\nB,3\nB,4\n").groups[0].values == a);
   CHECK(observations("s,v\nA,1.020\nB,2.040\n").groups[0].values[0] == 1.02);
+  CHECK(contains(said_of("s;v\nA;0,5\nB;4\n", {.values = {"v"}, .label = {"s"}, .decimal = '.'}), "data.csv:2:2"));
 }
 
 TEST_CASE("titles are trimmed, and units belong to quantities") {
@@ -144,14 +145,16 @@ TEST_CASE("titles are trimmed, and units belong to quantities") {
   CHECK(observations("solver,mean_rank\nA,1\nB,2\n").unit.empty());
 }
 
-TEST_CASE("a mark of thousands is told from that of decimals, or refused") {
-  const auto read = [](const std::string& cells) {
-    return observations("s;v;w\nA;" + cells + "\nB;916;7\n", {.values = {"v"}}).groups[0].values[0];
+TEST_CASE("a mark of thousands is told from that of decimals, or asked for") {
+  const auto read = [](const std::string& cells, char decimal = 0) {
+    return observations("s;v;w\nA;" + cells + "\nB;916;7\n", {.values = {"v"}, .decimal = decimal}).groups[0].values[0];
   };
   for (const char* cells : {"1.020;7", "1,020;7", "-12.345;7", "1.020;1,020"}) {
     CAPTURE(cells);
     CHECK(contains(said_of("s;v;w\nB;916;7\nA;" + std::string(cells) + "\n", {.values = {"v"}}), "data.csv:3:2"));
   }
+  CHECK(read("1.020;7", ',') == 1020);
+  CHECK(read("1.020;7", '.') == 1.02);
   CHECK(read("1.020;0,5") == 1020);  // by another column
   CHECK(read("1,020;0,5") == 1.02);
   CHECK(read("1,020;0.5") == 1020);
@@ -263,21 +266,29 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(contains(said_of(with_infinite(0, 3), {.values = {"v"}, .better = {"larger"}}), "data.csv:17:3"));
 }
 
-TEST_CASE("wide files have a group a named column, and tell where one ends early") {
-  const std::string text = "set,a,b\n1,1.5,4\n2,1.2,5\n3,2.1,6\n4,1.7,6\n5,,\n6,,5\n";
-  const std::vector<std::string> values{"a", "b"};
-  const Observations of = observations(text, {.values = values});
+TEST_CASE("wide files have a group a column, and tell where one ends early") {
+  CHECK(finding(wide).verdict == Verdict::better);
+  const Observations of = observations("seed,a,b\n1,1.5,4\n2,1.2,5\n3,2.1,6\n4,1.7,6\n5,,\n6,,5\n");
   REQUIRE(of.groups.size() == 2);
   CHECK(of.groups[0].lost == 2);
   CHECK(of.groups[1].lost == 1);
   CHECK(of.doubts.front().count == 3);
-  CHECK(contains(csv::read(text, "data.csv", {.values = values}).notes.front(), "--block 'set'"));
-  const Quantities blocks = csv::read(text, "data.csv", {.values = values, .block = {"set"}});
+  const std::string text = "set,a,b\n1,1.5,4\n2,1.2,5\n3,2.1,6\n";
+  CHECK(contains(csv::read(text, "data.csv", {.values = {"a", "b"}}).notes.front(), "--block 'set'"));
+  const Quantities blocks = csv::read(text, "data.csv", {.block = {"set"}});
   CHECK(blocks.notes.empty());
   CHECK(blocks.observed.front().is_paired);
-  CHECK(finding(wide, {.values = values}).verdict == Verdict::better);
-  CHECK(contains(said_of(text), "--value 'set' --value 'a' --value 'b'"));
   CHECK(contains(said_of("a,a\n1,4\n2,5\n", {.values = {"a"}}), "2 columns 'a'"));
+}
+
+TEST_CASE("a first column of settings or labels is no group") {
+  for (const std::string rows : {"100,1.5,4.2\n7,1.2,5\n30,2.1,6\n",                     // whole
+                                 "0.1,1.5,4.2\n0.2,1.2,5\n0.5,2.1,6\n",                  // in order
+                                 "0.5,1.5,4.2\n0.1,1.2,5\n0.5,2.1,6\n0.1,1.1,5.5\n"}) {  // repeated
+    CHECK(contains(said_of("size,a,b\n" + rows), "--block 'size'"));
+    CHECK(observations("size,a,b\n" + rows, {.values = {"size", "a", "b"}}).groups.size() == 3);
+  }
+  CHECK(contains(said_of("set,size,a\nx,100,0.5\ny,7,0.4\nz,9,0.45\n", {.block = {"set"}}), "--block 'size'"));
 }
 
 TEST_CASE("rows of a file that look paired are told") {
@@ -341,7 +352,7 @@ TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
 }
 
 TEST_CASE("margins are shares or in the unit of the values") {
-  Observations of = observations(wide, {.values = {"a", "b"}});
+  Observations of = observations(wide);
   CHECK(csv::with_margin({}, "", of).margin == 0.05);
   CHECK(csv::with_margin({}, "10%", of).margin == Approx(0.1));
   const compare::Plan plan = csv::with_margin({}, "0.5", of);
