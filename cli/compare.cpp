@@ -99,14 +99,15 @@ std::string verdict_of(const Gate& gate) {
   std::vector<std::string> parts;
   if (is_worse) parts.push_back("in " + show::listed(gate.worse));
   if (!gate.better.empty()) parts.push_back((is_worse ? "better in " : "in ") + show::listed(gate.better));
-  std::string text = fmt::format("{} is {} {}{}{} ({}).", gate.label.empty() ? solvers.front() : gate.label,
-                                 is_worse                    ? "worse than"
-                                 : is_apart                  ? "not compared with"
-                                 : !gate.better.empty()      ? "better than"
-                                 : !gate.not_decided.empty() ? "not shown to be worse than"
-                                                             : "not worse than",
-                                 gate.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ",
-                                 show::listed(parts, ", "), compared_of(gate));
+  std::string text =
+      fmt::format("{} is {} {}{}{} ({}).", gate.label.empty() ? solvers.front() : gate.label,
+                  is_worse                    ? "worse than"
+                  : is_apart                  ? "not compared with"
+                  : !gate.better.empty()      ? "better than"
+                  : !gate.not_decided.empty() ? "not shown to be worse than"
+                                              : "not worse than",
+                  gate.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ", show::listed(parts, ", "),
+                  numerics::counted(gate.size, gate.judged.study.definition.is_chained() ? "runs" : "targets"));
   if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));
   if (gate.time) text += fmt::format(" Its time, which decides nothing, is {}.", compare::name_of(*gate.time));
   if (!gate.not_tested.empty()) text += fmt::format(" Not tested: {}.", show::listed(gate.not_tested));
@@ -129,7 +130,7 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
 
 show::Shown shown_of(const Gate& gate) {
   show::Shown shown = show::shown(gate.judged);
-  shown.verdict = fmt::format("{}\n{}", verdict_of(gate), sight_of(gate));
+  shown.verdict = verdict_of(gate);
   return shown;
 }
 
@@ -175,7 +176,7 @@ std::string markdown_of(const std::vector<Gate>& all) {
   for (const Gate& gate : all) {
     if (gate.are_same) continue;
     const show::Shown shown = shown_of(gate);
-    text += fmt::format("**{}** {}\n\n{}\n{}\n", show::markdown_text(verdict_of(gate)), sight_of(gate),
+    text += fmt::format("**{}**\n\n{}\n{}\n", show::markdown_text(verdict_of(gate)),
                         show::to_markdown(show::results_table(shown)), show::to_markdown(show::pairs_table(shown)));
     for (const compare::Doubt& doubt : shown.all_doubts()) text += show::markdown_text("! " + words_of(doubt)) + "\n\n";
   }

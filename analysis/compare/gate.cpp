@@ -150,26 +150,6 @@ void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
   }
 }
 
-// Takes solved targets from the baseline, until the test of this size shows it.
-std::optional<double> visible_loss(const Judged& judged) {
-  const auto after = [&](std::int64_t losses) -> std::optional<double> {
-    Observations observed = judged.observations;
-    observed.groups.front() = observed.groups.back();
-    for (double& value : observed.groups.front().values) {
-      if (value != 0 && losses-- > 0) value = 0;
-    }
-    const Finding finding = compare(observed, judged.plan).front();
-    return finding.verdict == Verdict::worse && !finding.is_within_margin ? finding.estimate : std::nullopt;
-  };
-  std::int64_t too_few = 0, enough = std::ssize(judged.observations.groups.back().values);
-  if (!after(enough)) return std::nullopt;
-  while (enough - too_few > 1) {
-    const std::int64_t middle = (too_few + enough) / 2;
-    (after(middle) ? enough : too_few) = middle;
-  }
-  return -*after(enough);
-}
-
 }  // namespace
 
 Gate gate(StudyResults baseline, StudyResults candidate) {
@@ -215,7 +195,6 @@ void decide(std::vector<Gate>& gates) {
         finding.p.reset();
         finding.interval.reset();
       }
-      if (observed.metric == "solved") gate.visible_loss = visible_loss(judged);
       if (finding.p) *finding.p = std::min(1.0, *finding.p * tests);  // as of the pairs of a report
       judged.plan.significance = whole;
       const bool is_equal =
@@ -240,23 +219,6 @@ void decide(std::vector<Gate>& gates) {
       for (Group& group : judged.observations.groups) group.values = {};
     }
   }
-}
-
-std::string compared_of(const Gate& gate) {
-  return numerics::counted(gate.size, gate.judged.study.definition.is_chained() ? "runs" : "targets");
-}
-
-std::string sight_of(const Gate& gate) {
-  for (const Judged& metric : gate.judged.metrics) {
-    if (metric.observations.metric != "solved") continue;
-    const Finding& finding = metric.findings.front();
-    if (finding.why == Why::apart || finding.estimate.value_or(0) != 0) return "";  // its interval says more
-    if (metric.described.back().mean == 0) return "The baseline solved none, so no loss would show.";
-    return gate.visible_loss ? fmt::format("A loss of {:.2g} points or more would show in {}.",
-                                           100 * *gate.visible_loss, compared_of(gate))
-                             : fmt::format("No loss would show in {}: too few.", compared_of(gate));
-  }
-  return "The study has no tolerance, so no target counts as solved.";
 }
 
 int exit_code(const std::vector<Gate>& gates, bool is_strict) {

@@ -15,10 +15,9 @@ struct Gate {
   // answer.
   JudgedStudy judged;
   std::vector<std::string> worse, better, not_decided, not_tested;  // quantities, but time
-  std::optional<Verdict> time = {};    // better or worse, if it is; it depends on the load, and decides nothing
-  bool are_same = false;               // all solves, bit for bit: then nothing is left to decide
-  int size = 0;                        // targets, or runs of chained solves
-  std::optional<double> visible_loss;  // smallest loss of the share solved that the test would show
+  std::optional<Verdict> time = {};  // better or worse, if it is; it depends on the load, and decides nothing
+  bool are_same = false;             // all solves, bit for bit: then nothing is left to decide
+  int size = 0;                      // targets, or runs of chained solves
 };
 
 // Of two studies of one solver each, judged by the candidate's plan, and not yet decided. Solves that the baseline
@@ -28,10 +27,6 @@ Gate gate(StudyResults baseline, StudyResults candidate);
 // What is worse, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
 // no more compares than it says.
 void decide(std::vector<Gate>& gates);
-
-std::string compared_of(const Gate& gate);  // "100 targets"
-// "A loss of 9 points or more would show in 100 targets."
-std::string sight_of(const Gate& gate);
 
 // 3: something is worse; 4: something is not decided, and that counts; else 0. Of all labels together.
 int exit_code(const std::vector<Gate>& gates, bool is_strict);
