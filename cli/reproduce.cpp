@@ -94,7 +94,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   const FigureStyle style = styled(all.front().study.entry, arguments.report);
   papers::Repeated repeated{.paper = paper, .study = all.front()};
   for (std::size_t i = 1; i < all.size(); ++i) repeated.companions.push_back(&all[i]);
-  const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.conditions());
+  const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.fails_where);
   show::Table means = papers::means_table(repeated), brief = means;
   if (means.rows.empty()) means = papers::rates_table(repeated), brief = papers::rates_table(repeated, false);
 
@@ -111,7 +111,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   if (is_slim2023) {
     if (const compare::JudgedStudy* const dobot = repeated.part("dobot"))
       of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style));
-    sentences = slim2023::sentences(claims, papers::explained_by(repeated), readings.expected);
+    sentences = slim2023::sentences(claims, papers::explained_by(repeated));
     reported.additions = slim2023::sections(repeated, of_circle);
     reported.has_own_numbers = true;
     std::erase_if(reported.shown.metrics,  // the paper has none; a warning says who takes twice as many
@@ -123,9 +123,8 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   if (const auto figure = papers::rates_figure(repeated))
     reported.additions.push_back({show::Heading{"Ours and the printed"}, *figure});
   reported.claims = papers::claims_section(claims);
-  if (!readings.claims.empty()) {
+  if (!readings.fails_where.empty())
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
-  }
   announce(reported, folder, arguments.report, style,
            fmt::format("{}{}\n", papers::screen(sentences, brief, claims),
                        fingerprints_of(Store(store_in(folder), Store::Mode::read), all, studies_of(paper, {}))));

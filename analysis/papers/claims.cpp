@@ -1,11 +1,11 @@
 #include "analysis/papers/claims.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <map>
 
 #include "analysis/show/text.hpp"
 #include "numerics/names.hpp"
@@ -16,8 +16,7 @@ using namespace compare;
 
 namespace {
 
-constexpr std::array<std::string_view, 6> verdicts{"holds",       "holds in part", "fails",
-                                                   "not decided", "not compared",  "not tested"};
+constexpr std::array<std::string_view, 5> verdicts{"holds", "holds in part", "fails", "not decided", "not tested"};
 
 std::vector<JudgedClaim> grouped(const std::vector<JudgedClaim>& claims, bool are_ours) {
   std::vector<JudgedClaim> group;
@@ -42,9 +41,7 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
   for (const JudgedClaim& claim : claims) {
     table.rows.push_back({std::string(name_of(claim.holds)), claim.sentence, cell(claim.number),
                           cell(words_of(claim.printed, "")), cell(words_of(claim.otherwise, claim.number_otherwise)),
-                          cell(claim.condition.fails), cell(claim.section), cell(claim.evidence)});
-    if (claim.holds == Holds::not_compared && table.notes.empty())
-      table.notes.emplace_back("not compared: times of another program and machine. Here are ratios of our medians.");
+                          cell(claim.fails_where), cell(claim.section), cell(claim.evidence)});
   }
   return table;
 }
@@ -53,7 +50,8 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
 
 std::string_view name_of(Holds holds) { return verdicts[static_cast<std::size_t>(holds)]; }
 
-std::vector<JudgedClaim> judged_claims(const Repeated& repeated, const std::vector<Condition>& conditions) {
+std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
+                                       const std::map<std::string, std::string>& fails_where) {
   const JudgedStudy* const other = repeated.part(repeated.paper.other_reading);
   const std::vector<JudgedClaim> otherwise =
       other == nullptr ? std::vector<JudgedClaim>() : judged_claims({.paper = repeated.paper, .study = *other});
@@ -67,10 +65,9 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated, const std::vect
     }
     for (JudgedClaim& judged : found) {
       if (!claim.note.empty()) judged.evidence += (judged.evidence.empty() ? "" : " ") + claim.note;
-      if (const auto own = std::ranges::find(conditions, judged.id, &Condition::id); own != conditions.end())
-        judged.condition = *own;
+      if (const auto own = fails_where.find(judged.id); own != fails_where.end()) judged.fails_where = own->second;
       const JudgedClaim* const same = claim_named(otherwise, judged.id);
-      if (same != nullptr && is_judged(same->holds)) {
+      if (same != nullptr && same->holds != Holds::not_tested) {
         judged.otherwise = same->holds;
         judged.number_otherwise = same->number;
       }
@@ -123,11 +120,10 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
   for (const std::string& sentence : sentences) add(sentence);
   text += fmt::format("\n{}\n{}\n", table.caption, show::to_text(table));
   std::vector<std::vector<std::string>> rows;
-  std::map<Holds, std::string> without_number;  // sentences
+  std::vector<std::string> not_tested;  // sentences
   for (const JudgedClaim& claim : grouped(claims, false)) {
-    if (!is_judged(claim.holds)) {
-      std::string& all = without_number[claim.holds];
-      all += (all.empty() ? "" : "; ") + claim.sentence;
+    if (claim.holds == Holds::not_tested) {
+      not_tested.push_back(claim.sentence);
       continue;
     }
     const std::string verdict(name_of(claim.holds));
@@ -135,7 +131,8 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
     rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 46), claim.number});
   }
   text += show::aligned(rows, 2);
-  for (const auto& [holds, all] : without_number) add(all, fmt::format("{:15}", name_of(holds)));
+  if (!not_tested.empty())
+    add(fmt::format("{}", fmt::join(not_tested, "; ")), fmt::format("{:15}", name_of(Holds::not_tested)));
   return text;
 }
 

@@ -1,6 +1,7 @@
 // The claims of a paper, each with a verdict, a number and why, and the rules that judge them.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,18 +12,9 @@
 
 namespace ikbench::papers {
 
-// in_part: for some of those that it is about. not_compared: about another program or machine. not_tested: nothing here
-// can decide it. Tables have them in this order.
-enum class Holds { holds, in_part, fails, undecided, not_compared, not_tested };
+// in_part: for some of those that it is about. not_tested: nothing here can decide it. Tables have them in this order.
+enum class Holds { holds, in_part, fails, undecided, not_tested };
 std::string_view name_of(Holds holds);
-constexpr bool is_judged(Holds holds) { return holds != Holds::not_compared && holds != Holds::not_tested; }
-
-// With which answers to what a paper leaves open a claim fails.
-struct Condition {
-  std::string id;          // of the claim
-  std::string fails;       // "only where bounds=initial", "nowhere"
-  std::string words = {};  // the same as a clause; empty where no pair of answers tells it
-};
 
 struct JudgedClaim {
   std::string id, sentence, section;
@@ -32,14 +24,15 @@ struct JudgedClaim {
   std::string number = {};              // the most telling one: "0.0017 cm, K-ABC 0.21"
   std::string rival = {};               // its part of the best rival: "K-ABC 0.21"
   std::string evidence = {};            // what tables do not say, in at most two sentences
-  Condition condition = {};             // empty if readings were not tried
+  std::string fails_where = {};         // "only where bounds=initial", "nowhere"; empty if readings were not tried
   std::optional<Holds> otherwise = {};  // by the paper's other reading
   std::string number_otherwise = {};
 };
 
-// In the order of the paper's file. A claim that the report cannot judge is not tested; our own questions, and claims
-// that are made of each solver, are left out instead.
-std::vector<JudgedClaim> judged_claims(const Repeated& repeated, const std::vector<Condition>& conditions = {});
+// In the order of the paper's file, with where each fails, by its id. A claim that the report cannot judge is not
+// tested; our own questions, and claims that are made of each solver, are left out instead.
+std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
+                                       const std::map<std::string, std::string>& fails_where = {});
 
 const JudgedClaim* claim_named(const std::vector<JudgedClaim>& claims, std::string_view id);  // null if it is not there
 std::string tally_words(const std::vector<JudgedClaim>& claims);  // "3 claims: holds 2, fails 1."
@@ -62,8 +55,8 @@ struct Rule {
   bool is_of_metrics = true;
 };
 // better: its solvers are better than the others in each metric. ahead: its solver is better than each other in some
-// metric, and worse in none. differ: all differ, by one-way ANOVA. ratios: of times, which are not compared.
-// at_rounding: all of its solver's errors are. as_printed: each printed share of solved targets is ours.
+// metric, and worse in none. differ: all differ, by one-way ANOVA. at_rounding: all of its solver's errors are.
+// as_printed: each printed share of solved targets is ours.
 std::span<const Rule> rules();
 
 JudgedClaim begun(const Claim& claim);  // without a verdict

@@ -124,7 +124,11 @@ bool has_any(const Chosen& chosen, const Chosen& answers) {
   return std::ranges::any_of(answers, [&](const Choice& each) { return contains(chosen, each); });
 }
 
-// The readings of a part that have none of these answers.
+struct Readings {
+  double holds = 0, fails = 0, undecided = 0;
+};
+
+// Of a part, those that have none of these answers.
 Readings count(const Part& part, const Chosen& without) {
   if (has_any(part.chosen, without)) return {};
   double all = part.others, hold = all, fail_not = all;
@@ -159,114 +163,50 @@ Chosen answers_of(const Multiverse& multiverse) {
   return answers;
 }
 
-// The smallest sets of one or two answers, other than defaults, without which it never happens.
-std::vector<Chosen> smallest_sets(const Multiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
-  const Chosen answers = answers_of(multiverse);
-  std::vector<Chosen> found;
-  for (const Choice& one : answers) {
-    if (!happens(parts, outcome, {one})) found.push_back({one});
-  }
-  if (!found.empty()) return found;
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    for (std::size_t j = i + 1; j < answers.size(); ++j) {
-      if (!happens(parts, outcome, {answers[i], answers[j]})) found.push_back({answers[i], answers[j]});
-    }
-  }
-  return found;
-}
-
-// "only where bounds=initial or BA.best_of=evaluated"
+// "only where bounds=initial or BA.best_of=evaluated": the smallest sets of one or two answers, other than defaults,
+// without which it never happens.
 std::string where(const Multiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
   if (!happens(parts, outcome, {})) return "nowhere";
-  if (happens(parts, outcome, answers_of(multiverse))) return "in some seeds of the default, too";
-  Names sets;
-  std::string_view between = " and ";
-  for (const Chosen& each : smallest_sets(multiverse, parts, outcome)) {
-    Names answers;
-    for (const auto& [dimension, alternative] : each)
-      answers.push_back(multiverse.dimensions[dimension].alternatives[alternative].set);
-    sets.push_back(fmt::format("{}", fmt::join(answers, " or ")));
-    if (each.size() > 1) between = ", and only where ";
+  const Chosen answers = answers_of(multiverse);
+  if (happens(parts, outcome, answers)) return "in some seeds of the default, too";
+  const auto set_of = [&](const Choice& answer) {
+    return multiverse.dimensions[answer.dimension].alternatives[answer.alternative].set;
+  };
+  Names ones, twos;
+  for (const Choice& one : answers) {
+    if (!happens(parts, outcome, {one})) ones.push_back(set_of(one));
   }
-  if (sets.empty()) return "in no pair of answers alone";
-  return fmt::format("only where {}", fmt::join(sets, between));
-}
-
-// "no solver is clamped"
-std::string words_of(const Multiverse& multiverse, const std::vector<Part>& parts) {
-  Names words;
-  const std::vector<Chosen> sets = smallest_sets(multiverse, parts, &Readings::fails);
-  if (sets.size() != 1) return "";
-  for (const auto& [dimension, alternative] : sets.front())
-    words.push_back(multiverse.dimensions[dimension].alternatives[alternative].where);
-  return fmt::format("{}", fmt::join(words, " or "));
-}
-
-InReadings judged_claim(const Multiverse& multiverse, const Claim& claim, const std::vector<Part>& parts) {
-  InReadings result{.condition = {.id = claim.id, .fails = where(multiverse, parts, &Readings::fails)}, .count = {}};
-  for (const Part& part : parts) {
-    const Readings more = count(part, {});
-    result.count.holds += more.holds;
-    result.count.fails += more.fails;
-    result.count.undecided += more.undecided;
-  }
-  if (result.count.fails > 0) result.condition.words = words_of(multiverse, parts);
-  return result;
-}
-
-// Of the default reading's numbers by one seed, those in the ranges of another.
-std::optional<double> expected_by_chance(const Paper& paper, const Multiverse& multiverse) {
-  double inside = 0;
-  const std::vector<std::vector<ChosenSolver>>& solvers = multiverse.studies[0].solvers;
-  const std::size_t seeds = solvers[0][0].parts.size();
-  for (std::size_t m = 0; m < metrics_of_readings.size() && !paper.means.empty(); ++m) {
-    const PrintedRows printed = printed_means(paper.name, paper.means, metrics_of_readings[m]);
-    for (std::size_t s = 0; s < solvers.size(); ++s) {
-      const PrintedRow* const row = row_of(printed, multiverse.solvers[s]);
-      if (row == nullptr) continue;
-      const auto runs_of = [&](std::size_t seed) { return multiverse.means[solvers[s][0].parts[seed]][m]; };
-      for (std::size_t seed = 0; seed < seeds; ++seed) {
-        const Group own = runs_of(seed);
-        const auto ranges = predicted_ranges(own.values, row->numbers.n);
-        if (!ranges || own.values.size() != static_cast<std::size_t>(row->numbers.n)) return {};
-        for (std::size_t other = 0; other < seeds; ++other) {
-          if (other == seed) continue;
-          const Description its = describe(runs_of(other));
-          for (std::size_t i = 0; i < statistics.size(); ++i) {
-            const double number = its.*statistics[i].of;
-            inside += (*ranges)[i].low <= number && number <= (*ranges)[i].high;
-          }
-        }
-      }
+  for (std::size_t i = 0; i < answers.size() && ones.empty(); ++i) {
+    for (std::size_t j = i + 1; j < answers.size(); ++j) {
+      if (!happens(parts, outcome, {answers[i], answers[j]}))
+        twos.push_back(fmt::format("{} or {}", set_of(answers[i]), set_of(answers[j])));
     }
   }
-  if (inside == 0) return {};
-  return inside / static_cast<double>(seeds * (seeds - 1));
+  if (!ones.empty()) return fmt::format("only where {}", fmt::join(ones, " and "));
+  return twos.empty() ? "in no pair of answers alone"
+                      : fmt::format("only where {}", fmt::join(twos, ", and only where "));
 }
 
 }  // namespace
 
-std::vector<Condition> JudgedMultiverse::conditions() const {
-  std::vector<Condition> all;
-  for (const InReadings& each : claims) all.push_back(each.condition);
-  return all;
-}
-
 JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const results::Plan& plan) {
   JudgedMultiverse result{
-      .claims = {},
+      .fails_where = {},
       .table = {.name = "multiverse",
                 .caption = "The claims in every reading",
-                .columns = {{"claim"}, {"holds"}, {"fails"}, {"not decided"}, {"it fails"}, {"it is not decided"}}},
-      .expected = expected_by_chance(paper, multiverse)};
+                .columns = {{"claim"}, {"holds"}, {"fails"}, {"not decided"}, {"it fails"}, {"it is not decided"}}}};
   for (const Claim& claim : paper.claims) {
     if (!hangs_on_reading(claim)) continue;
     const std::vector<Part> parts = parts_of(multiverse, claim, plan);
     if (parts.empty()) continue;
-    const auto& [condition, count] = result.claims.emplace_back(judged_claim(multiverse, claim, parts));
-    const auto whole = [](double number) { return static_cast<std::int64_t>(number); };
-    result.table.rows.push_back({claim.sentence, whole(count.holds), whole(count.fails), whole(count.undecided),
-                                 condition.fails, where(multiverse, parts, &Readings::undecided)});
+    const auto all = [&](Outcome outcome) {
+      double sum = 0;
+      for (const Part& part : parts) sum += count(part, {}).*outcome;
+      return static_cast<std::int64_t>(sum);
+    };
+    const std::string fails = result.fails_where[claim.id] = where(multiverse, parts, &Readings::fails);
+    result.table.rows.push_back({claim.sentence, all(&Readings::holds), all(&Readings::fails),
+                                 all(&Readings::undecided), fails, where(multiverse, parts, &Readings::undecided)});
   }
   result.table.notes = {fmt::format(
       "{:.0f} readings, each with seeds 1 to {}. Each pair is judged alone, at significance / pairs. Counts depend on "

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,23 +21,9 @@ struct Multiverse : results::Multiverse {
   std::vector<std::array<compare::Group, metrics_of_readings.size()>> means;
 };
 
-// Readings, each seed of one by itself.
-struct Readings {
-  double holds = 0, fails = 0, undecided = 0;
-};
-struct InReadings {
-  Condition condition;
-  Readings count;
-};
-
 struct JudgedMultiverse {
-  std::vector<InReadings> claims;
-  show::Table table;  // "multiverse"
-  // How many of the printed numbers' ranges hold the numbers of the same program by another seed; the mean over pairs
-  // of seeds. None with one seed, or another number of runs than the paper's.
-  std::optional<double> expected = {};
-
-  std::vector<Condition> conditions() const;
+  std::map<std::string, std::string> fails_where;  // of claims, by id: "only where bounds=initial", "nowhere"
+  show::Table table;                               // "multiverse"; readings, each seed of one by itself
 };
 
 JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const results::Plan& plan);

@@ -41,7 +41,6 @@ Claim read_claim(TomlReader reader, const std::string& papers_own) {
                                    {"decides", &claim.decides},
                                    {"section", &claim.section},
                                    {"study", &claim.study},
-                                   {"table", &claim.table},
                                    {"note", &claim.note}})
     reader.text(key, *field, "");
   std::vector<std::string_view> names;

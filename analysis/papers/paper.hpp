@@ -81,8 +81,7 @@ struct Claim {
   Of of = Of::means;
   std::string study = {};  // "limits": of the companion NAME-limits
   From from = From::both;
-  std::string table = {};  // of printed times
-  std::string note = {};   // added to the evidence
+  std::string note = {};  // added to the evidence
 };
 
 // A printed table of shares solved [%], a row an arm.
@@ -150,6 +149,7 @@ std::vector<std::string> rates_sentences(const Repeated& repeated);
 
 // A solver's statistics beside a printed row, with signs. Times are in ms and have no sign, for machines differ.
 std::vector<show::Cell> beside(const compare::Judged& judged, const std::string& solver, const PrintedRow* row);
+constexpr double share_in_ranges = 0.92;  // of numbers of the same program
 constexpr std::string_view meaning_of_signs = "~ within the range of 92 % of studies with as many runs; x not";
 // How many of the printed numbers have the sign ~, of how many with a sign.
 struct Explained {

@@ -319,36 +319,9 @@ JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   return judged;
 }
 
-JudgedClaims ratios(const Claim& claim, const Repeated& repeated) {
-  const JudgedStudy* const judged = study_of(claim, repeated);
-  if (judged == nullptr) return {};
-  const Paper& paper = repeated.paper;
-  const std::string& base = claim.solvers.front();
-  const Metric& metric = *claim.metrics.front();
-  const PrintedRows printed =
-      claim.table.empty() ? printed_rows(paper, metric) : printed_times(paper.name, claim.table);
-  if (printed.empty()) return {};
-  const Judged times = judged_in(*judged, metric);
-  JudgedClaim result = begun(claim);
-  result.holds = Holds::not_compared;
-  Names list;
-  for (const std::string& solver : claim.against) {
-    const PrintedRow *const row = row_of(printed, solver), *const of_base = row_of(printed, base);
-    const Finding* const pair = finding_of(times, solver, base);
-    if (row == nullptr || of_base == nullptr || pair == nullptr || !pair->estimate) continue;
-    list.push_back(fmt::format("{} {} (printed {})", solver,
-                               number_text(numbers_of(times, solver).median / numbers_of(times, base).median),
-                               number_text(row->numbers.median / of_base->numbers.median)));
-  }
-  if (!list.empty()) result.number = list.front();
-  if (list.size() > 1) result.evidence = fmt::format("{}.", fmt::join(list, "; "));
-  return {result};
-}
-
 constexpr Rule all_rules[]{{"better", better},
                            {"ahead", ahead},
                            {"differ", differ},
-                           {"ratios", ratios},
                            {"at_rounding", at_rounding, false},
                            {"as_printed", as_printed, false}};
 

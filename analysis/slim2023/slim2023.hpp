@@ -34,8 +34,7 @@ std::optional<show::Table> table_8(const papers::Repeated& repeated);
 
 // Does the paper's conclusion repeat, and how many of its numbers? On what does it depend that IK-BA is the most
 // accurate?
-std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claims, const papers::Explained& numbers,
-                                   const std::optional<double>& expected = {});
+std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claims, const papers::Explained& numbers);
 
 // Further sections of the report; `figures_of_circle` stand by Table 8.
 std::vector<show::Blocks> sections(const papers::Repeated& repeated,

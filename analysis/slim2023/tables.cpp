@@ -158,14 +158,15 @@ bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds =
 
 }  // namespace
 
-std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const Explained& numbers,
-                                   const std::optional<double>& expected) {
+std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const Explained& numbers) {
   const JudgedClaim *const best = claim_named(claims, "best_compromise"),
                            *const accurate = claim_named(claims, "most_accurate"),
                            *const classical = claim_named(claims, "better_than_classical");
   if (best == nullptr || accurate == nullptr || accurate->number.empty()) return {};
   std::vector<std::string> all{first_sentence(best->holds, numbers)};
-  if (expected) all.front() += fmt::format("; of the same program with another seed about {:.0f} would", *expected);
+  if (numbers.all > 0)
+    all.front() += fmt::format("; of the same program with another seed about {:.0f} would",
+                               papers::share_in_ranges * static_cast<double>(numbers.all));
   all.front() += '.';
   std::string words =
       fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
@@ -176,10 +177,8 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   all.push_back(words + '.');
   words = fmt::format("\"{}\" {}{} ({})", accurate->sentence, accurate->holds >= Holds::undecided ? "is " : "",
                       name_of(accurate->holds), accurate->number);
-  const Condition& condition = accurate->condition;
-  if (!condition.fails.empty())
-    words += fmt::format(". Of the readings that we chose to try it fails {}",
-                         condition.words.empty() ? condition.fails : "only where " + condition.words);
+  if (!accurate->fails_where.empty())
+    words += fmt::format(". Of the readings that we chose to try it fails {}", accurate->fails_where);
   all.push_back(words + '.');
   if (classical != nullptr && classical->holds == Holds::fails)
     all.push_back(fmt::format("Better than it, and not in the paper: {} cm.", classical->rival));

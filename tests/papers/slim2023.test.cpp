@@ -71,14 +71,14 @@ TEST_CASE("the first sentences say whether the conclusion repeats, and on what i
   const JudgedStudy context = study_of({.name = "slim2023-context", .solvers = {"DLS"}},
                                        [](SolveRecord& solve) { solve.position_error_cm = 1e-6 * solve.run; });
   const Repeated of = repeated(helix(), {&all_joints(), &context});
-  const std::vector<JudgedClaim> claims = judged_claims(of, {{.id = "most_accurate", .fails = "nowhere"}});
-  const std::vector<std::string> sentences = slim2023::sentences(claims, {.explained = 7, .all = 60}, 55.4);
+  const std::vector<JudgedClaim> claims = judged_claims(of, {{"most_accurate", "nowhere"}});
+  const std::vector<std::string> sentences = slim2023::sentences(claims, {.explained = 7, .all = 60});
   REQUIRE(sentences.size() == 4);
   CHECK(
       sentences[0] ==
       "Slim et al. 2023 repeats in its conclusion, and in 7 of the 60 errors and joint motions of Table 3; of the same "
       "program with another seed about 55 would.");
-  CHECK(slim2023::sentences(claims, {}, {})[0] == "Slim et al. 2023 repeats in its conclusion.");
+  CHECK(slim2023::sentences(claims, {})[0] == "Slim et al. 2023 repeats in its conclusion.");
   CHECK(contains(sentences[1], "the least error, and with MO-PSO the least joint motion."));
   CHECK(contains(sentences[2], "holds (0.00194 cm, K-ABC"));
   CHECK(contains(sentences[2], "to try it fails nowhere."));
