@@ -275,9 +275,9 @@ void add_of_evaluations(Doubts& doubts, const StudyResults& study) {
         [by = by](const Solve& solve) { return !is_without_answer(solve.status) && solve.counted_by == by; });
 }
 
-// Solvers whose solves, nearly all, the limit of iterations ends: the one of most and the one of fewest evaluations.
+// Solvers whose solves, nearly all, a limit of the study ends: the one of most and the one of fewest evaluations.
 void add_of_budgets(Doubts& doubts, const StudyResults& study) {
-  if (study.definition.stop.evaluations > 0 || study.definition.stop.seconds > 0) return;
+  if (study.definition.stop.seconds > 0) return;
   std::string fewest, most;
   double few = std::numeric_limits<double>::infinity(), many = 0;
   for (const std::string& solver : study.solvers) {
@@ -285,7 +285,7 @@ void add_of_budgets(Doubts& doubts, const StudyResults& study) {
     const Solves all = study.of(solver);
     for (const Solve& solve : all) {
       evaluations += static_cast<double>(solve.evaluations) / static_cast<double>(all.size());
-      limited += solve.stop_reason == StopReason::iterations;
+      limited += solve.stop_reason == StopReason::iterations || solve.stop_reason == StopReason::evaluations;
       uncounted += solve.counted_by != CountedBy::suite;
     }
     if (uncounted > 0 || evaluations == 0 || limited < 0.9 * static_cast<double>(all.size())) continue;
@@ -298,23 +298,6 @@ void add_of_budgets(Doubts& doubts, const StudyResults& study) {
                     .count = many,
                     .of = few,
                     .what = fmt::format("{:.0f} and {:.0f} evaluations a solve", many, few)});
-}
-
-// Solvers that the limit of iterations ends before half of the evaluations that each may make.
-void add_of_iterations(Doubts& doubts, const StudyResults& study) {
-  const auto limit = study.definition.stop.evaluations;
-  Doubt doubt{.kind = DoubtKind::budgets_differ,
-              .what = fmt::format("{} iterations ended solves before half of {} evaluations",
-                                  study.definition.stop.iterations, limit)};
-  for (const std::string& solver : study.solvers) {
-    const Solves all = study.of(solver);
-    const auto count = std::ranges::count_if(all, [&](const Solve& solve) {
-      return solve.stop_reason == StopReason::iterations && solve.counted_by == CountedBy::suite &&
-             2 * solve.evaluations < limit;
-    });
-    if (2 * count > std::ssize(all)) doubt.who.push_back(solver);
-  }
-  add(doubts, std::move(doubt));
 }
 
 // By the stored plan: a command may judge by another.
@@ -379,7 +362,6 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
       [](const Solve& solve) { return solve.status == Status::claimed_but_wrong; });
   add(doubts, study, {.kind = DoubtKind::outside_limits}, &Solve::is_outside_limits);
   add_of_budgets(doubts, study);
-  add_of_iterations(doubts, study);
   if (const int count = study.definition.out_of_reach; count > 0)
     doubts.push_back({.kind = DoubtKind::out_of_reach,
                       .count = static_cast<double>(count),

@@ -34,26 +34,18 @@ std::uint64_t hash_of(std::initializer_list<std::span<const double>> lists) {
 }
 
 // The mean absolute second difference of all joint angles of a run, answer by answer.
-class Bend {
- public:
-  void begin_run() {
-    before_.clear();
-    here_.clear();
-    sum_ = count_ = 0;
-  }
+struct Bend {
+  std::vector<double> before = {}, here = {};  // the last two answers
+  double sum = 0, count = 0;
 
   double with(const std::vector<double>& after) {
-    if (!before_.empty() && (before_.size() != here_.size() || after.size() != here_.size())) sum_ = unknown;
-    for (std::size_t joint = 0; joint < std::min(before_.size(), after.size()); ++joint, ++count_)
-      sum_ += std::abs(before_[joint] - 2 * here_[joint] + after[joint]) / numerics::degree;
-    before_.swap(here_);
-    here_ = after;
-    return count_ > 0 ? sum_ / count_ : unknown;
+    if (!before.empty() && (before.size() != here.size() || after.size() != here.size())) sum = unknown;
+    for (std::size_t joint = 0; joint < std::min(before.size(), after.size()); ++joint, ++count)
+      sum += std::abs(before[joint] - 2 * here[joint] + after[joint]) / numerics::degree;
+    before.swap(here);
+    here = after;
+    return count > 0 ? sum / count : unknown;
   }
-
- private:
-  std::vector<double> before_, here_;  // the last two answers
-  double sum_ = 0, count_ = 0;
 };
 
 // Adds records to a study, which come by solver, run and point.
@@ -71,13 +63,12 @@ class Adder {
       throw std::invalid_argument(fmt::format("study '{}' has too many solves with a trace; expected at most {}",
                                               study_.entry.name, most_traces));
     if (is_first) first_run_ = record.run, drawn_ = 0;
-    if (is_first || study_.solves.back().run != record.run) bend_.begin_run();
+    if (is_first || study_.solves.back().run != record.run) bend_ = {};
     if (!record.trace_cm.empty() || (record.run == first_run_ && drawn_++ < most_drawn)) study_.drawn.push_back(record);
     study_.solves.push_back({.run = record.run,
                              .point = record.point,
                              .solver = solver,
                              .session = static_cast<int>(record.session),
-                             .restarts = record.restarts,
                              .status = record.status,
                              .stop_reason = record.stop_reason,
                              .timing = record.timing,
@@ -90,7 +81,6 @@ class Adder {
                              .variation_deg = record.variation_deg,
                              .variation_m = record.variation_m,
                              .largest_move_deg = record.largest_move_deg,
-                             .limit_violation_deg = record.limit_violation_deg,
                              .seconds = record.seconds,
                              .bend_deg = bend_.with(record.answer_rad),
                              .evaluations = record.evaluations,

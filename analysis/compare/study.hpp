@@ -21,7 +21,7 @@ namespace ikbench::compare {
 struct Solve {
   int run = 1, point = 1;
   int solver = 0;  // its place in StudyResults::solvers
-  int session = 0, restarts = 0;
+  int session = 0;
   results::Status status = results::Status::ok;
   results::StopReason stop_reason = results::StopReason::iterations;
   results::Timing timing = results::Timing::clean;
@@ -29,7 +29,7 @@ struct Solve {
   bool is_outside_limits = false;
   bool was_disturbed = false;  // clean, and took more than 10 % longer than its processor time
   double position_error_cm = 0, orientation_error = 0, variation_deg = 0, variation_m = 0;
-  double largest_move_deg = 0, limit_violation_deg = 0, seconds = 0;
+  double largest_move_deg = 0, seconds = 0;
   double bend_deg = 0;  // mean second difference of all joint angles of its run until here; NaN: not known
   std::int64_t evaluations = 0, iterations = 0;
   std::uint64_t target = 0, start = 0, answer = 0;  // hashes of the bits of position and rotation, and of all joints

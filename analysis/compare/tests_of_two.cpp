@@ -150,6 +150,10 @@ double two_sided(const Ranks& ranks, std::size_t chosen, double sum) {
   return sum_of(ranks, chosen).two_sided(sum);
 }
 
+double rank_sum(const Ranks& ranks, std::size_t first) {
+  return std::accumulate(ranks.ranks.begin(), ranks.ranks.begin() + static_cast<std::ptrdiff_t>(first), 0.0);
+}
+
 std::vector<double> sorted(Values values) {
   std::vector<double> order(values.begin(), values.end());
   std::ranges::sort(order);
@@ -199,18 +203,8 @@ Tested of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std:
     }
     return std::bit_cast<double>(in_order(low)) + 0.0;  // 0, not -0
   };
-  const auto next_above = [&](double bound) {
-    double next = std::numeric_limits<double>::infinity();
-    std::size_t left = y.size();
-    for (const double value : x) {
-      while (left > 0 && value + y[left - 1] > bound) --left;
-      if (left < y.size()) next = std::min(next, value + y[left]);
-    }
-    return next + 0.0;
-  };
   const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
-  const double lower = smallest((all + 1) / 2), upper = count_to(lower) > all / 2 ? lower : next_above(lower);
-  Tested tested{.estimate = (lower + upper) / 2};
+  Tested tested{.estimate = (smallest((all + 1) / 2) + smallest(all / 2 + 1)) / 2};
   if (rank >= 1 && rank <= all) tested.interval = Interval{smallest(rank), smallest(all + 1 - rank)};
   return tested;
 }
@@ -267,9 +261,7 @@ double smallest_p_unpaired(std::size_t m, std::size_t n) {
 double smallest_p_paired(std::size_t n) { return std::min(1.0, std::exp2(1 - number(n))); }
 
 double a12(Values first, Values second) {
-  const Ranks all = midranks(first, second);
-  const double m = number(first.size());
-  const double sum = std::accumulate(all.ranks.begin(), all.ranks.begin() + std::ssize(first), 0.0);
+  const double m = number(first.size()), sum = rank_sum(midranks(first, second), first.size());
   return (sum - m * (m + 1) / 2) / (m * number(second.size()));
 }
 
@@ -285,8 +277,7 @@ double brunner_munzel(Values first, Values second, double shift) {
 double mann_whitney(Values first, Values second) {
   if (first.size() > second.size()) return mann_whitney(second, first);
   const Ranks all = midranks(first, second);
-  const double sum = std::accumulate(all.ranks.begin(), all.ranks.begin() + std::ssize(first), 0.0);
-  return two_sided<sum_of_some>(all, first.size(), sum);
+  return two_sided<sum_of_some>(all, first.size(), rank_sum(all, first.size()));
 }
 
 Tested rank_test(Values first, Values second, double alpha) {

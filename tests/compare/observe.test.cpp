@@ -308,8 +308,7 @@ TEST_CASE("Budgets differ where equal iterations are twice the evaluations") {
   CHECK(doubt->count == Approx(300));
   CHECK(doubt->of == Approx(100));
   CHECK_FALSE(evaluated(1.9, R"({"iterations": 9})"));
-  CHECK_FALSE(evaluated(3, R"({"iterations": 9, "evaluations": 200})"));
-  CHECK(evaluated(3, R"({"iterations": 9, "evaluations": 500})")->who == std::vector<std::string>{"A"});
+  CHECK(evaluated(3, R"({"iterations": 9, "evaluations": 300})"));
   CHECK_FALSE(evaluated(3, R"({"iterations": 9})", StopReason::tolerance));
 }
 
