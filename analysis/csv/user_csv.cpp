@@ -234,14 +234,13 @@ Observations quantity_of(const std::string& title) {
 // The values of each group: means of the rows of a unit.
 void fill(const Layout& layout, const Items& items, Observations& observed) {
   struct Mean {
-    Index group, unit, rows;
-    long double sum;  // by which the same rows in another order have the same mean
-    double value() const { return static_cast<double>(sum / rows); }
+    Index group, unit, rows = 0;
+    long double sum = 0;  // by which the same rows in another order have the same mean
   };
   std::vector<Mean> means;
   for (const Value& item : items.values) {
-    const bool is_next = !means.empty() && means.back().group == item.group && means.back().unit == item.unit;
-    if (!is_next) means.push_back({.group = item.group, .unit = item.unit, .rows = 0, .sum = 0});
+    if (means.empty() || means.back().group != item.group || means.back().unit != item.unit)
+      means.push_back({.group = item.group, .unit = item.unit});
     means.back().sum += item.value;
     ++means.back().rows;
   }
@@ -250,37 +249,35 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
   for (const Mean& mean : means) most_of(mean) = std::max(most_of(mean), mean.rows);
   observed.is_paired = layout.block.has_value();
   observed.trials = static_cast<int>(std::ranges::max(most));
-  std::vector<std::size_t> complete(items.units);  // groups that have the block
-  std::vector<int> all(items.groups.size());
+  std::vector<std::size_t> groups_of(items.units), all(items.groups.size());  // complete ones of a block; of a group
   for (const std::string& name : items.groups) observed.groups.push_back({.name = name});
   for (const Mean& mean : means) {
-    Group& group = observed.groups[mean.group];
+    const auto value = static_cast<double>(mean.sum / mean.rows);
     ++all[mean.group];
-    const bool is_lost = std::isnan(mean.value()) || mean.rows < most_of(mean);
-    group.lost += is_lost;
-    if (!is_lost) group.values.push_back(mean.value());
-    if (!is_lost && layout.block) ++complete[mean.unit];
+    if (std::isnan(value) || mean.rows < most_of(mean)) continue;
+    observed.groups[mean.group].values.push_back(value);
+    if (layout.block) ++groups_of[mean.unit];
   }
   Doubt lost{.kind = DoubtKind::incomplete,
              .what = layout.block ? "blocks are incomplete"
                      : layout.run ? "runs are incomplete"
                                   : "values are missing"};
   Doubt without{.kind = DoubtKind::without_answer, .what = "values, by ranks larger than any"};
+  const auto add = [](Doubt& doubt, const Group& group, auto count, std::size_t of) {
+    if (count == 0) return;
+    doubt.who.push_back(group.name);
+    doubt.count += static_cast<double>(count), doubt.of += static_cast<double>(of);
+  };
   for (std::size_t i = 0; i < observed.groups.size(); ++i) {
     Group& group = observed.groups[i];
-    if (layout.block) group.lost += static_cast<int>(items.units) - all[i];
-    if (group.lost > 0) {
-      lost.who.push_back(group.name);
-      lost.count += group.lost, lost.of += all[i];
-    }
-    const auto infinite = std::ranges::count_if(group.values, [](double value) { return std::isinf(value); });
-    if (infinite == 0) continue;
-    without.who.push_back(group.name);
-    without.count += static_cast<double>(infinite), without.of += static_cast<double>(group.values.size());
+    const std::size_t known = group.values.size();
+    group.lost = static_cast<int>((layout.block ? items.units : all[i]) - known);
+    add(lost, group, group.lost, all[i]);
+    add(without, group, std::ranges::count_if(group.values, [](double value) { return std::isinf(value); }), known);
   }
   if (layout.block) {
-    const auto in_all = std::ranges::count(complete, items.groups.size());
-    lost.count = static_cast<double>(std::ssize(complete) - in_all), lost.of = static_cast<double>(complete.size());
+    const auto in_all = std::ranges::count(groups_of, items.groups.size());
+    lost.count = static_cast<double>(items.units - in_all), lost.of = static_cast<double>(items.units);
   }
   const auto unlabelled = static_cast<double>(items.unlabelled);
   Doubt stray{.kind = DoubtKind::runs_missing,
