@@ -36,7 +36,7 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::outside_limits:
       return fmt::format("{} answers lie outside the joint limits ({})", share, who);
     case DoubtKind::budgets_differ:
-      return fmt::format("budgets differ: {} ({})", what, who);
+      return fmt::format("{} ({})", what, who);
     case DoubtKind::times_not_comparable:
       return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what,
                          doubt.of > 0 ? fmt::format(" in {} solves", share) : "");

@@ -98,7 +98,7 @@ std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyRes
     if (ours == theirs) return;
     doubts.push_back({.kind = DoubtKind::budgets_differ,
                       .who = both.solvers,
-                      .what = fmt::format("{} and {} {} a solve", ours, theirs, unit)});
+                      .what = fmt::format("budgets differ: {} and {} {} a solve", ours, theirs, unit)});
   };
   add("iterations", a.iterations, b.iterations);
   add("evaluations", a.evaluations, b.evaluations);

@@ -269,8 +269,8 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
 }
 
 void add_of_evaluations(Doubts& doubts, const StudyResults& study) {
-  for (const auto& [by, what] : {std::pair(CountedBy::nobody, "evaluations are not counted"),
-                                 {CountedBy::solver, "evaluations by its own count"}})
+  for (const auto& [by, what] : {std::pair(CountedBy::nobody, "evaluations are not counted, so not compared"),
+                                 {CountedBy::solver, "evaluations are by its own count, so not compared"}})
     add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = what},
         [by = by](const Solve& solve) { return !is_without_answer(solve.status) && solve.counted_by == by; });
 }
@@ -297,7 +297,7 @@ void add_of_budgets(Doubts& doubts, const StudyResults& study) {
                     .who = {most, fewest},
                     .count = many,
                     .of = few,
-                    .what = fmt::format("{:.0f} and {:.0f} evaluations a solve", many, few)});
+                    .what = fmt::format("budgets differ: {:.0f} and {:.0f} evaluations a solve", many, few)});
 }
 
 // By the stored plan: a command may judge by another.
