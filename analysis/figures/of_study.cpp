@@ -313,8 +313,8 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
     const std::string& better = finding.verdict == Verdict::better ? finding.first : finding.second;
     const bool is_decided = is_difference(finding.verdict);
     row.verdict = is_decided                         ? name_in_row(better) + " better"
-                  : finding.verdict == Verdict::same ? "the same"
-                  : finding.are_all_equal            ? "all equal"
+                  : finding.verdict == Verdict::same ? "same"
+                  : finding.are_all_equal            ? "same in all"
                                                      : "not decided";
     if (is_decided) row.style = style_of(look, better);
   }

@@ -29,10 +29,7 @@ std::string table_of(const Shown& shown) {
 }
 
 std::string warnings_of(const Shown& shown) {
-  std::vector<Doubt> doubts = shown.all_doubts();
-  const auto is_told = [](const Doubt& doubt) { return doubt.kind == DoubtKind::seconds_decide; };
-  if (shown.verdict.empty() && std::ranges::any_of(shown.decisive().observations.doubts, is_told))
-    std::erase_if(doubts, is_told);  // stands first
+  const std::vector<Doubt> doubts = shown.all_doubts();
   const std::size_t listed_doubts = doubts.size() > most_warnings ? most_warnings - 1 : doubts.size();
   std::string text;
   for (std::size_t i = 0; i < listed_doubts; ++i) text += wrapped("! " + words_of(doubts[i]), "  ");

@@ -86,9 +86,6 @@ Shown shown(const JudgedStudy& judged) {
   all.doubts = judged.doubts;
   const bool are_runs = definition.is_chained() || (judged.study.points == 1 && !definition.draws_targets);
   all.noun = are_runs ? "runs" : "targets";
-  if (std::ranges::any_of(all.metrics,
-                          [](const Judged& metric) { return metric.observations.metric == "evaluations"; }))
-    all.notes.emplace_back("Jacobians are not counted as evaluations.");
   for (Judged& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);

@@ -67,22 +67,23 @@ std::size_t equals_of(const Judged& judged, const std::vector<std::size_t>& orde
 }
 
 // "it solved 100 of 100 targets; PSO 88, mine 54"; with the first one's name "PSO solved 90 of 100 targets, mine 88".
-// Of many solvers the first, the last of the best, and the next.
+// Those that solved as many as the first stand together. Of many solvers the first and the next.
 std::string numbers_of(const Shown& shown, bool is_named) {
   const Judged& judged = shown.decisive();
   const bool is_solved = judged.observations.metric == "solved";
   const std::vector<std::size_t> order = best_first(judged, shown.metrics);
   const bool are_many = order.size() > most_named;
-  const std::size_t best = std::max<std::size_t>(judged.headline.best.size(), 1);
-  const bool are_equal = are_many && is_solved && best > 1 && equals_of(judged, order) == best;
-  std::vector<std::string> others;
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    const std::string text =
-        fmt::format("{} {}", name_of(judged, order[i]), number_of(shown, judged, order[i], order[0]));
-    if (!are_many || (i + 1 == best && !are_equal)) others.push_back(text);
-    if (are_many && i == best) others.push_back("then " + text);
+  const std::size_t equals = is_solved ? equals_of(judged, order) : 1;
+  std::vector<std::string> firsts, others;
+  for (const std::size_t i : order) {
+    const std::string& name = name_of(judged, i);
+    if (firsts.size() < equals)
+      firsts.push_back(name);
+    else if (!are_many || others.empty())
+      others.push_back(fmt::format("{}{} {}", are_many ? "then " : "", name, number_of(shown, judged, i, order[0])));
   }
-  const std::string who = are_equal ? (best == 2 ? "both" : "all") : is_named ? name_of(judged, order[0]) : "it";
+  const bool are_the_best = equals > 1 && equals == judged.headline.best.size();
+  const std::string who = are_the_best ? (equals == 2 ? "both" : "all") : is_named ? names_of(firsts) : "it";
   const std::string number = number_of(shown, judged, order[0], order[0]);
   std::string text = is_solved  ? fmt::format("{} solved {}", who, number)
                      : is_named ? fmt::format("{} {} {}", quantity_of(shown), who, number)
@@ -181,10 +182,10 @@ std::string unbeaten(const Shown& shown) {
     if (finding.verdict != Verdict::not_tested) tested.insert({finding.first, finding.second});
   }
   const std::vector<std::size_t> order = best_first(judged, shown.metrics);
-  std::vector<std::string> rest;
+  std::vector<std::string> rest, worse;
   for (const std::size_t i : order) {
-    if (const std::string& name = judged.observations.groups[i].name; tested.contains(name) && !beaten.contains(name))
-      rest.push_back(name);
+    if (const std::string& name = name_of(judged, i); tested.contains(name))
+      (beaten.contains(name) ? worse : rest).push_back(name);
   }
   const std::string numbers = numbers_of(shown, true);
   std::vector<std::string> same, others;  // as all before it
@@ -198,18 +199,11 @@ std::string unbeaten(const Shown& shown) {
   if (same.size() > 1)
     return fmt::format("{} are the same within {}{}: {}", names_of(same), margin_words(judged),
                        others.empty() ? "" : ", not decided against " + names_of(others), numbers);
-  const std::size_t equals = equals_of(judged, order);
-  if (order.size() > most_named && judged.observations.metric == "solved" && equals > 1 && rest.size() >= equals &&
-      rest[equals - 1] == name_of(judged, order[equals - 1])) {
-    std::vector<std::string> firsts(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(equals)), near;
-    for (std::size_t i = equals; i < rest.size(); ++i) near.push_back(with_number(shown, rest[i], order[0]));
-    return fmt::format("{} solved {}{}{}", names_of(firsts), number_of(shown, judged, order[0], order[0]),
-                       near.empty() ? "" : "; not shown to be worse: ", names_of(near));
-  }
   if (std::ranges::all_of(judged.findings, &Finding::are_all_equal))
-    return fmt::format("{} are {}: {}", all_of(judged), verdict_words(judged.findings.front(), judged), numbers);
-  const bool is_between_some = rest.size() > 1 && rest.size() < judged.described.size();
-  return fmt::format("Not decided{}: {}", is_between_some ? " between " + names_of(rest) : "", numbers);
+    return fmt::format("{} are the {}: {}", all_of(judged), verdict_words(judged.findings.front(), judged), numbers);
+  if (rest.size() < 2 || worse.empty()) return "Not decided: " + numbers;
+  return fmt::format("Not decided between {}; {} {} worse: {}", names_of(rest), names_of(worse),
+                     worse.size() == 1 ? "is" : "are", numbers);
 }
 
 // Of a best one and another.
@@ -297,12 +291,7 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 
 std::string headline(const Shown& whole) {
   if (!whole.verdict.empty()) return whole.verdict;
-  const Shown shown = with_short_names(whole, 40);
-  std::string text = sentence(shown) + '.';
-  for (const Doubt& doubt : shown.decisive().observations.doubts) {
-    if (doubt.kind == DoubtKind::seconds_decide) text += " Careful: " + words_of(doubt) + '.';
-  }
-  return text;
+  return sentence(with_short_names(whole, 40)) + '.';
 }
 
 std::string margin_words(const Judged& judged) {
@@ -314,8 +303,8 @@ std::string margin_words(const Judged& judged) {
 
 std::string verdict_words(const Finding& finding, const Judged& judged) {
   const std::string margin = margin_words(judged);
-  if (finding.verdict == Verdict::same) return finding.are_all_equal ? "same: all equal" : "same within " + margin;
-  if (finding.verdict == Verdict::undecided && finding.are_all_equal) return fmt::format("equal in all {}", finding.n);
+  if (finding.verdict == Verdict::same) return "same within " + margin;
+  if (finding.verdict == Verdict::undecided && finding.are_all_equal) return fmt::format("same in all {}", finding.n);
   std::string words(compare::name_of(finding.verdict));
   if (finding.is_within_margin) words += ", by less than " + margin;
   switch (finding.why) {
