@@ -98,10 +98,12 @@ JudgedStudy judge(StudyResults study) {
   const Metric& deciding = metric_named(!definition.plan.metric.empty() ? definition.plan.metric
                                         : definition.has_tolerance()    ? "solved"
                                                                         : "position_error_cm");
+  const bool are_any_solved =
+      definition.has_tolerance() && std::ranges::count(study.solves, results::Status::ok, &Solve::status) > 0;
   JudgedStudy judged;
   for (const Metric& metric : metrics()) {
     const bool is_deciding = &metric == &deciding;
-    const bool is_told_by_solved = metric.kind == Kind::error && definition.has_tolerance();
+    const bool is_told_by_solved = metric.kind == Kind::error && are_any_solved;
     if (!is_deciding && (!metric.is_reported || is_told_by_solved)) continue;
     Observations observed = observe(study, metric);
     if (!is_deciding && !has_meaning(observed)) continue;

@@ -35,7 +35,7 @@ std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judg
 struct JudgedStudy {
   StudyResults study;
   std::vector<Judged> metrics;  // of reports, in the order of metrics.inc, if the study has them; and the deciding one.
-                                // With a tolerance no other error: solved says which are small enough
+                                // Where any target is solved no other error: solved says which are small enough
   std::size_t deciding = 0;   // metric of the headline: the plan's, else solved where there is a tolerance, else error
   std::vector<Doubt> doubts;  // of the whole study
 };

@@ -97,9 +97,9 @@ TEST_CASE("The doubt of a solver that repeats itself has the runs of the other")
   CHECK(doubts.front().of == 6);
 }
 
-TEST_CASE("Where nothing is solved, no cost is reported") {
+TEST_CASE("Where nothing is solved, the error is reported and no cost") {
   CHECK(slugs(judge(study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.1},
-                          [](SolveRecord& solve) { solve.status = Status::tolerance_missed; }))) == "solved ");
+                          [](SolveRecord& solve) { solve.status = Status::tolerance_missed; }))) == "solved error ");
 }
 
 TEST_CASE("Two identical solvers have no winner in the headline in 95 % of studies") {
