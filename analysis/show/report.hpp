@@ -27,8 +27,8 @@ struct Report {
 };
 Report report_of(compare::JudgedStudy judged, std::vector<figures::Figure> figures);
 
-// The blocks of each section of sections.inc, and of the additions after the pictures; empty ones are left out. The
-// first begins with the headline.
+// The blocks of each section, the additions after the pictures; empty ones are left out. The first begins with the
+// headline.
 std::vector<Blocks> sections_of(const Report& report);
 
 // They show the pictures that stand in `figures` of the report's folder. The page also has the moving arm, if
