@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -32,7 +34,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     throw std::invalid_argument("several stores make one table and its figure: without --json and --figures");
   refuse_links(out);
   std::vector<show::Shown> studies;
-  std::vector<std::string> names, arms;
+  std::vector<std::string> names, arms, folders;
   std::set<std::string> solvers;
   for (const std::string& file : files) {
     const Store store(file, Store::Mode::read);
@@ -40,13 +42,15 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     const compare::JudgedStudy judged = compare::judge(checked_study(store, entry));
     names.push_back(entry.name);
     arms.push_back(judged.study.definition.robot);
+    folders.push_back(std::filesystem::path(file).parent_path().filename());
     solvers.insert(judged.study.solvers.begin(), judged.study.solvers.end());
     studies.push_back(show::shown(judged));
   }
   const auto tell_apart = [](const std::vector<std::string>& all) {
     return std::set<std::string>(all.begin(), all.end()).size() == all.size();
   };
-  const auto& told = tell_apart(names) ? names : tell_apart(arms) ? arms : files;
+  const std::array ways{names, arms, folders, files};
+  const auto& told = *std::find_if(ways.begin(), std::prev(ways.end()), tell_apart);
   show::Table table = show::studies_table(studies, told);
   const FigureStyle style = styled(FigureStyle(), {solvers.begin(), solvers.end()}, report);
   const std::filesystem::path folder = out;

@@ -13,8 +13,6 @@
 
 namespace ikbench::figures {
 
-constexpr double two_columns_cm = 17.0;  // of a journal
-
 struct Figure {
   std::string name;       // stable, the files' name: "path"
   std::string caption;    // plain text

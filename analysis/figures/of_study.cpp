@@ -89,6 +89,7 @@ std::optional<Figure> shares_of(const StudyResults& study, About about, const st
       if (const double value = cost(solve); !std::isnan(value)) successes.costs.push_back(value);
     }
   }
+  if (!left_out.empty() && all.size() < 2) return std::nullopt;  // nothing to see it against
   if (!left_out.empty()) about.caption += fmt::format(" Without {}, {}.", fmt::join(left_out, ", "), why);
   return shares(about, y_axis, all, dashed);
 }
@@ -202,7 +203,7 @@ Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle s
   look.lines = line_styles(named, look.style);
   std::vector<std::string> labels;
   for (const NamedSolver& solver : named) labels.push_back(solver.label);
-  look.names = short_names(labels, 36);
+  look.names = short_names(labels, 24);
   return look;
 }
 
@@ -285,7 +286,7 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
   const Observations& observed = metric.observations;
   constexpr std::size_t most_pairs = 15;
   Look brief = look;  // two names a row
-  brief.names = short_names(shown, 24);
+  brief.names = short_names(shown, 15);
   const auto name_in_row = [&](const std::string& solver) { return name_of(brief, solver); };
   const auto place = [&](const std::string& name) { return std::ranges::find(shown, name) - shown.begin(); };
   const auto places = [&](const Finding& of_two) { return std::minmax({place(of_two.first), place(of_two.second)}); };
@@ -310,20 +311,18 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
         fmt::format("{} {} {}", name_in_row(finding.first), are_ratios ? "/" : "-", name_in_row(finding.second));
     if (finding.estimate) row.estimate = factor * *finding.estimate;
     if (finding.interval) row.low = factor * finding.interval->low, row.high = factor * finding.interval->high;
-    const std::string& better = finding.verdict == Verdict::better ? finding.first : finding.second;
-    const bool is_decided = is_difference(finding.verdict);
-    row.verdict = is_decided                         ? name_in_row(better) + " better"
-                  : finding.verdict == Verdict::same ? "same"
-                  : finding.are_all_equal            ? "same in all"
-                                                     : "not decided";
-    if (is_decided) row.style = style_of(look, better);
+    row.verdict = name_of(finding.verdict);
+    if (is_difference(finding.verdict))
+      row.style = style_of(look, finding.verdict == Verdict::better ? finding.first : finding.second);
   }
+  if (std::ranges::all_of(findings, &Finding::are_all_equal)) return std::nullopt;
   const std::string quantity = observed.metric == "solved" ? "share solved" : observed.quantity;
   const std::string what = are_ratios ? "ratio" : "difference";
   return differences(
       {.name = "differences",
-       .caption = fmt::format("Pairs: {} of {}, with intervals for all pairs at once; at the right who is better.{}",
-                              what, quantity, only),
+       .caption = fmt::format(
+           "Pairs: {} of {}, with intervals for all pairs at once; at the right the verdict on the first.{}", what,
+           quantity, only),
        .quantity = fmt::format("{} of {}", what, quantity),
        .unit = are_ratios                       ? ""
                : observed.scale == Scale::share ? "points"

@@ -58,7 +58,7 @@ std::vector<BoxRow> box_rows(const compare::Judged& metric, const DrawnUnit& uni
 // Error against joint motion; `add_printed` adds what a paper printed.
 std::optional<Figure> overview_of(const compare::JudgedStudy& judged, const Look& look,
                                   const std::function<void(Dot&)>& add_printed);
-// Each pair that was tested; of more than 15 those of the first name alone.
+// Each pair that was tested; of more than 15 those of the first name alone. None where all values are equal.
 std::optional<Figure> differences_of(const compare::Judged& metric, const DrawnUnit& unit,
                                      const std::vector<std::string>& shown, const Look& look);
 // Medians of all runs with their quartiles, or means.

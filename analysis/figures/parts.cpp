@@ -20,7 +20,6 @@ namespace {
 constexpr std::size_t longest_label = 60;
 constexpr double spread_of_logarithmic = 30;
 constexpr int farthest_decade = 300;
-constexpr double widest_in_column_cm = 3.5;  // names beside a plot
 
 std::vector<double> drawable(std::span<const double> values) {
   std::vector<double> drawn;
@@ -207,7 +206,6 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
     widest_cm = std::max(widest_cm, width_cm_of(label));
     ticks.push_back(fmt::format("{} {}", gnuplot_text(format), ticks.size() + 1));
   }
-  if (widest_cm > widest_in_column_cm) figure.width_cm = two_columns_cm;
   figure.sides_cm = widest_cm + 0.8;
   add_margins(figure);
   figure.height_cm = 1.5 + row_cm * static_cast<double>(labels.size());
@@ -222,7 +220,6 @@ void add_names(Figure& figure, std::vector<Named> marks) {
   constexpr double around_cm = 1.5, row_cm = 0.34, stroke_cm = 0.6;
   double widest_cm = 0;
   for (const Named& mark : marks) widest_cm = std::max(widest_cm, width_cm_of(mark.label));
-  if (widest_cm > widest_in_column_cm) figure.width_cm = two_columns_cm;
   figure.height_cm = std::max(figure.height_cm, around_cm + row_cm * static_cast<double>(marks.size()));
   figure.sides_cm = 1.8 + stroke_cm + widest_cm;
   figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + stroke_cm + 0.15));

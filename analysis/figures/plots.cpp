@@ -450,11 +450,11 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
   Figure figure = begun(about);
   const auto panels = drawn_of(all_panels, 5, figure);
   if (rows.empty() || panels.empty()) return std::nullopt;
-  constexpr double pitch = 1.45;  // of panels; a bar of 100 % is 1
+  constexpr double pitch = 1.7;  // of panels; a bar of 100 % is 1
   std::vector<std::string> labels, ticks, clauses;
   for (const std::string& row : rows) labels.push_back(label_of(row));
   add_labelled_rows(figure, labels, 0.5);
-  if (panels.size() > 2) figure.width_cm = two_columns_cm;
+  if (panels.size() > 3) figure.width_cm = 17;  // two columns of a journal
   figure.data = "# row, share [%] of each study\n";
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::vector<double> numbers{static_cast<double>(r + 1)};
@@ -465,11 +465,12 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
     const double left = pitch * static_cast<double>(p);
     for (const double share : {0.0, 0.5, 1.0}) ticks.push_back(fmt::format("'{}' {}", 100 * share, left + share));
     figure.settings += fmt::format("set label {} at first {}, graph 1 left offset 0, 0.7 noenhanced\n",
-                                   gnuplot_text(shortened(panels[p].label, 16)), left);
+                                   gnuplot_text(shortened(panels[p].label, 14)), left);
     for (std::size_t r = 0; r < rows.size(); ++r) {
-      if (const double share = panels[p].shares[r]; std::isfinite(share))
-        figure.settings += fmt::format("set label '{}' at first {}, first {} left offset 0.3, 0 noenhanced front\n",
-                                       fmt::format("{:.3g} {}", share, panels[p].marks[r]), left + share / 100, r + 1);
+      const double share = panels[p].shares[r];
+      figure.settings += fmt::format("set label '{}' at first {}, first {} left offset 0.3, 0 noenhanced front\n",
+                                     std::isfinite(share) ? fmt::format("{:.3g} {}", share, panels[p].marks[r]) : "-",
+                                     left + (std::isfinite(share) ? share / 100 : 0), r + 1);
     }
     clauses.push_back(fmt::format(
         "data using (${1}==${1}?{0}:NaN):1:({0}):({0}+${1}/100.0):($1-0.3):($1+0.3) with boxxyerror fs solid "

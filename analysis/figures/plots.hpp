@@ -87,7 +87,7 @@ struct JointColumn {
 std::optional<Figure> joints(const About& about, const std::vector<JointRow>& rows,
                              const std::vector<JointColumn>& columns);
 
-// Shares of several studies: a row a solver, a panel of bars a study. What is nowhere has no bar.
+// Shares of several studies: a row a solver, a panel of bars a study. What is nowhere has a dash.
 struct BarPanel {
   std::string label;
   std::vector<double> shares;      // of each row [%]

@@ -40,7 +40,7 @@ std::string reference_of(const Shown& shown);  // the control, else the first of
 
 // The tables of every report; their numbers are those of the sentences, and their rows those of results.json.
 Table results_table(const Shown& shown);  // a row a solver
-// Solvers by studies: of each study its deciding column, best first in the mean. Each study is judged alone.
+// Solvers by studies: of each study its deciding column, in the order of the first. Each study is judged alone.
 Table studies_table(const std::vector<Shown>& studies, const std::vector<std::string>& names);
 std::optional<figures::Figure> studies_figure(const Table& studies);  // bars of its shares
 Table with_a_row_a_study(const Table& studies);                       // of one unit, without intervals

@@ -154,55 +154,29 @@ Table results_table(const Shown& shown) {
 
 Table studies_table(const std::vector<Shown>& studies, const std::vector<std::string>& names) {
   Table table{.name = "studies", .columns = {{"solver"}}};
-  std::map<std::string, std::pair<double, int>> places;  // sum and number of its places in the studies
-  std::map<std::string, std::vector<Cell>> rows;
   for (std::size_t s = 0; s < studies.size(); ++s) {
     const Table of_study = results_table(studies[s]);
     table.columns.push_back({.name = names[s], .unit = of_study.columns[1].unit});
-    const auto value_at = [&](std::size_t r) {
-      const auto* const value = std::get_if<Marked>(&of_study.rows[r][1]);
-      return value == nullptr ? std::nan("") : value->value;
-    };
-    std::size_t place = 0;  // the same of equals
-    for (std::size_t r = 0; r < of_study.rows.size(); ++r) {
-      const std::string& solver = std::get<std::string>(of_study.rows[r][0]);
-      std::vector<Cell>& row = rows[solver];
-      row.resize(s);
-      row.push_back(of_study.rows[r][1]);
-      if (r > 0 && value_at(r) != value_at(r - 1)) place = r;
-      places[solver].first += static_cast<double>(place) / static_cast<double>(of_study.rows.size());
-      ++places[solver].second;
+    for (const std::vector<Cell>& of_solver : of_study.rows) {
+      const auto has_its_name = [&](const std::vector<Cell>& row) {
+        return std::get<std::string>(row[0]) == std::get<std::string>(of_solver[0]);
+      };
+      auto row = std::ranges::find_if(table.rows, has_its_name);
+      if (row == table.rows.end()) row = table.rows.insert(row, {of_solver[0]});
+      row->resize(s + 1);
+      row->push_back(of_solver[1]);
     }
   }
-  for (auto& [solver, cells] : rows) {
-    cells.resize(studies.size());
-    table.rows.emplace_back().push_back(solver);
-    std::ranges::move(cells, std::back_inserter(table.rows.back()));
-  }
-  std::ranges::stable_sort(table.rows, {}, [&](const std::vector<Cell>& row) {
-    const auto& [sum, count] = places.at(std::get<std::string>(row[0]));
-    return sum / count;
-  });
+  for (auto& row : table.rows) row.resize(table.columns.size());
   const bool are_shares = std::ranges::all_of(studies, [](const Shown& shown) { return is_share(shown.decisive()); });
   table.caption = are_shares ? "Share of targets solved" : "What decides each study";
-  table.notes = {"* worse than the best of its study or its control, ! not tested; each study is judged alone.",
-                 are_shares ? "Brackets: intervals at the level of each study."
-                            : "Brackets: intervals of shares, else quartiles."};
+  table.notes = {
+      "In the order of the first study that has the solver. * worse than the best of its study or its control, "
+      "! not tested; each study is judged alone.",
+      are_shares ? "Brackets: intervals at the level of each study."
+                 : "Brackets: intervals of shares, else quartiles."};
   return table;
 }
-
-namespace {
-
-// Without what all begin with up to a separator, which tells none apart: "baselines-".
-std::vector<std::string> without_shared_start(std::vector<std::string> names) {
-  std::string shared = names.empty() ? "" : names.front();
-  for (const std::string& name : names)
-    shared.resize(static_cast<std::size_t>(std::ranges::mismatch(shared, name).in1 - shared.begin()));
-  for (std::string& name : names) name.erase(0, shared.find_last_of("-_ /") + 1);
-  return names;
-}
-
-}  // namespace
 
 std::optional<figures::Figure> studies_figure(const Table& studies) {
   std::vector<std::size_t> shares;
@@ -212,8 +186,11 @@ std::optional<figures::Figure> studies_figure(const Table& studies) {
     if (is_share) shares.push_back(c);
     (is_share ? names : others).push_back(studies.columns[c].name);
   }
+  std::string shared = names.empty() ? "" : names.front();  // at the start, which tells none apart: "baselines-"
+  for (const std::string& name : names)
+    shared.resize(static_cast<std::size_t>(std::ranges::mismatch(shared, name).in1 - shared.begin()));
   std::vector<figures::BarPanel> panels;
-  for (const std::string& name : without_shared_start(names)) panels.push_back({.label = name});
+  for (const std::string& name : names) panels.push_back({.label = name.substr(shared.find_last_of("-_ /") + 1)});
   for (const auto& row : studies.rows) {
     const auto share = [&](std::size_t c) { return std::get_if<Marked>(&row[c]); };
     if (std::ranges::none_of(shares, share)) continue;
@@ -224,12 +201,12 @@ std::optional<figures::Figure> studies_figure(const Table& studies) {
       panels[i].marks.push_back(of_study ? of_study->mark : "");
     }
   }
-  return figures::bars(
-      {.name = "studies",
-       .caption = "Share of targets solved." + (others.empty() ? "" : " Without " + listed(others) + "."),
-       .quantity = "solved",
-       .unit = "%"},
-      solvers, panels);
+  return figures::bars({.name = "studies",
+                        .caption = "Share of targets solved (-: the study has no such solver)." +
+                                   (others.empty() ? "" : " Without " + listed(others) + "."),
+                        .quantity = "solved",
+                        .unit = "%"},
+                       solvers, panels);
 }
 
 Table with_a_row_a_study(const Table& studies) {

@@ -91,7 +91,7 @@ TEST_CASE("a difference is told as tables tell it: the better one first, in poin
   const Figure shares =
       differences_of({.start = "middle", .targets = "drawn", .runs = 10, .points = 1, .tolerance_cm = 0.01});
   CHECK(contains(shares.data, "# A - B\n1 80 "));
-  CHECK(contains(shares.settings, "'A better'"));
+  CHECK(contains(shares.settings, "'better'"));
   const Figure ratios = differences_of({.runs = 10});
   CHECK(contains(ratios.data, "# A / B\n1 0."));
   CHECK(contains(ratios.settings, "logscale"));
