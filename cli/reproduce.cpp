@@ -72,9 +72,10 @@ std::string fingerprints_of(const Store& store, const std::vector<compare::Judge
                   [](const Series& series) { return !solvers::solver(series.algorithm).library.empty(); });
     if (fingerprint(store, study).text != reference) different.push_back(study.name);
   }
-  if (compared == 0) return "Fingerprints: no reference for this seed and number of runs";
-  return fmt::format("Fingerprints: {} of {} equal the reference{}{}", compared - different.size(), compared,
-                     different.empty() ? "" : "; different: ", fmt::join(different, ", "));
+  if (compared == 0) return "Solves: no fingerprints to compare with for this seed and number of runs";
+  return fmt::format(
+      "Solves: those of {} of {} studies are the same here as where they were published, bit for bit{}{}",
+      compared - different.size(), compared, different.empty() ? "" : "; different: ", fmt::join(different, ", "));
 }
 
 // It measures no time, so all processors may work.

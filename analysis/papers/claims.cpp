@@ -26,22 +26,18 @@ std::vector<JudgedClaim> grouped(const std::vector<JudgedClaim>& claims, bool ar
   return group;
 }
 
-// "not decided: 0.0648 cm, DE 0.103"
-std::string words_of(std::optional<Holds> holds, const std::string& number) {
-  if (!holds) return "";
-  return fmt::format("{}{}{}", name_of(*holds), number.empty() ? "" : ": ", number);
-}
-
 show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) {
   show::Table table{.name = are_ours ? "questions" : "claims",
                     .caption = are_ours ? "What the paper does not say" : "What the paper says",
-                    .columns = show::columns_of({"verdict", "claim", "number", "by the printed numbers",
-                                                 "by the other reading", "of all readings it fails", "where", "why"})};
-  const auto cell = [](std::string text) { return text.empty() ? show::Cell() : show::Cell(std::move(text)); };
+                    .columns = show::columns_of({"claim", "verdict", "number", "remark"})};
   for (const JudgedClaim& claim : claims) {
-    table.rows.push_back({std::string(name_of(claim.holds)), claim.sentence, cell(claim.number),
-                          cell(words_of(claim.printed, "")), cell(words_of(claim.otherwise, claim.number_otherwise)),
-                          cell(claim.fails_where), cell(claim.section), cell(claim.evidence)});
+    std::vector<std::string> remarks;
+    if (!claim.section.empty()) remarks.push_back(claim.section + '.');
+    if (!claim.fails_where.empty()) remarks.push_back(fmt::format("Of the readings it fails {}.", claim.fails_where));
+    if (!claim.evidence.empty()) remarks.push_back(claim.evidence);
+    const auto cell = [](std::string text) { return text.empty() ? show::Cell() : show::Cell(std::move(text)); };
+    table.rows.push_back({claim.sentence, std::string(name_of(claim.holds)), cell(claim.number),
+                          cell(fmt::format("{}", fmt::join(remarks, " ")))});
   }
   return table;
 }
@@ -52,9 +48,6 @@ std::string_view name_of(Holds holds) { return verdicts[static_cast<std::size_t>
 
 std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
                                        const std::map<std::string, std::string>& fails_where) {
-  const JudgedStudy* const other = repeated.part(repeated.paper.other_reading);
-  const std::vector<JudgedClaim> otherwise =
-      other == nullptr ? std::vector<JudgedClaim>() : judged_claims({.paper = repeated.paper, .study = *other});
   std::vector<JudgedClaim> all;
   for (const Claim& claim : repeated.paper.claims) {
     JudgedClaims found = claim.rule ? claim.rule->judge(claim, repeated) : JudgedClaims();
@@ -66,11 +59,6 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
     for (JudgedClaim& judged : found) {
       if (!claim.note.empty()) judged.evidence += (judged.evidence.empty() ? "" : " ") + claim.note;
       if (const auto own = fails_where.find(judged.id); own != fails_where.end()) judged.fails_where = own->second;
-      const JudgedClaim* const same = claim_named(otherwise, judged.id);
-      if (same != nullptr && same->holds != Holds::not_tested) {
-        judged.otherwise = same->holds;
-        judged.number_otherwise = same->number;
-      }
       all.push_back(std::move(judged));
     }
   }

@@ -20,13 +20,10 @@ struct JudgedClaim {
   std::string id, sentence, section;
   bool is_ours = false;
   Holds holds = Holds::not_tested;
-  std::optional<Holds> printed = {};    // by the printed numbers alone, if they can tell
-  std::string number = {};              // the most telling one: "0.0017 cm, K-ABC 0.21"
-  std::string rival = {};               // its part of the best rival: "K-ABC 0.21"
-  std::string evidence = {};            // what tables do not say, in at most two sentences
-  std::string fails_where = {};         // "only where bounds=initial", "nowhere"; empty if readings were not tried
-  std::optional<Holds> otherwise = {};  // by the paper's other reading
-  std::string number_otherwise = {};
+  std::string number = {};       // the most telling one: "0.0017 cm, K-ABC 0.21"
+  std::string rival = {};        // its part of the best rival: "K-ABC 0.21"
+  std::string evidence = {};     // what tables do not say, in at most two sentences
+  std::string fails_where = {};  // "only where no solver is clamped", "nowhere"; empty if readings were not tried
 };
 
 // In the order of the paper's file, with where each fails, by its id. A claim that the report cannot judge is not

@@ -163,23 +163,24 @@ Chosen answers_of(const Multiverse& multiverse) {
   return answers;
 }
 
-// "only where bounds=initial or BA.best_of=evaluated": the smallest sets of one or two answers, other than defaults,
-// without which it never happens.
-std::string where(const Multiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
+// "only where bounds=initial or BA.best_of=evaluated", by these words for an answer: the smallest sets of one or two
+// answers, other than defaults, without which it never happens.
+std::string where(const Multiverse& multiverse, const std::vector<Part>& parts, Outcome outcome,
+                  std::string results::Alternative::*words) {
   if (!happens(parts, outcome, {})) return "nowhere";
   const Chosen answers = answers_of(multiverse);
   if (happens(parts, outcome, answers)) return "in some seeds of the default, too";
-  const auto set_of = [&](const Choice& answer) {
-    return multiverse.dimensions[answer.dimension].alternatives[answer.alternative].set;
+  const auto name_of = [&](const Choice& answer) {
+    return multiverse.dimensions[answer.dimension].alternatives[answer.alternative].*words;
   };
   Names ones, twos;
   for (const Choice& one : answers) {
-    if (!happens(parts, outcome, {one})) ones.push_back(set_of(one));
+    if (!happens(parts, outcome, {one})) ones.push_back(name_of(one));
   }
   for (std::size_t i = 0; i < answers.size() && ones.empty(); ++i) {
     for (std::size_t j = i + 1; j < answers.size(); ++j) {
       if (!happens(parts, outcome, {answers[i], answers[j]}))
-        twos.push_back(fmt::format("{} or {}", set_of(answers[i]), set_of(answers[j])));
+        twos.push_back(fmt::format("{} or {}", name_of(answers[i]), name_of(answers[j])));
     }
   }
   if (!ones.empty()) return fmt::format("only where {}", fmt::join(ones, " and "));
@@ -204,9 +205,13 @@ JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const 
       for (const Part& part : parts) sum += count(part, {}).*outcome;
       return static_cast<std::int64_t>(sum);
     };
-    const std::string fails = result.fails_where[claim.id] = where(multiverse, parts, &Readings::fails);
+    const auto by_settings = [&](Outcome outcome) {
+      return where(multiverse, parts, outcome, &results::Alternative::set);
+    };
+    result.fails_where[claim.id] = where(multiverse, parts, &Readings::fails, &results::Alternative::where);
     result.table.rows.push_back({claim.sentence, all(&Readings::holds), all(&Readings::fails),
-                                 all(&Readings::undecided), fails, where(multiverse, parts, &Readings::undecided)});
+                                 all(&Readings::undecided), by_settings(&Readings::fails),
+                                 by_settings(&Readings::undecided)});
   }
   result.table.notes = {fmt::format(
       "{:.0f} readings, each with seeds 1 to {}. Each pair is judged alone, at significance / pairs. Counts depend on "

@@ -119,8 +119,7 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
                                    {"citation", &paper.citation},
                                    {"not_repeated", &paper.not_repeated},
                                    {"solver", &paper.solver},
-                                   {"means", &paper.means},
-                                   {"other_reading", &paper.other_reading}})
+                                   {"means", &paper.means}})
     reader.text(key, *field, "");
   reader.texts("studies", paper.studies, "");
   reader.texts("runs", paper.runs, "");

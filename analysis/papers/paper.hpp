@@ -56,9 +56,6 @@ PrintedRows printed_times(std::string_view paper, std::string_view table);
 using Ranges = std::array<compare::Interval, statistics.size()>;
 std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int runs);
 
-// Groups that are compared by their means, of the same quantity as ours.
-compare::Observations observations_of(const PrintedRows& rows, const compare::Observations& ours);
-
 // Ours beside the printed digits, if there are any.
 show::Cell beside(double ours, const PrintedRow* row, std::size_t statistic);
 
@@ -100,7 +97,6 @@ struct Paper {
   std::vector<std::string> runs = {};     // those that take --runs
   std::string solver = {};                // that it proposes
   std::string means = {};                 // its table of means; empty: none is printed
-  std::string other_reading = {};         // "all-joints": the companion by it
   Rates rates = {};
   std::vector<Claim> claims = {};
 };

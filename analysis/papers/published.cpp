@@ -98,15 +98,6 @@ PrintedRows printed_times(std::string_view paper, std::string_view name) {
   return rows;
 }
 
-compare::Observations observations_of(const PrintedRows& rows, const compare::Observations& ours) {
-  compare::Observations observed = ours;
-  observed.is_paired = false;
-  observed.groups.clear();
-  for (const auto& [solver, numbers, digits] : rows)
-    observed.groups.push_back({.name = solver, .summary = compare::Summary{numbers.n, numbers.mean, numbers.sd}});
-  return observed;
-}
-
 show::Cell beside(double ours, const PrintedRow* row, std::size_t statistic) {
   if (row == nullptr || row->digits[statistic].empty()) return ours;
   return show::Printed{ours, row->digits[statistic]};

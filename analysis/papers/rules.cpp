@@ -21,11 +21,6 @@ using Names = std::vector<std::string>;
 
 bool has(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
-std::string sentence(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + '.';
-}
-
 Holds always_or_on_average(bool always, bool on_average) {
   return always ? Holds::holds : on_average ? Holds::in_part : Holds::fails;
 }
@@ -95,17 +90,6 @@ std::optional<Judged> judged_here(const Claim& claim, const Repeated& repeated, 
   return about(claim, claim.of == Of::spread ? spread_of(judged) : judged);
 }
 
-// The printed numbers of the study's solvers, by means; none if the claim is not about this study.
-std::optional<Judged> judged_print(const Claim& claim, const Repeated& repeated, const Metric& metric) {
-  const StudyResults& study = repeated.study.study;
-  PrintedRows rows = printed_rows(repeated.paper, metric);
-  std::erase_if(rows, [&](const PrintedRow& row) { return !has(study.solvers, row.solver); });
-  if (!claim.study.empty() || claim.of != Of::means || rows.empty()) return {};
-  const Plan& plan = study.definition.plan;
-  return about(claim, judge(observations_of(rows, judged_in(repeated.study, metric).observations),
-                            {.test = Plan::Test::means, .significance = plan.significance, .margin = plan.margin}));
-}
-
 double mean_of(const Judged& judged, std::string_view solver) {
   return judged.described[place_of(judged.observations, solver)].mean;
 }
@@ -138,21 +122,6 @@ Tally tally_of(const Judged& judged, const Names& own, const Names& rivals) {
     for (const std::string& rival : rivals) tally.add(verdict_between(judged, solver, rival));
   }
   return tally;
-}
-
-// "IK-BA 27.2 deg (not decided: MO-PSO 28.1)": those than which it is not better; empty if there are none.
-std::string relations(const Judged& judged, const std::string& solver, const Names& rivals) {
-  std::map<Verdict, Names> by_verdict;
-  for (const std::string& rival : rivals)
-    by_verdict[verdict_between(judged, solver, rival)].push_back(
-        fmt::format("{} {}", rival, mean_words(judged, rival)));
-  Names parts;
-  for (const auto& [verdict, list] : by_verdict) {
-    if (verdict != Verdict::better)
-      parts.push_back(fmt::format("{}: {}", compare::name_of(verdict), fmt::join(list, ", ")));
-  }
-  if (parts.empty()) return "";
-  return fmt::format("{} {} ({})", solver, with_unit(mean_words(judged, solver), judged), fmt::join(parts, "; "));
 }
 
 // Solvers of the companion that give the claim's solver's answers to the last bit.
@@ -193,35 +162,25 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
   if (claim.of == Of::each_study) return better_in_each_study(claim, repeated);
   const Names& own = claim.solvers;
   JudgedClaim result = begun(claim);
-  std::vector<Holds> here, in_print;
-  Names lists;
+  std::vector<Holds> here;
   const Names same = same_there(claim, repeated);
   for (const Metric* metric : claim.metrics) {
-    const std::optional<Judged> ours = judged_here(claim, repeated, *metric),
-                                printed = judged_print(claim, repeated, *metric);
+    const std::optional<Judged> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
     Names rivals = rivals_of(*ours, own), means;
     std::erase_if(rivals, [&](const std::string& rival) { return has(same, rival); });
     here.insert(here.end(), same.size(), Holds::fails);
     if (!rivals.empty()) here.push_back(holds_of(tally_of(*ours, own, rivals)));
-    if (printed) in_print.push_back(holds_of(tally_of(*printed, own, rivals_of(*printed, own))));
-    for (const std::string& solver : own) {
-      means.push_back(mean_words(*ours, solver));
-      if (const std::string words = relations(*ours, solver, rivals); !words.empty())
-        lists.push_back(fmt::format("{} of {}", metric->name, words));
-    }
     if (!result.number.empty()) continue;
+    for (const std::string& solver : own) means.push_back(mean_words(*ours, solver));
     result.number = (claim.of == Of::spread ? "sd " : "") + with_unit(show::listed(means), *ours);
     if (rivals.empty()) continue;
     result.rival = fmt::format("{} {}", rivals[0], mean_words(*ours, rivals[0]));
     result.number += ", " + result.rival;
   }
   result.holds = holds_of(here);
-  if (!in_print.empty()) result.printed = holds_of(in_print);
   if (!same.empty())
     result.evidence = fmt::format("The answers of {} are the same to the last bit.", show::listed(same));
-  if (!lists.empty())
-    result.evidence += (same.empty() ? "" : " ") + sentence(fmt::format("{}", fmt::join(lists, "; ")));
   return {result};
 }
 
@@ -241,39 +200,29 @@ Tally dominance(const std::vector<Judged>& metrics, const std::string& solver) {
 
 JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
   const std::string& solver = claim.solvers.front();
-  std::vector<Judged> here, in_print;
+  std::vector<Judged> here;
   for (const Metric* metric : claim.metrics) {
-    std::optional<Judged> ours = judged_here(claim, repeated, *metric),
-                          printed = judged_print(claim, repeated, *metric);
-    if (!ours || !printed) return {};
+    std::optional<Judged> ours = judged_here(claim, repeated, *metric);
+    if (!ours) return {};
     here.push_back(std::move(*ours));
-    in_print.push_back(std::move(*printed));
   }
-  const Tally tally = dominance(here, solver), in_paper = dominance(in_print, solver);
+  const Tally tally = dominance(here, solver);
   JudgedClaim result = begun(claim);
   result.holds = holds_of(tally);
-  result.printed = holds_of(in_paper);
   result.number = fmt::format("ahead of {} of {}", tally.better, tally.all());
-  result.evidence = fmt::format("In print it is ahead of {}.", in_paper.better);
   return {result};
 }
 
 JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
-  std::vector<Holds> here, in_print;
+  std::vector<Holds> here;
+  const double significance = repeated.study.study.definition.plan.significance;
   for (const Metric* metric : claim.metrics) {
-    const std::optional<Judged> ours = judged_here(claim, repeated, *metric),
-                                printed = judged_print(claim, repeated, *metric);
+    const std::optional<Judged> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
-    const double significance = repeated.study.study.definition.plan.significance;
-    const auto verdict = [&](const std::optional<TestOfAll>& anova) {
-      return anova ? always_or_on_average(anova->p < significance, false) : Holds::not_tested;
-    };
-    here.push_back(verdict(ours->anova));
-    if (printed) in_print.push_back(verdict(printed->anova));
+    here.push_back(ours->anova ? always_or_on_average(ours->anova->p < significance, false) : Holds::not_tested);
   }
   JudgedClaim result = begun(claim);
   result.holds = holds_of(here);
-  if (!in_print.empty()) result.printed = holds_of(in_print);
   result.number = fmt::format("{} of {} differ", std::ranges::count(here, Holds::holds), here.size());
   return {result};
 }

@@ -109,9 +109,8 @@ Table for_article(Table table, const Report& report, const Shown& brief) {
     for (const compare::Doubt& doubt : brief.all_doubts()) table.notes.push_back(warning_of(doubt));
   }
   for (std::size_t c = table.columns.size(); c-- > 0;) {
-    constexpr std::array<std::string_view, 3> wordy{"by the other reading", "of all readings it fails", "why"};
     const bool is_told = are_pairs && c == 0;  // in the caption
-    if (!is_told && std::ranges::find(wordy, table.columns[c].name) == wordy.end()) continue;
+    if (!is_told && table.columns[c].name != "remark") continue;
     const auto at = static_cast<std::ptrdiff_t>(c);
     table.columns.erase(table.columns.begin() + at);
     for (auto& row : table.rows) row.erase(row.begin() + at);

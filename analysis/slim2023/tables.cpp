@@ -165,7 +165,7 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   if (best == nullptr || accurate == nullptr || accurate->number.empty()) return {};
   std::vector<std::string> all{first_sentence(best->holds, numbers)};
   if (numbers.all > 0)
-    all.front() += fmt::format("; of the same program with another seed about {:.0f} would",
+    all.front() += fmt::format("; were the programs the same, in about {:.0f}",
                                papers::share_in_ranges * static_cast<double>(numbers.all));
   all.front() += '.';
   std::string words =
