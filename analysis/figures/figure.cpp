@@ -9,8 +9,6 @@
 #include <exception>
 #include <mutex>
 #include <optional>
-#include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -67,25 +65,8 @@ void replace_all(std::string& text, std::string_view old, std::string_view by) {
     text.replace(at, old.size(), by);
 }
 
-// Leaves out the groups in which gnuplot draws nothing, a third of the file.
-void remove_empty_groups(std::string& svg) {
-  for (const std::string_view end : {"\n\t\t<text></text>\n\t</g>\n", "\n</g>\n"}) {
-    for (std::size_t at = svg.find(end); at != std::string::npos; at = svg.find(end, at)) {
-      const std::size_t tag = svg.rfind("<g ", at);
-      if (tag == std::string::npos || svg.find('>', tag) != at - 1) {
-        ++at;
-        continue;
-      }
-      const std::size_t start = svg[tag - 1] == '\t' ? tag - 1 : tag;
-      svg.erase(start, at + end.size() - start);
-      at = start;
-    }
-  }
-}
-
 // What gnuplot cannot say: a size in units of length, a title, and other fonts for machines that lack the one.
 void complete_svg(std::string& svg, const Figure& figure) {
-  remove_empty_groups(svg);
   const std::size_t box = svg.find("viewBox=\"0 0 "), end = svg.find('"', box + 13);
   if (box == std::string::npos || end == std::string::npos) return;
   std::string size = svg.substr(box + 13, end - box - 13);
@@ -168,20 +149,12 @@ std::vector<Source> sources_of(const std::vector<Figure>& figures, const FigureS
 }  // namespace
 
 void refuse_missing_font(const std::string& font) {
-  const auto told = [](const std::vector<std::string>& words) {
-    const ChildProcess::Ran result = ChildProcess::run(words, ".", {});
-    return result.succeeded ? result.output : "";
-  };
   if (font == FigureStyle().font) return;
-  const std::string nearest = told({"fc-match", "--format=,%{family},", "--", font});  // the names of one font
-  if (nearest.empty() || lower_case(nearest).find("," + lower_case(font) + ",") != std::string::npos) return;
-  std::set<std::string> there;
-  std::istringstream lines(told({"fc-list", "--format=%{family[0]}\n", ":lang=en:slant=0"}));
-  for (std::string line; std::getline(lines, line);) there.insert(line);
-  constexpr std::ptrdiff_t most = 12;
+  const ChildProcess::Ran nearest =
+      ChildProcess::run({"fc-match", "--format=,%{family},", "--", font}, ".", {});  // the names of one font
+  if (!nearest.succeeded || lower_case(nearest.output).find("," + lower_case(font) + ",") != std::string::npos) return;
   throw std::invalid_argument(
-      fmt::format("font \"{}\" is not on this machine; take one that is: {}", font,
-                  fmt::join(there.begin(), std::next(there.begin(), std::min(most, std::ssize(there))), ", ")));
+      fmt::format("font \"{}\" is not on this machine; take one that `fc-list : family` lists", font));
 }
 
 std::vector<std::string> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
