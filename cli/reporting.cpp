@@ -250,10 +250,15 @@ void write_and_announce(const Store& store, const StoredStudy& study, const std:
 }
 
 compare::StudyResults checked_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
-  return compare::read_study(store, entry, [&, check = recheck_of(entry)](const SolveRecord& solve) {
-    check(solve);
-    if (also) also(solve);
-  });
+  compare::StudyResults study =
+      compare::read_study(store, entry, [&, check = recheck_of(entry)](const SolveRecord& solve) {
+        check(solve);
+        if (also) also(solve);
+      });
+  if (study.solves.empty())
+    throw std::invalid_argument(
+        fmt::format("the store has no solves of {} by its solvers as they are; run the study", entry.name));
+  return study;
 }
 
 compare::StudyResults exported_study(const Store& store, const StoredStudy& entry,
