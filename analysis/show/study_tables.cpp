@@ -391,8 +391,8 @@ std::string methods_of(const Shown& shown, const StudyResults& study) {
   };
   std::string text = fmt::format(
       "{} had {}{} ({}; search: {}) with the arm {}; each solve started {} and ended at {}; the machine was {}.",
-      numerics::counted(std::ssize(study.solvers), "solvers"), study.solvers.size() > 1 ? "the same " : "", targets,
-      with_blanks(definition.path), with_blanks(name_of(definition.search)), definition.robot,
+      listed(study.solvers), study.solvers.size() > 1 ? "the same " : "", targets, with_blanks(definition.path),
+      with_blanks(name_of(definition.search)), definition.robot,
       definition.is_chained() ? "at the last answer"
                               : "from its " + with_blanks(name_of(definition.start)) + " position",
       stops_of(study), fact("cpu"));
