@@ -40,15 +40,14 @@ std::string contents_of(const std::string& file) {
   return results::csv_text(stream, file);
 }
 
-// "smaller is better (--better larger turns it)", or "smaller is better, of quality larger".
-std::string direction_of(const std::vector<compare::Judged>& metrics, bool is_assumed) {
+// "smaller is better, of quality larger"
+std::string direction_of(const std::vector<compare::Judged>& metrics) {
   std::vector<std::string> larger;
   for (const compare::Judged& metric : metrics) {
     if (metric.observations.better == compare::Better::larger) larger.push_back(metric.observations.quantity);
   }
   if (larger.size() == metrics.size()) return "larger is better";
-  if (!larger.empty()) return fmt::format("smaller is better, of {} larger", fmt::join(larger, ", "));
-  return is_assumed ? "smaller is better (--better larger turns it)" : "smaller is better";
+  return "smaller is better" + (larger.empty() ? "" : fmt::format(", of {} larger", fmt::join(larger, ", ")));
 }
 
 // With figures, and the look that they have, if there is a folder for them.
@@ -69,7 +68,7 @@ show::Report judged(const StatsArguments& arguments, results::FigureStyle& style
     style = styled({}, labels_of({.series = groups}), arguments.report);
     reported.figures = figures::of_file(metrics, figures::look_of(groups, style));
   }
-  const std::string direction = direction_of(metrics, arguments.csv.better.empty());
+  const std::string direction = direction_of(metrics);
   reported.shown = show::shown(std::move(metrics));
   reported.shown.direction = direction;
   reported.study.entry.name = std::filesystem::path(source).filename().string();

@@ -78,17 +78,15 @@ struct PageWriter {
     return text + "</div>\n";
   }
   std::string operator()(const figures::Figure& figure) const {
-    constexpr std::size_t largest = 1'000'000;  // of a picture in the page [bytes]
+    constexpr std::size_t largest = 1'000'000;  // of a picture in the page [bytes]; a larger one can be downloaded
     const std::string caption = html_text(figure.caption);
     std::string picture;
     for (const auto& [type, media] : {std::pair("svg", "svg+xml"), std::pair("png", "png")}) {
       const std::string file = fmt::format("{}.{}", figure.name, type);
       const auto drawn = results::read_file(folder / "figures" / file);
-      if (!drawn || !picture.empty()) continue;
-      picture = drawn->size() <= largest
-                    ? fmt::format("<div class=\"scroll\"><img alt=\"{}\" src=\"data:image/{};base64,{}\"></div>\n",
-                                  caption, media, base64(*drawn))
-                    : fmt::format("<p><a href=\"figures/{0}\">{0}</a></p>\n", html_text(file));
+      if (!drawn || drawn->size() > largest || !picture.empty()) continue;
+      picture = fmt::format("<div class=\"scroll\"><img alt=\"{}\" src=\"data:image/{};base64,{}\"></div>\n", caption,
+                            media, base64(*drawn));
     }
     std::vector<std::pair<std::string, std::string>> files;
     for (const std::string& type : types_of(figure, folder))

@@ -115,10 +115,6 @@ Table for_article(Table table, const Report& report, const Shown& brief) {
     table.columns.erase(table.columns.begin() + at);
     for (auto& row : table.rows) row.erase(row.begin() + at);
   }
-  for (std::string& note : table.notes) {  // without what a command is given
-    if (const std::size_t at = note.find(" (--better"); at != std::string::npos)
-      note.erase(at, note.find(')', at) + 1 - at);
-  }
   const std::string& name = report.study.entry.name;
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
   if (!report.study.entry.series.empty())

@@ -17,9 +17,6 @@ Blocks first_of(const Report& report) {
   Blocks blocks{Heading{headline(report.shown)}};
   if (!report.study.entry.series.empty()) blocks.emplace_back(what_is_studied(report.study) + '.');
   blocks.emplace_back(results_table(report.shown));
-  Table pairs{.caption = "Pairs", .columns = columns_of({"pair", "verdict", "difference", "p"})};
-  for (const std::vector<std::string>& row : pair_rows(report.shown)) pairs.rows.emplace_back(row.begin(), row.end());
-  if (!pairs.rows.empty()) blocks.emplace_back(std::move(pairs));
   return blocks;
 }
 

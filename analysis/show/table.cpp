@@ -289,11 +289,12 @@ std::string to_latex(const Table& whole) {
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
   const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
-  // A table that is wider than a column takes both, and shrinks down to the size of \\scriptsize if that is too narrow.
+  // A table shrinks to fit a column, to four fifths at the most; else it takes both, and shrinks down to the size of
+  // \\scriptsize.
   return fmt::format(
-      "% Needs \\usepackage{{booktabs,graphicx}}\n\\begingroup{}\n"
+      "% Needs \\usepackage{{booktabs,graphicx}}\n\\begingroup\\tabcolsep5pt{}\n"
       "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"
-      "\\edef\\wide{{\\ifdim\\wd0>\\columnwidth*\\fi}}%\n"
+      "\\edef\\wide{{\\ifdim.8\\wd0>\\columnwidth*\\fi}}%\n"
       "\\csname table\\wide\\endcsname\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\\smallskip\n"
       "\\ifdim.7\\wd0>\\linewidth\\scalebox{{.7}}{{\\usebox0}}\\else\n"
       "\\ifdim\\wd0>\\linewidth\\resizebox{{\\linewidth}}{{!}}{{\\usebox0}}\\else\\usebox0\\fi\\fi\n{}{}\n"
@@ -339,7 +340,7 @@ std::string to_html(const Table& whole) {
 
 std::string to_text(const Table& whole) {
   const Table table = for_readers(whole);
-  constexpr std::size_t longest_first = 60, longest = 200, width = 100;
+  constexpr std::size_t longest = 60, width = 100;
   Rows rows(1);
   for (const Column& column : table.columns) rows[0].push_back(shortened(column.name, longest));
   for (const auto& cells : table.rows) {
@@ -347,7 +348,7 @@ std::string to_text(const Table& whole) {
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const Column& column = table.columns[c];
       const Readable read{number_text, column, column.unit.empty() ? "" : ' ' + column.unit};
-      row.push_back(shortened(std::visit(read, cells[c]), c == 0 ? longest_first : longest));
+      row.push_back(c == 0 ? shortened(std::visit(read, cells[c]), longest) : std::visit(read, cells[c]));
     }
   }
   std::string text = aligned(rows, 3, width);

@@ -205,6 +205,7 @@
   const placeText = document.getElementById('place-text');
   const pause = 1.5;  // at the end, before it begins anew [s]
   place.max = longest;
+  place.hidden = placeText.hidden = longest === 1;
   let frame = 0;
   function show() {
     place.value = Math.min(time, longest);
