@@ -189,12 +189,10 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
   return {settings + titled(letter, title) + placed(letter, edge, high), low, high, true, edge};
 }
 
-void add_margins(Figure& figure, double bottom_cm) {
-  figure.settings += fmt::format(
+void add_margins(Figure& figure) {
+  figure.settings +=
       "set lmargin at screen margin(1.7)\nset rmargin at screen 1 - margin(0.35)\n"
-      "set bmargin at screen up({} + legend_rows_cm)\n"
-      "set tmargin at screen 1 - up(0.3)\n",
-      bottom_cm);
+      "set bmargin at screen up(1.2 + legend_rows_cm)\nset tmargin at screen 1 - up(0.3)\n";
 }
 
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm) {

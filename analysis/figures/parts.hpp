@@ -47,7 +47,7 @@ Axis logarithmic_axis(char letter, double smallest, double largest, const std::s
 // Rows 1, 2, ... from the top with their labels at the left. Sets the figure's size.
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm);
 // The same margins in every figure with two axes.
-void add_margins(Figure& figure, double bottom_cm = 1.2);
+void add_margins(Figure& figure);
 // Names at the right of the plot, each joined to its mark; none for a single one. At the end of a line, the default, a
 // name has the line's marker, which tells lines that end at one place apart.
 struct Named {

@@ -262,62 +262,6 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
   return figure;
 }
 
-namespace {
-
-// A cube seen from the front, above and the left, by parallel lines; the functions u() and v() project what it holds.
-// It has ticks at the lower front edges and at the left one, and grids on the floor and both walls behind.
-std::string space_axes(const Corner& low, double side) {
-  constexpr double across_x = 0.85, across_y = 0.53, up_x = -0.25, up_y = 0.4, up_z = 0.88;
-  const Corner high{low[0] + side, low[1] + side, low[2] + side};
-  const auto place = [&](const Corner& at) {
-    return fmt::format("{}, {}", text_of(across_x * at[0] + across_y * at[1]),
-                       text_of(up_x * at[0] + up_y * at[1] + up_z * at[2]));
-  };
-  std::string settings = fmt::format(
-      "u(x, y, z) = {0} * x + {1} * y\nv(x, y, z) = {2} * x + {3} * y + {4} * z\nset xrange [{5}:{6}]\nset yrange [{7}:{8}]\n"
-      "unset border\nunset xtics\nunset ytics\nunset grid\n",
-      across_x, across_y, up_x, up_y, up_z, text_of(across_x * low[0] + across_y * low[1]),
-      text_of(across_x * high[0] + across_y * high[1]),
-      text_of(up_x * high[0] + up_y * low[1] + up_z * low[2] - 0.12 * side),
-      text_of(up_x * low[0] + up_y * high[1] + up_z * high[2]));
-  const auto line = [&](const Corner& from, const Corner& to, std::string_view colour) {
-    settings += fmt::format("set arrow from {} to {} nohead back lw 0.5 lc rgb '{}'\n", place(from), place(to), colour);
-  };
-  const auto label = [&](const std::string& text, const Corner& at, std::string_view how) {
-    settings += fmt::format("set label '{}' at {} {}\n", text, place(at), how);
-  };
-  // Where the ticks of an axis are, and the two lines of its grid that begin there.
-  const Corner edges[]{{low[0], low[1], low[2]}, {high[0], low[1], low[2]}, {low[0], low[1], low[2]}};
-  const std::size_t along[][2]{{1, 2}, {0, 2}, {1, 0}};
-  constexpr std::string_view offsets[]{"right offset 0.3, -0.7", "left offset 0.6, -0.3", "right offset -0.6, 0"},
-      titles[]{"right offset -2, -1.6", "left offset 2.2, -1.2", "center rotate offset -4, 0"};
-  const double step = round_step_of(side, 4);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto on = [&](Corner corner, double value) {
-      corner[axis] = value;
-      return corner;
-    };
-    const auto grid = [&](double value, std::string_view colour) {
-      Corner from = on(edges[axis], value), floor = from, wall;
-      const auto [first, second] = along[axis];
-      floor[first] = first == 0 ? low[0] : high[first];
-      line(from, floor, colour);
-      wall = floor;
-      wall[second] = high[second];
-      line(floor, wall, colour);
-    };
-    for (double i = std::ceil(low[axis] / step); i * step <= high[axis]; ++i) {
-      label(fmt::format("{:g}", i * step + 0.0), on(edges[axis], i * step), offsets[axis]);
-      grid(i * step, "#DDDDDD");
-    }
-    for (const double end : {low[axis], high[axis]}) grid(end, "#AAAAAA");
-    label(fmt::format("{} [cm]", "xyz"[axis]), on(edges[axis], (low[axis] + high[axis]) / 2), titles[axis]);
-  }
-  return settings;
-}
-
-}  // namespace
-
 Figure path(const About& about, const PathRows& rows) {
   Figure figure = begun(about);
   figure.height_cm = 7;
@@ -339,44 +283,45 @@ Figure path(const About& about, const PathRows& rows) {
   for (std::size_t i = 0; i < rows.targets.size(); ++i) add_row(i);
   if (rows.is_closed && !rows.targets.empty()) add_row(0);
   see(rows.targets);
-  constexpr std::string_view target = "(u($1,$2,$3)):(v($1,$2,$3))";
   std::vector<std::string> clauses;
   const auto add = [&](const std::string& label, const std::string& what) {
     clauses.push_back(fmt::format("data index {} title {}", what, gnuplot_text(label_of(label))));
   };
-  if (!rows.targets.empty()) add("path", fmt::format("0 using {} with lines lw 0.7 {}", target, grey));
+  if (!rows.targets.empty()) add("path", fmt::format("0 using 1:2:3 with lines lw 0.7 {}", grey));
   constexpr std::array<std::string_view, 3> shades{"#303030", "#707070", "#A8A8A8"};
   for (std::size_t i = 0; i < rows.arms.size(); ++i) {
     const auto& [label, corners] = rows.arms[i];
     figure.data += fmt::format("\n\n# {}: x, y, z [cm]\n", one_line(label));
     for (const Corner& corner : corners) figure.data += data_row({corner[0], corner[1], corner[2]});
     see(corners);
-    add(label, fmt::format("{} using {} with linespoints lw 1.8 pt 7 ps 0.45 lc rgb '{}'",
-                           i + (rows.targets.empty() ? 0 : 1), target, shades[i % shades.size()]));
+    add(label, fmt::format("{} using 1:2:3 with linespoints lw 1.8 pt 7 ps 0.45 lc rgb '{}'",
+                           i + (rows.targets.empty() ? 0 : 1), shades[i % shades.size()]));
   }
   if (!rows.targets.empty()) {
-    add("target", fmt::format("0 using {} with points pt 7 ps 0.35 lc rgb '#000000'", target));
-    add(rows.reached_label,
-        fmt::format("0 using (u($4,$5,$6)):(v($4,$5,$6)) with points pt 6 ps 0.8 lw 0.8 {}", colour_of(rows.style)));
+    add("target", "0 using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000'");
+    add(rows.reached_label, fmt::format("0 using 4:5:6 with points pt 6 ps 0.8 lw 0.8 {}", colour_of(rows.style)));
   }
-  // Three axes of one scale.
+  add_legend(figure, clauses.size());
+  // A cube, seen from the front, above and the left. A key of splot begins at the top.
   double longest = 0;
-  Corner low{}, middle{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (shown[axis].empty()) continue;
-    const auto [least, most] = std::ranges::minmax(shown[axis]);
-    middle[axis] = (least + most) / 2;
-    longest = std::max(longest, most - least);
+  for (const std::vector<double>& along : shown) {
+    if (!along.empty()) longest = std::max(longest, std::ranges::max(along) - std::ranges::min(along));
   }
   const double side = longest > 0 ? 1.1 * longest : 2;
-  for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = middle[axis] - side / 2;
-  add_legend(figure, clauses.size());
-  add_margins(figure, 0.3);
   figure.settings +=
-      "set size ratio -1\nspare = 1 - margin(2.05) - 0.84 * (1 - up(0.6 + legend_rows_cm)) * height_cm / width_cm\n"
-      "if (spare > 0) { set lmargin at screen margin(1.7) + spare / 2; set rmargin at screen 1 - margin(0.35) - spare / 2 }\n" +
-      space_axes(low, side);
-  figure.plot = plotted(clauses);
+      "set view equal xyz\nset view 65, 30, 1.3\nset origin 0, up(legend_rows_cm + 0.2)\n"
+      "set size 1, 1 - up(legend_rows_cm + 0.2)\nset key at screen 0.5, screen up(legend_rows_cm + 0.1) top center\n"
+      "set border 895 lw 0.5 lc rgb '#AAAAAA'\nset grid x y z vertical\n"
+      "set xlabel offset 0, -0.3\nset xtics offset 0, 0\nset zlabel offset 1, 0 rotate\n";
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& along = shown[axis];
+    const double middle = along.empty() ? 0 : (std::ranges::max(along) + std::ranges::min(along)) / 2;
+    figure.settings += fmt::format(
+        "set {0}range [{1}:{2}]\nset {0}tics {3} textcolor rgb '#000000'\nset {0}label '{0} [cm]'\n", "xyz"[axis],
+        text_of(middle - side / 2), text_of(middle + side / 2), text_of(round_step_of(side, 4)));
+    if (axis == 2) figure.settings += fmt::format("set xyplane at {}\n", text_of(middle - side / 2));
+  }
+  figure.plot = fmt::format("splot {}", fmt::join(clauses, ", \\\n  "));
   return figure;
 }
 
