@@ -109,8 +109,6 @@ std::string verdict_of(const Gate& gate) {
                   gate.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ", show::listed(parts, ", "),
                   numerics::counted(gate.size, gate.judged.study.definition.is_chained() ? "runs" : "targets"));
   if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));
-  if (gate.time) text += fmt::format(" Its time, which decides nothing, is {}.", compare::name_of(*gate.time));
-  if (!gate.not_tested.empty()) text += fmt::format(" Not tested: {}.", show::listed(gate.not_tested));
   return text;
 }
 
@@ -162,7 +160,6 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
     json["worse"][label] = gate.worse;
     json["better"][label] = gate.better;
     json["undecided"][label] = gate.not_decided;
-    json["not_tested"][label] = gate.not_tested;
   }
   json["headline"] = headline;
   json["files"] = numerics::OrderedJson::array();

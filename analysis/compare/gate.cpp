@@ -16,83 +16,62 @@ namespace {
 
 using namespace results;
 
-// What vanished is not equal; what the candidate has more is left out, so that each number is of what is compared.
-// Returns how many those are.
-std::size_t leave_out_further(const StudyResults& baseline, StudyResults& candidate) {
-  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
-  const auto left_out = std::erase_if(candidate.solves, [&](const Solve& solve) {
-    return !std::ranges::binary_search(baseline.solves, place(solve), {}, place);
-  });
-  const std::size_t all = baseline.solves.size(), missing = all - candidate.solves.size();
-  if (missing == 0) return left_out;
-  const std::string &before = baseline.solvers.front(), &now = candidate.solvers.front();
-  throw std::invalid_argument(
-      fmt::format("not compared: {} lacks {} of the {} solves that {}; complete it with ikbench run, with as many runs",
-                  now, missing, all, before == now ? "it had before" : before + " has"));
-}
-
 void refuse_other_task(const StudyResults& one, const StudyResults& other) {
   const Definition &a = one.definition, &b = other.definition;
+  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
   const std::pair<bool, const char*> differences[]{
-      {one.solves.empty(), "numbers of solves: the baseline has none"},
       {a.robot != b.robot || a.arm != b.arm, "arms"},
       {a.path != b.path || a.points != b.points, "targets"},
+      {a.seed != b.seed, "seeds"},
       {a.search != b.search, "searches"},
       {a.start != b.start, "starts"},
       {a.task != b.task || a.near != b.near || a.rotation_weight != b.rotation_weight,
        "paths, starts or weights of a rotation"},
       {a.limits != b.limits, "treatments of joint limits"},
-      {a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance, "tolerances"}};
+      {a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance, "tolerances"},
+      {one.solves.empty() || !std::ranges::equal(one.solves, other.solves, {}, place, place),
+       "solves (complete both with ikbench run, with as many runs)"}};
   for (const auto& [differ, what] : differences) {
     if (differ)
-      throw std::invalid_argument(
-          fmt::format("{} and {} had different {}", one.solvers.front(), other.solvers.front(), what));
+      throw std::invalid_argument(fmt::format("not compared: {} has other {} than {}", other.solvers.front(), what,
+                                              one.solvers == other.solvers ? "before" : one.solvers.front()));
   }
 }
 
 // Of both sides, as solvers of one study. Takes their solves.
-StudyResults study_of_both(StudyResults& baseline, StudyResults& candidate) {
-  const bool are_named = baseline.solvers != candidate.solvers;
-  const bool is_other_seed = candidate.definition.seed != baseline.definition.seed;
-  StoredStudy entry = candidate.entry;
-  entry.series.clear();
-  std::vector<Solve> solves;
-  solves.reserve(candidate.solves.size() + baseline.solves.size());
-  std::vector<Session> sessions;
-  for (StudyResults* side : {&candidate, &baseline}) {
-    const std::string name = are_named ? side->solvers.front() : side == &candidate ? "candidate" : "baseline";
-    entry.series.push_back({.label = name});
-    std::map<std::int64_t, int> numbers;
-    for (const Session& session : side->sessions) {
-      const auto is_same = [&](const Session& each) {
-        return each.began == session.began && each.environment == session.environment;
-      };
-      const auto known = std::ranges::find_if(sessions, is_same);
-      numbers[session.id] = static_cast<int>(known != sessions.end() ? known->id : std::ssize(sessions) + 1);
-      if (known != sessions.end()) continue;
-      sessions.push_back(session);
-      sessions.back().id = numbers[session.id];
-    }
-    for (Solve solve : side->solves) {
-      solve.solver = side == &candidate ? 0 : 1;
-      solve.session = numbers[solve.session];
-      if (is_other_seed) solve.start = 0;  // drawn, too
-      solves.push_back(solve);
-    }
-    side->solves = {};
+StudyResults study_of_both(StudyResults& baseline, StudyResults both) {
+  if (baseline.solvers == both.solvers)
+    both.solvers = {"candidate", "baseline"};
+  else
+    both.solvers.push_back(baseline.solvers.front());
+  both.entry.series = {{.label = both.solvers.front()}, {.label = both.solvers.back()}};
+  both.drawn = {};
+  std::map<std::int64_t, int> numbers;  // of two stores sessions have the same, of one store they are the same
+  for (const Session& session : baseline.sessions) {
+    const auto known = std::ranges::find_if(both.sessions, [&](const Session& each) {
+      return each.began == session.began && each.environment == session.environment;
+    });
+    const auto next = both.sessions.empty() ? 1 : both.sessions.back().id + 1;
+    numbers[session.id] = static_cast<int>(known == both.sessions.end() ? next : known->id);
+    if (known != both.sessions.end()) continue;
+    both.sessions.push_back(session);
+    both.sessions.back().id = next;
   }
-  StudyResults study =
-      study_of(entry, std::move(solves), sessions, !is_other_seed || !candidate.definition.draws_targets);
-  study.runs = std::min(baseline.runs, candidate.runs);
-  study.definition.plan = baseline.definition.plan;      // a candidate sets no margin of its own
-  study.definition.plan.control = study.solvers.back();  // shown second
-  return study;
+  both.solves.reserve(2 * both.solves.size());
+  for (Solve solve : std::exchange(baseline.solves, {})) {
+    solve.solver = 1;
+    solve.session = numbers[solve.session];
+    both.solves.push_back(solve);
+  }
+  refuse_other_targets(both);
+  both.definition.plan = baseline.definition.plan;     // a candidate sets no margin of its own
+  both.definition.plan.control = both.solvers.back();  // shown second
+  return both;
 }
 
 // Limits of a solve that the two had, one doubt each.
-std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& candidate,
-                                    const StudyResults& both) {
-  const numerics::StopRule &a = candidate.definition.stop, &b = baseline.definition.stop;
+std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& both) {
+  const numerics::StopRule &a = both.definition.stop, &b = baseline.definition.stop;
   std::vector<Doubt> doubts;
   const auto add = [&](const char* unit, auto ours, auto theirs) {
     if (ours == theirs) return;
@@ -138,39 +117,19 @@ bool is_lost_for_sure(const Judged& judged) {
   return loss > std::max(observed.absolute_margin, judged.plan.margin * share) + observed.rounding;
 }
 
-// A metric of which all values vanished, though there are answers.
-void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
-  if (judged.metrics.back().described.front().mean == 0) return;
-  for (const Judged& metric : judged.metrics) {
-    const std::vector<Group>& groups = metric.observations.groups;
-    if (groups.front().lost == 0 || !groups.front().values.empty() || groups.back().values.empty()) continue;
-    throw std::invalid_argument(
-        fmt::format("not compared: {} lacks all {}, which it had before; if that is meant, make a new baseline", label,
-                    metric.observations.quantity));
-  }
-}
-
 }  // namespace
 
 Gate gate(StudyResults baseline, StudyResults candidate) {
   refuse_other_task(baseline, candidate);
-  const auto left_out = static_cast<double>(leave_out_further(baseline, candidate));
-  const auto common = static_cast<double>(candidate.solves.size());
-  StudyResults study = study_of_both(baseline, candidate);
-  Gate gate{.are_same = have_same_solves(study.of(study.solvers.front()), study.of(study.solvers.back()))};
+  Gate gate;
   if (baseline.solvers == candidate.solvers) gate.label = baseline.solvers.front();
+  StudyResults study = study_of_both(baseline, std::move(candidate));
+  gate.are_same = have_same_solves(study.of(study.solvers.front()), study.of(study.solvers.back()));
   JudgedStudy& judged = gate.judged = judge(std::move(study));
   const std::vector<Doubt>& doubts = judged.metrics[judged.deciding].observations.doubts;
   const bool machine_decides = std::ranges::count(doubts, DoubtKind::seconds_decide, &Doubt::kind) > 0;
   judged.metrics.push_back(judged_answers(judged.study, machine_decides));
-  if (!gate.label.empty()) refuse_vanished(judged, gate.label);
-  std::ranges::move(doubts_of_limits(baseline, candidate, judged.study), std::back_inserter(judged.doubts));
-  if (left_out > 0)
-    judged.doubts.push_back({.kind = DoubtKind::runs_missing,
-                             .who = {judged.study.solvers.front()},
-                             .count = left_out,
-                             .of = common + left_out,
-                             .what = "solves are left out, since the baseline lacks them"});
+  std::ranges::move(doubts_of_limits(baseline, judged.study), std::back_inserter(judged.doubts));
   judged.study.solves = {};  // judged, and large
   return gate;
 }
@@ -202,13 +161,10 @@ void decide(std::vector<Gate>& gates) {
                             (observed.is_paired || observed.scale != Scale::share || observed.metric == "answers"));
       const bool is_open = !is_equal && finding.why != Why::fact;
       const bool is_other = is_difference(finding.verdict) && !finding.is_within_margin;
-      if (is_time(judged)) {
-        if (is_other) gate.time = finding.verdict;
-        continue;
-      }
+      if (is_time(judged)) continue;
       if (is_other) (finding.verdict == Verdict::worse ? gate.worse : gate.better).push_back(observed.quantity);
-      if (finding.verdict == Verdict::undecided && is_open) gate.not_decided.push_back(observed.quantity);
-      if (finding.verdict == Verdict::not_tested && is_open) gate.not_tested.push_back(observed.quantity);
+      const bool is_decided = is_difference(finding.verdict) || finding.verdict == Verdict::same;
+      if (!is_decided && is_open) gate.not_decided.push_back(observed.quantity);
     }
     const Judged& deciding = study.metrics[study.deciding];
     const auto size = [&](std::size_t i) {
@@ -223,7 +179,7 @@ void decide(std::vector<Gate>& gates) {
 
 int exit_code(const std::vector<Gate>& gates, bool is_strict) {
   if (std::ranges::any_of(gates, [](const Gate& gate) { return !gate.worse.empty(); })) return 3;
-  const auto is_open = [](const Gate& gate) { return !gate.not_decided.empty() || !gate.not_tested.empty(); };
+  const auto is_open = [](const Gate& gate) { return !gate.not_decided.empty(); };
   return is_strict && std::ranges::any_of(gates, is_open) ? 4 : 0;
 }
 

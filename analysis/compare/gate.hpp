@@ -14,15 +14,13 @@ struct Gate {
   // Without solves and values. Of two solvers, the candidate first; the last metric is the share of solves that gave an
   // answer.
   JudgedStudy judged;
-  std::vector<std::string> worse, better, not_decided, not_tested;  // quantities, but time
-  std::optional<Verdict> time = {};  // better or worse, if it is; it depends on the load, and decides nothing
-  bool are_same = false;             // all solves, bit for bit: then nothing is left to decide
-  int size = 0;                      // targets, or runs of chained solves
+  std::vector<std::string> worse, better, not_decided;  // quantities, but time, which depends on the load
+  bool are_same = false;                                // all solves, bit for bit: then nothing is left to decide
+  int size = 0;                                         // targets, or runs of chained solves
 };
 
-// Of two studies of one solver each, judged by the candidate's plan, and not yet decided. Solves that the baseline
-// lacks are left out. Throws std::invalid_argument if the two had different tasks, or if the candidate lacks solves or
-// all values of a metric. Random targets of other seeds are no different task, and make groups unpaired.
+// Of two studies of one solver each, judged by the candidate's plan, and not yet decided. Throws std::invalid_argument
+// if the two had different tasks or solves.
 Gate gate(StudyResults baseline, StudyResults candidate);
 // What is worse, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
 // no more compares than it says.

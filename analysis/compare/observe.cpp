@@ -47,7 +47,7 @@ Design design_of(const StudyResults& study, bool of_run) {
   const bool is_drawn = study.definition.draws_targets;
   const bool are_runs = of_run || study.definition.is_chained() || study.points == 1;
   return {.are_runs = are_runs,
-          .is_paired = study.had_same_targets && (is_drawn || !are_runs),
+          .is_paired = is_drawn || !are_runs,
           .solves = are_runs   ? study.points
                     : is_drawn ? 1
                                : study.runs};

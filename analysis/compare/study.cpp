@@ -96,23 +96,6 @@ class Adder {
   Bend bend_;
 };
 
-// No solver chooses its targets, nor its starts, but those that its own answers left.
-void refuse_other_targets(const StudyResults& study) {
-  const auto place = [](const Solve& solve) { return (std::int64_t{solve.run} << 32) + solve.point; };
-  const auto is_own = [&](const Solve& solve) { return study.definition.is_chained() && solve.point > 1; };
-  std::unordered_map<std::int64_t, const Solve*> first;
-  for (const Solve& solve : study.solves) {
-    const Solve& here = *first.try_emplace(place(solve), &solve).first->second;
-    if (here.target == solve.target && (here.start == solve.start || is_own(solve))) continue;
-    const auto label = [&](const Solve& its) { return study.solvers[static_cast<std::size_t>(its.solver)]; };
-    throw std::invalid_argument(fmt::format(
-        "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
-        "another folder",
-        study.entry.name, solve.run, solve.point, label(here), label(solve),
-        here.target == solve.target ? "starts" : "targets"));
-  }
-}
-
 // Of an entry, without its solves.
 StudyResults begun(const StoredStudy& entry) {
   StudyResults study{.entry = entry, .definition = definition_of(entry.definition)};
@@ -138,11 +121,27 @@ StudyResults complete(StudyResults study, const std::vector<Session>& sessions) 
                        [&](const Session& session) { return used.contains(session.id); });
   std::string& control = study.definition.plan.control;
   if (std::ranges::count(study.solvers, control) == 0) control.clear();
-  if (study.had_same_targets) refuse_other_targets(study);
+  refuse_other_targets(study);
   return study;
 }
 
 }  // namespace
+
+void refuse_other_targets(const StudyResults& study) {
+  const auto place = [](const Solve& solve) { return (std::int64_t{solve.run} << 32) + solve.point; };
+  const auto is_own = [&](const Solve& solve) { return study.definition.is_chained() && solve.point > 1; };
+  std::unordered_map<std::int64_t, const Solve*> first;
+  for (const Solve& solve : study.solves) {
+    const Solve& here = *first.try_emplace(place(solve), &solve).first->second;
+    if (here.target == solve.target && (here.start == solve.start || is_own(solve))) continue;
+    const auto label = [&](const Solve& its) { return study.solvers[static_cast<std::size_t>(its.solver)]; };
+    throw std::invalid_argument(fmt::format(
+        "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
+        "another folder",
+        study.entry.name, solve.run, solve.point, label(here), label(solve),
+        here.target == solve.target ? "starts" : "targets"));
+  }
+}
 
 Solves StudyResults::of(std::string_view solver) const {
   const auto here = std::ranges::find(solvers, solver) - solvers.begin();
@@ -171,14 +170,6 @@ StudyResults study_of(const StoredStudy& entry, const std::vector<SolveRecord>& 
   StudyResults study = begun(entry);
   Adder adder(study);
   for (const SolveRecord& record : records) adder.add(record);
-  return complete(std::move(study), sessions);
-}
-
-StudyResults study_of(const StoredStudy& entry, std::vector<Solve> solves, const std::vector<Session>& sessions,
-                      bool had_same_targets) {
-  StudyResults study = begun(entry);
-  study.had_same_targets = had_same_targets;
-  study.solves = std::move(solves);
   return complete(std::move(study), sessions);
 }
 

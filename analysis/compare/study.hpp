@@ -45,7 +45,6 @@ struct StudyResults {
   std::vector<Solve> solves;                // by solver, run and point; only current ones
   std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace
   std::vector<results::Session> sessions;   // that made them
-  bool had_same_targets = true;             // false only in a gate, of random targets of two seeds
   std::int64_t solves_of_other_versions = 0;                // that stand in the store instead of missing ones
   std::vector<std::string> solvers_of_other_versions = {};  // whose these are
 
@@ -69,8 +68,7 @@ StudyResults read_study(const results::Store& store, const results::StoredStudy&
 // The same from records by solver, run and point, whose solvers are those of the entry.
 StudyResults study_of(const results::StoredStudy& entry, const std::vector<results::SolveRecord>& records,
                       const std::vector<results::Session>& sessions = {});
-// The same from solves, whose targets may differ if they are said to. Nothing of it can be drawn.
-StudyResults study_of(const results::StoredStudy& entry, std::vector<Solve> solves,
-                      const std::vector<results::Session>& sessions, bool had_same_targets);
+// Throws std::invalid_argument: no solver chooses its targets, nor its starts, but those that its own answers left.
+void refuse_other_targets(const StudyResults& study);
 
 }  // namespace ikbench::compare

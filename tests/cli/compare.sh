@@ -34,7 +34,7 @@ equal "metrics of two labels in verdict.md" "$(grep -c '^| error |' verdict.md)"
 
 # What the candidate lacks is not compared, unless --label leaves it out (gate.test.cpp).
 make three --set runs=3
-refused 'lacks 15 of the 24 solves' compare $base three/store.sqlite --label BA
+refused 'BA has other solves' compare $base three/store.sqlite --label BA
 cp $again five.sqlite
 sqlite3 five.sqlite "DELETE FROM series WHERE label = 'PSO'"
 refused 'lacks PSO' compare $base five.sqlite
@@ -48,7 +48,7 @@ cmp $base before.sqlite || fail "compare changed the store"
 
 # Another task is refused.
 make turned --set 'initial_deg=[1,0,0,0,0,0,0]' --set start=initial
-refused different compare $base turned/store.sqlite
+refused 'than before' compare $base turned/store.sqlite
 
 # Programs: three times the evaluations for the same answers are worse (crashes: gate.test.cpp).
 cp "$scripts/studies/gate.toml" .
