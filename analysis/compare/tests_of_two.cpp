@@ -150,6 +150,12 @@ double two_sided(const Ranks& ranks, std::size_t chosen, double sum) {
   return sum_of(ranks, chosen).two_sided(sum);
 }
 
+Ranks ranks_of_both(Values first, Values second) {
+  std::vector<double> all(first.begin(), first.end());
+  all.insert(all.end(), second.begin(), second.end());
+  return midranks(all);
+}
+
 double rank_sum(const Ranks& ranks, std::size_t first) {
   return std::accumulate(ranks.ranks.begin(), ranks.ranks.begin() + static_cast<std::ptrdiff_t>(first), 0.0);
 }
@@ -245,12 +251,6 @@ Ranks midranks(Values values) {
   return result;
 }
 
-Ranks midranks(Values first, Values second) {
-  std::vector<double> all(first.begin(), first.end());
-  all.insert(all.end(), second.begin(), second.end());
-  return midranks(all);
-}
-
 double smallest_p_unpaired(std::size_t m, std::size_t n) {
   if (m > n) std::swap(m, n);  // to the same bits
   double p = 2;
@@ -261,7 +261,7 @@ double smallest_p_unpaired(std::size_t m, std::size_t n) {
 double smallest_p_paired(std::size_t n) { return std::min(1.0, std::exp2(1 - number(n))); }
 
 double a12(Values first, Values second) {
-  const double m = number(first.size()), sum = rank_sum(midranks(first, second), first.size());
+  const double m = number(first.size()), sum = rank_sum(ranks_of_both(first, second), first.size());
   return (sum - m * (m + 1) / 2) / (m * number(second.size()));
 }
 
@@ -276,7 +276,7 @@ double brunner_munzel(Values first, Values second, double shift) {
 
 double mann_whitney(Values first, Values second) {
   if (first.size() > second.size()) return mann_whitney(second, first);
-  const Ranks all = midranks(first, second);
+  const Ranks all = ranks_of_both(first, second);
   return two_sided<sum_of_some>(all, first.size(), rank_sum(all, first.size()));
 }
 

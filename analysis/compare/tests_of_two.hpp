@@ -34,7 +34,6 @@ struct Ranks {
   double tie_sum = 0;         // sum of t^3 - t over the ties
 };
 Ranks midranks(Values values);
-Ranks midranks(Values first, Values second);  // of both together
 
 // The smallest p that ranks and McNemar's test can give.
 double smallest_p_unpaired(std::size_t m, std::size_t n);  // 2 / C(m + n, m)
