@@ -1,7 +1,6 @@
 #include "analysis/compare/describe.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
@@ -72,29 +71,6 @@ std::optional<TestOfAll> anova(const Observations& observed) {
   test.statistic = test.ss_between / test.df / (test.ss_within / test.df_within);
   const boost::math::fisher_f f(test.df, test.df_within);
   test.p = boost::math::cdf(boost::math::complement(f, test.statistic));
-  return test;
-}
-
-std::optional<TestOfAll> kruskal_wallis(const Observations& observed) {
-  std::vector<double> all;
-  for (const Group& group : observed.groups) {
-    if (group.summary) return {};
-    all.insert(all.end(), group.values.begin(), group.values.end());
-  }
-  if (!can_differ(observed)) return {};
-  const Ranks ranks = midranks(all);
-  const auto n = static_cast<double>(all.size());
-  const double variance = n * (n + 1) / 12 - ranks.tie_sum / (12 * (n - 1));
-  if (ranks.tie_sum == n * n * n - n) return {};
-  TestOfAll test{.df = static_cast<double>(observed.groups.size()) - 1};
-  auto rank = ranks.ranks.begin();
-  for (const Group& group : observed.groups) {
-    double sum = 0;
-    for (std::size_t i = 0; i < group.values.size(); ++i) sum += *rank++;
-    const auto size = static_cast<double>(group.values.size());
-    test.statistic += size * std::pow(sum / size - (n + 1) / 2, 2) / variance;
-  }
-  test.p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(test.df), test.statistic));
   return test;
 }
 

@@ -22,7 +22,6 @@ struct Description {
 
 Description describe(const Group& group);
 
-// F with both degrees of freedom, or Kruskal and Wallis's H.
 struct TestOfAll {
   double statistic = 0;
   double df = 0, df_within = 0;
@@ -32,7 +31,5 @@ struct TestOfAll {
 
 // None for fewer than two groups, paired ones, copies, lost values, or groups without spread.
 std::optional<TestOfAll> anova(const Observations& observed);
-// By the ranks of all, corrected for ties (JASA 47 (1952) 583). None also for summaries.
-std::optional<TestOfAll> kruskal_wallis(const Observations& observed);
 
 }  // namespace ikbench::compare

@@ -48,8 +48,6 @@ Judged judge(Observations observations, const Plan& plan) {
   Judged judged{.observations = std::move(observations), .plan = plan};
   const Observations& observed = judged.observations;
   for (const Group& group : observed.groups) judged.described.push_back(describe(group));
-  judged.anova = anova(observed);
-  judged.kruskal_wallis = kruskal_wallis(observed);
   judged.findings = compare(observed, plan);
   judged.headline = headline(observed, plan, judged.findings);
   for (const auto& [why, kind] :

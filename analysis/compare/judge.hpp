@@ -17,8 +17,7 @@ struct Judged {
   Observations observations;
   Plan plan;                           // by which it was judged
   std::vector<Description> described;  // one for each group
-  std::optional<TestOfAll> anova, kruskal_wallis;
-  std::vector<Finding> findings;  // one for each pair of the plan
+  std::vector<Finding> findings;       // one for each pair of the plan
   Headline headline;
 };
 

@@ -219,7 +219,8 @@ JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
   for (const Metric* metric : claim.metrics) {
     const std::optional<Judged> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
-    here.push_back(ours->anova ? always_or_on_average(ours->anova->p < significance, false) : Holds::not_tested);
+    const auto test = anova(ours->observations);
+    here.push_back(test ? always_or_on_average(test->p < significance, false) : Holds::not_tested);
   }
   JudgedClaim result = begun(claim);
   result.holds = holds_of(here);

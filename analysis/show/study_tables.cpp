@@ -301,11 +301,9 @@ Table anova_table(const Shown& shown) {
               .columns = {{"metric"}, {"test"}, {"statistic"}, {"df"}, {"df within"}, {.name = "p", .is_p = true}}};
   for (const Judged& judged : shown.metrics) {
     const std::string& quantity = judged.observations.quantity;
-    if (is_share(judged)) continue;
-    if (const auto& of = judged.anova)
+    if (is_share(judged) || judged.plan.test != results::Plan::Test::means) continue;
+    if (const auto of = compare::anova(judged.observations))
       table.rows.push_back({quantity, "ANOVA (F)", of->statistic, count(of->df), count(of->df_within), of->p});
-    if (const auto& of = judged.kruskal_wallis)
-      table.rows.push_back({quantity, "Kruskal-Wallis (H)", of->statistic, count(of->df), {}, of->p});
   }
   return table;
 }

@@ -66,8 +66,9 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
               .caption = fmt::format("Table {}: ANOVA of the {} [{}]", anova, name, metric_named(column).unit),
               .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
     const results::CsvTable printed = results::published::table(repeated.paper.name, number);
-    if (!judged->anova) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
-    const auto ours = rows_of(judged->anova);
+    const std::optional<TestOfAll> ours_of_all = compare::anova(judged->observations);
+    if (!ours_of_all) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
+    const auto ours = rows_of(ours_of_all);
     for (std::size_t r = 0; r < ours.size(); ++r) {
       auto& row = table.rows.emplace_back(std::vector<Cell>{std::string(printed.cell(r, 0))});
       for (std::size_t c = 0; c < ours[r].size(); ++c) {

@@ -8,7 +8,7 @@ assert {row["solver"] for row in rows} == texts, {row["solver"] for row in rows}
 assert {row["study"] for row in rows} == {sys.argv[1]}
 results = json.load(open(sys.argv[2] + "/results.json"))
 assert {row["solver"] for row in results["groups"]} == set(labels)
-for name in ("results", "pairs", "descriptives", "anova"):
+for name in ("results", "pairs", "descriptives"):
     table = list(csv.reader(open(sys.argv[2] + f"/tables/{name}.csv", newline="")))
     assert len({len(row) for row in table}) == 1, name
     assert not [cell for row in table for cell in row if cell[:1] in tuple("=+@")], name

@@ -46,8 +46,6 @@ TEST_CASE("A better solver is named, and its findings are those of the table") {
   REQUIRE(error.findings.size() == 1);
   CHECK(error.findings.front().verdict == Verdict::better);
   CHECK(error.described.front().n == 8);
-  CHECK(error.anova->p < 1e-6);
-  CHECK(error.kruskal_wallis);
   CHECK(of.doubts.empty());
 }
 

@@ -98,7 +98,6 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
     CHECK(on_screen.find(p_sentence(finding["p"], {})) != std::string::npos);
   }
   CHECK(json["findings"].size() == 12);
-  CHECK(json["tests"].size() == 4);  // none of shares, nor of times that are not all compared
 }
 
 TEST_CASE("a screen has the solvers up to 20, at most six pairs and 100 columns", "[show]") {
@@ -167,7 +166,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   CHECK(json["files"].size() < 50);
   for (const auto& file : json["files"]) CHECK(fs::is_regular_file(folder.path / std::string(file)));
   for (const char* file : {"report.html", "report.md", "results.json", "solves.csv", "tables/results.csv",
-                           "tables/pairs.tex", "tables/methods.tex", "tables/descriptives.md", "tables/anova.csv"})
+                           "tables/pairs.tex", "tables/methods.tex", "tables/descriptives.md"})
     CHECK(std::ranges::find(json["files"], file) != json["files"].end());
 
   const std::string page = *results::read_file(written.page), text = *results::read_file(folder.path / "report.md");
@@ -268,11 +267,13 @@ TEST_CASE("a star says that a solver is worse than the reference, and stands at 
   CHECK(text(costs).find("A        30 % (15-52) *   -") != std::string::npos);  // it solved nothing that B did
 }
 
-TEST_CASE("paired metrics have no test of all solvers", "[show]") {
+TEST_CASE("means that are not paired have a test of all solvers", "[show]") {
   compare::Observations of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
-  CHECK(anova_table(shown({judged(of)})).rows.size() == 2);
-  of.is_paired = true;
+  const results::Plan by_means{.test = results::Plan::Test::means};
+  CHECK(anova_table(shown({judged(of, by_means)})).rows.size() == 1);
   CHECK(anova_table(shown({judged(of)})).rows.empty());
+  of.is_paired = true;
+  CHECK(anova_table(shown({judged(of, by_means)})).rows.empty());
 }
 
 TEST_CASE("values below the floor of a ratio are told once", "[show]") {
