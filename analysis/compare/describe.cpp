@@ -17,13 +17,6 @@ double quantile(const std::vector<double>& sorted, double share) {
   return low == high || part == 0 ? low : (1 - part) * low + part * high;
 }
 
-bool can_differ(const Observations& observed) {
-  return observed.groups.size() > 1 && !observed.is_paired &&
-         std::ranges::all_of(observed.groups, [](const Group& group) {
-           return group.copies == 0 && group.lost == 0 && !group.is_apart && (group.summary || !group.values.empty());
-         });
-}
-
 }  // namespace
 
 Description describe(const Group& group) {
@@ -45,7 +38,10 @@ Description describe(const Group& group) {
 }
 
 std::optional<TestOfAll> anova(const Observations& observed) {
-  if (!can_differ(observed)) return {};
+  const auto is_known = [](const Group& group) {
+    return group.copies == 0 && group.lost == 0 && !group.is_apart && (group.summary || !group.values.empty());
+  };
+  if (observed.groups.size() < 2 || observed.is_paired || !std::ranges::all_of(observed.groups, is_known)) return {};
   // Means less a common value keep the digits that many equal leading ones would cost.
   const bool have_values =
       std::ranges::none_of(observed.groups, [](const Group& group) { return group.summary.has_value(); });
