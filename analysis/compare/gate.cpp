@@ -117,6 +117,18 @@ bool is_lost_for_sure(const Judged& judged) {
   return loss > std::max(observed.absolute_margin, judged.plan.margin * share) + observed.rounding;
 }
 
+// A metric of which all values vanished, though there are answers.
+void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
+  if (judged.metrics.back().described.front().mean == 0) return;
+  for (const Judged& metric : judged.metrics) {
+    const std::vector<Group>& groups = metric.observations.groups;
+    if (groups.front().lost > 0 && groups.front().values.empty() && !groups.back().values.empty())
+      throw std::invalid_argument(
+          fmt::format("not compared: {} lacks all {}, which it had before; if that is meant, make a new baseline",
+                      label, metric.observations.quantity));
+  }
+}
+
 }  // namespace
 
 Gate gate(StudyResults baseline, StudyResults candidate) {
@@ -129,6 +141,7 @@ Gate gate(StudyResults baseline, StudyResults candidate) {
   const std::vector<Doubt>& doubts = judged.metrics[judged.deciding].observations.doubts;
   const bool machine_decides = std::ranges::count(doubts, DoubtKind::seconds_decide, &Doubt::kind) > 0;
   judged.metrics.push_back(judged_answers(judged.study, machine_decides));
+  if (!gate.label.empty()) refuse_vanished(judged, gate.label);
   std::ranges::move(doubts_of_limits(baseline, judged.study), std::back_inserter(judged.doubts));
   judged.study.solves = {};  // judged, and large
   return gate;

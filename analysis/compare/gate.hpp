@@ -19,8 +19,8 @@ struct Gate {
   int size = 0;                                         // targets, or runs of chained solves
 };
 
-// Of two studies of one solver each, judged by the baseline's plan, and not yet decided. Throws std::invalid_argument
-// if the two had different tasks or solves.
+// Of two studies of one solver each, judged by the candidate's plan, and not yet decided. Throws std::invalid_argument
+// if the two had different tasks or solves, or if the candidate lacks all values of a metric.
 Gate gate(StudyResults baseline, StudyResults candidate);
 // What is worse, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
 // no more compares than it says.

@@ -109,8 +109,11 @@ TEST_CASE("times decide nothing, and those of other sessions and of solves that 
   CHECK(exit_code({one}, true) == 0);
 }
 
-TEST_CASE("a metric that one of the two lacks is not decided") {
+TEST_CASE("a metric that vanished is refused, one that another solver lacks is not decided") {
   const auto uncounted = [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; };
+  CHECK_THROWS_WITH(gate_of(version(1), version(1, of_100, uncounted)),
+                    StartsWith("not compared: mine lacks all evaluations"));
+  CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
   const Gate gate = gate_of(study(of_100, [](SolveRecord&) {}, {"A"}), study(of_100, uncounted, {"B"}));
   CHECK(gate.not_decided == Names{"evaluations"});
   CHECK(exit_code({gate}, false) == 0);
