@@ -126,16 +126,16 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
                      numerics::counted(solves, "solves"));
 }
 
-show::Shown shown_of(const Gate& gate) {
-  show::Shown shown = show::shown(gate.judged);
-  shown.verdict = verdict_of(gate);
-  return shown;
+show::Answer answer_of(const Gate& gate) {
+  show::Answer answer = show::answer_of(gate.judged);
+  answer.verdict = verdict_of(gate);
+  return answer;
 }
 
 std::string screen_of(const std::vector<Gate>& all) {
   std::string text = verdict_of_same(all);
   if (!text.empty()) text += '\n';
-  for (const Gate& gate : all) text += gate.are_same ? "" : show::screen(shown_of(gate));
+  for (const Gate& gate : all) text += gate.are_same ? "" : show::screen(answer_of(gate));
   return text;
 }
 
@@ -145,7 +145,7 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
   std::string headline = verdict_of_same(all);
   for (const Gate& gate : all) {
     const std::string& label = gate.label.empty() ? gate.judged.study.solvers.front() : gate.label;
-    numerics::OrderedJson of = show::to_json(shown_of(gate));
+    numerics::OrderedJson of = show::to_json(answer_of(gate));
     for (const char* rows : {"groups", "tests", "findings"}) {
       for (auto& row : of[rows]) row["label"] = label;
     }
@@ -172,10 +172,11 @@ std::string markdown_of(const std::vector<Gate>& all) {
   if (!text.empty()) text = fmt::format("**{}**\n\n", text);
   for (const Gate& gate : all) {
     if (gate.are_same) continue;
-    const show::Shown shown = shown_of(gate);
+    const show::Answer answer = answer_of(gate);
     text += fmt::format("**{}**\n\n{}\n{}\n", show::markdown_text(verdict_of(gate)),
-                        show::to_markdown(show::results_table(shown)), show::to_markdown(show::pairs_table(shown)));
-    for (const compare::Doubt& doubt : shown.all_doubts()) text += show::markdown_text("! " + words_of(doubt)) + "\n\n";
+                        show::to_markdown(show::results_table(answer)), show::to_markdown(show::pairs_table(answer)));
+    for (const compare::Doubt& doubt : answer.all_doubts())
+      text += show::markdown_text("! " + words_of(doubt)) + "\n\n";
   }
   return text;
 }

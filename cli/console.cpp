@@ -147,7 +147,7 @@ std::string aligned(Rows rows, std::size_t width) {
   for (auto& row : rows) {
     for (std::string& cell : row) cell = one_line(printable(cell));
   }
-  return show::aligned(rows, 2, width);
+  return show::in_columns(rows, 2, width);
 }
 
 SignalWatch::SignalWatch() {

@@ -33,7 +33,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   if (report.is_json || !report.figures.empty())
     throw std::invalid_argument("several stores make one table and its figure: without --json and --figures");
   refuse_links(out);
-  std::vector<show::Shown> studies;
+  std::vector<show::Answer> studies;
   std::vector<std::string> names, arms, folders;
   std::set<std::string> solvers;
   for (const std::string& file : files) {
@@ -44,7 +44,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     arms.push_back(judged.study.definition.robot);
     folders.push_back(std::filesystem::path(file).parent_path().filename());
     solvers.insert(judged.study.solvers.begin(), judged.study.solvers.end());
-    studies.push_back(show::shown(judged));
+    studies.push_back(show::answer_of(judged));
   }
   const auto tell_apart = [](const std::vector<std::string>& all) {
     return std::set<std::string>(all.begin(), all.end()).size() == all.size();

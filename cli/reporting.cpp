@@ -232,12 +232,12 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
   bar.reset();  // leaves its line to the screen
   for (const std::string& warning : written.warnings) warn(warning);
   if (arguments.is_json) {
-    numerics::OrderedJson json = show::to_json(reported.shown);
+    numerics::OrderedJson json = show::to_json(reported.answer);
     json["files"] = written.files;
     return show_json(json);
   }
   const std::string page = written.page.string();
-  fmt::print("{}", printable(screen.empty() ? show::screen(reported.shown, page)
+  fmt::print("{}", printable(screen.empty() ? show::screen(reported.answer, page)
                                             : fmt::format("{}Report: {}\n", screen, page)));
 }
 

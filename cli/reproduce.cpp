@@ -104,7 +104,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   show::Report reported = show::report_of(
       all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look) : figures::of_study(all.front(), look));
   for (const compare::JudgedStudy* const companion : repeated.companions) {
-    for (const compare::Doubt& doubt : show::shown(*companion).all_doubts())
+    for (const compare::Doubt& doubt : show::answer_of(*companion).all_doubts())
       reported.warnings.push_back(fmt::format("{}: {}.", companion->study.entry.name, words_of(doubt)));
   }
   std::vector<figures::Figure> of_circle;
@@ -115,7 +115,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
     sentences = slim2023::sentences(claims, papers::explained_by(repeated));
     reported.additions = slim2023::sections(repeated, of_circle);
     reported.has_own_numbers = true;
-    std::erase_if(reported.shown.metrics,  // the paper has none; a warning says who takes twice as many
+    std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many
                   [](const compare::Judged& each) { return each.observations.metric == "evaluations"; });
   }
   if (sentences.empty()) sentences = papers::rates_sentences(repeated);

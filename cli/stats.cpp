@@ -69,10 +69,10 @@ show::Report judged(const StatsArguments& arguments, results::FigureStyle& style
     reported.figures = figures::of_file(metrics, figures::look_of(groups, style));
   }
   const std::string direction = direction_of(metrics);
-  reported.shown = show::shown(std::move(metrics));
-  reported.shown.direction = direction;
+  reported.answer = show::answer_of(std::move(metrics));
+  reported.answer.direction = direction;
   reported.study.entry.name = std::filesystem::path(source).filename().string();
-  reported.shown.notes = std::move(quantities.notes);
+  reported.answer.notes = std::move(quantities.notes);
   return reported;
 }
 
@@ -85,8 +85,8 @@ void stats(const StatsArguments& arguments) {
   results::FigureStyle style;
   show::Report reported = judged(arguments, style);
   if (!arguments.out.empty()) return announce(std::move(reported), arguments.out, arguments.report, style);
-  if (arguments.report.is_json) return show_json(show::to_json(reported.shown));
-  fmt::print("{}", printable(show::screen(reported.shown, "")));
+  if (arguments.report.is_json) return show_json(show::to_json(reported.answer));
+  fmt::print("{}", printable(show::screen(reported.answer, "")));
 }
 
 }  // namespace

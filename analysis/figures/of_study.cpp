@@ -58,7 +58,7 @@ std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view colum
   const Metric& metric = metric_named(column);
   const About about =
       about_of(judged.study, metric, caption_of_boxes(metric.name, observation_of(judged.study, metric)));
-  return boxes(about, box_rows(*of, drawn_unit(judged.study, metric.unit), shown_solvers(judged.study, look), look));
+  return boxes(about, box_rows(*of, drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
 }
 
 // Solvers whose values of a metric are not compared; all, where those of none are.
@@ -78,12 +78,13 @@ std::optional<Figure> shares_of(const StudyResults& study, About about, const st
                                 double dashed, const std::function<double(const Solve&)>& cost) {
   std::vector<Successes> all;
   std::vector<std::string> left_out;
-  for (const std::string& solver : shown_solvers(study, look)) {
+  for (const std::string& solver : drawn_solvers(study, look)) {
     if (std::ranges::count(without, solver) > 0) {
-      left_out.push_back(name_of(look, solver));
+      left_out.push_back(short_name(look, solver));
       continue;
     }
-    Successes& successes = all.emplace_back(Successes{.label = name_of(look, solver), .style = style_of(look, solver)});
+    Successes& successes =
+        all.emplace_back(Successes{.label = short_name(look, solver), .style = style_of(look, solver)});
     for (const Solve& solve : study.of(solver)) {
       ++successes.attempts;
       if (const double value = cost(solve); !std::isnan(value)) successes.costs.push_back(value);
@@ -173,14 +174,14 @@ std::optional<Figure> solved_by_time(const JudgedStudy& judged, const Look& look
 
 std::optional<Figure> differences(const JudgedStudy& judged, const Look& look) {
   const Judged& metric = judged.metrics[judged.deciding];
-  return differences_of(metric, drawn_unit(judged.study, metric.observations.unit), shown_solvers(judged.study, look),
+  return differences_of(metric, drawn_unit(judged.study, metric.observations.unit), drawn_solvers(judged.study, look),
                         look);
 }
 
 std::optional<Figure> path(const JudgedStudy& judged, const Look& look) {
   const StudyResults& study = judged.study;
   if (!is_path(study)) return std::nullopt;
-  const std::string solver = shown_solvers(study, look).front();
+  const std::string solver = drawn_solvers(study, look).front();
   return path({"", fmt::format("Targets, and what {} reached in its first run.{}", solver, first_points(study))},
               path_rows(study, solver, 1, look));
 }
@@ -212,7 +213,7 @@ About about_of(const StudyResults& study, const Metric& metric, std::string capt
   return {"", std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
 }
 
-std::vector<std::string> shown_solvers(const StudyResults& study, const Look& look) {
+std::vector<std::string> drawn_solvers(const StudyResults& study, const Look& look) {
   std::vector<std::string> shown = look.style.solvers.empty() ? study.solvers : look.style.solvers;
   std::erase_if(shown, [&](const std::string& solver) { return study.of(solver).empty(); });
   return shown;
@@ -223,7 +224,7 @@ int style_of(const Look& look, const std::string& solver) {
   return found == look.lines.end() ? 1 : found->second;
 }
 
-std::string name_of(const Look& look, const std::string& solver) {
+std::string short_name(const Look& look, const std::string& solver) {
   const auto found = look.names.find(solver);
   return found == look.names.end() ? solver : found->second;
 }
@@ -240,8 +241,8 @@ std::vector<BoxRow> box_rows(const Judged& metric, const DrawnUnit& unit, const 
   for (const std::string& name : shown) {
     const Group* const group = &metric.observations.groups[place_of(metric.observations, name)];
     const compare::Description all = describe(*group);
-    BoxRow& row =
-        rows.emplace_back(BoxRow{.label = name_of(look, name), .style = style_of(look, name), .values = group->values});
+    BoxRow& row = rows.emplace_back(
+        BoxRow{.label = short_name(look, name), .style = style_of(look, name), .values = group->values});
     row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
     for (double& value : row.values) value *= unit.factor;
     for (double& value : row.box) value *= unit.factor;
@@ -267,13 +268,13 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
   };
   std::vector<Dot> dots;
   const double factor = drawn_unit(judged.study, errors->observations.unit).factor;
-  for (const std::string& solver : shown_solvers(judged.study, look)) {
+  for (const std::string& solver : drawn_solvers(judged.study, look)) {
     Dot& dot = dots.emplace_back(Dot{.label = solver,
                                      .style = style_of(look, solver),
                                      .x = value(*motions, solver),
                                      .y = factor * value(*errors, solver)});
     add_printed(dot);
-    dot.label = name_of(look, solver);
+    dot.label = short_name(look, solver);
   }
   About about = about_of(judged.study, metric_named(error),
                          fmt::format("Error against joint motion, {}s: best is the lower left.", average));
@@ -287,7 +288,7 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
   constexpr std::size_t most_pairs = 15;
   Look brief = look;  // two names a row
   brief.names = short_names(shown, 15);
-  const auto name_in_row = [&](const std::string& solver) { return name_of(brief, solver); };
+  const auto name_in_row = [&](const std::string& solver) { return short_name(brief, solver); };
   const auto place = [&](const std::string& name) { return std::ranges::find(shown, name) - shown.begin(); };
   const auto places = [&](const Finding& of_two) { return std::minmax({place(of_two.first), place(of_two.second)}); };
   std::vector<Finding> findings = metric.findings;
@@ -334,13 +335,13 @@ std::vector<Line> by_point(const StudyResults& study, std::string_view column, c
   const Metric& metric = metric_named(column);
   const double factor = drawn_unit(study, metric.unit).factor;
   std::vector<Line> all;
-  for (const std::string& solver : shown_solvers(study, look)) {
+  for (const std::string& solver : drawn_solvers(study, look)) {
     std::map<int, std::vector<double>> values;
     for (const Solve& solve : study.of(solver)) {
       const double value = factor * metric.value(solve, study);
       if (std::isfinite(value)) values[solve.point].push_back(value);
     }
-    Line& line = all.emplace_back(Line{.label = name_of(look, solver), .style = style_of(look, solver)});
+    Line& line = all.emplace_back(Line{.label = short_name(look, solver), .style = style_of(look, solver)});
     for (const auto& [point, of_point] : values) line.rows.push_back(row_at(point, of_point, average));
   }
   return all;
@@ -352,8 +353,8 @@ std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Aver
   for (const SolveRecord& solve : study.drawn) longest = std::max(longest, solve.trace_cm.size());
   const std::size_t n = std::min(longest, most_iterations);
   std::vector<Line> all;
-  for (const std::string& solver : shown_solvers(study, look)) {
-    Line& line = all.emplace_back(Line{.label = name_of(look, solver), .style = style_of(look, solver)});
+  for (const std::string& solver : drawn_solvers(study, look)) {
+    Line& line = all.emplace_back(Line{.label = short_name(look, solver), .style = style_of(look, solver)});
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = n == 1 ? 0 : k * (longest - 1) / (n - 1);
       std::vector<double> values;
@@ -402,7 +403,7 @@ PathRows path_rows(const StudyResults& study, const std::string& solver, std::si
     return Corner{metres[0] / centimetre, metres[1] / centimetre, metres[2] / centimetre};
   };
   PathRows rows{.targets = {},
-                .reached_label = "reached by " + name_of(look, solver),
+                .reached_label = "reached by " + short_name(look, solver),
                 .style = style_of(look, solver),
                 .is_closed = study.definition.path == "circle" && std::ssize(solves) == study.points};
   const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
@@ -431,8 +432,8 @@ JointRows joint_rows(const StudyResults& study, const Look& look) {
     all.columns.push_back({fmt::format("{}{}", turning.size() == 1 ? "joint " : "", joint + 1),
                            arm->limits.lower[j] / degree, arm->limits.upper[j] / degree});
   }
-  for (const std::string& solver : shown_solvers(study, look)) {
-    JointRow row{.label = name_of(look, solver), .style = style_of(look, solver)};
+  for (const std::string& solver : drawn_solvers(study, look)) {
+    JointRow row{.label = short_name(look, solver), .style = style_of(look, solver)};
     for (const SolveRecord& solve : study.first_run_of(solver)) {
       std::vector<double>& angles = row.angles_deg.emplace_back();
       for (const std::size_t joint : turning)
@@ -485,7 +486,7 @@ std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
       ordered.style.solvers.push_back(deciding.observations.groups[i].name);
   }
   std::vector<Figure> all;
-  if (shown_solvers(judged.study, ordered).empty()) return all;
+  if (drawn_solvers(judged.study, ordered).empty()) return all;
   for (const KindOfFigure& kind : kinds_of_figures()) {
     if (std::optional<Figure> figure = kind.of(judged, ordered)) {
       figure->name = kind.name;

@@ -42,9 +42,9 @@ std::vector<Figure> of_file(const std::vector<compare::Judged>& metrics, const L
 About about_of(const compare::StudyResults& study, const compare::Metric& metric, std::string caption);
 
 // The solvers that figures show, in their order.
-std::vector<std::string> shown_solvers(const compare::StudyResults& study, const Look& look);
+std::vector<std::string> drawn_solvers(const compare::StudyResults& study, const Look& look);
 int style_of(const Look& look, const std::string& solver);
-std::string name_of(const Look& look, const std::string& solver);
+std::string short_name(const Look& look, const std::string& solver);
 
 // Values are drawn times `factor`: 10 for cm in mm.
 struct DrawnUnit {

@@ -103,7 +103,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
   std::string text, last;  // verdict
   const auto add = [&](const std::string& words, const std::string& first = "") {
     const std::string indent(std::max<std::size_t>(2, first.size()), ' ');
-    text += show::wrapped(words, indent, first);
+    text += show::paragraph(words, indent, first);
   };
   for (const std::string& sentence : sentences) add(sentence);
   text += fmt::format("\n{}\n{}\n", table.caption, show::to_text(table));
@@ -118,7 +118,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
     const bool is_new = std::exchange(last, verdict) != verdict;
     rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 46), claim.number});
   }
-  text += show::aligned(rows, 2);
+  text += show::in_columns(rows, 2);
   if (!not_tested.empty())
     add(fmt::format("{}", fmt::join(not_tested, "; ")), fmt::format("{:15}", name_of(Holds::not_tested)));
   return text;

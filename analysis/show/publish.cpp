@@ -79,10 +79,10 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
 }
 
 // Leaves readers the pairs that were tested, and of many those of the reference.
-void keep_telling(Table& pairs, const Shown& shown) {
+void keep_telling(Table& pairs, const Answer& answer) {
   constexpr std::size_t most = 15;
-  const bool are_many = shown.decisive().findings.size() > most;
-  const std::string reference = reference_of(shown);
+  const bool are_many = answer.decisive().findings.size() > most;
+  const std::string reference = reference_of(answer);
   const std::size_t taken = std::erase_if(pairs.rows, [&](const std::vector<Cell>& row) {
     const bool is_of_it = std::get<std::string>(row[1]) == reference || std::get<std::string>(row[2]) == reference;
     return std::holds_alternative<std::monostate>(row[6]) || (are_many && !is_of_it);
@@ -94,13 +94,13 @@ void keep_telling(Table& pairs, const Shown& shown) {
 
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
 // warnings; a caption says of what. `brief` is what is shown, with short names.
-Table for_article(Table table, const Report& report, const Shown& brief) {
+Table for_article(Table table, const Report& report, const Answer& brief) {
   if (table.name == "results") table = results_table(brief);
   if (table.name == "pairs") table = pairs_table(brief);
   if (table.name == "descriptives") table = descriptives_table(brief);
   const bool are_pairs = table.name == "pairs";
   if (are_pairs) {
-    const std::string& metric = report.shown.decisive().observations.quantity;
+    const std::string& metric = report.answer.decisive().observations.quantity;
     std::erase_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) != metric; });
     table.caption += ": " + metric;
     keep_telling(table, brief);
@@ -166,10 +166,10 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
     const auto& keys = report.keys;
     results::write_file(
         folder / files.back(),
-        fmt::format("{}.{}{}{}\n% Keys of docs/references.bib\n", latex_text(methods_of(report.shown, report.study)),
+        fmt::format("{}.{}{}{}\n% Keys of docs/references.bib\n", latex_text(methods_of(report.answer, report.study)),
                     keys.empty() ? "" : " Solvers and arm: \\cite{", fmt::join(keys, ","), keys.empty() ? "" : "}."));
   }
-  const Shown brief = with_short_names(report.shown, 20);
+  const Answer brief = with_short_names(report.answer, 20);
   for (const Blocks& blocks : sections) {
     for (const Block& block : blocks) {
       if (!std::holds_alternative<Table>(block)) continue;
@@ -182,13 +182,13 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   std::ranges::move(files_of(figures, folder), std::back_inserter(files));
   std::ranges::sort(files);
 
-  Json json = to_json(report.shown);
+  Json json = to_json(report.answer);
   json["files"] = files;
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
   for (Blocks& blocks : sections) {
     for (Block& block : blocks) {
       if (auto* const table = std::get_if<Table>(&block); table && table->name == "pairs")
-        keep_telling(*table, report.shown);
+        keep_telling(*table, report.answer);
     }
   }
   results::write_file(folder / "report.md", to_markdown(sections, folder));
@@ -196,8 +196,8 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   std::optional<std::string> arm;
   if (is_of_study) {
     std::vector<std::string> order;
-    for (const std::size_t i : best_first(report.shown.decisive(), report.shown.metrics))
-      order.push_back(report.shown.decisive().observations.groups[i].name);
+    for (const std::size_t i : best_first(report.answer.decisive(), report.answer.metrics))
+      order.push_back(report.answer.decisive().observations.groups[i].name);
     arm = moving_arm(report.study, order);
   }
   if (arm && !drawing_library())

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "analysis/compare/study.hpp"
+#include "analysis/show/answer.hpp"
 #include "analysis/show/block.hpp"
-#include "analysis/show/shown.hpp"
 
 namespace ikbench::show {
 
 // What sections are made of.
 struct Report {
   compare::StudyResults study;  // a user's file: its name alone
-  Shown shown;
+  Answer answer;
   std::vector<figures::Figure> figures;
   // Of a paper: instead of the sentence and the table of results; its claims; and sections of its own, each with its
   // heading.
@@ -57,7 +57,7 @@ Written publish(const Report& report, const std::filesystem::path& folder, const
 // The last screen of `run`, `report`, `compare` and `stats`: the headline, the table of results, pairs, warnings; where
 // `page` is, if it is not empty. Pairs are those of the metric of the headline, up to most_pairs (words.hpp); where
 // there are only two groups, those of every metric.
-std::string screen(const Shown& shown, const std::string& page = {});
+std::string screen(const Answer& answer, const std::string& page = {});
 
 // Of the page's moving arm. JSON, safe inside a script element: the arm, and targets, starts and answers of each
 // solver's first run with the joints outside their limits (at most 200 points of 24 solvers, in the given order of

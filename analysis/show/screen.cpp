@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t most_rows = 20, most_notes = 4, most_warnings = 3, longest_name = 24;
 
-std::string table_of(const Shown& shown) {
-  Table table = results_table(shown);
+std::string table_of(const Answer& answer) {
+  Table table = results_table(answer);
   table.columns[0].name = "";
   const std::size_t all = table.rows.size();
   if (all > most_rows) table.rows.resize(most_rows - 1);
@@ -25,30 +25,30 @@ std::string table_of(const Shown& shown) {
   std::string text = to_text(table);
   if (all > most_rows) text += fmt::format("  and {} more solvers\n", all - most_rows + 1);
   notes.resize(std::min(notes.size(), most_notes));
-  return notes.empty() ? text : text + wrapped(fmt::format("{}", fmt::join(notes, " ")), "");
+  return notes.empty() ? text : text + paragraph(fmt::format("{}", fmt::join(notes, " ")), "");
 }
 
-std::string warnings_of(const Shown& shown) {
-  const std::vector<Doubt> doubts = shown.all_doubts();
+std::string warnings_of(const Answer& answer) {
+  const std::vector<Doubt> doubts = answer.all_doubts();
   const std::size_t listed_doubts = doubts.size() > most_warnings ? most_warnings - 1 : doubts.size();
   std::string text;
-  for (std::size_t i = 0; i < listed_doubts; ++i) text += wrapped("! " + words_of(doubts[i]), "  ");
+  for (std::size_t i = 0; i < listed_doubts; ++i) text += paragraph("! " + words_of(doubts[i]), "  ");
   if (doubts.size() > listed_doubts) text += fmt::format("! and {} more warnings\n", doubts.size() - listed_doubts);
   return text;
 }
 
 }  // namespace
 
-std::string screen(const Shown& whole, const std::string& page) {
-  const Shown shown = with_short_names(whole, longest_name);
+std::string screen(const Answer& whole, const std::string& page) {
+  const Answer answer = with_short_names(whole, longest_name);
   constexpr std::size_t gap = 3, width = 100;
   std::string text;
-  std::istringstream lines(headline(shown));
-  for (std::string line; std::getline(lines, line);) text += wrapped(line, "");
-  text += '\n' + table_of(shown) + aligned(pair_rows(shown), gap, width);
-  if (const std::string chosen = chosen_before(shown); shown.decisive().described.size() == 2 && !chosen.empty())
-    text += wrapped(chosen, "");
-  text += warnings_of(shown);
+  std::istringstream lines(headline(answer));
+  for (std::string line; std::getline(lines, line);) text += paragraph(line, "");
+  text += '\n' + table_of(answer) + in_columns(pair_rows(answer), gap, width);
+  if (const std::string chosen = chosen_before(answer); answer.decisive().described.size() == 2 && !chosen.empty())
+    text += paragraph(chosen, "");
+  text += warnings_of(answer);
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));
 }
 

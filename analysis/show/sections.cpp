@@ -14,16 +14,16 @@ namespace {
 
 Blocks first_of(const Report& report) {
   if (!report.first.empty()) return report.first;
-  Blocks blocks{Heading{headline(report.shown)}};
+  Blocks blocks{Heading{headline(report.answer)}};
   if (!report.study.entry.series.empty()) blocks.emplace_back(what_is_studied(report.study) + '.');
-  blocks.emplace_back(results_table(report.shown));
+  blocks.emplace_back(results_table(report.answer));
   return blocks;
 }
 
 }  // namespace
 
 Report report_of(JudgedStudy judged, std::vector<figures::Figure> figures) {
-  Report report{.shown = shown(judged), .figures = std::move(figures)};
+  Report report{.answer = answer_of(judged), .figures = std::move(figures)};
   report.study = std::move(judged.study);
   return report;
 }
@@ -43,17 +43,17 @@ std::vector<Blocks> sections_of(const Report& report) {
   if (!report.claims.empty()) sections.push_back(report.claims);
   add("Pictures", {report.figures.begin(), report.figures.end()});
   std::ranges::copy(report.additions, std::back_inserter(sections));
-  add("Who is better?", {pairs_table(report.shown)});
+  add("Who is better?", {pairs_table(report.answer)});
   if (!report.has_own_numbers) {
-    add("All numbers", {descriptives_table(report.shown)});
-    add("All solvers at once", {anova_table(report.shown)});
+    add("All numbers", {descriptives_table(report.answer)});
+    add("All solvers at once", {anova_table(report.answer)});
   }
   Blocks warnings;
-  for (const Doubt& doubt : report.shown.all_doubts()) warnings.emplace_back(warning_of(doubt));
+  for (const Doubt& doubt : report.answer.all_doubts()) warnings.emplace_back(warning_of(doubt));
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   add("Warnings", std::move(warnings));
   if (!report.study.entry.series.empty())  // else of a user's file
-    add("Set-up", {methods_of(report.shown, report.study) + ". For LaTeX, with what to cite: tables/methods.tex.",
+    add("Set-up", {methods_of(report.answer, report.study) + ". For LaTeX, with what to cite: tables/methods.tex.",
                    study_table(report.study), options_table(report.study), machine_table(report.study)});
   return sections;
 }

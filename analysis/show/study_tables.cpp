@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "analysis/figures/plots.hpp"
-#include "analysis/show/shown.hpp"
+#include "analysis/show/answer.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "numerics/json.hpp"
@@ -41,7 +41,7 @@ std::optional<Interval> interval_of(const Judged& judged, const Description& its
 
 // A solver's number, and the mark of its pair with the reference. Where the numbers of two are of other targets, the
 // finding of the pair stands in its place.
-Cell result_cell(const Shown& shown, const Judged& judged, const std::string& solver, const std::string& reference) {
+Cell result_cell(const Answer& answer, const Judged& judged, const std::string& solver, const std::string& reference) {
   const std::vector<Group>& groups = judged.observations.groups;
   const std::size_t i = place_of(judged.observations, solver);
   if (i == groups.size() || (groups[i].lost > 0 && !judged.observations.tells_incomplete)) return {};
@@ -60,7 +60,7 @@ Cell result_cell(const Shown& shown, const Judged& judged, const std::string& so
   if (std::isnan(value)) return {};
   Marked cell{.value = value, .mark = mark, .is_bound = group->at_most > 0 && value == group->at_most};
   cell.interval = interval_of(judged, its);
-  const bool is_deciding = &judged == &shown.decisive();
+  const bool is_deciding = &judged == &answer.decisive();
   if (is_deciding && !is_share(judged) && !judged.observations.is_of_solved && !cell.is_bound && its.n > 1 &&
       !std::isnan(its.median))
     cell.interval = Interval{its.lower_quartile, its.upper_quartile};
@@ -86,18 +86,18 @@ std::string limit(double value, std::string_view unit) {
 
 }  // namespace
 
-std::string reference_of(const Shown& shown) {
-  const Judged& decisive = shown.decisive();
+std::string reference_of(const Answer& answer) {
+  const Judged& decisive = answer.decisive();
   if (!decisive.plan.control.empty() || decisive.described.empty()) return decisive.plan.control;
-  return decisive.observations.groups[best_first(decisive, shown.metrics)[0]].name;
+  return decisive.observations.groups[best_first(decisive, answer.metrics)[0]].name;
 }
 
-Table results_table(const Shown& shown) {
+Table results_table(const Answer& answer) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
-  const Judged& decisive = shown.decisive();
-  const std::vector<std::size_t> order = best_first(decisive, shown.metrics);
+  const Judged& decisive = answer.decisive();
+  const std::vector<std::size_t> order = best_first(decisive, answer.metrics);
   for (const std::size_t i : order) table.rows.push_back({decisive.observations.groups[i].name});
-  const std::string reference = reference_of(shown);
+  const std::string reference = reference_of(answer);
   const bool are_means = decisive.plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
   bool has_numbers = false, has_quartiles = false, has_shares = false;
@@ -105,7 +105,7 @@ Table results_table(const Shown& shown) {
   const auto add = [&](const Judged& judged, const std::string& name) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit});
     for (auto& row : table.rows) {
-      row.push_back(result_cell(shown, judged, std::get<std::string>(row[0]), reference));
+      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), reference));
       has_numbers |= !is_share(judged) && !std::holds_alternative<std::monostate>(row.back());
       const auto* const marked = std::get_if<Marked>(&row.back());
       if (marked) marks.insert(marked->mark);
@@ -118,25 +118,25 @@ Table results_table(const Shown& shown) {
   const Observations& observed = decisive.observations;
   add(decisive, is_share(decisive) || observed.is_of_solved ? observed.quantity
                                                             : fmt::format("{} {}", average, observed.quantity));
-  for (const Judged& judged : shown.metrics) {
+  for (const Judged& judged : answer.metrics) {
     if (&judged != &decisive) add(judged, judged.observations.quantity);
   }
   std::string key =
       !has_numbers ? "" : fmt::format("{}s{}", are_means ? "Mean" : "Median", has_quartiles ? " (quartiles)" : "");
-  if (has_numbers && !shown.direction.empty()) {
+  if (has_numbers && !answer.direction.empty()) {
     const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n);
     key += fmt::format(" of {}{}", least.n == most.n ? "" : fmt::format("{} to ", least.n),
                        numerics::counted(most.n, "values"));
   }
   if (!kinds.empty()) {
-    const bool are_common = std::ranges::any_of(shown.metrics, [](const Judged& judged) {
+    const bool are_common = std::ranges::any_of(answer.metrics, [](const Judged& judged) {
       return judged.observations.is_of_solved && judged.observations.is_paired;
     });
     key = fmt::format("{}: {}s; the other{}: {}, {}", reference, average, order.size() == 2 ? "" : "s",
                       fmt::join(kinds, " or "),
-                      are_common ? fmt::format("on {} that both solved", shown.noun) : "of solved " + shown.noun);
+                      are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun);
   }
-  if (!shown.direction.empty()) key += (key.empty() ? "" : "; ") + shown.direction;
+  if (!answer.direction.empty()) key += (key.empty() ? "" : "; ") + answer.direction;
   std::vector<std::string> meanings, sentences{key};
   if (marks.contains(star)) {
     const std::string level = number_text(decisive.plan.significance);
@@ -148,11 +148,11 @@ Table results_table(const Shown& shown) {
     sentences.push_back(fmt::format("Brackets: {:.3g} % intervals", 100 * (1 - decisive.plan.significance)));
   std::erase(sentences, "");
   if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
-  table.notes.insert(table.notes.end(), shown.notes.begin(), shown.notes.end());
+  table.notes.insert(table.notes.end(), answer.notes.begin(), answer.notes.end());
   return table;
 }
 
-Table studies_table(const std::vector<Shown>& studies, const std::vector<std::string>& names) {
+Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
   Table table{.name = "studies", .columns = {{"solver"}}};
   for (std::size_t s = 0; s < studies.size(); ++s) {
     const Table of_study = results_table(studies[s]);
@@ -168,7 +168,8 @@ Table studies_table(const std::vector<Shown>& studies, const std::vector<std::st
     }
   }
   for (auto& row : table.rows) row.resize(table.columns.size());
-  const bool are_shares = std::ranges::all_of(studies, [](const Shown& shown) { return is_share(shown.decisive()); });
+  const bool are_shares =
+      std::ranges::all_of(studies, [](const Answer& answer) { return is_share(answer.decisive()); });
   table.caption = are_shares ? "Share of targets solved" : "What decides each study";
   table.notes = {
       "In the order of the first study that has the solver. * worse than the best of its study or its control, "
@@ -222,21 +223,21 @@ Table with_a_row_a_study(const Table& studies) {
   return turned;
 }
 
-std::string chosen_before(const Shown& shown) {
-  if (shown.metrics.size() < 2) return "";
-  if (!shown.verdict.empty())
+std::string chosen_before(const Answer& answer) {
+  if (answer.metrics.size() < 2) return "";
+  if (!answer.verdict.empty())
     return "p: times the labels and metrics that can be tested, whose intervals are for all at once.";
   return fmt::format("Only {} was chosen before; other metrics are exploratory.",
-                     shown.decisive().observations.quantity);
+                     answer.decisive().observations.quantity);
 }
 
-Table pairs_table(const Shown& shown) {
+Table pairs_table(const Answer& answer) {
   Table table{.name = "pairs",
               .caption = "The first against the second",
               .columns = columns_of(
                   {"metric", "first", "second", "estimate", "interval", "unit", "p", "A12", "test", "verdict"})};
   std::set<double> ends;
-  for (const Judged& judged : shown.metrics) {
+  for (const Judged& judged : answer.metrics) {
     for (const Finding& finding : judged.findings) {
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
       const std::string ahead = finding.estimate ? "" : amount_words(finding, judged);
@@ -249,8 +250,8 @@ Table pairs_table(const Shown& shown) {
   }
   table.columns[3].ends = table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[6].is_p = true;
-  table.columns[6].ends = {shown.decisive().plan.significance};
-  const std::string chosen = chosen_before(shown);
+  table.columns[6].ends = {answer.decisive().plan.significance};
+  const std::string chosen = chosen_before(answer);
   table.notes = {
       chosen + (chosen.empty() ? "" : " ") +
       "p: times the pairs tested of a metric, whose intervals are for all pairs at once; A12: share of comparisons in which the "
@@ -258,16 +259,16 @@ Table pairs_table(const Shown& shown) {
   return table;
 }
 
-Table descriptives_table(const Shown& shown) {
+Table descriptives_table(const Answer& answer) {
   Table table{
       .name = "descriptives",
       .caption = "By metric and solver",
       .columns = columns_of({"metric", "solver", "n", "mean", "sd", "median", "lower quartile", "upper quartile",
                              "95 % quantile", "smallest", "largest", "interval", "unit", "lost"})};
   bool is_any_lost = false, is_any_share = false, is_any_of_solved = false;
-  const Judged& decisive = shown.decisive();
-  const std::vector<std::size_t> order = best_first(decisive, shown.metrics);
-  for (const Judged& judged : shown.metrics) {
+  const Judged& decisive = answer.decisive();
+  const std::vector<std::size_t> order = best_first(decisive, answer.metrics);
+  for (const Judged& judged : answer.metrics) {
     const Observations& observed = judged.observations;
     for (const std::size_t place : order) {
       const std::size_t i = place_of(observed, decisive.observations.groups[place].name);
@@ -288,18 +289,18 @@ Table descriptives_table(const Shown& shown) {
       is_any_of_solved |= observed.is_of_solved;
     }
   }
-  table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", shown.noun,
+  table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun,
                              is_any_of_solved ? "; of costs, those solved" : "",
                              is_any_share ? " Interval: Wilson's." : "")};
   if (is_any_lost) table.notes.emplace_back("lost: without a value; such a solver is not compared.");
   return table;
 }
 
-Table anova_table(const Shown& shown) {
+Table anova_table(const Answer& answer) {
   Table table{.name = "anova",
               .caption = "Do the solvers differ at all?",
               .columns = {{"metric"}, {"test"}, {"statistic"}, {"df"}, {"df within"}, {.name = "p", .is_p = true}}};
-  for (const Judged& judged : shown.metrics) {
+  for (const Judged& judged : answer.metrics) {
     const std::string& quantity = judged.observations.quantity;
     if (is_share(judged) || judged.plan.test != results::Plan::Test::means) continue;
     if (const auto of = compare::anova(judged.observations))
@@ -308,24 +309,24 @@ Table anova_table(const Shown& shown) {
   return table;
 }
 
-numerics::OrderedJson to_json(const Shown& shown) {
+numerics::OrderedJson to_json(const Answer& answer) {
   constexpr std::array<const char*, 5> verdicts{"better", "worse", "same", "undecided", "not_tested"};
-  numerics::OrderedJson findings = to_json(pairs_table(shown)), doubts = numerics::OrderedJson::array(), direction;
+  numerics::OrderedJson findings = to_json(pairs_table(answer)), doubts = numerics::OrderedJson::array(), direction;
   std::size_t row = 0;
-  for (const Judged& judged : shown.metrics) {
+  for (const Judged& judged : answer.metrics) {
     direction[judged.observations.quantity] = judged.observations.better == Better::larger ? "larger" : "smaller";
     for (const Finding& finding : judged.findings)
       findings[row++]["verdict"] = verdicts[static_cast<std::size_t>(finding.verdict)];
   }
-  for (const Doubt& doubt : shown.all_doubts()) doubts.push_back(words_of(doubt));
-  return {{"headline", headline(shown)},
-          {"metric", shown.decisive().observations.quantity},
-          {"groups", to_json(descriptives_table(shown))},
-          {"tests", to_json(anova_table(shown))},
+  for (const Doubt& doubt : answer.all_doubts()) doubts.push_back(words_of(doubt));
+  return {{"headline", headline(answer)},
+          {"metric", answer.decisive().observations.quantity},
+          {"groups", to_json(descriptives_table(answer))},
+          {"tests", to_json(anova_table(answer))},
           {"findings", std::move(findings)},
           {"direction", std::move(direction)},
           {"doubts", std::move(doubts)},
-          {"notes", shown.notes}};
+          {"notes", answer.notes}};
 }
 
 Table study_table(const StudyResults& study) {
@@ -370,10 +371,10 @@ std::string what_is_studied(const StudyResults& study) {
                      numerics::counted(study.points, "targets"), with_blanks(definition.path));
 }
 
-std::string methods_of(const Shown& shown, const StudyResults& study) {
+std::string methods_of(const Answer& answer, const StudyResults& study) {
   const results::Definition& definition = study.definition;
   std::set<std::string> tests;
-  for (const Judged& judged : shown.metrics) {
+  for (const Judged& judged : answer.metrics) {
     for (const Finding& finding : judged.findings) {
       if (!finding.test.empty()) tests.insert(std::string(finding.test));
     }
@@ -398,7 +399,7 @@ std::string methods_of(const Shown& shown, const StudyResults& study) {
     text += fmt::format(
         " Pairs were tested by {}, p times the number of pairs of a metric that can be tested (Bonferroni), at a "
         "significance of {}; a difference within {} does not matter.",
-        given(tests), number_text(shown.decisive().plan.significance), margin_words(shown.decisive()));
+        given(tests), number_text(answer.decisive().plan.significance), margin_words(answer.decisive()));
   return text + fmt::format(" Made with ikbench {} (commit {})", fact("version"), fact("commit"));
 }
 

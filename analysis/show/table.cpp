@@ -351,8 +351,8 @@ std::string to_text(const Table& whole) {
       row.push_back(c == 0 ? shortened(std::visit(read, cells[c]), longest) : std::visit(read, cells[c]));
     }
   }
-  std::string text = aligned(rows, 3, width);
-  for (const std::string& note : table.notes) text += wrapped(note, "");
+  std::string text = in_columns(rows, 3, width);
+  for (const std::string& note : table.notes) text += paragraph(note, "");
   return text;
 }
 

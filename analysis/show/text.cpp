@@ -163,7 +163,7 @@ std::vector<std::string> broken(std::string_view text, std::size_t first, std::s
   return lines;
 }
 
-std::string aligned(const Rows& rows, std::size_t gap, std::size_t width) {
+std::string in_columns(const Rows& rows, std::size_t gap, std::size_t width) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
@@ -190,7 +190,7 @@ std::string aligned(const Rows& rows, std::size_t gap, std::size_t width) {
   return text;
 }
 
-std::string wrapped(const std::string& text, const std::string& indent, const std::string& first) {
+std::string paragraph(const std::string& text, const std::string& indent, const std::string& first) {
   constexpr std::size_t width = 100;
   std::string lines;
   for (const std::string& line : broken(one_line(text), width - character_count(first), width - indent.size()))

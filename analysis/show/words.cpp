@@ -23,10 +23,12 @@ bool counts(const Judged& judged) {  // 88 of 100
   return is_share(judged) && judged.observations.trials == 1;
 }
 
-const std::string& name_of(const Judged& judged, std::size_t group) { return judged.observations.groups[group].name; }
+const std::string& solver_name(const Judged& judged, std::size_t group) {
+  return judged.observations.groups[group].name;
+}
 
 // A group's number: "88", "0.42"; of the first also the whole or the unit: "100 of 100 targets", "0.017 mm".
-std::string number_of(const Shown& shown, const Judged& judged, std::size_t group, std::size_t first) {
+std::string number_of(const Answer& answer, const Judged& judged, std::size_t group, std::size_t first) {
   const bool is_first = group == first;
   const int n_of_first = judged.described[first].n;
   const Description& its = judged.described[group];
@@ -34,7 +36,7 @@ std::string number_of(const Shown& shown, const Judged& judged, std::size_t grou
   if (std::isnan(value)) return "not known";
   if (counts(judged)) {
     const std::string count = fmt::format("{:.0f}", its.mean * its.n / 100);
-    if (is_first) return fmt::format("{} of {}", count, numerics::counted(its.n, shown.noun));
+    if (is_first) return fmt::format("{} of {}", count, numerics::counted(its.n, answer.noun));
     return its.n == n_of_first ? count : fmt::format("{} of {}", count, its.n);
   }
   const Observations& observed = judged.observations;
@@ -43,14 +45,14 @@ std::string number_of(const Shown& shown, const Judged& judged, std::size_t grou
                      is_first && !observed.unit.empty() ? " " : "", is_first ? observed.unit : "");
 }
 
-std::string with_number(const Shown& shown, const std::string& name, std::size_t first) {
-  const Judged& judged = shown.decisive();
-  return fmt::format("{} ({})", name, number_of(shown, judged, place_of(judged.observations, name), first));
+std::string with_number(const Answer& answer, const std::string& name, std::size_t first) {
+  const Judged& judged = answer.decisive();
+  return fmt::format("{} ({})", name, number_of(answer, judged, place_of(judged.observations, name), first));
 }
 
 // "median error", "mean error", "solved"
-std::string quantity_of(const Shown& shown) {
-  const Judged& judged = shown.decisive();
+std::string quantity_of(const Answer& answer) {
+  const Judged& judged = answer.decisive();
   const bool is_mean = judged.plan.test == results::Plan::Test::means;
   return fmt::format("{}{}", is_share(judged) ? "" : is_mean ? "mean " : "median ", judged.observations.quantity);
 }
@@ -68,26 +70,26 @@ std::size_t equals_of(const Judged& judged, const std::vector<std::size_t>& orde
 
 // "it solved 100 of 100 targets; PSO 88, mine 54"; with the first one's name "PSO solved 90 of 100 targets, mine 88".
 // Those that solved as many as the first stand together. Of many solvers the first and the next.
-std::string numbers_of(const Shown& shown, bool is_named) {
-  const Judged& judged = shown.decisive();
+std::string numbers_of(const Answer& answer, bool is_named) {
+  const Judged& judged = answer.decisive();
   const bool is_solved = judged.observations.metric == "solved";
-  const std::vector<std::size_t> order = best_first(judged, shown.metrics);
+  const std::vector<std::size_t> order = best_first(judged, answer.metrics);
   const bool are_many = order.size() > most_named;
   const std::size_t equals = is_solved ? equals_of(judged, order) : 1;
   std::vector<std::string> firsts, others;
   for (const std::size_t i : order) {
-    const std::string& name = name_of(judged, i);
+    const std::string& name = solver_name(judged, i);
     if (firsts.size() < equals)
       firsts.push_back(name);
     else if (!are_many || others.empty())
-      others.push_back(fmt::format("{}{} {}", are_many ? "then " : "", name, number_of(shown, judged, i, order[0])));
+      others.push_back(fmt::format("{}{} {}", are_many ? "then " : "", name, number_of(answer, judged, i, order[0])));
   }
   const bool are_the_best = equals > 1 && equals == judged.headline.best.size();
   const std::string who = are_the_best ? (equals == 2 ? "both" : "all") : is_named ? names_of(firsts) : "it";
-  const std::string number = number_of(shown, judged, order[0], order[0]);
+  const std::string number = number_of(answer, judged, order[0], order[0]);
   std::string text = is_solved  ? fmt::format("{} solved {}", who, number)
-                     : is_named ? fmt::format("{} {} {}", quantity_of(shown), who, number)
-                                : fmt::format("{} {}", quantity_of(shown), number);
+                     : is_named ? fmt::format("{} {} {}", quantity_of(answer), who, number)
+                                : fmt::format("{} {}", quantity_of(answer), number);
   if (!others.empty()) text += (is_named || are_many ? ", " : "; ") + listed(others, ", ");
   return text;
 }
@@ -103,8 +105,8 @@ bool all_are(const Judged& judged, Verdict verdict) {
 }
 
 // Empty unless all solvers solved all targets, or none.
-std::string all_or_none(const Shown& shown) {
-  const Judged& judged = shown.decisive();
+std::string all_or_none(const Answer& answer) {
+  const Judged& judged = answer.decisive();
   if (judged.observations.metric != "solved") return {};
   const auto all_have = [&](double share) {
     return std::ranges::all_of(judged.described, [=](const Description& its) { return its.mean == share; });
@@ -112,7 +114,7 @@ std::string all_or_none(const Shown& shown) {
   const std::string who = all_of(judged);
   const int n = judged.described.front().n;
   const bool have_one_n = std::ranges::count(judged.described, n, &Description::n) == std::ssize(judged.described);
-  const std::string what = counts(judged) && have_one_n ? "all " + numerics::counted(n, shown.noun) : "every target";
+  const std::string what = counts(judged) && have_one_n ? "all " + numerics::counted(n, answer.noun) : "every target";
   if (all_have(100)) return fmt::format("{}{} solved {}", who, judged.described.size() == 2 ? " both" : "", what);
   return all_have(0) ? fmt::format("{} solved no target", who) : "";
 }
@@ -142,52 +144,52 @@ std::string usual(const Judged& judged) {
                      head.other, how, but);
 }
 
-std::string against_control(const Shown& shown) {
-  const Judged& judged = shown.decisive();
+std::string against_control(const Answer& answer) {
+  const Judged& judged = answer.decisive();
   const std::size_t control = place_of(judged.observations, judged.plan.control);
   std::vector<std::string> parts, who;
   for (std::size_t i = 0; i < judged.findings.size(); ++i) {
     const std::string verdict = verdict_words(judged.findings[i], judged);
-    who.push_back(with_number(shown, judged.findings[i].first, control));
+    who.push_back(with_number(answer, judged.findings[i].first, control));
     if (i + 1 < judged.findings.size() && verdict_words(judged.findings[i + 1], judged) == verdict) continue;
     parts.push_back(fmt::format("{} {}", names_of(std::exchange(who, {})), verdict));
   }
-  return fmt::format("Against {} ({} {}): {}", judged.plan.control, quantity_of(shown),
-                     number_of(shown, judged, control, control), listed(parts, ", "));
+  return fmt::format("Against {} ({} {}): {}", judged.plan.control, quantity_of(answer),
+                     number_of(answer, judged, control, control), listed(parts, ", "));
 }
 
-std::string not_tested(const Shown& shown) {
-  const Judged& judged = shown.decisive();
+std::string not_tested(const Answer& answer) {
+  const Judged& judged = answer.decisive();
   const Finding& finding = judged.findings.front();
   const bool have_one_reason =
       std::ranges::count(judged.findings, finding.why, &Finding::why) == std::ssize(judged.findings);
   switch (have_one_reason ? finding.why : Why::tested) {
     case Why::too_few:
-      return fmt::format("Not tested: {} cannot decide it, {} can; {}", numerics::counted(finding.n, shown.noun),
-                         finding.needed, numbers_of(shown, true));
+      return fmt::format("Not tested: {} cannot decide it, {} can; {}", numerics::counted(finding.n, answer.noun),
+                         finding.needed, numbers_of(answer, true));
     case Why::fact:
-      return fmt::format("Certain for these {}, since the solvers repeat themselves: {}", shown.noun,
-                         numbers_of(shown, true));
+      return fmt::format("Certain for these {}, since the solvers repeat themselves: {}", answer.noun,
+                         numbers_of(answer, true));
     default:
-      return fmt::format("Not tested: {}", numbers_of(shown, true));
+      return fmt::format("Not tested: {}", numbers_of(answer, true));
   }
 }
 
 // Where no solver is best: those that none is shown to beat.
-std::string unbeaten(const Shown& shown) {
-  const Judged& judged = shown.decisive();
+std::string unbeaten(const Answer& answer) {
+  const Judged& judged = answer.decisive();
   const std::set<std::string> beaten = losers_of(judged.findings);
   std::set<std::string> tested;
   for (const Finding& finding : judged.findings) {
     if (finding.verdict != Verdict::not_tested) tested.insert({finding.first, finding.second});
   }
-  const std::vector<std::size_t> order = best_first(judged, shown.metrics);
+  const std::vector<std::size_t> order = best_first(judged, answer.metrics);
   std::vector<std::string> rest, worse;
   for (const std::size_t i : order) {
-    if (const std::string& name = name_of(judged, i); tested.contains(name))
+    if (const std::string& name = solver_name(judged, i); tested.contains(name))
       (beaten.contains(name) ? worse : rest).push_back(name);
   }
-  const std::string numbers = numbers_of(shown, true);
+  const std::string numbers = numbers_of(answer, true);
   std::vector<std::string> same, others;  // as all before it
   for (const std::string& name : rest) {
     const auto is_same = [&](const std::string& other) {
@@ -240,19 +242,19 @@ std::string most_p(const Judged& judged) {
              : fmt::format(" (p {}{})", most < 0.0001 ? "" : "at most ", p_text(most, {judged.plan.significance}));
 }
 
-std::string best(const Shown& shown) {
-  const Judged& judged = shown.decisive();
-  const std::vector<std::size_t> order = best_first(judged, shown.metrics);
+std::string best(const Answer& answer) {
+  const Judged& judged = answer.decisive();
+  const std::vector<std::size_t> order = best_first(judged, answer.metrics);
   std::vector<std::string> names, beaten;
   for (const std::size_t i : order)
-    (names.size() < judged.headline.best.size() ? names : beaten).push_back(name_of(judged, i));
+    (names.size() < judged.headline.best.size() ? names : beaten).push_back(solver_name(judged, i));
   const std::string other = beaten.size() <= 2 ? listed(beaten) : fmt::format("each of the {} others", beaten.size());
   const bool are_listed = judged.findings.size() <= most_pairs;
   std::string text = fmt::format("{} {}{}: {}", names_of(names),
                                  names.size() > 1    ? "are best"
                                  : order.size() == 2 ? "is better than " + other
                                                      : "is best",
-                                 by_little(judged), numbers_of(shown, names.size() > 1));
+                                 by_little(judged), numbers_of(answer, names.size() > 1));
   if (names.size() > 1 || !are_listed)
     text += fmt::format(". {} better than {}{}",
                         names.size() == 1   ? "It is"
@@ -262,23 +264,23 @@ std::string best(const Shown& shown) {
   return text;
 }
 
-std::string sentence(const Shown& shown) {
-  const Judged& judged = shown.decisive();
+std::string sentence(const Answer& answer) {
+  const Judged& judged = answer.decisive();
   const Headline& head = judged.headline;
   const std::size_t groups = judged.described.size();
   if (groups == 0) return "Nothing is solved";
-  if (!head.best.empty()) return best(shown);
+  if (!head.best.empty()) return best(answer);
   if (!head.usual.empty()) return usual(judged);
-  if (const std::string equal = all_or_none(shown); !equal.empty()) return equal;
+  if (const std::string equal = all_or_none(answer); !equal.empty()) return equal;
   if (judged.findings.empty()) {
     const bool is_solved = judged.observations.metric == "solved";
-    return (is_solved ? "" : name_of(judged, 0) + ": ") + numbers_of(shown, is_solved);
+    return (is_solved ? "" : solver_name(judged, 0) + ": ") + numbers_of(answer, is_solved);
   }
-  if (head.is_circle) return "No solver is best, since each is worse than another: " + numbers_of(shown, true);
-  if (!judged.plan.control.empty() && groups > 2) return against_control(shown);
+  if (head.is_circle) return "No solver is best, since each is worse than another: " + numbers_of(answer, true);
+  if (!judged.plan.control.empty() && groups > 2) return against_control(answer);
   if (all_are(judged, Verdict::same))
-    return fmt::format("{} are the same within {}: {}", all_of(judged), margin_words(judged), numbers_of(shown, true));
-  return all_are(judged, Verdict::not_tested) ? not_tested(shown) : unbeaten(shown);
+    return fmt::format("{} are the same within {}: {}", all_of(judged), margin_words(judged), numbers_of(answer, true));
+  return all_are(judged, Verdict::not_tested) ? not_tested(answer) : unbeaten(answer);
 }
 
 // "1 point", "2.5 cm".
@@ -289,7 +291,7 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 
 }  // namespace
 
-std::string headline(const Shown& whole) {
+std::string headline(const Answer& whole) {
   if (!whole.verdict.empty()) return whole.verdict;
   return sentence(with_short_names(whole, 40)) + '.';
 }
@@ -355,12 +357,12 @@ std::string amount_words(const Finding& finding, const Judged& judged) {
   return text;
 }
 
-std::vector<std::vector<std::string>> pair_rows(const Shown& shown) {
-  const bool has_two = shown.decisive().described.size() == 2;
+std::vector<std::vector<std::string>> pair_rows(const Answer& answer) {
+  const bool has_two = answer.decisive().described.size() == 2;
   std::vector<std::vector<std::string>> rows;
-  if (shown.decisive().findings.size() > most_pairs) return rows;
-  for (const Judged& judged : shown.metrics) {
-    const bool is_decisive = &judged == &shown.decisive();
+  if (answer.decisive().findings.size() > most_pairs) return rows;
+  for (const Judged& judged : answer.metrics) {
+    const bool is_decisive = &judged == &answer.decisive();
     if (!has_two && (!is_decisive || std::ranges::all_of(judged.findings, &Finding::are_all_equal))) continue;
     for (const Finding& finding : judged.findings) {
       if (!is_decisive && finding.verdict == Verdict::not_tested) continue;

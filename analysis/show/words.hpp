@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "analysis/show/shown.hpp"
+#include "analysis/show/answer.hpp"
 
 namespace ikbench::show {
 
 constexpr std::size_t most_pairs = 6;  // that a screen lists; of more the headline says that all are found
 
 // One sentence: "DLS is best: it solved 100 of 100 targets; PSO 88, mine 54."
-std::string headline(const Shown& shown);
+std::string headline(const Answer& answer);
 
 // "better", "same within 5 %", "not decided", "not tested: it takes 5"
 std::string verdict_words(const compare::Finding& finding, const compare::Judged& judged);
@@ -22,7 +22,7 @@ std::string unit_of(const compare::Finding& finding, const compare::Judged& judg
 std::string amount_words(const compare::Finding& finding, const compare::Judged& judged);
 // Of each pair of the deciding metric, "DLS vs PSO", the verdict, the amount and p; of only two solvers those of
 // each metric that were tested. None of more than most_pairs, nor where all solvers are equal.
-std::vector<std::vector<std::string>> pair_rows(const Shown& shown);
+std::vector<std::vector<std::string>> pair_rows(const Answer& answer);
 // No difference and the margin's ends, as the finding's numbers are.
 std::vector<double> ends_of(const compare::Finding& finding, const compare::Judged& judged);
 // "5 %", "5 points", "5 % or 0.1 mm"

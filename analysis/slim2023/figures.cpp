@@ -26,7 +26,7 @@ About numbered(int number, About about) {
 papers::PrintedRows in_print(std::string_view column) { return papers::printed_means("slim2023", "table-3", column); }
 
 Figure path_figure(const StudyResults& study, int number, std::size_t arms, const Look& look) {
-  const std::string solver = shown_solvers(study, look).front();
+  const std::string solver = drawn_solvers(study, look).front();
   return path(numbered(number, {.caption = fmt::format("Targets, and what {} reached in its first run, with the arm{}.",
                                                        solver, arms == 1 ? "" : " at three of them")}),
               path_rows(study, solver, arms, look));
@@ -73,7 +73,7 @@ Figures of_helix(const JudgedStudy& judged, const Look& look) {
                     drawn.name, metric.column == time ? "median" : "mean"));
     if (metric.column == error) about.floor = 0.00005;  // errors are printed with four decimals
     std::vector<BoxRow> boxed =
-        box_rows(*values, drawn_unit(study, values->observations.unit), shown_solvers(study, look), look);
+        box_rows(*values, drawn_unit(study, values->observations.unit), drawn_solvers(study, look), look);
     const papers::PrintedRows printed = metric.column == time ? papers::PrintedRows() : in_print(metric.column);
     for (BoxRow& row : boxed) {
       if (const auto* const of = papers::row_of(printed, row.label))
@@ -108,7 +108,7 @@ Figures of_circle(const StudyResults& study, const Look& look) {
 }  // namespace
 
 std::vector<Figure> figures_of(const JudgedStudy& judged, const Look& look) {
-  if (shown_solvers(judged.study, look).empty()) return {};
+  if (drawn_solvers(judged.study, look).empty()) return {};
   std::vector<Figure> all;
   for (const auto& figure :
        judged.study.definition.path == "circle" ? of_circle(judged.study, look) : of_helix(judged, look)) {

@@ -149,12 +149,12 @@ TEST_CASE("joints are the turning ones of the first run, in degrees", "[of_study
 TEST_CASE("chosen solvers are drawn alone, in their order, in their colours", "[of_study]") {
   const StudyResults asked = study({}, differ, {"A", "B", "C"});
   const Look all = look_of_study(asked), chosen = look_of_study(asked, {.solvers = {"C", "B"}});
-  CHECK(shown_solvers(asked, chosen) == Names{"C", "B"});
+  CHECK(drawn_solvers(asked, chosen) == Names{"C", "B"});
   CHECK(all.lines == std::map<std::string, int>{{"A", 1}, {"B", 2}, {"C", 3}});
   const Look short_palette = look_of_study(asked, {.palette = {"#8D1804", "#1E8CF8"}, .solvers = {"C", "B"}});
   CHECK(short_palette.lines == std::map<std::string, int>{{"A", 3}, {"B", 2}, {"C", 1}});
   const std::vector<BoxRow> rows =
-      box_rows(*judged_of(judge(asked), "seconds"), {"ms", 1000}, shown_solvers(asked, chosen), chosen);
+      box_rows(*judged_of(judge(asked), "seconds"), {"ms", 1000}, drawn_solvers(asked, chosen), chosen);
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].label == "C");
   CHECK(rows[0].box[2] == Approx(1));  // [ms]

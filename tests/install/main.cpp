@@ -56,6 +56,6 @@ solvers = [{ label = "random", solver = "random_search" }]
   experiments::run(study, store, {});
   const auto reported = show::report_of(compare::judge(compare::read_study(store, store.study("mine"))), {});
   show::publish(reported, "made", {.render = false});
-  std::puts(show::headline(reported.shown).c_str());
-  std::puts(show::to_markdown(show::results_table(reported.shown)).c_str());
+  std::puts(show::headline(reported.answer).c_str());
+  std::puts(show::to_markdown(show::results_table(reported.answer)).c_str());
 }

@@ -50,7 +50,7 @@ TEST_CASE("a claim about solvers of one study has the verdicts of its report", "
     for (const Claim& claim : of.paper.claims) {
       const bool is_of_one = claim.study.empty() || claim.study == "limits";
       if (!is_of_one || !claim.rule || claim.rule->name != "better" || claim.of != Of::means) continue;
-      const show::Table pairs = show::pairs_table(show::shown(claim.study.empty() ? study : limits));
+      const show::Table pairs = show::pairs_table(show::answer_of(claim.study.empty() ? study : limits));
       std::vector<Holds> parts;
       for (const Metric* metric : claim.metrics) {
         Tally tally;

@@ -6,7 +6,7 @@
 #include "analysis/compare/judge.hpp"
 #include "analysis/papers/claims.hpp"
 #include "analysis/papers/multiverse.hpp"
-#include "analysis/show/shown.hpp"
+#include "analysis/show/answer.hpp"
 #include "analysis/slim2023/slim2023.hpp"
 #include "tests/common.hpp"
 

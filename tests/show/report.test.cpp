@@ -31,11 +31,12 @@ std::string visible(std::string page) {
 
 std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
 
-Shown of_many(std::size_t solvers) {
+Answer of_many(std::size_t solvers) {
   std::vector<std::pair<std::string, std::vector<double>>> groups;
   for (std::size_t i = 0; i < solvers; ++i)
     groups.emplace_back(fmt::format("solver {}", i), values_around(1 + 0.3 * static_cast<double>(i), 0.5));
-  Shown all = shown({judged(numbers("error", "error", "mm", groups)), judged(numbers("time", "time", "ms", groups))});
+  Answer all =
+      answer_of({judged(numbers("error", "error", "mm", groups)), judged(numbers("time", "time", "ms", groups))});
   for (int i = 0; i < 9; ++i)
     all.doubts.push_back({.kind = compare::DoubtKind::runs_missing, .who = {"a"}, .count = 1.0 + i, .of = 20});
   return all;
@@ -54,14 +55,14 @@ TEST_CASE("each section has its words", "[show]") {
     std::erase(name, '?');
     check_golden(name + ".md", text);
   }
-  check_golden("screen.txt", screen(report_of().shown, "out/mine/report.html"));
+  check_golden("screen.txt", screen(report_of().answer, "out/mine/report.html"));
 }
 
 TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
   const Report report = report_of();
-  const auto json = to_json(report.shown);
-  const Table results = results_table(report.shown);
-  const std::string on_screen = screen(report.shown);
+  const auto json = to_json(report.answer);
+  const Table results = results_table(report.answer);
+  const std::string on_screen = screen(report.answer);
   for (const auto& row : results.rows) {
     const auto& solver = std::get<std::string>(row[0]);
     for (std::size_t c = 1; c < row.size(); ++c) {
@@ -69,7 +70,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
       const auto* marked = std::get_if<Marked>(&row[c]);
       if (std::holds_alternative<std::monostate>(row[c])) continue;
       if (marked && marked->to_reference) {
-        const auto of = std::ranges::find(report.shown.metrics, metric,
+        const auto of = std::ranges::find(report.answer.metrics, metric,
                                           [](const compare::Judged& each) { return each.observations.quantity; });
         const compare::Finding finding = compare::better_first(*finding_of(*of, solver, "DLS"), "DLS");
         CHECK(marked->value == finding.estimate);
@@ -112,11 +113,11 @@ TEST_CASE("a screen has the solvers up to 20, at most six pairs and 100 columns"
     for (std::string line; std::getline(lines, line);) CHECK(character_count(line) <= 100);
   }
   const std::string hostile = std::string(300, 'x') + "\x1b[2J\n";
-  const std::string text = screen(shown(judged_study(hostile)));
+  const std::string text = screen(answer_of(judged_study(hostile)));
   CHECK(text.find('\x1b') == std::string::npos);
   CHECK(text.find(std::string(40, 'x')) == std::string::npos);  // nor in a warning
-  const std::string of_two =
-      screen(shown({judged(numbers("v", "a\nb\x1b", "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}))}));
+  const std::string of_two = screen(
+      answer_of({judged(numbers("v", "a\nb\x1b", "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}))}));
   CHECK(contains(of_two, "a b"));
   CHECK(of_two.find('\x1b') == std::string::npos);
 }
@@ -125,9 +126,11 @@ TEST_CASE("below the pairs of two solvers stands which metric was chosen before"
   const auto of_two = [](const std::string& metric) {
     return judged(numbers(metric, metric, "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}));
   };
-  Shown two = shown({of_two("error"), of_two("effort")});
+  Answer two = answer_of({of_two("error"), of_two("effort")});
   two.deciding = 1;
-  const auto is_told = [](const Shown& shown) { return screen(shown).find(chosen_before(shown)) != std::string::npos; };
+  const auto is_told = [](const Answer& answer) {
+    return screen(answer).find(chosen_before(answer)) != std::string::npos;
+  };
   CHECK(chosen_before(two).starts_with("Only effort "));
   CHECK(is_told(two));
   CHECK(pairs_table(two).notes.front().starts_with(chosen_before(two)));
@@ -137,8 +140,8 @@ TEST_CASE("below the pairs of two solvers stands which metric was chosen before"
   CHECK(screen(two).starts_with("A is worse.\n\n"));
   CHECK(screen(two).find("! results of A are not compared") != std::string::npos);
   CHECK(chosen_before(two).find("effort") == std::string::npos);
-  CHECK(chosen_before(shown({of_two("error")})).empty());
-  CHECK_FALSE(is_told(shown(judged_study())));
+  CHECK(chosen_before(answer_of({of_two("error")})).empty());
+  CHECK_FALSE(is_told(answer_of(judged_study())));
 }
 
 TEST_CASE("a report is few files, and replaces those of the report before it", "[show]") {
@@ -201,9 +204,9 @@ TEST_CASE("a report of three solvers is short", "[show]") {
 }
 
 TEST_CASE("of several studies each is a column, solvers in the order of the first", "[show]") {
-  const auto of = [](int a, int b) { return shown({judged(shares({{"A", solved(a)}, {"B", solved(b)}}))}); };
-  const Table table =
-      studies_table({of(20, 10), shown({judged(shares({{"B", solved(20)}, {"C", solved(5)}}))})}, {"on-one", "on-two"});
+  const auto of = [](int a, int b) { return answer_of({judged(shares({{"A", solved(a)}, {"B", solved(b)}}))}); };
+  const Table table = studies_table({of(20, 10), answer_of({judged(shares({{"B", solved(20)}, {"C", solved(5)}}))})},
+                                    {"on-one", "on-two"});
   CHECK(table.columns[2].name == "on-two");
   CHECK(table.rows.size() == 3);
   CHECK(std::get<std::string>(table.rows[0][0]) == "A");
@@ -223,12 +226,12 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
 }
 
 TEST_CASE("a table says no more below it than it has", "[show]") {
-  const auto of = [](compare::Observations observed) { return shown({judged(std::move(observed))}); };
-  const Shown of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
+  const auto of = [](compare::Observations observed) { return answer_of({judged(std::move(observed))}); };
+  const Answer of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
   CHECK(results_table(of_shares).notes.front() ==
         "* worse than A (adjusted p < 0.05). Brackets: 95 % intervals.");  // no medians
   CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.size() == 1);
-  const Shown of_errors = of(numbers("error", "error", "mm", {{"A", solved(20)}, {"B", solved(20)}}));
+  const Answer of_errors = of(numbers("error", "error", "mm", {{"A", solved(20)}, {"B", solved(20)}}));
   CHECK(results_table(of_errors).columns.size() == 2);  // median and mean of the headline's
   CHECK(results_table(of_errors).notes == std::vector<std::string>{"Medians (quartiles)."});
   CHECK(descriptives_table(of_errors).notes[0].find("Wilson") == std::string::npos);
@@ -241,7 +244,7 @@ TEST_CASE("a star says that a solver is worse than the reference, and stands at 
   const auto text = [](compare::Observations costs, results::Plan plan = {}, int last = 6) {
     costs.is_of_solved = costs.is_paired = true;
     const auto shown_of = shares({{"A", solved(6)}, {"B", solved(20)}, {"C", solved(last)}});
-    return to_text(results_table(shown({judged(shown_of, plan), judged(std::move(costs), plan)})));
+    return to_text(results_table(answer_of({judged(shown_of, plan), judged(std::move(costs), plan)})));
   };
   compare::Observations costs = numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", c}});
   CHECK(text(costs) ==
@@ -270,19 +273,19 @@ TEST_CASE("a star says that a solver is worse than the reference, and stands at 
 TEST_CASE("means that are not paired have a test of all solvers", "[show]") {
   compare::Observations of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
   const results::Plan by_means{.test = results::Plan::Test::means};
-  CHECK(anova_table(shown({judged(of, by_means)})).rows.size() == 1);
-  CHECK(anova_table(shown({judged(of)})).rows.empty());
+  CHECK(anova_table(answer_of({judged(of, by_means)})).rows.size() == 1);
+  CHECK(anova_table(answer_of({judged(of)})).rows.empty());
   of.is_paired = true;
-  CHECK(anova_table(shown({judged(of, by_means)})).rows.empty());
+  CHECK(anova_table(answer_of({judged(of, by_means)})).rows.empty());
 }
 
 TEST_CASE("values below the floor of a ratio are told once", "[show]") {
   compare::JudgedStudy study = judged_study();
-  const std::size_t before = shown(study).notes.size();
+  const std::size_t before = answer_of(study).notes.size();
   study.metrics[1].observations.floor = 100;  // no value is below it
-  CHECK(shown(study).notes.size() == before);
+  CHECK(answer_of(study).notes.size() == before);
   study.metrics[1].observations.floor = 300;
-  const Shown all = shown(study);
+  const Answer all = answer_of(study);
   REQUIRE(all.notes.size() == before + 1);
   CHECK(all.notes.back() == "In ratios, joint motion below 300 deg counts as that.");
   CHECK(contains(screen(all), "In ratios, joint motion below"));

@@ -4,8 +4,8 @@ using compare::Observations;
 
 namespace {
 
-Shown of(Observations observations, const results::Plan& plan = {}) {
-  Shown result = shown({judged(std::move(observations), plan)});
+Answer of(Observations observations, const results::Plan& plan = {}) {
+  Answer result = answer_of({judged(std::move(observations), plan)});
   result.noun = "targets";
   return result;
 }
@@ -28,9 +28,9 @@ std::vector<double> two_modes(double first, int lower, double second) {
   return values;
 }
 
-std::string table_of_verdicts(const Shown& shown) {
+std::string table_of_verdicts(const Answer& answer) {
   std::string text;
-  for (const compare::Judged& judged : shown.metrics) {
+  for (const compare::Judged& judged : answer.metrics) {
     for (const compare::Finding& finding : judged.findings)
       text += fmt::format("  {} vs {}: {}; {}\n", finding.first, finding.second, verdict_words(finding, judged),
                           amount_words(finding, judged));
@@ -64,7 +64,7 @@ TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
   const auto metric = [](const char* name, double middle) {
     return judged(numbers(name, name, "", {{"A", {1, 2, 3, middle}}, {"B", {5}}, {"C", {}}}));
   };
-  Shown all = shown({metric("time", 3), metric("evaluations", 4)});
+  Answer all = answer_of({metric("time", 3), metric("evaluations", 4)});
   REQUIRE(all.all_doubts().size() == 1);
   CHECK(all.all_doubts().front().who == std::vector<std::string>{"B"});
   CHECK(all.all_doubts().front().count == 1);
@@ -72,8 +72,8 @@ TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
 
 TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   std::string all;
-  const auto add = [&](const std::string& what, const Shown& shown) {
-    all += fmt::format("{}:\n  {}\n{}", what, headline(shown), table_of_verdicts(shown));
+  const auto add = [&](const std::string& what, const Answer& answer) {
+    all += fmt::format("{}:\n  {}\n{}", what, headline(answer), table_of_verdicts(answer));
   };
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.1, 0.5);
   add("best of three", of(shares({{"mine", solved(6)}, {"PSO", solved(13)}, {"DLS", solved(20)}})));
@@ -116,14 +116,14 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   Observations several = shares({{"A", {0.5, 0.75, 1, 0.75}}, {"B", {1, 1, 1, 0.75}}});
   several.trials = 4;
   add("several runs a target", of(several));
-  Shown circle = of(errors({{"A", a}, {"B", b}, {"C", c}}));
+  Answer circle = of(errors({{"A", a}, {"B", b}, {"C", c}}));
   circle.metrics[0].headline = {.is_circle = true};
   add("a circle", circle);
   check_golden("headlines.txt", all);
 }
 
 TEST_CASE("a pair is told from the better one, and from the control's other", "[show]") {
-  const Shown plain = of(errors({{"bad", values_around(3, 0.5)}, {"good", values_around(1, 0.5)}}));
+  const Answer plain = of(errors({{"bad", values_around(3, 0.5)}, {"good", values_around(1, 0.5)}}));
   const compare::Finding& finding = plain.metrics[0].findings[0];
   CHECK(finding.first == "good");
   CHECK(finding.verdict == compare::Verdict::better);
@@ -132,7 +132,7 @@ TEST_CASE("a pair is told from the better one, and from the control's other", "[
   CHECK(*finding.estimate < finding.interval->high);
   CHECK(*finding.effect > 0.9);
 
-  const Shown gate = of(errors({{"old", values_around(1, 0.5)}, {"new", values_around(3, 0.5)}}), {.control = "old"});
+  const Answer gate = of(errors({{"old", values_around(1, 0.5)}, {"new", values_around(3, 0.5)}}), {.control = "old"});
   CHECK(gate.metrics[0].findings[0].first == "new");
   CHECK(gate.metrics[0].findings[0].verdict == compare::Verdict::worse);
   CHECK(*gate.metrics[0].findings[0].estimate == Catch::Detail::Approx(3).epsilon(1e-9));

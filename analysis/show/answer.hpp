@@ -12,7 +12,7 @@
 
 namespace ikbench::show {
 
-struct Shown {
+struct Answer {
   std::vector<compare::Judged> metrics;
   std::size_t deciding = 0;            // metric of the headline
   std::vector<compare::Doubt> doubts;  // of all
@@ -28,34 +28,34 @@ struct Shown {
 
 // Shares in percent; of studies times in ms, and errors in mm, but in cm where a paper's study is repeated. With a
 // control it is the second of each pair.
-Shown shown(std::vector<compare::Judged> metrics);
-Shown shown(const compare::JudgedStudy& judged);
+Answer answer_of(std::vector<compare::Judged> metrics);
+Answer answer_of(const compare::JudgedStudy& judged);
 
 // With names of solvers that fit a line (numerics::short_names).
-Shown with_short_names(Shown shown, std::size_t length);
+Answer with_short_names(Answer answer, std::size_t length);
 
 bool is_share(const compare::Judged& judged);
 
-std::string reference_of(const Shown& shown);  // the control, else the first of the table of results
+std::string reference_of(const Answer& answer);  // the control, else the first of the table of results
 
 // The tables of every report; their numbers are those of the sentences, and their rows those of results.json.
-Table results_table(const Shown& shown);  // a row a solver
+Table results_table(const Answer& answer);  // a row a solver
 // Solvers by studies: of each study its deciding column, in the order of the first. Each study is judged alone.
-Table studies_table(const std::vector<Shown>& studies, const std::vector<std::string>& names);
+Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names);
 std::optional<figures::Figure> studies_figure(const Table& studies);  // bars of its shares
 Table with_a_row_a_study(const Table& studies);                       // of one unit, without intervals
-Table pairs_table(const Shown& shown);
-std::string chosen_before(const Shown& shown);  // what a verdict on another metric is worth; empty if there is none
-Table descriptives_table(const Shown& shown);
-Table anova_table(const Shown& shown);
+Table pairs_table(const Answer& answer);
+std::string chosen_before(const Answer& answer);  // what a verdict on another metric is worth; empty if there is none
+Table descriptives_table(const Answer& answer);
+Table anova_table(const Answer& answer);
 
 // The answer as data: headline, groups, tests, findings and doubts.
-nlohmann::ordered_json to_json(const Shown& shown);
+nlohmann::ordered_json to_json(const Answer& answer);
 
 // "mine: ur5e, 20 runs of 5 targets (random)"
 std::string what_is_studied(const compare::StudyResults& study);
 // Three sentences for an article, without the last point.
-std::string methods_of(const Shown& shown, const compare::StudyResults& study);
+std::string methods_of(const Answer& answer, const compare::StudyResults& study);
 std::string stops_of(const compare::StudyResults& study);  // "0.01 mm or 10000 evaluations"
 
 // How it was made. They have no files.

@@ -1,4 +1,4 @@
-#include "analysis/show/shown.hpp"
+#include "analysis/show/answer.hpp"
 
 #include <fmt/core.h>
 
@@ -42,7 +42,7 @@ Judged in_unit(Judged judged, double factor, std::string unit) {
 
 }  // namespace
 
-std::vector<Doubt> Shown::all_doubts() const {
+std::vector<Doubt> Answer::all_doubts() const {
   std::vector<Doubt> all = doubts;
   for (const Judged& judged : metrics) {
     for (const Doubt& doubt : judged.observations.doubts) {
@@ -62,26 +62,26 @@ std::vector<Doubt> Shown::all_doubts() const {
   return all;
 }
 
-Shown shown(std::vector<Judged> metrics) {
-  Shown shown{.metrics = std::move(metrics)};
-  for (Judged& judged : shown.metrics) {
+Answer answer_of(std::vector<Judged> metrics) {
+  Answer answer{.metrics = std::move(metrics)};
+  for (Judged& judged : answer.metrics) {
     if (is_share(judged)) judged = in_unit(std::move(judged), 100, "%");
     for (Finding& finding : judged.findings) finding = better_first(std::move(finding), judged.plan.control);
   }
-  for (Judged& judged : shown.metrics) {
+  for (Judged& judged : answer.metrics) {
     std::map<std::string_view, std::size_t> places;
-    for (const std::size_t i : best_first(judged, shown.metrics))
+    for (const std::size_t i : best_first(judged, answer.metrics))
       places.emplace(judged.observations.groups[i].name, places.size());
     std::ranges::stable_sort(judged.findings, {}, [&](const Finding& finding) {
       return std::minmax({places.at(finding.first), places.at(finding.second)});
     });
   }
-  return shown;
+  return answer;
 }
 
-Shown shown(const JudgedStudy& judged) {
+Answer answer_of(const JudgedStudy& judged) {
   const results::Definition& definition = judged.study.definition;
-  Shown all = shown(judged.metrics);
+  Answer all = answer_of(judged.metrics);
   all.deciding = judged.deciding;
   all.doubts = judged.doubts;
   const bool are_runs = definition.is_chained() || (judged.study.points == 1 && !definition.draws_targets);
@@ -99,9 +99,9 @@ Shown shown(const JudgedStudy& judged) {
   return all;
 }
 
-Shown with_short_names(Shown shown, std::size_t length) {
+Answer with_short_names(Answer answer, std::size_t length) {
   std::set<std::string> names;
-  for (const Judged& judged : shown.metrics) {
+  for (const Judged& judged : answer.metrics) {
     for (const Group& group : judged.observations.groups) names.insert(group.name);
   }
   const auto short_of = numerics::short_names({names.begin(), names.end()}, length);
@@ -111,7 +111,7 @@ Shown with_short_names(Shown shown, std::size_t length) {
   const auto shorten_all = [&](std::vector<Doubt>& doubts) {
     for (Doubt& doubt : doubts) std::ranges::for_each(doubt.who, shorten);
   };
-  for (Judged& judged : shown.metrics) {
+  for (Judged& judged : answer.metrics) {
     for (Group& group : judged.observations.groups) shorten(group.name);
     for (Finding& finding : judged.findings) shorten(finding.first), shorten(finding.second);
     std::ranges::for_each(judged.headline.best, shorten);
@@ -119,8 +119,8 @@ Shown with_short_names(Shown shown, std::size_t length) {
     shorten(judged.plan.control);
     shorten_all(judged.observations.doubts);
   }
-  shorten_all(shown.doubts);
-  return shown;
+  shorten_all(answer.doubts);
+  return answer;
 }
 
 bool is_share(const Judged& judged) { return judged.observations.scale == Scale::share; }
