@@ -257,7 +257,7 @@ compare::StudyResults checked_study(const Store& store, const StoredStudy& entry
       });
   if (study.solves.empty())
     throw std::invalid_argument(
-        fmt::format("the store has no solves of {} by its solvers as they are; run the study", entry.name));
+        fmt::format("no solve of {} in the store is by its solvers as they are now; run the study", entry.name));
   return study;
 }
 

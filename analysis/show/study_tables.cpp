@@ -88,7 +88,7 @@ std::string limit(double value, std::string_view unit) {
 
 std::string reference_of(const Answer& answer) {
   const Judged& decisive = answer.decisive();
-  if (!decisive.plan.control.empty() || decisive.described.empty()) return decisive.plan.control;
+  if (!decisive.plan.control.empty()) return decisive.plan.control;
   return decisive.observations.groups[best_first(decisive, answer.metrics)[0]].name;
 }
 

@@ -114,7 +114,8 @@ std::string all_or_none(const Answer& answer) {
   const std::string who = all_of(judged);
   const int n = judged.described.front().n;
   const bool have_one_n = std::ranges::count(judged.described, n, &Description::n) == std::ssize(judged.described);
-  const std::string what = counts(judged) && have_one_n ? "all " + numerics::counted(n, answer.noun) : "every target";
+  const std::string what =
+      counts(judged) && have_one_n && n > 1 ? "all " + numerics::counted(n, answer.noun) : "every target";
   if (all_have(100)) return fmt::format("{}{} solved {}", who, judged.described.size() == 2 ? " both" : "", what);
   return all_have(0) ? fmt::format("{} solved no target", who) : "";
 }
@@ -268,7 +269,6 @@ std::string sentence(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const Headline& head = judged.headline;
   const std::size_t groups = judged.described.size();
-  if (groups == 0) return "Nothing is solved";
   if (!head.best.empty()) return best(answer);
   if (!head.usual.empty()) return usual(judged);
   if (const std::string equal = all_or_none(answer); !equal.empty()) return equal;
