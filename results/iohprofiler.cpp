@@ -89,25 +89,22 @@ void add_run(Function& function, const SolveRecord& solve, std::size_t dimension
 
 // Writes one function of a solver into the solver's folder.
 void write_function(const std::filesystem::path& folder, const std::string& study, const Series& series, int point,
-                    const std::map<std::size_t, Function>& by_dimension) {
+                    const Function& function, std::size_t dimension) {
   const std::string name = fmt::format("target_{}", point), data_folder = fmt::format("data_f{}_{}", point, name);
-  Json scenarios = Json::array();
-  for (const auto& [dimension, function] : by_dimension) {
-    const std::string path = fmt::format("{}/IOHprofiler_f{}_DIM{}.dat", data_folder, point, dimension);
-    write_file(folder / path, function.data);
-    scenarios.push_back({{"dimension", dimension}, {"path", path}, {"runs", function.runs}});
-  }
+  const std::string path = fmt::format("{}/IOHprofiler_f{}_DIM{}.dat", data_folder, point, dimension);
+  write_file(folder / path, function.data);
   // No attributes of ours: IOHinspector evaluates their texts, and IOHanalyzer loses those of runs.
-  const Json json{{"version", writer_version},
-                  {"suite", plain_name("ikbench_" + study)},
-                  {"function_id", point},
-                  {"function_name", name},
-                  {"maximization", false},
-                  {"algorithm", {{"name", series.label}, {"info", series.algorithm + " " + series.options}}},
-                  {"experiment_attributes", Json::array()},
-                  {"run_attributes", Json::array()},
-                  {"attributes", {"evaluations", "raw_y"}},
-                  {"scenarios", scenarios}};
+  const Json json{
+      {"version", writer_version},
+      {"suite", plain_name("ikbench_" + study)},
+      {"function_id", point},
+      {"function_name", name},
+      {"maximization", false},
+      {"algorithm", {{"name", series.label}, {"info", series.algorithm + " " + series.options}}},
+      {"experiment_attributes", Json::array()},
+      {"run_attributes", Json::array()},
+      {"attributes", {"evaluations", "raw_y"}},
+      {"scenarios", Json::array({Json{{"dimension", dimension}, {"path", path}, {"runs", function.runs}}})}};
   write_file(folder / fmt::format("IOHprofiler_f{}_{}.json", point, name), numerics::text_of(json, 1) + "\n");
 }
 
@@ -125,24 +122,23 @@ void refuse_full(const std::filesystem::path& folder) {
 std::vector<std::string> write_iohprofiler(const StoredStudy& study, const PassSolves& pass,
                                            const std::filesystem::path& folder) {
   const Json definition = numerics::parsed_ordered_json(study.definition);
-  std::map<std::string, std::map<int, std::map<std::size_t, Function>>> functions;  // by solver, point and dimension
+  std::map<std::string, std::map<int, Function>> functions;  // by solver and point
+  std::size_t dimension = 0;
   std::set<std::string> left_out;
   pass([&](const SolveRecord& solve) {
     if (!has_rows(solve)) left_out.insert(solve.solver);
   });
-  bool has_trace = false;
   pass([&](const SolveRecord& solve) {
     if (left_out.contains(solve.solver)) return;
-    has_trace = true;
     if (solve.point > largest_id || solve.run > largest_id)
       throw std::invalid_argument(
           fmt::format("run {}, point {}: IOHprofiler's numbers end at {}; expected no more runs "
                       "and points",
                       solve.run, solve.point, largest_id));
-    const std::size_t dimension = dimension_of(definition, solve);
-    add_run(functions[solve.solver][solve.point][dimension], solve, dimension);
+    dimension = dimension_of(definition, solve);
+    add_run(functions[solve.solver][solve.point], solve, dimension);
   });
-  if (!has_trace)
+  if (functions.empty())
     throw std::invalid_argument(fmt::format(
         "study '{}': no solver has the errors at its evaluations; expected trace = \"best_error\" in the study: "
         "ikbench run STUDY --set trace=best_error --out another folder",
@@ -154,8 +150,8 @@ std::vector<std::string> write_iohprofiler(const StoredStudy& study, const PassS
       if (!functions.contains(series.label)) continue;
       std::string name = plain_name(series.label);
       for (int next = 2; !used.insert(name).second; ++next) name = fmt::format("{}-{}", plain_name(series.label), next);
-      for (const auto& [point, by_dimension] : functions[series.label])
-        write_function(place / name, study.name, series, point, by_dimension);
+      for (const auto& [point, function] : functions[series.label])
+        write_function(place / name, study.name, series, point, function, dimension);
     }
   });
   std::vector<std::string> warnings;
