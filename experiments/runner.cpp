@@ -106,29 +106,22 @@ void check_stored(const SolveRecord& record, const Work& work, const Chained& ch
 std::int64_t move_past_stored(Work& work, const Store& store) {
   std::int64_t stored = 0;
   for (std::size_t s = 0; s < work.solve_runners.size(); ++s) {
-    int run = 0;
-    Chained chain;
-    const auto note = [&] {
-      if (run == 0) return;
-      const std::size_t index = work.index(s, run);
-      if (work.next_point(chain, run, 1) > work.points)
-        work.done[index] = true;
-      else
-        work.begun.emplace(index, std::move(chain));
-    };
+    std::map<int, Chained> chains;  // by run
     store.each_of_series(work.solve_runners[s].key(), [&](const SolveRecord& record) {
       if (record.run > work.study.runs) return;
-      if (record.run != run) {
-        note();
-        run = 0;
-        chain = work.fresh_chain();
-      }
+      const auto [place, is_new] = chains.try_emplace(record.run);
+      Chained& chain = place->second;
+      if (is_new) chain = work.fresh_chain();
       check_stored(record, work, chain);
-      run = record.run;
       move_on(chain, record, work.study.start);
       if (contains(work.shard, work.study, record.run, record.point)) ++stored;
     });
-    note();
+    for (auto& [run, chain] : chains) {
+      if (work.next_point(chain, run, 1) > work.points)
+        work.done[work.index(s, run)] = true;
+      else
+        work.begun.emplace(work.index(s, run), std::move(chain));
+    }
   }
   return stored;
 }
