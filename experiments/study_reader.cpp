@@ -572,6 +572,7 @@ std::string no_study(const std::filesystem::path& file) {
     return fmt::format("no such file: {}; expected a TOML file, or a name of: ikbench list studies", file.string());
   std::vector<std::string> names;
   for (const EmbeddedFile& embedded : study_files) names.emplace_back(embedded.stem());
+  std::ranges::sort(names);
   return "no such file, and " + unknown_name("built-in study", file.string(), names);
 }
 
