@@ -17,10 +17,6 @@ namespace ikbench::experiments {
 
 // The dimensions of a built-in study, read from multiverse/NAME.toml in the program; none if there is no such file.
 std::vector<results::Dimension> dimensions(std::string_view study);
-// Parses them from a text; std::invalid_argument says where it is wrong. `labels` are the labels of the study's
-// solvers.
-std::vector<results::Dimension> parse_dimensions(std::string_view toml, std::string_view source,
-                                                 const std::vector<std::string>& labels);
 
 // The dimensions that a multiverse varies: each keeps its default and the alternatives of that scope; one without such
 // alternatives is left out.

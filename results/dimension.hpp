@@ -22,7 +22,6 @@ struct Dimension {
   std::string section;                    // section of the paper's notes
   std::string solver;                     // the label of its solver; empty: the study's
   std::vector<Alternative> alternatives;  // the first is the default
-  std::string open = {};                  // the open point in words: "who obeys limits"; empty: as the name
 };
 
 // An alternative by its index, in a dimension by its index.

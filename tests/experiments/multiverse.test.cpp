@@ -1,15 +1,8 @@
 #include "tests/experiments/samples.hpp"
-#include "tests/mistakes.hpp"
 
 namespace {
 
 const Overrides tiny{"runs=2", "path.points=2", "stop.iterations=2", "population=6"};
-const std::vector<std::string> three_labels{"A", "B", "C"};
-
-std::vector<Dimension> parsed(const std::string& alternatives) {
-  return parse_dimensions("[[dimensions]]\nsection = '2.1'\nalternatives = [" + alternatives + "]\n", "open.toml",
-                          three_labels);
-}
 
 }  // namespace
 
@@ -20,15 +13,21 @@ TEST_CASE("the first alternative of every dimension is the default, and every ot
     for (const SolverEntry& entry : study.solvers) keys.push_back(series_key(study, entry));
     return keys;
   };
+  std::set<std::string> names, earlier;  // settings of the dimensions before
   for (const Dimension& dimension : dimensions("slim2023")) {
+    CHECK(names.insert(dimension.name).second);
     CHECK(dimension.section.starts_with("2."));
-    CHECK(dimension.open != dimension.name);
-    CHECK(dimension.open.size() <= 40);  // it is part of a line
+    std::set<std::string> own;
     for (const Alternative& each : dimension.alternatives) {
       CAPTURE(each.set);
+      CHECK(each.set.starts_with(dimension.name + "="));
+      CHECK(own.insert(each.set).second);
+      CHECK(!each.where.empty());
+      for (const std::string& excepted : each.except) CHECK(earlier.contains(excepted));
       const bool is_default = &each == &dimension.alternatives.front();
       CHECK((keys_of(load_study("slim2023", {each.set})) == keys_of(usual)) == is_default);
     }
+    earlier.merge(own);
   }
 }
 
@@ -136,28 +135,4 @@ TEST_CASE("the parts of a plan have the means of their runs, by any number of jo
   const RunRequest request{.progress = [&](const Progress& progress) { cancelled = progress.done > 0; },
                            .cancelled = &cancelled};
   CHECK(solve_parts(parts, request).empty());
-}
-
-TEST_CASE("a file of dimensions says in one sentence where it is wrong", "[multiverse]") {
-  const std::string good = "{set='x=1', where='a'}, {set='x=2', where='b', in='small'}";
-  REQUIRE(parsed(good).size() == 1);
-  CHECK(parsed(good).front().name == "x");
-  CHECK(parsed("{set='B.x=1', where='a'}, {set='B.x=2', where='b'}").front().solver == "B");
-  check_mistakes("alternatives", "open.toml:", parsed);
-  const auto excepting = [](const std::string& solver, const std::string& other) {
-    return "[[dimensions]]\nsection = '2.1'\nalternatives = [{set='A.x=1', where='a'}, {set='A.x=2', where='b'}]\n"
-           "[[dimensions]]\nsection = '2.1'\nalternatives = [{set='" +
-           solver + ".y=1', where='a'}, {set='" + solver + ".y=2', where='b', except=['" + other + "']}]\n";
-  };
-  CHECK(parse_dimensions(excepting("A", "A.x=2"), "open.toml", three_labels).size() == 2);
-  for (const std::string& wrong : {excepting("A", "A.x=3"), excepting("B", "A.x=2")}) {
-    CHECK_THROWS_WITH(parse_dimensions(wrong, "open.toml", three_labels),
-                      Catch::Matchers::StartsWith("open.toml:6:") && Catch::Matchers::Contains("in except"));
-  }
-  std::string many;
-  for (int i = 0; i < 30; ++i) many += "{set='x=" + std::to_string(i) + "', where='a'},";
-  CHECK_THROWS_WITH(parsed(many), Catch::Matchers::Contains("a list of 1 to 20 tables"));
-  CHECK_THROWS_AS(parse_dimensions("dimensions = 3", "open.toml", three_labels), std::invalid_argument);
-  CHECK_THROWS_AS(parse_dimensions("", "open.toml", three_labels), std::invalid_argument);
-  CHECK_THROWS_AS(parse_dimensions("[[dimensions", "open.toml", three_labels), std::invalid_argument);
 }

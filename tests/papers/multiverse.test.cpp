@@ -21,8 +21,7 @@ results::Dimension dimension(std::string name, std::string solver) {
       .name = name,
       .section = "",
       .solver = std::move(solver),
-      .alternatives = {{.set = name + "=0", .where = name + " is 0"}, {.set = name + "=1", .where = name + " is 1"}},
-      .open = "the " + name};
+      .alternatives = {{.set = name + "=0", .where = name + " is 0"}, {.set = name + "=1", .where = name + " is 1"}}};
 }
 
 // 2 choices for the study, and 2 for each of four solvers: 32 readings.
