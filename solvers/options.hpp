@@ -2,6 +2,7 @@
 // --set, `ikbench list solvers` and the provenance in the store all use this list.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <string>
@@ -31,24 +32,16 @@ class OptionList {
 
   template <class Enum>
   void choice(std::string name, Enum& field, std::vector<std::pair<std::string, Enum>> values, std::string meaning) {
+    using Value = std::pair<std::string, Enum>;
     std::vector<std::string> names;
-    for (const auto& [text, value] : values) names.push_back(text);
+    for (const Value& value : values) names.push_back(value.first);
     add_choice(
         std::move(name), std::move(names), std::move(meaning),
-        [&field, values]() -> std::string {
-          for (const auto& [text, value] : values) {
-            if (value == field) return text;
-          }
-          return {};
-        },
+        [&field, values] { return std::ranges::find(values, field, &Value::second)->first; },
         [&field, values](std::string_view wanted) {
-          for (const auto& [text, value] : values) {
-            if (text == wanted) {
-              field = value;
-              return true;
-            }
-          }
-          return false;
+          const auto found = std::ranges::find(values, wanted, &Value::first);
+          if (found != values.end()) field = found->second;
+          return found != values.end();
         });
   }
 

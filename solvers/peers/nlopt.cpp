@@ -26,19 +26,11 @@ class NloptSolver final : public Solver {
           "algorithm", algorithm,
           {{"slsqp", NLOPT_LD_SLSQP},
            {"lbfgs", NLOPT_LD_LBFGS},
-           {"tnewton", NLOPT_LD_TNEWTON_PRECOND_RESTART},
-           {"var2", NLOPT_LD_VAR2},
-           {"mma", NLOPT_LD_MMA},
-           {"ccsaq", NLOPT_LD_CCSAQ},
-           {"cobyla", NLOPT_LN_COBYLA},
            {"bobyqa", NLOPT_LN_BOBYQA},
            {"nelder_mead", NLOPT_LN_NELDERMEAD},
-           {"sbplx", NLOPT_LN_SBPLX},
            {"direct_l", NLOPT_GN_DIRECT_L},
-           {"crs2_lm", NLOPT_GN_CRS2_LM},
-           {"isres", NLOPT_GN_ISRES},
-           {"esch", NLOPT_GN_ESCH}},
-          "of NLopt; the first six use the Jacobian, the next four search near the start, the last four everywhere "
+           {"crs2_lm", NLOPT_GN_CRS2_LM}},
+          "of NLopt; the first two use the Jacobian, the next two search near the start, the last two everywhere "
           "within the limits");
       list.choice("restarts", restarts, {{"none", Restarts::none}, {"random", Restarts::random}},
                   "after a call of the library: end, or call it again from a random configuration");
@@ -97,8 +89,7 @@ class NloptSolver final : public Solver {
   // True for algorithms that need finite limits. For a joint without end, a whole turn on both sides of the start
   // contains every direction well inside.
   bool searches_everywhere() const {
-    return options_.algorithm == NLOPT_GN_DIRECT_L || options_.algorithm == NLOPT_GN_CRS2_LM ||
-           options_.algorithm == NLOPT_GN_ISRES || options_.algorithm == NLOPT_GN_ESCH;
+    return options_.algorithm == NLOPT_GN_DIRECT_L || options_.algorithm == NLOPT_GN_CRS2_LM;
   }
 
   // NLopt's first step is a quarter of a joint's range, or, without limits, the joint's own value, however small. So a
