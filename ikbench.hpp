@@ -8,6 +8,5 @@
 #include "experiments/study_reader.hpp"  // load_study, parse_study
 #include "results/store.hpp"             // every solve
 #include "robots/robot.hpp"              // robot, load_robot: the chain and its limits
-#include "robots/urdf.hpp"               // the tip and the limits of a URDF file
 #include "solvers/registry.hpp"          // solver, all_solvers
 #include "solvers/solve.hpp"             // one solve without a study

@@ -125,8 +125,6 @@ Robot parse_robot(std::string_view text, const std::filesystem::path& file) {
   return read_robot(TomlReader(table, file.string(), ""), std::move(name), lengths_m);
 }
 
-Robot load_robot(const std::filesystem::path& file) { return load_robot(file, UrdfChoice{}); }
-
 Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice) {
   const std::string text = text_of_arm_file(file);
   return is_urdf_file(file.string()) ? parse_urdf(text, file, choice) : parse_robot(text, file);

@@ -49,15 +49,23 @@ std::vector<Robot> all_robots();
 // One of them; std::invalid_argument lists the names.
 Robot robot(std::string_view name);
 
+// The choices that a URDF file leaves open.
+struct UrdfChoice {
+  enum class Limits { hard, soft };  // <limit>, or the tighter of it and <safety_controller>
+
+  std::string base;  // a link; empty: the root of the tree, or the link after the last joint that floats
+  std::string tip;   // a link; empty: the end of the tree with the most moving joints before it
+  Limits limits = Limits::hard;
+  double snap = least_snap;  // see snap() in description.hpp
+};
+
 // True if a name means a file, by its ending: .toml, or a URDF file (urdf.hpp).
 bool is_arm_file(std::string_view name);
 // All throw std::invalid_argument with the place, the mistake, and what is expected. The arm gets the name of the file
 // without its ending.
 Robot parse_robot(std::string_view text, const std::filesystem::path& file);
 std::string text_of_arm_file(const std::filesystem::path& file);
-struct UrdfChoice;
-Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice);
-Robot load_robot(const std::filesystem::path& file);
+Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice = {});
 
 // The arm in the definition of a stored study, to the rounding of its degrees; empty if no arm file can be it.
 std::optional<Robot> stored_arm(std::string_view json);

@@ -9,16 +9,6 @@
 
 namespace ikbench::robots {
 
-// The choices that a URDF file leaves open.
-struct UrdfChoice {
-  enum class Limits { hard, soft };  // <limit>, or the tighter of it and <safety_controller>
-
-  std::string base;  // a link; empty: the root of the tree, or the link after the last joint that floats
-  std::string tip;   // a link; empty: the end of the tree with the most moving joints before it
-  Limits limits = Limits::hard;
-  double snap = least_snap;  // see snap() in description.hpp
-};
-
 // True if a name means a URDF file, by its ending in any case: .urdf, or .xacro, which is refused with how to expand it
 // if it needs to be.
 bool is_urdf_file(std::string_view name);
