@@ -301,17 +301,13 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
   for (const StoredStudy& earlier : store.studies()) {
     if (earlier.name != study.name || earlier.definition == stored.definition) continue;
     const std::string difference = difference_in_solves(earlier.definition, stored.definition);
-    if (difference.empty()) {
-      if (definition_of(earlier.definition).plan != study.plan)
-        warn(fmt::format("the plan of {} in {} has changed; the report will say so", study.name, folder.string()));
-    } else {
+    if (!difference.empty())
       warn(
           fmt::format("{} has a different study named {} ({}); its solves stay there, but its {}; use another name or "
                       "--out to keep both",
                       folder.string(), study.name, difference,
                       mode == Store::Mode::write_shared ? "definition is replaced, and merge takes no two of one name"
                                                         : "report is overwritten"));
-    }
   }
   warn_of_left_aside(stored, store);
   Progress progress;
