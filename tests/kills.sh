@@ -15,15 +15,8 @@ ends=(TERM INT)
 # A program that nohup starts ignores SIGHUP.
 [ -n "$(trap -p HUP)" ] && echo "SIGHUP is ignored here and left out" || ends+=(HUP)
 
-# obeyed SIGNAL: $process ends by it; all but SIGKILL let it say so.
-obeyed() {
-  wait $process 2>/dev/null
-  code=$?
-  equal "exit code after SIG$1, which said $(<.said)" $code $((128 + $(kill -l "$1")))
-  [ "$1" = KILL ] || grep -q "^Stopped" .said || fail "no word after SIG$1: $(<.said)"
-}
-
-# at_work FILES SIGNAL COMMAND...: the signal as soon as FILES are there, which the command makes long before its end.
+# at_work FILES SIGNAL COMMAND...: the signal as soon as FILES are there, which the command makes long before its end. It
+# ends by it; all but SIGKILL let it say so.
 at_work() {
   local files=$1 signal=$2
   "$program" "${@:3}" >.said 2>&1 </dev/null &
@@ -33,7 +26,10 @@ at_work() {
     sleep 0.01
   done
   kill -s "$signal" $process
-  obeyed "$signal"
+  wait $process 2>/dev/null
+  code=$?
+  equal "exit code after SIG$signal, which said $(<.said)" $code $((128 + $(kill -l "$signal")))
+  [ "$signal" = KILL ] || grep -q "^Stopped" .said || fail "no word after SIG$signal: $(<.said)"
 }
 
 # signalled SIGNAL COMMAND...: the signal at a random moment of the time that the command took at first, $moment.

@@ -30,13 +30,6 @@ for keyword in $(sed -n 's/.*keywords = {\(.*\)}/\1/p' "$root/docs/references.bi
 done
 
 
-# Every column of an export is listed.
-succeeds run slim2023 "${small[@]}" --no-report --out made
-succeeds list columns
-cp .out columns
-"$program" export made/store.sqlite | head -n 1 | tr , '\n' | sed -E 's/_[0-9]+$//' | sort -u >exported
-while read -r column; do grep -q "^$column " columns || fail "not listed: $column"; done <exported
-
 # A listed study is a study file, and says the meaning of its keys.
 for study in $("$program" list studies | grep -E '^[a-z]' | cut -d' ' -f1); do
   succeeds list studies "$study"
@@ -48,9 +41,6 @@ done
 study theirs '[[solvers]]' 'label = "X"' 'process = ["touch", "ran"]'
 refused "a list starts none" list studies theirs.toml
 [ ! -e ran ] || fail "a list started a program"
-succeeds run slim2023-time.toml "${small[@]}" --no-report --out from-file
-succeeds run slim2023-time "${small[@]}" --no-report --out by-name
-same_fingerprint from-file/store.sqlite by-name/store.sqlite
 
 # The page on study files has these keys, defaults and meanings.
 "$root/tests/tools/study-keys" "$program" >keys || fail "tests/tools/study-keys"

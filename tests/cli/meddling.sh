@@ -4,33 +4,18 @@
 source "$(dirname "$0")/common.sh"
 study=(run slim2023 --set runs=6 --set path.points=10 --set stop.iterations=200 --set population=20 --figures none)
 
-# begin FOLDER: the study, for minutes, runs into it, in the background, as $process; its store has solves.
-begin() {
-  long=("${study[@]/runs=6/runs=5000}")
-  "$program" "${long[@]}" --out "$1" >.first-out 2>.first-err &
-  process=$!
-  until [ -s "$1/store.sqlite-wal" ] && [ "$(solves "$1/store.sqlite" 2>.polled)" -ge 5 ]; do
-    kill -0 $process 2>.polled || fail "it ended before anybody could meddle: $(<.first-err)"
-    sleep 0.02
-  done
-}
-# ended CODE WORD: checks how it ended, and that it reported no success.
-ended() {
-  wait $process 2>.waited; code=$?
-  equal "exit code, with $(<.first-err)" $code "$1"
-  has "$(<.first-err)" "$2"
-  equal "standard output" "$(<.first-out)" ""
-}
-
-# The same study runs twice: the second is refused.
-begin twice
-"$program" "${long[@]}" --out twice >.second-out 2>.second-err &
-wait -n -p refused_one $process $!; code=$?
+# The same study runs twice, for minutes: of two, one is refused, and the other goes on.
+for which in first second; do
+  "$program" "${study[@]/runs=6/runs=5000}" --out twice >.$which-out 2>.$which-err &
+  processes+=($!)
+done
+wait -n -p refused_one "${processes[@]}"; code=$?
 equal "exit code of one of two: $(<.first-err) $(<.second-err)" $code 1
 has "$(cat .first-err .second-err)" "another ikbench is running the same study"
-[ "$refused_one" != $process ] || process=$!
-kill $process
-ended 143 ""
+until [ "$(solves twice/store.sqlite 2>.polled)" -ge 5 ]; do sleep 0.02; done
+kill "${processes[@]/$refused_one/}" 2>.killed
+wait "${processes[@]}" 2>.waited
+equal "standard output of a stopped run" "$(cat .first-out .second-out)" ""
 succeeds "${study[@]}" --out twice
 
 # What somebody changed stops a report and a comparison with its place (recheck.test.cpp).

@@ -352,15 +352,6 @@ TEST_CASE("the reach is no longer than the arm's own lengths, however nearly par
   }
 }
 
-TEST_CASE("axes that are antiparallel have a table as any", "[urdf][traps]") {
-  const Robot arm = read({{"revolute", about_z + limit},
-                          {"revolute", "<origin xyz='0.3 0.1 0.2' rpy='3.14159265358979 0 0'/>" + about_z + limit},
-                          {"revolute", "<origin xyz='0.3 0 0.2'/><axis xyz='0 0 -1'/>" + limit},
-                          {"fixed", to_tool}});
-  CHECK(difference(arm) < 1e-14);
-  CHECK(std::abs(arm.chain.links()[0].alpha) == Approx(pi));
-}
-
 TEST_CASE("what the arm needs of xacro is told with the command that expands it; the rest is ignored",
           "[urdf][traps]") {
   CHECK(said_of("<robot name='r'>\n<xacro:include filename='a'/></robot>") ==
