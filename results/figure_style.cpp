@@ -39,7 +39,7 @@ std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle&
   const auto is_colour = [](const std::string& colour) { return hex_colour(colour).has_value(); };
   const auto is_size = [](double cm, double least) { return cm == 0 || cm >= least; };
   const std::set<std::string> shown(style.solvers.begin(), style.solvers.end()),
-      formats(style.formats.begin(), style.formats.end());
+      drawn(style.formats.begin(), style.formats.end());
   if (!is_size(style.width_cm, 4)) return {{"width_cm", "0, or from 4 to 60"}};
   if (!is_size(style.height_cm, 3)) return {{"height_cm", "0, or from 3 to 60"}};
   if (!is_font(style.font)) return {{"font", fmt::format("at most {} letters, digits, blanks and -", longest_font)}};
@@ -47,7 +47,7 @@ std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle&
     return {{"palette", fmt::format("1 to {} times {}", most_colours, expected_colour)}};
   if (shown.size() < style.solvers.size()) return {{"solvers", "each label once"}};
   const auto is_known = [](const std::string& format) { return std::ranges::count(picture_formats, format) == 1; };
-  if (formats.empty() || formats.size() < style.formats.size() || !std::ranges::all_of(formats, is_known))
+  if (drawn.empty() || drawn.size() < style.formats.size() || !std::ranges::all_of(drawn, is_known))
     return {{"formats", fmt::format("some of {}, each once", fmt::join(picture_formats, ", "))}};
   for (const auto& [label, colour] : style.colours) {
     if (!is_colour(colour)) return {{"colour", std::string(expected_colour)}};
