@@ -86,6 +86,7 @@ void stats(const StatsArguments& arguments) {
   show::Report reported = judged(arguments, style);
   if (!arguments.out.empty()) return announce(std::move(reported), arguments.out, arguments.report, style);
   if (arguments.report.is_json) return show_json(show::to_json(reported.answer));
+  if (arguments.csv.better.empty()) reported.answer.direction += " (--better larger turns it)";
   fmt::print("{}", printable(show::screen(reported.answer, "")));
 }
 
