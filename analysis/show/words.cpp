@@ -148,13 +148,15 @@ std::string usual(const Judged& judged) {
 std::string against_control(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const std::size_t control = place_of(judged.observations, judged.plan.control);
-  std::vector<std::string> parts, who;
-  for (std::size_t i = 0; i < judged.findings.size(); ++i) {
-    const std::string verdict = verdict_words(judged.findings[i], judged);
-    who.push_back(with_number(answer, judged.findings[i].first, control));
-    if (i + 1 < judged.findings.size() && verdict_words(judged.findings[i + 1], judged) == verdict) continue;
-    parts.push_back(fmt::format("{} {}", names_of(std::exchange(who, {})), verdict));
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_verdict;  // in the order of the table
+  for (const Finding& finding : judged.findings) {
+    const std::string verdict = verdict_words(finding, judged);
+    auto own = std::ranges::find(by_verdict, verdict, [](const auto& each) { return each.first; });
+    if (own == by_verdict.end()) own = by_verdict.insert(own, {verdict, {}});
+    own->second.push_back(with_number(answer, finding.first, control));
   }
+  std::vector<std::string> parts;
+  for (const auto& [verdict, who] : by_verdict) parts.push_back(fmt::format("{} {}", names_of(who), verdict));
   return fmt::format("Against {} ({} {}): {}", judged.plan.control, quantity_of(answer),
                      number_of(answer, judged, control, control), listed(parts, ", "));
 }
@@ -203,7 +205,8 @@ std::string unbeaten(const Answer& answer) {
     return fmt::format("{} are the same within {}{}: {}", names_of(same), margin_words(judged),
                        others.empty() ? "" : ", not decided against " + names_of(others), numbers);
   if (std::ranges::all_of(judged.findings, &Finding::are_all_equal))
-    return fmt::format("{} are the {}: {}", all_of(judged), verdict_words(judged.findings.front(), judged), numbers);
+    return fmt::format("{} are the {}: {} {}", all_of(judged), verdict_words(judged.findings.front(), judged),
+                       quantity_of(answer), number_of(answer, judged, order[0], order[0]));
   if (rest.size() < 2 || worse.empty()) return "Not decided: " + numbers;
   return fmt::format("Not decided between {}; {} {} worse: {}", names_of(rest), names_of(worse),
                      worse.size() == 1 ? "is" : "are", numbers);
