@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "numerics/names.hpp"
@@ -125,6 +126,8 @@ std::size_t Sheet::column(std::string_view name) const {
   return static_cast<std::size_t>(std::ranges::find(titles_, name) - titles_.begin());
 }
 
+constexpr std::string_view joint = " / ";
+
 std::size_t Sheet::joined(const std::vector<std::string>& names) {
   std::vector<std::size_t> parts;
   for (const std::string& name : names) parts.push_back(column(name));
@@ -133,9 +136,13 @@ std::size_t Sheet::joined(const std::vector<std::string>& names) {
   for (const std::uint32_t row : rows_) {
     const auto is_empty = [&](std::size_t part) { return cell(row, part).empty(); };
     if (std::ranges::any_of(parts, is_empty)) continue;
-    for (const std::size_t part : parts) texts[row].append(texts[row].empty() ? "" : "/").append(cell(row, part));
+    for (const std::size_t part : parts) {
+      if (cell(row, part).find(joint) != std::string_view::npos)
+        refuse(row, part, fmt::format("has \"{}\", which joins several columns; use another mark", joint));
+      texts[row].append(texts[row].empty() ? "" : joint).append(cell(row, part));
+    }
   }
-  titles_.push_back(fmt::format("{}", fmt::join(names, "/")));
+  titles_.push_back(fmt::format("{}", fmt::join(names, joint)));
   decimals_.push_back(0);
   return titles_.size() - 1;
 }
@@ -158,24 +165,28 @@ bool Sheet::has_numbers(std::size_t column) const {
   return 2 * numbers > filled;
 }
 
-// By the first cell that is a number by one mark alone; of this column, else of the others.
 char Sheet::decimal_of(std::size_t column) const {
-  std::optional<std::uint32_t> doubtful;
-  for (std::size_t i = 0; i <= table_.header.size(); ++i) {
-    const std::size_t at = i == 0 ? column : i - 1;
-    if (at != column && !has_numbers(at)) continue;
+  std::optional<std::uint32_t> doubtful;      // row of a cell that is two numbers
+  const auto mark_in = [&](std::size_t at) {  // of the first cell that is a number by one mark alone
     for (const std::uint32_t row : rows_) {
       const std::string_view text = cell(row, at);
       if (!has_mark(text)) continue;
       const bool is_by_point = parsed(text, '.').has_value(), is_by_comma = parsed(text, ',').has_value();
       if (is_by_point != is_by_comma) return is_by_point ? '.' : ',';
-      if (i == 0 && is_by_point && !doubtful) doubtful = row;
+      if (at == column && is_by_point && !doubtful) doubtful = row;
     }
-    if (!doubtful) break;
+    return '\0';
+  };
+  if (const char own = mark_in(column); own != '\0' || !doubtful) return own == '\0' ? '.' : own;
+  std::set<char> marks;  // of all columns
+  for (std::size_t i = 0; i < table_.header.size(); ++i) {
+    if (has_numbers(i)) marks.insert(mark_in(i));
   }
-  // Where commas part cells, points are of decimals.
-  if (!doubtful || (separator_ == ',' && cell(*doubtful, column).find(',') == std::string_view::npos)) return '.';
+  marks.erase('\0');
+  if (marks.size() == 1) return *marks.begin();
   const std::string_view text = cell(*doubtful, column);
+  // Where commas part cells, points are of decimals.
+  if (marks.empty() && separator_ == ',' && text.find(',') == std::string_view::npos) return '.';
   refuse(*doubtful, column,
          fmt::format("is {} with --decimal . and {} with --decimal , and no cell tells which: say it",
                      *parsed(text, '.'), *parsed(text, ',')));

@@ -33,7 +33,7 @@ class Sheet {
   std::string_view cell(std::size_t row, std::size_t column) const;  // without blanks at its ends
 
   std::size_t column(std::string_view name) const;
-  // The column of this name; of several a new one, of their texts joined by /, empty where one of them is.
+  // The column of this name; of several a new one, of their texts joined by " / ", empty where one of them is.
   std::size_t joined(const std::vector<std::string>& names);
   std::optional<std::size_t> column_like(const Words& names) const;  // named so; earlier names first
   bool has_numbers(std::size_t column) const;  // most cells of the column, but those that are missing

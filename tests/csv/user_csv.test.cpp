@@ -147,6 +147,7 @@ TEST_CASE("a mark of thousands is told from that of decimals, or asked for") {
     CAPTURE(cells);
     CHECK(contains(said_of("s;v;w\nB;916;7\nA;" + std::string(cells) + "\n", {.values = {"v"}}), "data.csv:3:2"));
   }
+  CHECK(contains(said_of("s;w;v;z\nA;1.2;1.020;0,25\nB;1.3;900;0,5\n", {.values = {"v"}}), "data.csv:2:3"));
   CHECK(read("1.020;7", ',') == 1020);
   CHECK(read("1.020;7", '.') == 1.02);
   CHECK(read("1.020;0,5") == 1020);  // by another column
@@ -296,7 +297,8 @@ TEST_CASE("several columns of labels or blocks are joined") {
   const std::string text = "scene,seed,alg,h,time\nx,1,A,1,1\nx,2,A,1,2\ny,1,A,1,3\nx,1,A,2,4\nx,2,A,2,5\ny,1,A,2,6\n";
   const Observations of = observations(text, {.values = {"time"}, .label = {"alg", "h"}, .block = {"scene", "seed"}});
   REQUIRE(of.groups.size() == 2);
-  CHECK(of.groups[1].name == "A/2");
+  CHECK(of.groups[1].name == "A / 2");
+  CHECK(contains(said_of("p,q,v\na / b,c,1\na,b / c,2\n", {.label = {"p", "q"}}), "data.csv:2:1"));
   CHECK(of.groups[1].values == std::vector{4.0, 5.0, 6.0});
 }
 
