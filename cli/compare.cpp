@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
-#include <utility>
 
 #include "analysis/compare/gate.hpp"
 #include "analysis/show/report.hpp"
@@ -109,6 +108,7 @@ std::string verdict_of(const Gate& gate) {
                   gate.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ", show::listed(parts, ", "),
                   numerics::counted(gate.size, gate.judged.study.definition.is_chained() ? "runs" : "targets"));
   if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));
+  if (!gate.not_tested.empty()) text += fmt::format(" Not tested: {}.", show::listed(gate.not_tested));
   return text;
 }
 
@@ -133,10 +133,9 @@ show::Answer answer_of(const Gate& gate) {
 }
 
 std::string screen_of(const std::vector<Gate>& all) {
-  std::string text = verdict_of_same(all);
-  if (!text.empty()) text += '\n';
+  std::string text;
   for (const Gate& gate : all) text += gate.are_same ? "" : show::screen(answer_of(gate));
-  return text;
+  return text + wrapped(verdict_of_same(all)) + '\n';
 }
 
 // That of a report, with the rows of all labels.
@@ -160,6 +159,7 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
     json["worse"][label] = gate.worse;
     json["better"][label] = gate.better;
     json["undecided"][label] = gate.not_decided;
+    json["not_tested"][label] = gate.not_tested;
   }
   json["headline"] = headline;
   json["files"] = numerics::OrderedJson::array();
@@ -207,7 +207,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
       "Exit codes: 0 nothing is worse, 3 something is worse, perhaps by more than the margin, 4 with --strict something\n"
-      "is not decided or not tested, 1 not compared: a mistake, or B lacks what A has. Times are shown and decide nothing.");
+      "is not decided or not tested, 1 not compared: a mistake, or A and B differ in more than solvers. Times are shown and decide nothing.");
   command->callback([arguments, &invocation] {
     const std::vector<Gate> all = compare_all(*arguments);
     invocation.exit_code = exit_code(all, arguments->is_strict);

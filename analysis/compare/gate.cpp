@@ -18,7 +18,7 @@ using namespace results;
 
 void refuse_other_task(const StudyResults& one, const StudyResults& other) {
   const Definition &a = one.definition, &b = other.definition;
-  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
+  const std::string before = one.solvers == other.solvers ? "before" : one.solvers.front();
   const std::pair<bool, const char*> differences[]{
       {a.robot != b.robot || a.arm != b.arm, "arms"},
       {a.path != b.path || a.points != b.points, "targets"},
@@ -28,14 +28,17 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
       {a.task != b.task || a.near != b.near || a.rotation_weight != b.rotation_weight,
        "paths, starts or weights of a rotation"},
       {a.limits != b.limits, "treatments of joint limits"},
-      {a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance, "tolerances"},
-      {one.solves.empty() || !std::ranges::equal(one.solves, other.solves, {}, place, place),
-       "solves (complete both with ikbench run, with as many runs)"}};
+      {a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance, "tolerances"}};
   for (const auto& [differ, what] : differences) {
     if (differ)
-      throw std::invalid_argument(fmt::format("not compared: {} has other {} than {}", other.solvers.front(), what,
-                                              one.solvers == other.solvers ? "before" : one.solvers.front()));
+      throw std::invalid_argument(
+          fmt::format("not compared: {} has other {} than {}", other.solvers.front(), what, before));
   }
+  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
+  if (one.solves.empty() || !std::ranges::equal(one.solves, other.solves, {}, place, place))
+    throw std::invalid_argument(
+        fmt::format("not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
+                    other.solvers.front(), other.solves.size(), before, one.solves.size()));
 }
 
 // Of both sides, as solvers of one study. Takes their solves.
@@ -176,8 +179,8 @@ void decide(std::vector<Gate>& gates) {
       const bool is_other = is_difference(finding.verdict) && !finding.is_within_margin;
       if (is_time(judged)) continue;
       if (is_other) (finding.verdict == Verdict::worse ? gate.worse : gate.better).push_back(observed.quantity);
-      const bool is_decided = is_difference(finding.verdict) || finding.verdict == Verdict::same;
-      if (!is_decided && is_open) gate.not_decided.push_back(observed.quantity);
+      if (finding.verdict == Verdict::undecided && is_open) gate.not_decided.push_back(observed.quantity);
+      if (finding.verdict == Verdict::not_tested && is_open) gate.not_tested.push_back(observed.quantity);
     }
     const Judged& deciding = study.metrics[study.deciding];
     const auto size = [&](std::size_t i) {
@@ -192,7 +195,7 @@ void decide(std::vector<Gate>& gates) {
 
 int exit_code(const std::vector<Gate>& gates, bool is_strict) {
   if (std::ranges::any_of(gates, [](const Gate& gate) { return !gate.worse.empty(); })) return 3;
-  const auto is_open = [](const Gate& gate) { return !gate.not_decided.empty(); };
+  const auto is_open = [](const Gate& gate) { return !gate.not_decided.empty() || !gate.not_tested.empty(); };
   return is_strict && std::ranges::any_of(gates, is_open) ? 4 : 0;
 }
 

@@ -1,7 +1,6 @@
 // Is a solver worse than its baseline? A study of the two, judged like every other.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,12 +13,12 @@ struct Gate {
   // Without solves and values. Of two solvers, the candidate first; the last metric is the share of solves that gave an
   // answer.
   JudgedStudy judged;
-  std::vector<std::string> worse, better, not_decided;  // quantities, but time, which depends on the load
-  bool are_same = false;                                // all solves, bit for bit: then nothing is left to decide
-  int size = 0;                                         // targets, or runs of chained solves
+  std::vector<std::string> worse, better, not_decided, not_tested;  // quantities, but time, which depends on the load
+  bool are_same = false;  // all solves, bit for bit: then nothing is left to decide
+  int size = 0;           // targets, or runs of chained solves
 };
 
-// Of two studies of one solver each, judged by the candidate's plan, and not yet decided. Throws std::invalid_argument
+// Of two studies of one solver each, judged by the baseline's plan, and not yet decided. Throws std::invalid_argument
 // if the two had different tasks or solves, or if the candidate lacks all values of a metric.
 Gate gate(StudyResults baseline, StudyResults candidate);
 // What is worse, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in

@@ -397,8 +397,6 @@ Observations observe(const StudyResults& study, const Metric& metric) {
   observed.doubts = metric.kind == Kind::time ? doubts_of_times(study) : doubts_of_clock(study);
   if (metric.column == "evaluations") add_of_evaluations(observed.doubts, study);
   for (const Doubt& doubt : observed.doubts) {
-    // Counted by one and the same.
-    if (doubt.kind == DoubtKind::budgets_differ && doubt.who.size() == groups.size()) continue;
     for (Group& group : groups)
       group.is_apart |= doubt.who.empty() || std::ranges::find(doubt.who, group.name) != doubt.who.end();
   }

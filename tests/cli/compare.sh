@@ -34,7 +34,7 @@ equal "metrics of two labels in verdict.md" "$(grep -c '^| error |' verdict.md)"
 
 # What the candidate lacks is not compared, unless --label leaves it out (gate.test.cpp).
 make three --set runs=3
-refused 'BA has other solves' compare $base three/store.sqlite --label BA
+refused 'complete both' compare $base three/store.sqlite --label BA
 cp $again five.sqlite
 sqlite3 five.sqlite "DELETE FROM series WHERE label = 'PSO'"
 refused 'lacks PSO' compare $base five.sqlite
