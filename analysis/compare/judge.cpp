@@ -93,11 +93,11 @@ std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judg
 
 JudgedStudy judge(StudyResults study) {
   const results::Definition& definition = study.definition;
-  const Metric& deciding = metric_named(!definition.plan.metric.empty() ? definition.plan.metric
-                                        : definition.has_tolerance()    ? "solved"
-                                                                        : "position_error_cm");
   const bool are_any_solved =
       definition.has_tolerance() && std::ranges::count(study.solves, results::Status::ok, &Solve::status) > 0;
+  const Metric& deciding = metric_named(!definition.plan.metric.empty() ? definition.plan.metric
+                                        : are_any_solved                ? "solved"
+                                                                        : "position_error_cm");
   JudgedStudy judged;
   for (const Metric& metric : metrics()) {
     const bool is_deciding = &metric == &deciding;

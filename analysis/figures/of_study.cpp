@@ -312,7 +312,9 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
         fmt::format("{} {} {}", name_in_row(finding.first), are_ratios ? "/" : "-", name_in_row(finding.second));
     if (finding.estimate) row.estimate = factor * *finding.estimate;
     if (finding.interval) row.low = factor * finding.interval->low, row.high = factor * finding.interval->high;
-    row.verdict = name_of(finding.verdict);
+    row.verdict = finding.verdict == Verdict::undecided && finding.are_all_equal
+                      ? fmt::format("same in all {}", finding.n)
+                      : name_of(finding.verdict);
     if (is_difference(finding.verdict))
       row.style = style_of(look, finding.verdict == Verdict::better ? finding.first : finding.second);
   }

@@ -184,7 +184,7 @@ std::string where(const Multiverse& multiverse, const std::vector<Part>& parts, 
     }
   }
   if (!ones.empty()) return fmt::format("only where {}", fmt::join(ones, " and "));
-  return twos.empty() ? "in no pair of answers alone"
+  return twos.empty() ? "in some, not by one or two answers alone"
                       : fmt::format("only where {}", fmt::join(twos, ", and only where "));
 }
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -251,11 +249,12 @@ Table pairs_table(const Answer& answer) {
   table.columns[3].ends = table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[6].is_p = true;
   table.columns[6].ends = {answer.decisive().plan.significance};
-  const std::string chosen = chosen_before(answer);
-  table.notes = {
-      chosen + (chosen.empty() ? "" : " ") +
-      "p: times the pairs tested of a metric, whose intervals are for all pairs at once; A12: share of comparisons in which the "
-      "first is better."};
+  std::vector<std::string> notes{chosen_before(answer)};
+  if (answer.verdict.empty() || notes[0].empty())
+    notes.emplace_back("p: times the pairs tested of a metric, whose intervals are for all pairs at once.");
+  notes.emplace_back("A12: share of comparisons in which the first is better.");
+  std::erase(notes, "");
+  table.notes = {fmt::format("{}", fmt::join(notes, " "))};
   return table;
 }
 

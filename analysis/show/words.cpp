@@ -104,20 +104,16 @@ bool all_are(const Judged& judged, Verdict verdict) {
   return std::ranges::all_of(judged.findings, [=](const Finding& finding) { return finding.verdict == verdict; });
 }
 
-// Empty unless all solvers solved all targets, or none.
-std::string all_or_none(const Answer& answer) {
+// Empty unless all solvers solved all targets.
+std::string all_solved(const Answer& answer) {
   const Judged& judged = answer.decisive();
   if (judged.observations.metric != "solved") return {};
-  const auto all_have = [&](double share) {
-    return std::ranges::all_of(judged.described, [=](const Description& its) { return its.mean == share; });
-  };
-  const std::string who = all_of(judged);
+  if (!std::ranges::all_of(judged.described, [](const Description& its) { return its.mean == 100; })) return {};
   const int n = judged.described.front().n;
   const bool have_one_n = std::ranges::count(judged.described, n, &Description::n) == std::ssize(judged.described);
   const std::string what =
       counts(judged) && have_one_n && n > 1 ? "all " + numerics::counted(n, answer.noun) : "every target";
-  if (all_have(100)) return fmt::format("{}{} solved {}", who, judged.described.size() == 2 ? " both" : "", what);
-  return all_have(0) ? fmt::format("{} solved no target", who) : "";
+  return fmt::format("{}{} solved {}", all_of(judged), judged.described.size() == 2 ? " both" : "", what);
 }
 
 std::string usual(const Judged& judged) {
@@ -187,10 +183,10 @@ std::string unbeaten(const Answer& answer) {
     if (finding.verdict != Verdict::not_tested) tested.insert({finding.first, finding.second});
   }
   const std::vector<std::size_t> order = best_first(judged, answer.metrics);
-  std::vector<std::string> rest, worse;
+  std::vector<std::string> rest, worse, apart;
   for (const std::size_t i : order) {
-    if (const std::string& name = solver_name(judged, i); tested.contains(name))
-      (beaten.contains(name) ? worse : rest).push_back(name);
+    const std::string& name = solver_name(judged, i);
+    (!tested.contains(name) ? apart : beaten.contains(name) ? worse : rest).push_back(name);
   }
   const std::string numbers = numbers_of(answer, true);
   std::vector<std::string> same, others;  // as all before it
@@ -207,9 +203,21 @@ std::string unbeaten(const Answer& answer) {
   if (std::ranges::all_of(judged.findings, &Finding::are_all_equal))
     return fmt::format("{} are the {}: {} {}", all_of(judged), verdict_words(judged.findings.front(), judged),
                        quantity_of(answer), number_of(answer, judged, order[0], order[0]));
-  if (rest.size() < 2 || worse.empty()) return "Not decided: " + numbers;
-  return fmt::format("Not decided between {}; {} {} worse: {}", names_of(rest), names_of(worse),
-                     worse.size() == 1 ? "is" : "are", numbers);
+  if (worse.empty()) return "Not decided: " + numbers;
+  const auto is_beaten = [&](const std::string& name) {
+    const Finding* const pair = finding_of(judged, rest.front(), name);
+    return pair && pair->verdict == (pair->first == name ? Verdict::worse : Verdict::better);
+  };
+  const bool beats_all = !rest.empty() && std::ranges::all_of(worse, is_beaten);
+  if (rest.size() == 1 && beats_all && !apart.empty())
+    return fmt::format("{} is better than {}; {} {} not tested: {}", rest.front(), names_of(worse), names_of(apart),
+                       apart.size() == 1 ? "is" : "are", numbers);
+  if (rest.size() < 2) return "Not decided: " + numbers;
+  const std::string than =
+      beats_all           ? worse.size() == 1 ? " is worse than " + rest.front() : " are worse than " + rest.front()
+                : worse.size() == 1 ? " is worse than another"
+                          : " are each worse than another";
+  return fmt::format("Not decided between {}; {}{}: {}", names_of(rest), names_of(worse), than, numbers);
 }
 
 // Of a best one and another.
@@ -274,7 +282,7 @@ std::string sentence(const Answer& answer) {
   const std::size_t groups = judged.described.size();
   if (!head.best.empty()) return best(answer);
   if (!head.usual.empty()) return usual(judged);
-  if (const std::string equal = all_or_none(answer); !equal.empty()) return equal;
+  if (const std::string equal = all_solved(answer); !equal.empty()) return equal;
   if (judged.findings.empty()) {
     const bool is_solved = judged.observations.metric == "solved";
     return (is_solved ? "" : solver_name(judged, 0) + ": ") + numbers_of(answer, is_solved);
@@ -296,7 +304,11 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 
 std::string headline(const Answer& whole) {
   if (!whole.verdict.empty()) return whole.verdict;
-  return sentence(with_short_names(whole, 40)) + '.';
+  const bool is_nothing_solved = std::ranges::any_of(whole.metrics, [&](const Judged& judged) {
+    return &judged != &whole.decisive() && judged.observations.metric == "solved" &&
+           std::ranges::all_of(judged.described, [](const Description& its) { return its.mean == 0; });
+  });
+  return (is_nothing_solved ? "No target was solved. " : "") + sentence(with_short_names(whole, 40)) + '.';
 }
 
 std::string margin_words(const Judged& judged) {
