@@ -312,7 +312,7 @@ Figure path(const About& about, const PathRows& rows) {
       "set view equal xyz\nset view 65, 30, 1.3\nset origin 0, up(legend_rows_cm + 0.2)\n"
       "set size 1, 1 - up(legend_rows_cm + 0.2)\nset key at screen 0.5, screen up(legend_rows_cm + 0.1) top center\n"
       "set border 895 lw 0.5 lc rgb '#AAAAAA'\nset grid x y z vertical\n"
-      "set xlabel offset 0, -0.3\nset xtics offset 0, 0\nset zlabel offset 1, 0 rotate\n";
+      "set xlabel offset 2.5, 0.2\nset xtics offset 0, 0\nset ylabel offset -2, 0\nset zlabel offset 1, 0 rotate\n";
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::vector<double>& along = shown[axis];
     const double middle = along.empty() ? 0 : (std::ranges::max(along) + std::ranges::min(along)) / 2;
@@ -408,7 +408,7 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
   }
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const double left = pitch * static_cast<double>(p);
-    for (const double share : {0.0, 0.5, 1.0}) ticks.push_back(fmt::format("'{}' {}", 100 * share, left + share));
+    for (const double share : {0.0, 1.0}) ticks.push_back(fmt::format("'{}' {}", 100 * share, left + share));
     figure.settings += fmt::format("set label {} at first {}, graph 1 left offset 0, 0.7 noenhanced\n",
                                    gnuplot_text(shortened(panels[p].label, 14)), left);
     for (std::size_t r = 0; r < rows.size(); ++r) {
