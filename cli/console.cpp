@@ -51,7 +51,7 @@ void watch(const sigset_t& set) {
       write_at_once("\nStopping after the current solve. Once more: at once.\n");
       continue;
     }
-    write_at_once("\nStopped. What is stored is kept; the same command goes on.\n");
+    write_at_once("\nStopped. What is stored is kept.\n");
     results::remove_temporary_folders();
     _exit(128 + number);
   }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -125,9 +124,7 @@ void add_multiverse(CLI::App& app, Invocation&) {
       ->capture_default_str();
   command->add_option("--set", arguments->overrides, "change a key in every reading: runs=5, path.points=10")
       ->allow_extra_args(false);
-  command
-      ->add_option("--out", arguments->out,
-                   "folder for the table, which also keeps what is solved; default: out/PAPER-multiverse")
+  command->add_option("--out", arguments->out, "folder for the table; default: out/PAPER-multiverse")
       ->check(not_empty());
   command->footer(
       "Examples:\n"

@@ -7,7 +7,6 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
-#include <utility>
 
 #include "analysis/papers/claims.hpp"
 #include "analysis/slim2023/slim2023.hpp"

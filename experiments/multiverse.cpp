@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -274,8 +273,7 @@ RunMeans means_of(const Study& study, const std::vector<SolveRecord>& solves) {
     means.variation_deg[run] += solve.variation_deg;
   }
   for (std::vector<double>* values : {&means.error_cm, &means.variation_deg}) {
-    for (double& value : *values)
-      value = std::isfinite(value) ? value / study.path->points() : std::numeric_limits<double>::infinity();
+    for (double& value : *values) value /= study.path->points();
   }
   return means;
 }

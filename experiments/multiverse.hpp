@@ -3,8 +3,6 @@
 #pragma once
 
 #include <atomic>
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,7 +47,7 @@ void refuse_varied(const Overrides& overrides, const std::vector<results::Dimens
 MultiversePlan plan_multiverse(const std::string& study, const std::vector<results::Dimension>& dimensions,
                                const MultiverseRequest& request = {});
 
-// One value per run, the mean over its points; infinite if an answer is not finite.
+// One value per run, the mean over its points; not finite if an answer is not.
 struct RunMeans {
   std::vector<double> error_cm, variation_deg;
 };

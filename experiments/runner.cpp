@@ -31,7 +31,7 @@ struct Chained {
   Configuration configuration;  // the arm's present configuration
 };
 
-// The work of a study. A chain takes one bit, and more only if the store has some of its points.
+// The work of a study. A chain takes one bit, and more only where the store has some of its points.
 struct Work {
   Work(const Study& asked, const std::vector<Series>& series, int repeats, int jobs, Shard part = {})
       : study(asked), shard(part), arm(arm_of(asked)), points(asked.path->points()) {

@@ -2,7 +2,6 @@
 // what has one value a point shows the first run of each solver.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <map>
 #include <optional>

@@ -65,7 +65,7 @@ enum class Of { means, spread, each_study };
 // Whose numbers come from the companion that a claim names; those of the rest come from the study.
 enum class From { both, solvers, others };
 
-struct Rule;  // rules.hpp
+struct Rule;  // claims.hpp
 
 struct Claim {
   std::string id, sentence, decides;  // decides: what would decide it

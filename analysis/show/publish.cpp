@@ -33,7 +33,7 @@ bool is_own(const fs::path& folder, std::string_view name) {
     return has_word(" anova claims descriptives means methods multiverse pairs questions results solve-rates table- ",
                     name);
   const auto kinds = figures::kinds_of_figures();
-  return folder == "figures" && (has_word(" boxes boxes- figure- multiverse printed style ", name) ||
+  return folder == "figures" && (has_word(" boxes boxes- figure- printed style ", name) ||
                                  std::ranges::find(kinds, name, &figures::KindOfFigure::name) != kinds.end());
 }
 
@@ -134,7 +134,7 @@ void write_table(const Table& table, const Table& article, const fs::path& folde
 }  // namespace
 
 std::vector<std::string> types_of(const figures::Figure& figure, const fs::path& folder) {
-  std::vector<std::string> types{"svg", "pdf", "png"};
+  std::vector<std::string> types = results::picture_formats;
   std::erase_if(types, [&](const std::string& type) {
     std::error_code none;
     return !fs::is_regular_file(folder / "figures" / fmt::format("{}.{}", figure.name, type), none);
