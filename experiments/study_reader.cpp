@@ -420,7 +420,7 @@ std::vector<SolverEntry> read_entry(TomlReader reader) {
 }
 
 void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
-  constexpr std::string_view key = "solvers", expected = "at least one [[solvers]] with solver = \"...\"";
+  constexpr std::string_view key = "solvers", expected = "1 to 400 tables [[solvers]] with solver = \"...\"";
   std::set<std::string> labels;
   for (const toml::table* const table : reader.tables(key, most_solvers, expected)) {
     const TomlReader of_entry = reader.nested(*table, "solvers.");

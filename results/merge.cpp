@@ -62,7 +62,9 @@ std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
 using Studies = std::map<std::string, std::pair<StoredStudy, fs::path>>;
 
 void refuse_another_study(Studies& known, const fs::path& place) {
-  for (const StoredStudy& study : opened(place).studies()) {
+  const Store store = opened(place);
+  for (const StoredStudy& study : store.studies()) {
+    store.each_of_study(study, [](SolveRecord&) {});  // refuses what no reader accepts, before it is copied
     const auto& [first, first_place] = known.try_emplace(study.name, study, place).first->second;
     if (const std::string why = why_not_one(first, study); !why.empty())
       throw std::invalid_argument(
@@ -141,9 +143,10 @@ std::string difference_in_solves(const std::string& first, const std::string& se
   return "";
 }
 
-Merged merge(const fs::path& out, const std::vector<fs::path>& stores, const MergeProgress& progress) {
+Merged merge(const fs::path& out, std::vector<fs::path> stores, const MergeProgress& progress) {
   Studies studies;
   std::error_code none;
+  std::erase_if(stores, [&](const fs::path& place) { return fs::file_size(place, none) == 0 && !none; });
   if (fs::exists(out, none)) refuse_another_study(studies, out);
   for (const fs::path& place : stores) refuse_another_study(studies, place);
   Store all(out, Store::Mode::write_shared);

@@ -25,11 +25,11 @@ using MergeProgress = std::function<void(std::int64_t done, std::int64_t all)>;
 
 // Adds studies, solves and sessions of `stores` to the store `out`, which is created if missing. Sessions get new
 // numbers; those of which no solve is new are left out, so merging again changes nothing. A store that a kill left
-// half-written is mended first.
+// half-written is mended first; one that is empty, of a shard that was killed at once, is left out.
 // A store is added whole or not at all; a merge that fails or is killed has added those before, and may be given again.
 // Throws std::invalid_argument if two stores have different studies of one name or different bits of one solve (columns
 // of the fingerprint), and as store.hpp says.
-Merged merge(const std::filesystem::path& out, const std::vector<std::filesystem::path>& stores,
+Merged merge(const std::filesystem::path& out, std::vector<std::filesystem::path> stores,
              const MergeProgress& progress = {});
 
 }  // namespace ikbench::results

@@ -407,7 +407,10 @@ void Store::write_from(const fs::path& source, const std::function<void(SQLite::
     database_->check_place();
     sqlite.exec("DETACH source");
   } catch (const SQLite::Exception& error) {
-    refuse(error.getErrorCode() == SQLITE_FULL ? database_->name : blamed, error);
+    const int code = error.getErrorCode();
+    if (code == SQLITE_CONSTRAINT) refuse(source.string(), Damage(error.what()));
+    const bool is_of_writing = code == SQLITE_FULL || code == SQLITE_READONLY || code == SQLITE_IOERR;
+    refuse(is_of_writing ? database_->name : blamed, error);
   }
 }
 
@@ -450,8 +453,9 @@ void Store::each_of_study(const StoredStudy& study, const Take& take) const {
     for (const Series& series : study.series) {
       SQLite::bind(query, series.key, definition.runs, definition.points);
       database_->read_solves(query, [&](SolveRecord& record) {
+        if (record.solver != series.label)
+          throw Damage(fmt::format("the label of '{}' is another in its solves", excerpt(series.label)));
         record.study = study.name;  // also if another study's name solved it first
-        record.solver = series.label;
         take(record);
       });
       query.reset();
