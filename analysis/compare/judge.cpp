@@ -27,7 +27,7 @@ void add_doubt(Judged& judged, Why why, DoubtKind kind) {
   for (std::size_t i = 0; i < observed.groups.size(); ++i) {
     const Description& its = judged.described[i];
     const bool has_mean = why == Why::few_decide && 2 * its.largest <= its.n * its.mean;
-    const bool has_enough = why == Why::too_few && (its.n > doubt.count || observed.groups[i].copies > 0);
+    const bool has_enough = why == Why::too_few && (its.n >= doubt.of || observed.groups[i].copies > 0);
     if (names.contains(observed.groups[i].name) && !has_mean && !has_enough)
       doubt.who.push_back(observed.groups[i].name);
   }

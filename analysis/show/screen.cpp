@@ -14,7 +14,7 @@ using namespace compare;
 
 namespace {
 
-constexpr std::size_t most_rows = 20, most_notes = 4, most_warnings = 3, longest_name = 24;
+constexpr std::size_t most_rows = 20, most_notes = 4, longest_name = 24;
 
 std::string table_of(const Answer& answer) {
   Table table = results_table(answer);
@@ -29,11 +29,8 @@ std::string table_of(const Answer& answer) {
 }
 
 std::string warnings_of(const Answer& answer) {
-  const std::vector<Doubt> doubts = answer.all_doubts();
-  const std::size_t listed_doubts = doubts.size() > most_warnings ? most_warnings - 1 : doubts.size();
   std::string text;
-  for (std::size_t i = 0; i < listed_doubts; ++i) text += paragraph("! " + words_of(doubts[i]), "  ");
-  if (doubts.size() > listed_doubts) text += fmt::format("! and {} more warnings\n", doubts.size() - listed_doubts);
+  for (const Doubt& doubt : answer.all_doubts()) text += paragraph("! " + words_of(doubt), "  ");
   return text;
 }
 

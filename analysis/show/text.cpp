@@ -69,11 +69,7 @@ void narrow(std::vector<std::size_t>& widths, const Rows& rows, std::size_t gap,
 std::string html_text(std::string_view text) {
   constexpr std::array<Substitute, 5> substitutes{
       {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
-  std::string result = replaced(text, substitutes, "");
-  for (std::size_t at = result.find(' '); at != std::string::npos; at = result.find(' ', at + 1)) {
-    if (is_inseparable(result, at)) result.replace(at, 1, "\u00a0");
-  }
-  return result;
+  return replaced(text, substitutes, "");
 }
 
 std::string markdown_text(std::string_view text) {

