@@ -143,7 +143,8 @@ Table results_table(const Answer& answer) {
   if (marks.contains(exclamation)) meanings.push_back(fmt::format("{} not tested", exclamation));
   sentences.push_back(fmt::format("{}", fmt::join(meanings, ", ")));
   if (has_shares)
-    sentences.push_back(fmt::format("Brackets: {:.3g} % intervals", 100 * (1 - decisive.plan.significance)));
+    sentences.push_back(fmt::format("Brackets{}: {:.3g} % intervals", has_quartiles ? " of shares" : "",
+                                    100 * (1 - decisive.plan.significance)));
   std::erase(sentences, "");
   if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
   table.notes.insert(table.notes.end(), answer.notes.begin(), answer.notes.end());
@@ -224,7 +225,8 @@ Table with_a_row_a_study(const Table& studies) {
 std::string chosen_before(const Answer& answer) {
   if (answer.metrics.size() < 2) return "";
   if (!answer.verdict.empty())
-    return "p: times the labels and metrics that can be tested, whose intervals are for all at once.";
+    return "p is multiplied by the number of labels and metrics tested, and intervals hold for all at once. Times decide "
+           "nothing.";
   return fmt::format("Only {} was chosen before; other metrics are exploratory.",
                      answer.decisive().observations.quantity);
 }
@@ -251,7 +253,8 @@ Table pairs_table(const Answer& answer) {
   table.columns[6].ends = {answer.decisive().plan.significance};
   std::vector<std::string> notes{chosen_before(answer)};
   if (answer.verdict.empty() || notes[0].empty())
-    notes.emplace_back("p: times the pairs tested of a metric, whose intervals are for all pairs at once.");
+    notes.emplace_back(
+        "p is multiplied by the number of pairs tested of a metric, and intervals hold for all pairs at once.");
   notes.emplace_back("A12: share of comparisons in which the first is better.");
   std::erase(notes, "");
   table.notes = {fmt::format("{}", fmt::join(notes, " "))};

@@ -204,20 +204,20 @@ std::string unbeaten(const Answer& answer) {
     return fmt::format("{} are the {}: {} {}", all_of(judged), verdict_words(judged.findings.front(), judged),
                        quantity_of(answer), number_of(answer, judged, order[0], order[0]));
   if (worse.empty()) return "Not decided: " + numbers;
-  const auto is_beaten = [&](const std::string& name) {
-    const Finding* const pair = finding_of(judged, rest.front(), name);
-    return pair && pair->verdict == (pair->first == name ? Verdict::worse : Verdict::better);
+  const auto beats_all = [&](const std::string& one) {
+    return std::ranges::all_of(worse, [&](const std::string& other) {
+      const Finding* const pair = finding_of(judged, one, other);
+      return pair && pair->verdict == (pair->first == one ? Verdict::better : Verdict::worse);
+    });
   };
-  const bool beats_all = !rest.empty() && std::ranges::all_of(worse, is_beaten);
-  if (rest.size() == 1 && beats_all && !apart.empty())
-    return fmt::format("{} is better than {}; {} {} not tested: {}", rest.front(), names_of(worse), names_of(apart),
-                       apart.size() == 1 ? "is" : "are", numbers);
+  const auto leader = std::ranges::find_if(rest, beats_all);
+  const auto be = [](const std::vector<std::string>& names) { return names.size() == 1 ? "is" : "are"; };
+  if (rest.size() == 1 && leader != rest.end() && !apart.empty())
+    return fmt::format("{} is better than {}; {} {} not tested: {}", *leader, names_of(worse), names_of(apart),
+                       be(apart), numbers);
   if (rest.size() < 2) return "Not decided: " + numbers;
-  const std::string than =
-      beats_all           ? worse.size() == 1 ? " is worse than " + rest.front() : " are worse than " + rest.front()
-                : worse.size() == 1 ? " is worse than another"
-                          : " are each worse than another";
-  return fmt::format("Not decided between {}; {}{}: {}", names_of(rest), names_of(worse), than, numbers);
+  const std::string than = leader == rest.end() ? "each worse than another" : "worse than " + *leader;
+  return fmt::format("Not decided between {}; {} {} {}: {}", names_of(rest), names_of(worse), be(worse), than, numbers);
 }
 
 // Of a best one and another.
