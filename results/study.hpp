@@ -20,7 +20,7 @@ namespace ikbench::results {
 // How a study will be judged, said before its data are seen. It decides no number of a solve.
 struct Plan {
   enum class Test { ranks, means } test = Test::ranks;
-  std::string metric = {};   // of the headline; empty: solved where there is a tolerance, else the error
+  std::string metric = {};   // of the headline; empty: solved where any target is solved, else the error
   std::string control = {};  // compares with this group alone; empty: all pairs
   double significance = 0.05;
   double margin = 0.05;  // that matters: relative, 1 / 1.05 to 1.05; of shares points
@@ -37,7 +37,7 @@ inline void list_fields(numerics::Fields& io, Plan& plan) {
   io.choice("test", plan.test, {"ranks", "means"}, "what decides: ranks, or means as papers compare them");
   io.text(
       "metric", plan.metric,
-      "what decides who is best, a metric of ikbench list metrics; \"\": solved where there is a tolerance, else the error");
+      "what decides who is best, a metric of ikbench list metrics; \"\": solved where any target is solved, else the error");
   io.text("control", plan.control, "label to compare the others with; \"\": compare every pair");
   io.number("significance", plan.significance, 1, {0.0001, 0.2},
             "significance level of the tests of a metric together");

@@ -34,7 +34,7 @@ struct JudgedStudy {
   StudyResults study;
   std::vector<Judged> metrics;  // of reports, in the order of metrics.inc, if the study has them; and the deciding one.
                                 // Where any target is solved no other error: solved says which are small enough
-  std::size_t deciding = 0;   // metric of the headline: the plan's, else solved where there is a tolerance, else error
+  std::size_t deciding = 0;   // metric of the headline: the plan's, else solved where any target is solved, else error
   std::vector<Doubt> doubts;  // of the whole study
 };
 
