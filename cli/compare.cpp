@@ -69,8 +69,10 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
   }
   const Source a(arguments.a, arguments.study), b(arguments.b, arguments.study);
   if (arguments.study.empty() && a.entry.name != b.entry.name)
-    throw std::invalid_argument(fmt::format("the first study of A is {}, of B {}; expected one of both: --study NAME",
-                                            a.entry.name, b.entry.name));
+    throw std::invalid_argument(
+        fmt::format("the first study of A is {}, of B {}; expected one name for both: --study NAME "
+                    "if both stores have it, else run B's study with the name of A's",
+                    a.entry.name, b.entry.name));
   std::vector<std::string> labels = arguments.labels;
   if (labels.empty()) {
     labels = a.labels();
