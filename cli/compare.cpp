@@ -137,7 +137,8 @@ show::Answer answer_of(const Gate& gate) {
 std::string screen_of(const std::vector<Gate>& all) {
   std::string text;
   for (const Gate& gate : all) text += gate.are_same ? "" : show::screen(answer_of(gate));
-  return text + wrapped(verdict_of_same(all)) + '\n';
+  const std::string same = verdict_of_same(all);
+  return same.empty() ? text : text + wrapped(same) + '\n';
 }
 
 // That of a report, with the rows of all labels.
