@@ -223,17 +223,24 @@ std::vector<show::Cell> beside(const Judged& judged, const std::string& solver, 
   return cells;
 }
 
+void Explained::add(const show::Cell& cell) {
+  const auto* const printed = std::get_if<show::Printed>(&cell);
+  if (printed == nullptr || printed->sign.empty()) return;
+  ++all;
+  explained += printed->sign != "x";
+}
+
 Explained explained_by(const Repeated& repeated) {
   Explained count;
   for (const Judged& judged : repeated.study.metrics) {
     const auto metric = std::ranges::find(metrics(), judged.observations.metric, &Metric::slug);
     for (const PrintedRow& row : printed_rows(repeated.paper, *metric)) {
-      for (const show::Cell& cell : beside(judged, row.solver, &row)) {
-        const auto* const printed = std::get_if<show::Printed>(&cell);
-        if (printed == nullptr || printed->sign.empty()) continue;
-        ++count.all;
-        count.explained += printed->sign != "x";
-      }
+      const std::vector<show::Cell> cells = beside(judged, row.solver, &row);
+      for (const show::Cell& cell : cells) count.add(cell);
+      const auto* const mean = std::get_if<show::Printed>(&cells.front());
+      if (row.solver == repeated.paper.solver && mean && mean->sign == "x")
+        count.own_missed.push_back(fmt::format("{} {} {} (printed {})", judged.observations.quantity,
+                                               show::number_text(mean->ours), judged.observations.unit, mean->printed));
     }
   }
   return count;
@@ -243,8 +250,8 @@ show::Table means_table(const Repeated& repeated) {
   const StudyResults& study = repeated.study.study;
   show::Table table{.name = "means",
                     .caption = fmt::format("Means of {}, here and as printed", numerics::counted(study.runs, "runs")),
-                    .columns = {{"solver"}},
-                    .notes = {std::string(meaning_of_signs)}};
+                    .columns = {{"solver"}}};
+  Explained count;
   for (const std::string& solver : study.solvers) table.rows.push_back({solver});
   for (const Judged& judged : repeated.study.metrics) {
     const Observations& observations = judged.observations;
@@ -252,8 +259,14 @@ show::Table means_table(const Repeated& repeated) {
     const PrintedRows printed = printed_rows(repeated.paper, *metric);
     if (printed.empty() || metric->unit == "s") continue;  // of another machine
     table.columns.push_back({observations.quantity, observations.unit});
-    for (std::size_t i = 0; i < table.rows.size(); ++i)
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
       table.rows[i].push_back(beside(judged, study.solvers[i], row_of(printed, study.solvers[i])).front());
+      count.add(table.rows[i].back());
+    }
+  }
+  if (count.all > 0) {
+    table.caption += fmt::format(": {} of {} repeat", count.explained, count.all);
+    table.notes.emplace_back(meaning_of_signs);
   }
   if (table.columns.size() == 1) table.rows.clear();
   return table;

@@ -151,8 +151,8 @@ std::string first_sentence(Holds conclusion, const Explained& numbers) {
                                                               : "is not shown to repeat in its conclusion; it does in";
   if (numbers.all == 0)  // too few runs for a range of any
     return fmt::format("Slim et al. 2023 {}", words.substr(0, words.find("conclusion") + 10));
-  return fmt::format("Slim et al. 2023 {} {} of the {} errors and joint motions of Table 3", words, numbers.explained,
-                     numbers.all);
+  return fmt::format("Slim et al. 2023 {} {} of the {} statistics of error and joint motion in Table 3", words,
+                     numbers.explained, numbers.all);
 }
 
 bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds == Holds::holds; }
@@ -169,6 +169,8 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
     all.front() += fmt::format("; were the programs the same, in about {:.0f}",
                                papers::share_in_ranges * static_cast<double>(numbers.all));
   all.front() += '.';
+  if (!numbers.own_missed.empty())
+    all.push_back(fmt::format("Not repeated: IK-BA's own mean {}.", show::listed(numbers.own_missed, " and mean ")));
   std::string words =
       fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
   if (holds(best) && holds(accurate) && holds(claim_named(claims, "least_variation")))
@@ -182,7 +184,7 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
     words += fmt::format(". Of the readings that we chose to try it fails {}", accurate->fails_where);
   all.push_back(words + '.');
   if (classical != nullptr && classical->holds == Holds::fails)
-    all.push_back(fmt::format("Better than it, and not in the paper: {} cm.", classical->rival));
+    all.push_back(fmt::format("More accurate, and not in the paper: {} cm.", classical->rival));
   return all;
 }
 
