@@ -11,7 +11,8 @@
 
 namespace ikbench::papers {
 
-// in_part: for some of those that it is about. not_tested: nothing here can decide it. Tables have them in this order.
+// in_part: for some of those that it is about, and not for others. undecided: more data could show either. not_tested:
+// nothing here can decide it. Tables have them in this order.
 enum class Holds { holds, in_part, fails, undecided, not_tested };
 std::string_view name_of(Holds holds);
 
@@ -64,9 +65,10 @@ struct Tally {
   void add(compare::Verdict verdict);
   int all() const { return better + worse + open + untested; }
 };
-// All better: holds; one worse: fails; some better: in part; one open: not decided.
+// All better: holds; one worse: fails; else more data decide.
 Holds holds_of(const Tally& tally);
-Holds holds_of(const std::vector<Holds>& parts);  // all hold, some, or none
+// Of one or more: all hold, some, or none; not decided where that depends on open ones.
+Holds holds_of(const std::vector<Holds>& parts);
 
 // Each value as its distance from its group's median (Brown and Forsythe, JASA 69 (1974) 364), whose means are compared
 // in place of spreads.

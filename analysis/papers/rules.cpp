@@ -183,16 +183,16 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
   return {result};
 }
 
-// Against each other solver: better in some metric and worse in none, or the other way round.
+// Against each other solver: worse in some metric, or else better in some.
 Tally dominance(const std::vector<Judged>& metrics, const std::string& solver) {
   Tally tally;
   for (const std::string& rival : rivals_of(metrics.front(), {solver})) {
     Tally of_metrics;
     for (const Judged& judged : metrics) of_metrics.add(verdict_between(judged, solver, rival));
-    tally.add(of_metrics.better > 0 && of_metrics.worse == 0   ? Verdict::better
-              : of_metrics.worse > 0 && of_metrics.better == 0 ? Verdict::worse
-              : of_metrics.untested == of_metrics.all()        ? Verdict::not_tested
-                                                               : Verdict::undecided);
+    tally.add(of_metrics.worse > 0                      ? Verdict::worse
+              : of_metrics.better > 0                   ? Verdict::better
+              : of_metrics.untested == of_metrics.all() ? Verdict::not_tested
+                                                        : Verdict::undecided);
   }
   return tally;
 }
@@ -219,7 +219,7 @@ JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
     const std::optional<Judged> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
     const auto test = anova(ours->observations);
-    here.push_back(test ? always_or_on_average(test->p < significance, false) : Holds::not_tested);
+    here.push_back(!test ? Holds::not_tested : test->p < significance ? Holds::holds : Holds::undecided);
   }
   JudgedClaim result = begun(claim);
   result.holds = holds_of(here);
@@ -291,15 +291,15 @@ void Tally::add(Verdict verdict) {
 
 Holds holds_of(const Tally& tally) {
   if (tally.worse > 0) return Holds::fails;
-  if (tally.better > 0) return tally.better == tally.all() ? Holds::holds : Holds::in_part;
-  return tally.open > 0 ? Holds::undecided : Holds::not_tested;
+  if (tally.better > 0 && tally.better == tally.all()) return Holds::holds;
+  return tally.better + tally.open > 0 ? Holds::undecided : Holds::not_tested;
 }
 
 Holds holds_of(const std::vector<Holds>& parts) {
   const auto has_any = [&](Holds part) { return std::ranges::find(parts, part) != parts.end(); };
-  if (std::ranges::count(parts, Holds::holds) == std::ssize(parts)) return Holds::holds;
-  if (has_any(Holds::holds) || has_any(Holds::in_part)) return Holds::in_part;
-  return has_any(Holds::fails) ? Holds::fails : has_any(Holds::undecided) ? Holds::undecided : Holds::not_tested;
+  const auto all_are = [&](Holds part) { return std::ranges::count(parts, part) == std::ssize(parts); };
+  if (has_any(Holds::in_part) || (has_any(Holds::holds) && has_any(Holds::fails))) return Holds::in_part;
+  return all_are(parts.front()) ? parts.front() : Holds::undecided;
 }
 
 Observations deviations(Observations observed) {
