@@ -103,7 +103,7 @@ std::string verdict_of(const Gate& gate) {
   std::string text =
       fmt::format("{} is {} {}{}{} ({}).", gate.label.empty() ? solvers.front() : gate.label,
                   is_worse                    ? "worse than"
-                  : is_apart                  ? "not compared with"
+                  : is_apart                  ? "not comparable with"
                   : !gate.better.empty()      ? "better than"
                   : !gate.not_decided.empty() ? "not shown to be worse than"
                                               : "not worse than",

@@ -44,7 +44,7 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
 // Of both sides, as solvers of one study. Takes their solves.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both) {
   if (baseline.solvers == both.solvers)
-    both.solvers = {"candidate", "baseline"};
+    both.solvers = {baseline.solvers.front() + " now", baseline.solvers.front() + " before"};
   else
     both.solvers.push_back(baseline.solvers.front());
   both.entry.series = {{.label = both.solvers.front()}, {.label = both.solvers.back()}};

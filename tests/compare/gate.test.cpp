@@ -170,7 +170,7 @@ TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
   CHECK(gate.worse.empty());
   REQUIRE(gate.judged.doubts.size() == 1);
   CHECK(words_of(gate.judged.doubts.front()) ==
-        "budgets differ: 3000 and 1000 evaluations a solve (candidate, baseline)");
+        "budgets differ: 3000 and 1000 evaluations a solve (mine now, mine before)");
 }
 
 TEST_CASE("two labels of one study are compared as two versions are") {
