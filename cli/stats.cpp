@@ -11,6 +11,7 @@
 #include "analysis/csv/user_csv.hpp"
 #include "analysis/figures/of_study.hpp"
 #include "analysis/show/report.hpp"
+#include "analysis/show/words.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
@@ -87,6 +88,8 @@ void stats(const StatsArguments& arguments) {
   if (!arguments.out.empty()) return announce(std::move(reported), arguments.out, arguments.report, style);
   if (arguments.report.is_json) return show_json(show::to_json(reported.answer));
   if (arguments.csv.better.empty()) reported.answer.direction += " (--better larger turns it)";
+  if (reported.answer.decisive().findings.size() > show::most_pairs)
+    reported.answer.notes.emplace_back("--out FOLDER writes a report with all pairs.");
   fmt::print("{}", printable(show::screen(reported.answer, "")));
 }
 

@@ -25,7 +25,7 @@ std::string words_of(const Doubt& doubt) {
   const std::string share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
   switch (doubt.kind) {
     case DoubtKind::runs_missing:
-      return fmt::format("{} {}{}", share, what.empty() ? "runs are missing or lack targets" : what, of_whom);
+      return fmt::format("{} {}{}", share, what.empty() ? "runs missing or without some targets" : what, of_whom);
     case DoubtKind::incomplete:
       return fmt::format("{} {}: no verdict on {}; write inf for no answer, or drop them", share, what, who);
     case DoubtKind::without_answer:
@@ -34,7 +34,7 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::claimed_but_wrong:
       return fmt::format("{} solves claimed an error that is wrong, and do not count as solved ({})", share, who);
     case DoubtKind::outside_limits:
-      return fmt::format("{} answers lie outside the joint limits ({})", share, who);
+      return fmt::format("{} answers outside the joint limits ({})", share, who);
     case DoubtKind::budgets_differ:
       return fmt::format("{} ({})", what, who);
     case DoubtKind::times_not_comparable:
@@ -44,7 +44,7 @@ std::string words_of(const Doubt& doubt) {
       return fmt::format("results of {} are not compared, since seconds end solves: {}{}", who, what,
                          doubt.of > 0 ? fmt::format(" in {} solves", share) : "");
     case DoubtKind::out_of_reach:
-      return fmt::format("{} targets of a run are out of reach, so no solver can solve them", share);
+      return fmt::format("{} targets of a run out of reach, so no solver can solve them", share);
     case DoubtKind::too_few:
       return fmt::format("too few values of {} to test: {:.0f}, and it takes {:.0f}{}", what, doubt.count, doubt.of,
                          of_whom);
@@ -55,7 +55,7 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::repeats_itself:
       return fmt::format("{} gave the same {} {:.0f} {}, {}", who, what.empty() ? "answers in all" : what, doubt.count,
                          what.empty() ? "runs" : "times",
-                         doubt.of > 0 ? "or its spread was rounded away: not compared" : "which count as one");
+                         doubt.of > 0 ? "or its spread was rounded away: not tested" : "which count as one");
     case DoubtKind::other_version:
       return fmt::format("ignored: {} of another version ({})", numerics::counted(std::llround(doubt.count), "solves"),
                          who);

@@ -259,9 +259,9 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
     if (layout.block) ++groups_of[mean.unit];
   }
   Doubt lost{.kind = DoubtKind::incomplete,
-             .what = layout.block ? "blocks are incomplete"
-                     : layout.run ? "runs are incomplete"
-                                  : "values are missing"};
+             .what = layout.block ? "blocks incomplete"
+                     : layout.run ? "runs incomplete"
+                                  : "values missing"};
   Doubt without{.kind = DoubtKind::without_answer, .what = "values, by ranks larger than any"};
   const auto add = [](Doubt& doubt, const Group& group, auto count, std::size_t of) {
     if (count == 0) return;
@@ -283,7 +283,7 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
   Doubt stray{.kind = DoubtKind::runs_missing,
               .count = unlabelled,
               .of = unlabelled + static_cast<double>(items.values.size()),
-              .what = "rows have no label and are left out"};
+              .what = "rows without a label, left out"};
   for (Doubt* doubt : {&lost, &without, &stray}) {
     if (doubt->count > 0) observed.doubts.push_back(std::move(*doubt));
   }

@@ -294,7 +294,7 @@ Table descriptives_table(const Answer& answer) {
   table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun,
                              is_any_of_solved ? "; of costs, those solved" : "",
                              is_any_share ? " Interval: Wilson's." : "")};
-  if (is_any_lost) table.notes.emplace_back("lost: without a value; such a solver is not compared.");
+  if (is_any_lost) table.notes.emplace_back("lost: without a value; such a solver is not tested.");
   return table;
 }
 

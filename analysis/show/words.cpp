@@ -330,11 +330,11 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
     case Why::lost:
       return words + ": values are missing";
     case Why::apart:
-      return "not compared";
+      return words + ": not comparable";
     case Why::fact:
       return words + ": certain, without a test";
     case Why::too_few:
-      return fmt::format("{}: it takes {}", words, finding.needed);
+      return fmt::format("{}: it takes {} values", words, finding.needed);
     case Why::few_decide:
       return words + ": few values decide the mean";
   }

@@ -429,8 +429,8 @@ TEST_CASE("doubts of a file read as sentences") {
           .observed.front();
   REQUIRE(observed.doubts.size() == 2);
   CHECK(words_of(observed.doubts[0]) ==
-        "2 of 2 blocks are incomplete: no verdict on B; write inf for no answer, or drop them");
-  CHECK(words_of(observed.doubts[1]) == "1 of 4 rows have no label and are left out");
+        "2 of 2 blocks incomplete: no verdict on B; write inf for no answer, or drop them");
+  CHECK(words_of(observed.doubts[1]) == "1 of 4 rows without a label, left out");
 }
 
 TEST_CASE("a number whose squares are beyond a double is refused", "[user_csv]") {
