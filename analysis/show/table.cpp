@@ -82,8 +82,12 @@ std::vector<Kinds> kinds_of(const Table& table) {
   return kinds;
 }
 
-std::string head(const Column& column) {
-  return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
+// Where some cells are ratios, the unit stands at the other numbers.
+std::string head(const Column& column, const Kinds& kinds) {
+  return column.unit.empty() || kinds.ratios ? column.name : fmt::format("{} [{}]", column.name, column.unit);
+}
+std::string unit_of_cells(const Column& column, const Kinds& kinds) {
+  return column.unit.empty() || !kinds.ratios ? "" : ' ' + column.unit;
 }
 
 // Readers see printed numbers in a column of their own, and no column that is empty in every row.
@@ -111,12 +115,15 @@ Table for_readers(Table table) {
 
 // The table as texts; the first row is the head.
 Rows readable(const Table& table, Escape escape) {
+  const std::vector<Kinds> kinds = kinds_of(table);
   Rows rows(1);
-  for (const Column& column : table.columns) rows[0].push_back(escape(head(column)));
+  for (std::size_t c = 0; c < kinds.size(); ++c) rows[0].push_back(escape(head(table.columns[c], kinds[c])));
   for (const auto& cells : table.rows) {
     auto& row = rows.emplace_back();
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      row.push_back(escape(std::visit(Readable{number_text, table.columns[c]}, cells[c])));
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const Column& column = table.columns[c];
+      row.push_back(escape(std::visit(Readable{number_text, column, unit_of_cells(column, kinds[c])}, cells[c])));
+    }
   }
   return rows;
 }
@@ -177,8 +184,8 @@ std::string latex_number(double value, int digits) {
   return text.size() > 1 && text[0] == '-' ? fmt::format("${}$", text) : text;
 }
 
-std::string latex_cell(const Cell& cell, const Column& column) {
-  const Readable read{latex_number, column, "", "$\\le$ ", "--"};
+std::string latex_cell(const Cell& cell, const Column& column, const Kinds& kinds) {
+  const Readable read{latex_number, column, latex_text(unit_of_cells(column, kinds)), "$\\le$ ", "--"};
   if (const auto* text = std::get_if<std::string>(&cell)) return latex_text(*text);
   if (std::holds_alternative<Printed>(cell)) return latex_text(std::visit(read, cell));
   if (const auto* of = std::get_if<Marked>(&cell)) {
@@ -276,14 +283,14 @@ std::string to_latex(const Table& whole) {
   const std::vector<Kinds> kinds = kinds_of(table);  // spreads have a column of their own, so that the numbers align
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     letters += kinds[c].texts ? "l" : kinds[c].spreads ? "r@{ }l" : "r";
-    const std::string name = latex_text(head(table.columns[c]));
+    const std::string name = latex_text(head(table.columns[c], kinds[c]));
     heads.push_back(kinds[c].spreads ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
   }
   text += fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      cells.push_back(latex_cell(row[c], table.columns[c]));
+      cells.push_back(latex_cell(row[c], table.columns[c], kinds[c]));
       if (kinds[c].spreads && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
     }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));

@@ -99,7 +99,7 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
         "D        -                    -20 deg\n");
   CHECK(
       to_latex(table).find(
-          "A & 100 & {\\scriptsize (96--100)} & 339 \\\\\nB & 0.5 & {\\scriptsize (0.1--1.25)}\\rlap{\\,{*}} & 1.6 times\\rlap{\\,{*}} \\\\") !=
+          "A & 100 & {\\scriptsize (96--100)} & 339 deg \\\\\nB & 0.5 & {\\scriptsize (0.1--1.25)}\\rlap{\\,{*}} & 1.6 times\\rlap{\\,{*}} \\\\") !=
       std::string::npos);
 }
 
