@@ -47,6 +47,8 @@ Table with_a_row_a_study(const Table& studies);                       // of one 
 Table pairs_table(const Answer& answer);
 std::string chosen_before(const Answer& answer);  // what a verdict on another metric is worth; empty if there is none
 Table descriptives_table(const Answer& answer);
+std::string of_pairs(
+    const Answer& answer);  // what estimates are of, which medians may refute; empty for shares and means
 Table anova_table(const Answer& answer);
 
 // The answer as data: headline, groups, tests, findings and doubts.

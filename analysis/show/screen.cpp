@@ -42,9 +42,11 @@ std::string screen(const Answer& whole, const std::string& page) {
   std::string text;
   std::istringstream lines(headline(answer));
   for (std::string line; std::getline(lines, line);) text += paragraph(line, "");
-  text += '\n' + table_of(answer) + in_columns(pair_rows(answer), gap, width);
-  if (const std::string chosen = chosen_before(answer); answer.decisive().described.size() == 2 && !chosen.empty())
-    text += paragraph(chosen, "");
+  const auto pairs = pair_rows(answer);
+  text += '\n' + table_of(answer) + in_columns(pairs, gap, width);
+  for (const std::string& note :
+       {of_pairs(answer), answer.decisive().described.size() == 2 ? chosen_before(answer) : ""})
+    text += note.empty() || pairs.empty() ? "" : paragraph(note, "");
   text += warnings_of(answer);
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));
 }

@@ -230,6 +230,16 @@ std::string chosen_before(const Answer& answer) {
   return fmt::format("Only {} was chosen before; other metrics are exploratory.",
                      answer.decisive().observations.quantity);
 }
+std::string of_pairs(const Answer& answer) {
+  const Judged& judged = answer.decisive();
+  const auto has_estimate = [](const Finding& finding) { return finding.estimate.has_value(); };
+  if (is_share(judged) || judged.plan.test == results::Plan::Test::means ||
+      std::ranges::none_of(judged.findings, has_estimate))
+    return "";
+  return fmt::format("{} are of pairs, not of medians.",
+                     judged.observations.scale == Scale::ratio ? "Ratios" : "Differences");
+}
+
 
 Table pairs_table(const Answer& answer) {
   Table table{.name = "pairs",
@@ -254,6 +264,7 @@ Table pairs_table(const Answer& answer) {
   std::vector<std::string> notes{chosen_before(answer)};
   if (answer.verdict.empty() || notes[0].empty())
     notes.emplace_back(
+  notes.push_back(of_pairs(answer));
         "p is multiplied by the number of pairs tested of a metric, and intervals hold for all pairs at once.");
   notes.emplace_back("A12: share of comparisons in which the first is better.");
   std::erase(notes, "");
