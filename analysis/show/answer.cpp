@@ -62,8 +62,9 @@ std::vector<Doubt> Answer::all_doubts() const {
   return all;
 }
 
-Answer answer_of(std::vector<Judged> metrics) {
-  Answer answer{.metrics = std::move(metrics)};
+Answer answer_of(std::vector<Judged> metrics, std::size_t deciding) {
+  Answer answer{.metrics = std::move(metrics), .deciding = deciding};
+  answer.order = best_first(answer.decisive(), answer.metrics);
   for (Judged& judged : answer.metrics) {
     if (is_share(judged)) judged = in_unit(std::move(judged), 100, "%");
     for (Finding& finding : judged.findings) finding = better_first(std::move(finding), judged.plan.control);
@@ -81,8 +82,7 @@ Answer answer_of(std::vector<Judged> metrics) {
 
 Answer answer_of(const JudgedStudy& judged) {
   const results::Definition& definition = judged.study.definition;
-  Answer all = answer_of(judged.metrics);
-  all.deciding = judged.deciding;
+  Answer all = answer_of(judged.metrics, judged.deciding);
   all.doubts = judged.doubts;
   const bool are_runs = definition.is_chained() || (judged.study.points == 1 && !definition.draws_targets);
   all.noun = are_runs ? "runs" : "targets";

@@ -15,6 +15,7 @@ namespace ikbench::show {
 struct Answer {
   std::vector<compare::Judged> metrics;
   std::size_t deciding = 0;            // metric of the headline
+  std::vector<std::size_t> order;      // its groups, best first
   std::vector<compare::Doubt> doubts;  // of all
   std::string noun = "values";         // what observations are
   std::vector<std::string> notes;      // of the table of results
@@ -28,7 +29,7 @@ struct Answer {
 
 // Shares in percent; of studies times in ms, and errors in mm, but in cm where a paper's study is repeated. With a
 // control it is the second of each pair.
-Answer answer_of(std::vector<compare::Judged> metrics);
+Answer answer_of(std::vector<compare::Judged> metrics, std::size_t deciding = 0);
 Answer answer_of(const compare::JudgedStudy& judged);
 
 // With names of solvers that fit a line (numerics::short_names).
@@ -46,9 +47,9 @@ std::optional<figures::Figure> studies_figure(const Table& studies);  // bars of
 Table with_a_row_a_study(const Table& studies);                       // of one unit, without intervals
 Table pairs_table(const Answer& answer);
 std::string chosen_before(const Answer& answer);  // what a verdict on another metric is worth; empty if there is none
-Table descriptives_table(const Answer& answer);
 std::string of_pairs(
     const Answer& answer);  // what estimates are of, which medians may refute; empty for shares and means
+Table descriptives_table(const Answer& answer);
 Table anova_table(const Answer& answer);
 
 // The answer as data: headline, groups, tests, findings and doubts.

@@ -196,7 +196,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   std::optional<std::string> arm;
   if (is_of_study) {
     std::vector<std::string> order;
-    for (const std::size_t i : best_first(report.answer.decisive(), report.answer.metrics))
+    for (const std::size_t i : report.answer.order)
       order.push_back(report.answer.decisive().observations.groups[i].name);
     arm = moving_arm(report.study, order);
   }

@@ -87,14 +87,13 @@ std::string limit(double value, std::string_view unit) {
 std::string reference_of(const Answer& answer) {
   const Judged& decisive = answer.decisive();
   if (!decisive.plan.control.empty()) return decisive.plan.control;
-  return decisive.observations.groups[best_first(decisive, answer.metrics)[0]].name;
+  return decisive.observations.groups[answer.order[0]].name;
 }
 
 Table results_table(const Answer& answer) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
   const Judged& decisive = answer.decisive();
-  const std::vector<std::size_t> order = best_first(decisive, answer.metrics);
-  for (const std::size_t i : order) table.rows.push_back({decisive.observations.groups[i].name});
+  for (const std::size_t i : answer.order) table.rows.push_back({decisive.observations.groups[i].name});
   const std::string reference = reference_of(answer);
   const bool are_means = decisive.plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
@@ -130,7 +129,7 @@ Table results_table(const Answer& answer) {
     const bool are_common = std::ranges::any_of(answer.metrics, [](const Judged& judged) {
       return judged.observations.is_of_solved && judged.observations.is_paired;
     });
-    key = fmt::format("{}: {}s; the other{}: {}, {}", reference, average, order.size() == 2 ? "" : "s",
+    key = fmt::format("{}: {}s; the other{}: {}, {}", reference, average, answer.order.size() == 2 ? "" : "s",
                       fmt::join(kinds, " or "),
                       are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun);
   }
@@ -230,6 +229,7 @@ std::string chosen_before(const Answer& answer) {
   return fmt::format("Only {} was chosen before; other metrics are exploratory.",
                      answer.decisive().observations.quantity);
 }
+
 std::string of_pairs(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const auto has_estimate = [](const Finding& finding) { return finding.estimate.has_value(); };
@@ -239,7 +239,6 @@ std::string of_pairs(const Answer& answer) {
   return fmt::format("{} are of pairs, not of medians.",
                      judged.observations.scale == Scale::ratio ? "Ratios" : "Differences");
 }
-
 
 Table pairs_table(const Answer& answer) {
   Table table{.name = "pairs",
@@ -264,8 +263,8 @@ Table pairs_table(const Answer& answer) {
   std::vector<std::string> notes{chosen_before(answer)};
   if (answer.verdict.empty() || notes[0].empty())
     notes.emplace_back(
-  notes.push_back(of_pairs(answer));
         "p is multiplied by the number of pairs tested of a metric, and intervals hold for all pairs at once.");
+  notes.push_back(of_pairs(answer));
   notes.emplace_back("A12: share of comparisons in which the first is better.");
   std::erase(notes, "");
   table.notes = {fmt::format("{}", fmt::join(notes, " "))};
@@ -280,10 +279,9 @@ Table descriptives_table(const Answer& answer) {
                              "95 % quantile", "smallest", "largest", "interval", "unit", "lost"})};
   bool is_any_lost = false, is_any_share = false, is_any_of_solved = false;
   const Judged& decisive = answer.decisive();
-  const std::vector<std::size_t> order = best_first(decisive, answer.metrics);
   for (const Judged& judged : answer.metrics) {
     const Observations& observed = judged.observations;
-    for (const std::size_t place : order) {
+    for (const std::size_t place : answer.order) {
       const std::size_t i = place_of(observed, decisive.observations.groups[place].name);
       if (i == observed.groups.size()) continue;
       const Description& its = judged.described[i];

@@ -45,16 +45,19 @@ std::string number_of(const Answer& answer, const Judged& judged, std::size_t gr
                      is_first && !observed.unit.empty() ? " " : "", is_first ? observed.unit : "");
 }
 
-std::string with_number(const Answer& answer, const std::string& name, std::size_t first) {
-  const Judged& judged = answer.decisive();
-  return fmt::format("{} ({})", name, number_of(answer, judged, place_of(judged.observations, name), first));
-}
-
 // "median error", "mean error", "solved"
 std::string quantity_of(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const bool is_mean = judged.plan.test == results::Plan::Test::means;
   return fmt::format("{}{}", is_share(judged) ? "" : is_mean ? "mean " : "median ", judged.observations.quantity);
+}
+
+// "DLS (solved 100 of 100 targets)", and those after it "PSO (88)".
+std::string with_number(const Answer& answer, const std::string& name, std::size_t first) {
+  const Judged& judged = answer.decisive();
+  const std::size_t group = place_of(judged.observations, name);
+  return fmt::format("{} ({}{})", name, group == first ? quantity_of(answer) + " " : "",
+                     number_of(answer, judged, group, first));
 }
 
 std::string names_of(const std::vector<std::string>& names) {
@@ -73,7 +76,7 @@ std::size_t equals_of(const Judged& judged, const std::vector<std::size_t>& orde
 std::string numbers_of(const Answer& answer, bool is_named) {
   const Judged& judged = answer.decisive();
   const bool is_solved = judged.observations.metric == "solved";
-  const std::vector<std::size_t> order = best_first(judged, answer.metrics);
+  const std::vector<std::size_t>& order = answer.order;
   const bool are_many = order.size() > most_named;
   const std::size_t equals = is_solved ? equals_of(judged, order) : 1;
   std::vector<std::string> firsts, others;
@@ -153,8 +156,7 @@ std::string against_control(const Answer& answer) {
   }
   std::vector<std::string> parts;
   for (const auto& [verdict, who] : by_verdict) parts.push_back(fmt::format("{} {}", names_of(who), verdict));
-  return fmt::format("Against {} ({} {}): {}", judged.plan.control, quantity_of(answer),
-                     number_of(answer, judged, control, control), listed(parts, ", "));
+  return fmt::format("Against {}: {}", with_number(answer, judged.plan.control, control), listed(parts, ", "));
 }
 
 std::string not_tested(const Answer& answer) {
@@ -174,7 +176,7 @@ std::string not_tested(const Answer& answer) {
   }
 }
 
-// Where no solver is best: those that none is shown to beat.
+// Where no solver is best: those that none is shown to beat, and whom the one of them beats that beats most.
 std::string unbeaten(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const std::set<std::string> beaten = losers_of(judged.findings);
@@ -182,11 +184,13 @@ std::string unbeaten(const Answer& answer) {
   for (const Finding& finding : judged.findings) {
     if (finding.verdict != Verdict::not_tested) tested.insert({finding.first, finding.second});
   }
-  const std::vector<std::size_t> order = best_first(judged, answer.metrics);
-  std::vector<std::string> rest, worse, apart;
-  for (const std::size_t i : order) {
+  std::vector<std::string> rest, apart;
+  for (const std::size_t i : answer.order) {
     const std::string& name = solver_name(judged, i);
-    (!tested.contains(name) ? apart : beaten.contains(name) ? worse : rest).push_back(name);
+    if (!tested.contains(name))
+      apart.push_back(name);
+    else if (!beaten.contains(name))
+      rest.push_back(name);
   }
   const std::string numbers = numbers_of(answer, true);
   std::vector<std::string> same, others;  // as all before it
@@ -202,22 +206,32 @@ std::string unbeaten(const Answer& answer) {
                        others.empty() ? "" : ", not decided against " + names_of(others), numbers);
   if (std::ranges::all_of(judged.findings, &Finding::are_all_equal))
     return fmt::format("{} are the {}: {} {}", all_of(judged), verdict_words(judged.findings.front(), judged),
-                       quantity_of(answer), number_of(answer, judged, order[0], order[0]));
-  if (worse.empty()) return "Not decided: " + numbers;
-  const auto beats_all = [&](const std::string& one) {
-    return std::ranges::all_of(worse, [&](const std::string& other) {
-      const Finding* const pair = finding_of(judged, one, other);
-      return pair && pair->verdict == (pair->first == one ? Verdict::better : Verdict::worse);
-    });
+                       quantity_of(answer), number_of(answer, judged, answer.order[0], answer.order[0]));
+  const auto told = [&](const std::vector<std::string>& names) {
+    std::vector<std::string> all;
+    for (const std::string& name : names)
+      all.push_back(with_number(answer, name, place_of(judged.observations, rest[0])));
+    return names_of(all);
   };
-  const auto leader = std::ranges::find_if(rest, beats_all);
-  const auto be = [](const std::vector<std::string>& names) { return names.size() == 1 ? "is" : "are"; };
-  if (rest.size() == 1 && leader != rest.end() && !apart.empty())
-    return fmt::format("{} is better than {}; {} {} not tested: {}", *leader, names_of(worse), names_of(apart),
-                       be(apart), numbers);
-  if (rest.size() < 2) return "Not decided: " + numbers;
-  const std::string than = leader == rest.end() ? "each worse than another" : "worse than " + *leader;
-  return fmt::format("Not decided between {}; {} {} {}: {}", names_of(rest), names_of(worse), be(worse), than, numbers);
+  const auto against = [&](const std::string& one, bool is_better) {
+    std::vector<std::string> all;
+    for (const std::size_t i : answer.order) {
+      const std::string& other = solver_name(judged, i);
+      const Finding* const pair = finding_of(judged, one, other);
+      const auto verdict = pair ? better_first(*pair, other).verdict : Verdict::not_tested;
+      if (verdict == (is_better ? Verdict::better : Verdict::undecided)) all.push_back(other);
+    }
+    return all;
+  };
+  const auto count = [&](const std::string& one) { return against(one, true).size(); };
+  const auto leader = std::ranges::max_element(rest, {}, count);
+  if (leader == rest.end() || count(*leader) == 0) return "Not decided: " + numbers;
+  const std::vector<std::string> worse = against(*leader, true), open = against(*leader, false);
+  std::string text = rest.size() == 1 ? fmt::format("{} is better than {}", told(rest), told(worse))
+                                      : fmt::format("Not decided between {}; {} {} worse than {}", told(rest),
+                                                    told(worse), worse.size() == 1 ? "is" : "are", *leader);
+  if (rest.size() == 1 && !open.empty()) text += "; not decided against " + told(open);
+  return apart.empty() ? text : fmt::format("{}; not tested: {}", text, told(apart));
 }
 
 // Of a best one and another.
@@ -256,17 +270,19 @@ std::string most_p(const Judged& judged) {
 
 std::string best(const Answer& answer) {
   const Judged& judged = answer.decisive();
-  const std::vector<std::size_t> order = best_first(judged, answer.metrics);
+  const std::vector<std::size_t>& order = answer.order;
   std::vector<std::string> names, beaten;
   for (const std::size_t i : order)
     (names.size() < judged.headline.best.size() ? names : beaten).push_back(solver_name(judged, i));
   const std::string other = beaten.size() <= 2 ? listed(beaten) : fmt::format("each of the {} others", beaten.size());
   const bool are_listed = judged.findings.size() <= most_pairs;
-  std::string text = fmt::format("{} {}{}: {}", names_of(names),
+  const bool are_unequal = equals_of(judged, order) < names.size();
+  std::string text = fmt::format("{} {}{}{}: {}", names_of(names),
                                  names.size() > 1    ? "are best"
                                  : order.size() == 2 ? "is better than " + other
                                                      : "is best",
-                                 by_little(judged), numbers_of(answer, names.size() > 1));
+                                 are_unequal ? ", the same within " + margin_words(judged) : "", by_little(judged),
+                                 numbers_of(answer, names.size() > 1));
   if (names.size() > 1 || !are_listed)
     text += fmt::format(". {} better than {}{}",
                         names.size() == 1   ? "It is"
@@ -280,7 +296,11 @@ std::string sentence(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const Headline& head = judged.headline;
   const std::size_t groups = judged.described.size();
-  if (!head.best.empty()) return best(answer);
+  const auto is_alike = [&](const Finding& finding) {  // or not of two best ones
+    return std::ranges::count(head.best, finding.first) + std::ranges::count(head.best, finding.second) < 2 ||
+           finding.verdict == Verdict::same || finding.are_all_equal;
+  };
+  if (!head.best.empty()) return std::ranges::all_of(judged.findings, is_alike) ? best(answer) : unbeaten(answer);
   if (!head.usual.empty()) return usual(judged);
   if (const std::string equal = all_solved(answer); !equal.empty()) return equal;
   if (judged.findings.empty()) {

@@ -125,8 +125,7 @@ TEST_CASE("below the pairs of two solvers stands which metric was chosen before"
   const auto of_two = [](const std::string& metric) {
     return judged(numbers(metric, metric, "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}));
   };
-  Answer two = answer_of({of_two("error"), of_two("effort")});
-  two.deciding = 1;
+  Answer two = answer_of({of_two("error"), of_two("effort")}, 1);
   const auto is_told = [](const Answer& answer) {
     return screen(answer).find(chosen_before(answer)) != std::string::npos;
   };
