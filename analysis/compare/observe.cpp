@@ -93,6 +93,8 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, co
   const bool of_solved = is_of_solved(study, metric);
   const double least = tolerance_of(study, metric);
   std::vector<Value> values;
+  // Where the arm stayed is no error of a solver that never moved it.
+  if (metric.kind == Kind::error && std::ranges::none_of(study.of(solver), gave_answer)) return values;
   for (const Solves run : runs_of(study.of(solver))) {
     if (design.are_runs && !is_complete(study, run)) continue;
     if (metric.is_of_run) {

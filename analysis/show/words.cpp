@@ -231,7 +231,7 @@ std::string unbeaten(const Answer& answer) {
                                       : fmt::format("Not decided between {}; {} {} worse than {}", told(rest),
                                                     told(worse), worse.size() == 1 ? "is" : "are", *leader);
   if (rest.size() == 1 && !open.empty()) text += "; not decided against " + told(open);
-  return apart.empty() ? text : fmt::format("{}; not tested: {}", text, told(apart));
+  return apart.empty() ? text : fmt::format("{}; not tested: {}", text, names_of(apart));
 }
 
 // Of a best one and another.
@@ -360,6 +360,7 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
   }
   return words;
 }
+  if (finding.n == 0 && finding.why == Why::too_few) return words + ": no values";
 
 std::string warning_of(const Doubt& doubt) {
   std::string text = words_of(doubt) + '.';
