@@ -64,16 +64,6 @@ void warn_of_unreachable(const Study& study) {
       counted(std::ssize(beyond), "points"), first.point, first.distance * 100, first.reach * 100));
 }
 
-// Name and meaning of each figure that some report has.
-std::vector<std::pair<std::string, std::string>> all_figures() {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const figures::KindOfFigure& kind : figures::kinds_of_figures()) all.emplace_back(kind.name, kind.meaning);
-  all.emplace_back("boxes", "of a file that stats reads");
-  all.emplace_back("printed", "of beeson2015: shares solved minus those that it prints");
-  all.emplace_back("figure", "of slim2023: figure-5 to figure-18");
-  return all;
-}
-
 bool is_meant(const std::string& figure, const std::string& name) {
   return figure == name || figure.starts_with(name + "-");
 }
@@ -81,7 +71,7 @@ bool is_meant(const std::string& figure, const std::string& name) {
 // Before anything is solved; a study may lack a figure that others have.
 void refuse_unknown_figures(const std::vector<std::string>& names) {
   std::vector<std::string> all;
-  for (const auto& [name, meaning] : all_figures()) all.push_back(name);
+  for (const auto& [name, meaning] : show::all_figures()) all.push_back(name);
   for (const std::string& name : names) {
     if (std::ranges::none_of(all, [&](const auto& figure) { return is_meant(figure, name) || is_meant(name, figure); }))
       throw std::invalid_argument(unknown_name("figure", name, all));
@@ -152,7 +142,7 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
 
 std::string list_of_figures() {
   Rows rows{{"FIGURE", "OF"}};
-  for (const auto& [name, meaning] : all_figures()) rows.push_back({name, meaning});
+  for (const auto& [name, meaning] : show::all_figures()) rows.push_back({name, meaning});
   return aligned(rows) + "\nKeys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle());
 }
 

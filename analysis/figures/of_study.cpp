@@ -285,7 +285,6 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
 std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
                                      const Look& look) {
   const Observations& observed = metric.observations;
-  constexpr std::size_t most_pairs = 15;
   Look brief = look;  // two names a row
   brief.names = short_names(shown, 15);
   const auto name_in_row = [&](const std::string& solver) { return short_name(brief, solver); };

@@ -26,6 +26,8 @@ struct Look {
 };
 Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle style);
 
+constexpr std::size_t most_pairs = 15;  // of more only those of the reference
+
 // Those of figures.inc for which the study has values; solvers in the order of its table, or as the look says.
 struct KindOfFigure {
   std::string name, meaning;

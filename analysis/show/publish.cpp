@@ -32,9 +32,8 @@ bool is_own(const fs::path& folder, std::string_view name) {
   if (folder == "tables")
     return has_word(" anova claims descriptives means methods multiverse pairs questions results solve-rates table- ",
                     name);
-  const auto kinds = figures::kinds_of_figures();
-  return folder == "figures" && (has_word(" boxes boxes- figure- printed style ", name) ||
-                                 std::ranges::find(kinds, name, &figures::KindOfFigure::name) != kinds.end());
+  const auto is_of_kind = [&](const auto& kind) { return name == kind.first || name.starts_with(kind.first + "-"); };
+  return folder == "figures" && (name == "style" || std::ranges::any_of(all_figures(), is_of_kind));
 }
 
 // Of what the report of a folder says that it has written what a report may have written.
@@ -80,8 +79,7 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
 
 // Leaves readers the pairs that were tested, and of many those of the reference.
 void keep_telling(Table& pairs, const Answer& answer) {
-  constexpr std::size_t most = 15;
-  const bool are_many = answer.decisive().findings.size() > most;
+  const bool are_many = answer.decisive().findings.size() > figures::most_pairs;
   const std::string reference = reference_of(answer);
   const std::size_t taken = std::erase_if(pairs.rows, [&](const std::vector<Cell>& row) {
     const bool is_of_it = std::get<std::string>(row[1]) == reference || std::get<std::string>(row[2]) == reference;
@@ -132,6 +130,15 @@ void write_table(const Table& table, const Table& article, const fs::path& folde
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> all_figures() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const figures::KindOfFigure& kind : figures::kinds_of_figures()) all.emplace_back(kind.name, kind.meaning);
+  all.emplace_back("boxes", "of a file that stats reads");
+  all.emplace_back("printed", "of beeson2015: shares solved minus those that it prints");
+  all.emplace_back("figure", "of slim2023: figure-5 to figure-18");
+  return all;
+}
 
 std::vector<std::string> types_of(const figures::Figure& figure, const fs::path& folder) {
   std::vector<std::string> types = results::picture_formats;

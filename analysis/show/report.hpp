@@ -64,6 +64,9 @@ std::string screen(const Answer& answer, const std::string& page = {});
 // labels). nullopt if the definition does not describe the arm or nothing is solved.
 std::optional<std::string> moving_arm(const compare::StudyResults& study, const std::vector<std::string>& order);
 
+// Name and meaning of each figure that some report has, whose files begin with it.
+std::vector<std::pair<std::string, std::string>> all_figures();
+
 // The installed three.js and its OrbitControls; nullopt if they are not installed.
 std::optional<std::string> drawing_library();
 
