@@ -62,10 +62,10 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
       std::ranges::count(table.columns, table.columns.back().unit, unit) == std::ssize(files))
     table = show::with_a_row_a_study(table);
   show::write_table(table, folder / "tables", program_name());
-  fmt::print("{}Table: {}\n", printable(show::to_text(table)), printable((folder / "tables" / "studies.csv").string()));
-  if (figure)
-    fmt::print("{}\n", printable(wrapped(fmt::format("Figure: {}. {}", (folder / "figures" / figure->name).string(),
-                                                     figure->caption))));
+  std::string written = fmt::format("Written, without a page: {}.*", (folder / "tables" / table.name).string());
+  if (figure) written += fmt::format(" and {}.*. {}", (folder / "figures" / figure->name).string(), figure->caption);
+  fmt::print("{}\n{}\n\n{}", printable(wrapped(show::found_in_studies(studies, told))), printable(wrapped(written)),
+             printable(show::to_text(table)));
 }
 
 }  // namespace

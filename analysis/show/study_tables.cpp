@@ -169,12 +169,31 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
   const bool are_shares =
       std::ranges::all_of(studies, [](const Answer& answer) { return is_share(answer.decisive()); });
   table.caption = are_shares ? "Share of targets solved" : "What decides each study";
+  std::vector<std::string> references;
+  for (const Answer& answer : studies)
+    references.push_back((answer.decisive().plan.control.empty() ? "" : "the control ") + reference_of(answer));
+  std::vector<std::string> told;
+  for (const auto& [reference, where] : by_word(references, names)) told.push_back(reference + " (" + where + ")");
   table.notes = {
-      "In the order of the first study that has the solver. * worse than the best of its study or its control, "
-      "! not tested; each study is judged alone.",
+      fmt::format("In the order of the first study that has the solver. * shown to be worse than {}, ! not tested; "
+                  "each study is judged alone.",
+                  listed(told, " or ")),
       are_shares ? "Brackets: intervals at the level of each study."
                  : "Brackets: intervals of shares, else quartiles."};
   return table;
+}
+
+std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
+  std::vector<std::string> found, parts;
+  for (const Answer& answer : studies) {
+    const Judged& judged = answer.decisive();
+    const std::vector<std::string> best = best_of(judged);
+    found.push_back(!best.empty()                 ? listed(best) + (best.size() == 1 ? " is best" : " are best")
+                    : judged.plan.control.empty() ? "nobody is shown to be best"
+                                                  : "all are judged against " + judged.plan.control + " alone");
+  }
+  for (const auto& [what, where] : by_word(found, names)) parts.push_back(fmt::format("{}: {}", where, what));
+  return fmt::format("{}.", fmt::join(parts, "; "));
 }
 
 std::optional<figures::Figure> studies_figure(const Table& studies) {

@@ -60,11 +60,6 @@ std::string with_number(const Answer& answer, const std::string& name, std::size
                      number_of(answer, judged, group, first));
 }
 
-std::string names_of(const std::vector<std::string>& names) {
-  if (names.size() <= most_named) return listed(names);
-  return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
-}
-
 // How many of the first in this order have its number.
 std::size_t equals_of(const Judged& judged, const std::vector<std::size_t>& order) {
   const auto differs = [&](std::size_t i) { return average_of(judged, i) != average_of(judged, order[0]); };
@@ -147,15 +142,13 @@ std::string usual(const Judged& judged) {
 std::string against_control(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const std::size_t control = place_of(judged.observations, judged.plan.control);
-  std::vector<std::pair<std::string, std::vector<std::string>>> by_verdict;  // in the order of the table
+  std::vector<std::string> verdicts, names;  // in the order of the table
   for (const Finding& finding : judged.findings) {
-    const std::string verdict = verdict_words(finding, judged);
-    auto own = std::ranges::find(by_verdict, verdict, [](const auto& each) { return each.first; });
-    if (own == by_verdict.end()) own = by_verdict.insert(own, {verdict, {}});
-    own->second.push_back(with_number(answer, finding.first, control));
+    verdicts.push_back(verdict_words(finding, judged));
+    names.push_back(with_number(answer, finding.first, control));
   }
   std::vector<std::string> parts;
-  for (const auto& [verdict, who] : by_verdict) parts.push_back(fmt::format("{} {}", names_of(who), verdict));
+  for (const auto& [verdict, who] : by_word(verdicts, names)) parts.push_back(fmt::format("{} {}", who, verdict));
   return fmt::format("Against {}: {}", with_number(answer, judged.plan.control, control), listed(parts, ", "));
 }
 
@@ -296,11 +289,8 @@ std::string sentence(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const Headline& head = judged.headline;
   const std::size_t groups = judged.described.size();
-  const auto is_alike = [&](const Finding& finding) {  // or not of two best ones
-    return std::ranges::count(head.best, finding.first) + std::ranges::count(head.best, finding.second) < 2 ||
-           finding.verdict == Verdict::same || finding.are_all_equal;
-  };
-  if (!head.best.empty()) return std::ranges::all_of(judged.findings, is_alike) ? best(answer) : unbeaten(answer);
+  if (!best_of(judged).empty()) return best(answer);
+  if (!head.best.empty()) return unbeaten(answer);
   if (!head.usual.empty()) return usual(judged);
   if (const std::string equal = all_solved(answer); !equal.empty()) return equal;
   if (judged.findings.empty()) {
@@ -321,6 +311,33 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 }
 
 }  // namespace
+
+std::string names_of(const std::vector<std::string>& names) {
+  if (names.size() <= most_named) return listed(names);
+  return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
+}
+
+std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::string>& words,
+                                                         const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> all;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    auto own = std::ranges::find(all, words[i], [](const auto& each) { return each.first; });
+    if (own == all.end()) own = all.insert(own, {words[i], {}});
+    own->second.push_back(names[i]);
+  }
+  std::vector<std::pair<std::string, std::string>> told;
+  for (const auto& [word, where] : all) told.emplace_back(word, names_of(where));
+  return told;
+}
+
+std::vector<std::string> best_of(const Judged& judged) {
+  const std::vector<std::string>& best = judged.headline.best;
+  const auto is_alike = [&](const Finding& finding) {  // or not of two best ones
+    return std::ranges::count(best, finding.first) + std::ranges::count(best, finding.second) < 2 ||
+           finding.verdict == Verdict::same || finding.are_all_equal;
+  };
+  return std::ranges::all_of(judged.findings, is_alike) ? best : std::vector<std::string>();
+}
 
 std::string headline(const Answer& whole) {
   if (!whole.verdict.empty()) return whole.verdict;
@@ -343,6 +360,7 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
   if (finding.verdict == Verdict::same) return "same within " + margin;
   if (finding.verdict == Verdict::undecided && finding.are_all_equal) return fmt::format("same in all {}", finding.n);
   std::string words(compare::name_of(finding.verdict));
+  if (finding.n == 0 && finding.why == Why::too_few) return words + ": no values";
   if (finding.is_within_margin) words += ", by less than " + margin;
   switch (finding.why) {
     case Why::tested:
@@ -360,7 +378,6 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
   }
   return words;
 }
-  if (finding.n == 0 && finding.why == Why::too_few) return words + ": no values";
 
 std::string warning_of(const Doubt& doubt) {
   std::string text = words_of(doubt) + '.';

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "analysis/show/answer.hpp"
 
@@ -9,6 +11,12 @@ namespace ikbench::show {
 
 constexpr std::size_t most_pairs = 6;  // that a screen lists; of more the headline says that all are found
 
+std::string names_of(const std::vector<std::string>& names);  // "A, B and C", "A, B, C and 5 more"
+// Each word once, with the names that have it.
+std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::string>& words,
+                                                         const std::vector<std::string>& names);
+// Those that are best and alike; empty if there is none.
+std::vector<std::string> best_of(const compare::Judged& judged);
 // One sentence: "DLS is best: it solved 100 of 100 targets; PSO 88, mine 54."
 std::string headline(const Answer& answer);
 
