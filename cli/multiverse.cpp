@@ -4,9 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
@@ -21,7 +19,6 @@ namespace ikbench::cli {
 using namespace numerics;
 using namespace results;
 using namespace experiments;
-using papers::Multiverse;
 
 namespace {
 
@@ -32,18 +29,6 @@ struct MultiverseArguments {
   int seeds = 1, jobs = 1;
   bool list = false, small = false;
 };
-
-// The door of these numbers: a run with an answer that is not finite is lost.
-compare::Group group_of(const std::vector<double>& runs) {
-  compare::Group group;
-  for (const double value : runs) {
-    if (std::isfinite(value))
-      group.values.push_back(value);
-    else
-      ++group.lost;
-  }
-  return group;
-}
 
 // Lists every question with its answers, the default first.
 std::string dimension_list(const Study& study, const std::vector<Dimension>& all,
@@ -58,7 +43,7 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
       rows.push_back({one.set, each.section, is_default ? "default" : is_varied ? "yes" : "no", one.where});
     }
   }
-  const results::Multiverse choices = choices_of(varied, labels_of(study));
+  const Multiverse choices = choices_of(varied, labels_of(study));
   std::size_t settings = 0;
   for (const auto& of_study : choices.studies)
     for (const auto& of_solver : of_study.solvers) settings += of_solver.size();
@@ -70,7 +55,7 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
                     const std::vector<Dimension>& varied, const Plan& plan) {
   const std::filesystem::path folder =
       arguments.out.empty() ? default_folder(paper.name + "-multiverse") : std::filesystem::path(arguments.out);
-  const Multiverse multiverse = solved_multiverse(
+  const papers::SolvedMultiverse multiverse = solved_multiverse(
       paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides}, arguments.jobs);
   const show::Table table = papers::judged(paper, multiverse, plan).table;
   refuse_links(folder);
@@ -80,27 +65,6 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
 }
 
 }  // namespace
-
-Multiverse solved_multiverse(const std::string& study, const std::vector<Dimension>& varied, MultiverseRequest request,
-                             int jobs) {
-  CancelOnSignal signals;
-  request.cancelled = &signals.requested();
-  const MultiversePlan plan = plan_multiverse(study, varied, request);
-  std::optional<ProgressBar> bar("readings");
-  const std::vector<RunMeans> means =
-      solve_parts(plan.parts, {.jobs = jobs,
-                               .progress = [&](const Progress& progress) { bar->show(progress); },
-                               .cancelled = request.cancelled});
-  bar.reset();  // leaves its line to the next words
-  if (signals.end()) {
-    say("Stopped. Readings are judged together, so none is kept; the same command solves them anew.");
-    throw Cancelled();
-  }
-  Multiverse multiverse{plan, {}};
-  for (const RunMeans& each : means)
-    multiverse.means.push_back({group_of(each.error_cm), group_of(each.variation_deg)});
-  return multiverse;
-}
 
 void add_multiverse(CLI::App& app, Invocation&) {
   auto arguments = std::make_shared<MultiverseArguments>();

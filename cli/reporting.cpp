@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -96,6 +98,18 @@ void choose_figures(show::Report& reported, const std::vector<std::string>& name
 }
 
 bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
+
+// The door of these numbers: a run with an answer that is not finite is lost.
+compare::Group group_of(const std::vector<double>& runs) {
+  compare::Group group;
+  for (const double value : runs) {
+    if (std::isfinite(value))
+      group.values.push_back(value);
+    else
+      ++group.lost;
+  }
+  return group;
+}
 
 }  // namespace
 
@@ -321,6 +335,27 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
                      request.shard.count == 1 ? "" : fmt::format(", shard {}", request.shard.text()),
                      counted(progress.total, "solves"), store_in(folder).string(),
                      progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
+}
+
+papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::vector<Dimension>& varied,
+                                           MultiverseRequest request, int jobs) {
+  CancelOnSignal signals;
+  request.cancelled = &signals.requested();
+  const MultiversePlan plan = plan_multiverse(study, varied, request);
+  std::optional<ProgressBar> bar("readings");
+  const std::vector<RunMeans> means =
+      solve_parts(plan.parts, {.jobs = jobs,
+                               .progress = [&](const Progress& progress) { bar->show(progress); },
+                               .cancelled = request.cancelled});
+  bar.reset();  // leaves its line to the next words
+  if (signals.end()) {
+    say("Stopped. Readings are judged together, so none is kept; the same command solves them anew.");
+    throw Cancelled();
+  }
+  papers::SolvedMultiverse multiverse{plan, {}};
+  for (const RunMeans& each : means)
+    multiverse.means.push_back({group_of(each.error_cm), group_of(each.variation_deg)});
+  return multiverse;
 }
 
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options) {

@@ -90,10 +90,10 @@ std::string run_study(const experiments::Study& study, const results::StoredStud
                       const std::filesystem::path& folder, experiments::RunRequest request,
                       results::Store::Mode mode = results::Store::Mode::write);
 
-// Solves all combinations of what a paper leaves open, with progress (multiverse.cpp). After Ctrl-C it says so, and
+// Solves all combinations of what a paper leaves open, with progress. After Ctrl-C it says so, and
 // throws Cancelled: shares need all readings.
-papers::Multiverse solved_multiverse(const std::string& study, const std::vector<results::Dimension>& varied,
-                                     experiments::MultiverseRequest request, int jobs);
+papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::vector<results::Dimension>& varied,
+                                           experiments::MultiverseRequest request, int jobs);
 
 // Writes and draws a figure, and warns if it was not drawn.
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options);

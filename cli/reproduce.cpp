@@ -82,7 +82,7 @@ papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper
   const std::vector<Dimension> all = dimensions(paper.name);
   if (arguments.seeds == 0 || all.empty()) return {};
   const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-  const papers::Multiverse solved = solved_multiverse(
+  const papers::SolvedMultiverse solved = solved_multiverse(
       paper.name, within(Scope::small, all), {.seeds = arguments.seeds, .overrides = overridden_runs(arguments)}, jobs);
   return papers::judged(paper, solved, load_study(paper.name).plan);
 }

@@ -18,8 +18,8 @@ using results::Dimension;
 
 namespace {
 
-using ChosenSolver = Multiverse::ChosenSolver;
-using OfStudy = Multiverse::OfStudy;
+using ChosenSolver = SolvedMultiverse::ChosenSolver;
+using OfStudy = SolvedMultiverse::OfStudy;
 using Names = std::vector<std::string>;
 
 bool contains(const auto& all, const auto& one) { return std::ranges::find(all, one) != all.end(); }
@@ -76,7 +76,7 @@ OwnChoices combination(const OfStudy& study, const std::vector<std::size_t>& sol
 }
 
 // None if a solver of the claim is missing.
-std::vector<Part> parts_of(const Multiverse& multiverse, const Claim& claim, const results::Plan& plan) {
+std::vector<Part> parts_of(const SolvedMultiverse& multiverse, const Claim& claim, const results::Plan& plan) {
   const Names& solvers = multiverse.solvers;
   const std::size_t k = solvers.size(), metric = metric_of(claim);
   std::vector<std::size_t> own, rivals;
@@ -155,7 +155,7 @@ bool happens(const std::vector<Part>& parts, Outcome outcome, const Chosen& with
 }
 
 // All but the defaults.
-Chosen answers_of(const Multiverse& multiverse) {
+Chosen answers_of(const SolvedMultiverse& multiverse) {
   Chosen answers;
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     for (std::size_t a = 1; a < multiverse.dimensions[d].alternatives.size(); ++a) answers.push_back({d, a});
@@ -165,7 +165,7 @@ Chosen answers_of(const Multiverse& multiverse) {
 
 // "only where bounds=initial or BA.best_of=evaluated", by these words for an answer: the smallest sets of one or two
 // answers, other than defaults, without which it never happens.
-std::string where(const Multiverse& multiverse, const std::vector<Part>& parts, Outcome outcome,
+std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& parts, Outcome outcome,
                   std::string results::Alternative::*words) {
   if (!happens(parts, outcome, {})) return "nowhere";
   const Chosen answers = answers_of(multiverse);
@@ -190,7 +190,7 @@ std::string where(const Multiverse& multiverse, const std::vector<Part>& parts, 
 
 }  // namespace
 
-JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const results::Plan& plan) {
+JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::Plan& plan) {
   JudgedMultiverse result{
       .fails_where = {},
       .table = {.name = "multiverse",

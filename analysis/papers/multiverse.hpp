@@ -16,7 +16,7 @@ namespace ikbench::papers {
 
 constexpr std::array<std::string_view, 2> metrics_of_readings{"position_error_cm", "variation_deg"};
 
-struct Multiverse : results::Multiverse {
+struct SolvedMultiverse : results::Multiverse {
   // By part and metric: the mean of each run over its targets.
   std::vector<std::array<compare::Group, metrics_of_readings.size()>> means;
 };
@@ -26,6 +26,6 @@ struct JudgedMultiverse {
   show::Table table;                               // "multiverse"; readings, each seed of one by itself
 };
 
-JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const results::Plan& plan);
+JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::Plan& plan);
 
 }  // namespace ikbench::papers

@@ -11,7 +11,8 @@ std::vector<double> around(double middle, int runs) {
   return values;
 }
 
-Multiverse::ChosenSolver chosen(Multiverse& of, results::Chosen choices, double error, double variation, int runs) {
+SolvedMultiverse::ChosenSolver chosen(SolvedMultiverse& of, results::Chosen choices, double error, double variation,
+                                      int runs) {
   of.means.push_back({Group{.values = around(error, runs)}, Group{.values = around(variation, runs)}});
   return {.chosen = std::move(choices), .parts = {of.means.size() - 1}};
 }
@@ -25,8 +26,8 @@ results::Dimension dimension(std::string name, std::string solver) {
 }
 
 // 2 choices for the study, and 2 for each of four solvers: 32 readings.
-Multiverse small(int runs) {
-  Multiverse multiverse;
+SolvedMultiverse small(int runs) {
+  SolvedMultiverse multiverse;
   multiverse.dimensions = {dimension("way", ""), dimension("a", "IK-BA"), dimension("b", "BA"), dimension("c", "DE"),
                            dimension("d", "MO-PSO")};
   multiverse.solvers = {"IK-BA", "BA", "DE", "MO-PSO"};
@@ -48,7 +49,7 @@ Multiverse small(int runs) {
 using Readings = std::vector<std::int64_t>;  // in which it holds, fails, is not decided
 
 // Every reading by itself: the pairs of the claim, each at its part of the significance.
-Readings by_hand(const Multiverse& multiverse, const Claim& claim) {
+Readings by_hand(const SolvedMultiverse& multiverse, const Claim& claim) {
   Readings count(3);
   const std::size_t metric = claim.metrics.front()->column == metrics_of_readings[0] ? 0 : 1;
   const double pairs = 6;
@@ -87,7 +88,7 @@ Readings readings_in(const std::vector<show::Cell>& row) {
 }  // namespace
 
 TEST_CASE("products count what every reading by itself has", "[papers]") {
-  const Multiverse multiverse = small(few_runs);
+  const SolvedMultiverse multiverse = small(few_runs);
   const Paper& paper = paper_named("slim2023");
   const JudgedMultiverse result = judged(paper, multiverse, {.test = results::Plan::Test::means});
   std::vector<std::string> ids;
@@ -103,12 +104,14 @@ TEST_CASE("products count what every reading by itself has", "[papers]") {
 
 TEST_CASE("the smallest sets of answers without which a claim does not fail are told", "[papers]") {
   const Paper& paper = paper_named("slim2023");
-  const auto fails_where = [&](const Multiverse& of, const char* id) { return judged(paper, of, {}).fails_where[id]; };
+  const auto fails_where = [&](const SolvedMultiverse& of, const char* id) {
+    return judged(paper, of, {}).fails_where[id];
+  };
   CHECK(fails_where(small(few_runs), "better_than_ba") == "only where a is 1 or b is 1");
   CHECK(fails_where(small(few_runs), "least_variation") == "only where a is 1 or c is 1");
   CHECK(fails_where(small(few_runs), "most_accurate") == "only where a is 1 or b is 1");
 
-  Multiverse by_default = small(few_runs);  // and where nothing or the default fails
+  SolvedMultiverse by_default = small(few_runs);  // and where nothing or the default fails
   for (auto& study : by_default.studies) study.solvers[1] = {chosen(by_default, {}, 9, 50, few_runs)};
   CHECK(fails_where(by_default, "better_than_ba") == "nowhere");
   for (auto& study : by_default.studies) study.solvers[1] = {chosen(by_default, {}, 0.1, 50, few_runs)};
@@ -116,7 +119,7 @@ TEST_CASE("the smallest sets of answers without which a claim does not fail are 
 }
 
 TEST_CASE("a solver that diverges is not tested", "[papers]") {
-  Multiverse multiverse = small(few_runs);
+  SolvedMultiverse multiverse = small(few_runs);
   for (auto& study : multiverse.studies) {
     for (auto& own : study.solvers[3]) {
       Group& means = multiverse.means[own.parts[0]][0];
