@@ -264,10 +264,8 @@ show::Table means_table(const Repeated& repeated) {
       count.add(table.rows[i].back());
     }
   }
-  if (count.all > 0) {
-    table.caption += fmt::format(": {} of {} repeat", count.explained, count.all);
-    table.notes.emplace_back(meaning_of_signs);
-  }
+  if (count.all > 0)
+    table.notes.push_back(fmt::format("{} of {} repeat: {}", count.explained, count.all, meaning_of_signs));
   if (table.columns.size() == 1) table.rows.clear();
   return table;
 }
