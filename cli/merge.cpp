@@ -12,7 +12,6 @@
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "numerics/names.hpp"
-#include "results/study.hpp"
 
 namespace ikbench::cli {
 
@@ -74,13 +73,8 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     fmt::print("{}\n", wrapped(fmt::format("{}: {} added from {}, {} were there with the same bits", out.string(),
                                            numerics::counted(merged.added, "solves"),
                                            numerics::counted(std::ssize(stores), "stores"), merged.known)));
-    const Store store(out, Store::Mode::read);
-    for (const StoredStudy& study : store.studies()) {
-      const Definition definition = definition_of(study.definition);
-      const std::int64_t all = std::int64_t{definition.runs} * definition.points * std::ssize(study.series);
-      const std::int64_t lacks = all - store.number_of_solves(study);
-      if (lacks == 0) continue;
-      say(fmt::format("{} lacks {} of {} solves; solve its missing shards, then merge again", study.name, lacks, all));
+    for (const auto& [study, solves, of_all] : merged.lacks) {
+      say(fmt::format("{} lacks {} of {} solves; solve its missing shards, then merge again", study, solves, of_all));
       invocation.exit_code = 5;
     }
   });

@@ -14,6 +14,7 @@
 #include "numerics/json.hpp"
 #include "results/fingerprint.hpp"
 #include "results/store_codec.hpp"
+#include "results/study.hpp"
 
 namespace ikbench::results {
 namespace {
@@ -61,10 +62,11 @@ std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
 // The first study of each name, with its place.
 using Studies = std::map<std::string, std::pair<StoredStudy, fs::path>>;
 
-void refuse_another_study(Studies& known, const fs::path& place) {
+void refuse_another_study(Studies& known, const fs::path& place, const fs::path& out) {
   const Store store = opened(place);
   for (const StoredStudy& study : store.studies()) {
-    store.each_of_study(study, [](SolveRecord&) {});  // refuses what no reader accepts, before it is copied
+    if (place != out)
+      store.each_of_study(study, [](SolveRecord&) {});  // refuses what no reader accepts, before it is copied
     const auto& [first, first_place] = known.try_emplace(study.name, study, place).first->second;
     if (const std::string why = why_not_one(first, study); !why.empty())
       throw std::invalid_argument(
@@ -147,8 +149,8 @@ Merged merge(const fs::path& out, std::vector<fs::path> stores, const MergeProgr
   Studies studies;
   std::error_code none;
   std::erase_if(stores, [&](const fs::path& place) { return fs::file_size(place, none) == 0 && !none; });
-  if (fs::exists(out, none)) refuse_another_study(studies, out);
-  for (const fs::path& place : stores) refuse_another_study(studies, place);
+  if (fs::exists(out, none)) refuse_another_study(studies, out, out);
+  for (const fs::path& place : stores) refuse_another_study(studies, place, out);
   Store all(out, Store::Mode::write_shared);
   Merged merged;
   std::int64_t done = 0;
@@ -161,6 +163,12 @@ Merged merge(const fs::path& out, std::vector<fs::path> stores, const MergeProgr
       merged.added += added;
       merged.known += sqlite.execAndGet("SELECT count(*) FROM source.solves").getInt64() - added;
     });
+  }
+  for (const StoredStudy& study : all.studies()) {
+    const Definition definition = definition_of(study.definition);
+    const std::int64_t asked = std::int64_t{definition.runs} * definition.points * std::ssize(study.series);
+    const std::int64_t there = all.number_of_solves(study);
+    if (there < asked) merged.lacks.push_back({study.name, asked - there, asked});
   }
   return merged;
 }

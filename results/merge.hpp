@@ -18,6 +18,11 @@ std::string difference_in_solves(const std::string& definition, const std::strin
 struct Merged {
   std::int64_t added = 0;
   std::int64_t known = 0;  // there already, with the same bits
+  struct Lack {
+    std::string study;
+    std::int64_t solves, of_all;
+  };
+  std::vector<Lack> lacks;  // of the studies that are not complete
 };
 
 // Told how many of all stores are read.

@@ -95,9 +95,9 @@ void read(const SQLite::Column& column, Value& value) {
     value = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
     if (value < 0 && !std::string_view(column.getName()).starts_with("claimed_")) throw Damage(fmt::to_string(value));
   } else if constexpr (std::is_integral_v<Value>) {
-    if (column.getInt64() < 0 || !std::in_range<Value>(column.getInt64()))
-      throw Damage(fmt::to_string(column.getInt64()));
-    value = static_cast<Value>(column.getInt64());
+    const std::int64_t number = column.getInt64();
+    if (number < 0 || !std::in_range<Value>(number)) throw Damage(fmt::to_string(number));
+    value = static_cast<Value>(number);
   } else if constexpr (std::is_enum_v<Value>) {
     const auto& names = names_of(value);
     const auto found = std::find(names.begin(), names.end(), text_in(column));
