@@ -284,6 +284,7 @@ std::vector<RunMeans> solve_parts(const std::vector<Study>& parts, const RunRequ
   std::map<std::string, std::vector<std::size_t>> by_search;
   Progress progress;
   for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (request.cancelled != nullptr && *request.cancelled) return {};
     by_search[search_key(parts[i])].push_back(i);
     progress.total += solves_of({}, parts[i]);
   }
