@@ -25,10 +25,8 @@ run_it() {
 
 # ends CODE ARGUMENTS...
 ends() {
-  local expected=$1
-  shift
-  run_it "$@"
-  [ "$code" = "$expected" ] || fail "ikbench $*: exit code $code, expected $expected; it said: $out $err"
+  run_it "${@:2}"
+  [ "$code" = "$1" ] || fail "ikbench ${*:2}: exit code $code, expected $1; it said: $out $err"
 }
 succeeds() { ends 0 "$@"; }
 
@@ -96,14 +94,12 @@ quiet() {
 
 # study NAME ENTRY...: a study file of two runs of eight points, damped least squares first.
 study() {
-  local name=$1
-  shift
   {
-    printf 'name = "%s"\nsearch = "all_joints"\nruns = 2\nrepeats = 1\n' "$name"
+    printf 'name = "%s"\nsearch = "all_joints"\nruns = 2\nrepeats = 1\n' "$1"
     printf '[path]\nkind = "random"\npoints = 8\n[stop]\niterations = 8\n'
     printf '[[solvers]]\nlabel = "DLS"\nsolver = "damped_least_squares"\n'
-    printf '%s\n' "$@"
-  } >"$name.toml"
+    printf '%s\n' "${@:2}"
+  } >"$1.toml"
 }
 
 # column STORE NAME SOLVER: the values of a solver's rows.

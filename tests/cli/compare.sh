@@ -4,9 +4,7 @@ source "$(dirname "$0")/common.sh"
 
 # make FOLDER SETTINGS...: the paper's six on a short path; their errors grow where they have fewer iterations.
 make() {
-  local folder=$1
-  shift
-  succeeds run slim2023 --set runs=8 --set path.points=3 --set stop.iterations=40 --set population=10 "$@" --no-report --out "$folder"
+  succeeds run slim2023 --set runs=8 --set path.points=3 --set stop.iterations=40 --set population=10 "${@:2}" --no-report --out "$1"
 }
 make base
 make again
@@ -29,7 +27,6 @@ ends 3 compare $base $fewer --label K-ABC --margin 20%
 succeeds compare $base $fewer --label BA
 ends 4 compare $base $fewer --label BA --strict
 ends 3 compare $base $fewer --label BA --label K-ABC --strict -o verdict.md
-grep -qc '^| error |' verdict.md || fail "no table: $(<verdict.md)"
 equal "metrics of two labels in verdict.md" "$(grep -c '^| error |' verdict.md)" 2
 
 # What the candidate lacks is not compared, unless --label leaves it out (gate.test.cpp).
@@ -80,9 +77,7 @@ gate 1 failed STUDY=shorter.toml OUT=shorter
 gate 1 failed STUDY=none.toml OUT=none GITHUB_ACTIONS=true
 [[ $(head -n 1 .out) == ::stop-commands::???* && $(tail -n 1 .out) == "::$(head -n 1 .out | cut -d : -f 5)::" ]] ||
   fail "a label may command the forge: $(<.out)"
-gate 1 failed STRICT=yes
-gate 1 failed STUDY=
-gate 1 failed BASELINE=ikbench-gate/../ikbench-gate/store.sqlite
+for input in STRICT=yes STUDY= BASELINE=ikbench-gate/../ikbench-gate/store.sqlite; do gate 1 failed $input; done
 ln -s nowhere dangling.sqlite
 gate 1 failed BASELINE=dangling.sqlite OUT=-x
 has "$(<.err)" dangling.sqlite

@@ -20,8 +20,7 @@ for odd in '\\u001b[31m' '\\n' "long$long"; do # what colours a terminal, ends a
   refused control.toml:44:9 run control.toml
 done
 
-mkdir here
-cd here || exit 1
+mkdir here && cd here || exit 1
 succeeds run ../hostile.toml
 cp "$work/.out" ../screen
 quiet

@@ -8,9 +8,9 @@ for kind in solvers robots studies paths columns metrics instruction-sets; do
   quiet
   names=$(grep -E '^[a-z]' .out | cut -d' ' -f1)
   [ -n "$names" ] || fail "there are no $kind"
-  case $kind in robots) show=(robot) ;; solvers | paths) show=(list $kind) ;; *) continue ;; esac
+  case $kind in robots) show=robot ;; solvers | paths) show="list $kind" ;; *) continue ;; esac
   for name in $names; do
-    succeeds "${show[@]}" "$name"
+    succeeds $show "$name"
     has "$out" "$name"
     quiet
   done
@@ -28,7 +28,6 @@ done
 for keyword in $(sed -n 's/.*keywords = {\(.*\)}/\1/p' "$root/docs/references.bib" | tr -d ,); do
   grep -q "^$keyword " all || [[ -e $root/analysis/papers/$keyword.toml ]] || fail "references.bib names $keyword"
 done
-
 
 # A listed study is a study file, and says the meaning of its keys.
 for study in $("$program" list studies | grep -E '^[a-z]' | cut -d' ' -f1); do

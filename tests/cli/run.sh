@@ -15,9 +15,8 @@ files=$(find mine -type f | wc -l) words=$(tr -s '[:space:]' '\n' <mine/report.m
 echo "$files files, $words words in report.md"
 [ "$files" -lt 50 ] || fail "$files files: $(find mine -type f)"
 [ "$words" -le 900 ] || fail "report.md has $words words"
-for file in report.html results.json solves.csv store.sqlite {tables,}; do [ -e "mine/$file" ] || fail "no $file"; done
-for table in results pairs descriptives; do
-  for type in csv md tex; do [ -s "mine/tables/$table.$type" ] || fail "no $table.$type"; done
+for file in report.html results.json solves.csv store.sqlite tables/{results,pairs,descriptives}.{csv,md,tex}; do
+  [ -s "mine/$file" ] || fail "no $file"
 done
 if command -v gnuplot >/dev/null; then
   for type in svg pdf png; do equal ".$type" "$(ls mine/figures/*.$type | wc -l)" $((4 - debug)); done
@@ -43,10 +42,8 @@ has "$("$program" export made/store.sqlite --format fingerprint)" "  90  slim202
 # Of the store alone, in another folder, at another time, by somebody else: the same bytes.
 mkdir "another folder"
 cp made/store.sqlite "another folder/theirs.sqlite"
-(
-  cd "another folder" || exit 1
-  TZ=Asia/Kolkata HOME=$PWD USER=somebody SOURCE_DATE_EPOCH=1 "$program" report theirs.sqlite --figures none >/dev/null 2>&1
-) || fail "no report of a bare name"
+(cd "another folder" && TZ=Asia/Kolkata HOME=$PWD USER=somebody SOURCE_DATE_EPOCH=1 \
+  "$program" report theirs.sqlite --figures none >/dev/null 2>&1) || fail "no report of a bare name"
 rm made/store.sqlite-* 2>/dev/null
 diff -r --exclude='*.sqlite' made "another folder" || fail "two reports of one store differ"
 cmp made/store.sqlite "another folder/theirs.sqlite" || fail "report changed the store"

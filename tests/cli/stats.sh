@@ -10,11 +10,9 @@ done >>many.csv
 
 # judged NAME ARGUMENTS...: its golden verdict; and nothing is written that nobody asked for.
 judged() {
-  local name=$1
-  shift
-  succeeds stats "$@" --json
+  succeeds stats "${@:2}" --json
   quiet
-  golden "stats-$name"
+  golden "stats-$1"
   [ ! -e out ] || fail "a report that nobody asked for"
 }
 judged two-columns "$data/runmeans.csv" # it needs no options
