@@ -185,16 +185,20 @@ void refuse_mixed(const Sheet& sheet, const Layout& layout, const Items& items) 
   }
 }
 
-// Asks where larger values may be better.
-Better better_of(const Sheet& sheet, const Request& request, const std::string& title, bool are_shares) {
+// Of one of the titles. Asks where larger values may be better.
+Better better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles,
+                 const std::string& title, bool are_shares) {
   std::string_view said;
   for (const std::string_view each : request.better) {
     const std::size_t equals = each.rfind('=');
     const bool is_of_all = equals == std::string_view::npos;
-    const std::string_view way = is_of_all ? each : each.substr(equals + 1);
+    const std::string_view way = is_of_all ? each : each.substr(equals + 1), column = each.substr(0, equals);
     if (way != "smaller" && way != "larger")
       sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(each)));
-    if (is_of_all ? said.empty() : each.substr(0, equals) == title) said = way;
+    if (!is_of_all && std::ranges::count(titles, column) == 0)
+      sheet.refuse(
+          fmt::format("--better {}: {}", in_quotes(each), numerics::unknown_name("column of values", column, titles)));
+    if (is_of_all ? said.empty() : column == title) said = way;
   }
   const std::string names = lower_case(fmt::format("{} {}", title, fmt::join(request.where, " ")));
   const auto is_there = [&](std::string_view word) { return names.find(word) != std::string::npos; };
@@ -206,15 +210,6 @@ Better better_of(const Sheet& sheet, const Request& request, const std::string& 
                     "alone: --better '{1}=larger'",
                     in_quotes(title), title));
   return said == "larger" ? Better::larger : Better::smaller;
-}
-
-void refuse_unknown_better(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles) {
-  for (const std::string& each : request.better) {
-    const std::string title = each.substr(0, each.rfind('='));
-    if (title != each && std::ranges::count(titles, title) == 0)
-      sheet.refuse(
-          fmt::format("--better {}: {}", in_quotes(each), numerics::unknown_name("column of values", title, titles)));
-  }
 }
 
 // "error_cm" and "error [cm]" have a unit.
@@ -290,9 +285,10 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
 }
 
 bool are_shares(const Items& items) {
-  const auto is_share = [](const Value& item) { return std::isnan(item.value) || item.value == 0 || item.value == 1; };
-  const auto is_known = [](const Value& item) { return !std::isnan(item.value); };
-  return std::ranges::all_of(items.values, is_share) && std::ranges::any_of(items.values, is_known);
+  const auto is_share = [](const Value& item) { return item.value == 0 || item.value == 1; };
+  const auto is_missing = [](const Value& item) { return std::isnan(item.value); };
+  const auto shares = std::ranges::count_if(items.values, is_share);
+  return shares > 0 && shares + std::ranges::count_if(items.values, is_missing) == std::ssize(items.values);
 }
 
 // Chooses shares, ratios or differences by all values.
@@ -345,7 +341,6 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   std::vector<std::string> titles;
   for (const std::size_t each : layout.values) titles.push_back(sheet.titles()[each]);
   if (!layout.label) titles = {"value"};
-  refuse_unknown_better(sheet, request, titles);
   Column rows;
   for (std::size_t i = 0; i < titles.size(); ++i) {
     const Items items = items_of(sheet, layout, layout.label ? std::vector{layout.values[i]} : layout.values);
@@ -356,7 +351,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     if (std::ranges::count_if(titles, has_its_name) > 1) observed.quantity = titles[i], observed.unit.clear();
     refuse_mixed(sheet, layout, items);
     if (!layout.run) rows = shared_by_groups(sheet, layout, items);
-    observed.better = better_of(sheet, request, titles[i], are_shares(items));
+    observed.better = better_of(sheet, request, titles, titles[i], are_shares(items));
     for (const Value& each : items.values) {
       if (std::isinf(each.value) && (each.value < 0 || observed.better == Better::larger))
         sheet.refuse(each.row, layout.values[layout.label ? i : each.group],
@@ -390,12 +385,11 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
   std::vector<std::string> titles;
   for (const Index row : sheet.rows()) {
     const std::string title(quantity ? sheet.cell(row, *quantity) : "value");
-    Observations observed = quantity_of(title);
-    observed.better = better_of(sheet, request, title, false);
+    const auto place = static_cast<std::size_t>(std::ranges::find(titles, title) - titles.begin());
+    if (place == titles.size()) titles.push_back(title), quantities.observed.push_back(quantity_of(title));
+    Observations& observed = quantities.observed[place];
     observed.scale = Scale::difference;
-    const auto place = std::ranges::find(titles, title) - titles.begin();
-    if (place == std::ssize(titles)) titles.push_back(title), quantities.observed.push_back(observed);
-    std::vector<Group>& groups = quantities.observed[static_cast<std::size_t>(place)].groups;
+    std::vector<Group>& groups = observed.groups;
     const std::string name(sheet.cell(row, label));
     if (name.empty() || std::ranges::count(groups, name, &Group::name) > 0)
       sheet.refuse(row, label, "is no name of another group");
@@ -411,10 +405,11 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
     const bool is_constant = summary.sd == 0;  // or its spread was rounded away: it would decide everything
     groups.push_back({.name = name, .is_apart = is_constant, .summary = summary});
     if (is_constant)
-      quantities.observed[static_cast<std::size_t>(place)].doubts.push_back(
+      observed.doubts.push_back(
           {.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
   }
-  refuse_unknown_better(sheet, request, titles);
+  for (std::size_t i = 0; i < titles.size(); ++i)
+    quantities.observed[i].better = better_of(sheet, request, titles, titles[i], false);
   return quantities;
 }
 
