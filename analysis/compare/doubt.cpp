@@ -36,6 +36,7 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::outside_limits:
       return fmt::format("{} answers outside the joint limits ({})", share, who);
     case DoubtKind::budgets_differ:
+    case DoubtKind::counted_otherwise:
       return fmt::format("{} ({})", what, who);
     case DoubtKind::times_not_comparable:
       return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what,

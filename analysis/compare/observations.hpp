@@ -17,7 +17,8 @@ enum class DoubtKind {
   other_version,         // another version of the program made solves, which are ignored
   claimed_but_wrong,     // a solver says another error than its answer has
   seconds_decide,        // what is reached in a limit of time, on a busy machine or several
-  budgets_differ,        // evaluations that solvers may make, or who counts them
+  budgets_differ,        // evaluations that solvers may make
+  counted_otherwise,     // evaluations: by the solver itself, or by nobody
   outside_limits,        // answers
   without_answer,        // solves, or infinite values of a file
   times_not_comparable,  // measured in parallel, apart, or on a busy machine

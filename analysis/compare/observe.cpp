@@ -134,9 +134,9 @@ Group group_of(const StudyResults& study, const Metric& metric, const Design& de
     group.values.push_back(value);
     if (design.is_paired) group.blocks.push_back(block);
   }
-  const auto is_first = [&](double value) { return value == group.values.front(); };
-  if (!design.is_paired && design.are_runs && group.lost == 0 && group.values.size() > 1 &&
-      std::ranges::all_of(group.values, is_first) && repeats_itself(study, solver)) {
+  if (!design.is_paired && group.lost == 0 && group.values.size() > 1 &&
+      std::ranges::count(group.values, group.values.front()) == std::ssize(group.values) &&
+      repeats_itself(study, solver)) {
     group.copies = static_cast<int>(group.values.size());
     group.values.resize(1);
   }
@@ -150,18 +150,26 @@ void add(Doubts& doubts, Doubt doubt) {
   if (!doubt.who.empty()) doubts.push_back(std::move(doubt));
 }
 
+// Adds a doubt of all solvers with a count, which stands before of how many.
+template <class Counted>
+void add_counts(Doubts& doubts, const StudyResults& study, Doubt doubt, Counted counted) {
+  for (const std::string& solver : study.solvers) {
+    const auto [count, of] = counted(solver);
+    if (count <= 0) continue;
+    doubt.who.push_back(solver);
+    doubt.count += static_cast<double>(count);
+    doubt.of += static_cast<double>(of);
+  }
+  add(doubts, std::move(doubt));
+}
+
 // Adds a doubt of all solves that are so, and of the solvers that made them.
 template <class Is>
 void add(Doubts& doubts, const StudyResults& study, Doubt doubt, Is is_so) {
-  for (const std::string& solver : study.solvers) {
+  add_counts(doubts, study, std::move(doubt), [&](const std::string& solver) {
     const Solves all = study.of(solver);
-    const auto count = std::ranges::count_if(all, is_so);
-    if (count == 0) continue;
-    doubt.who.push_back(solver);
-    doubt.count += static_cast<double>(count);
-    doubt.of += static_cast<double>(all.size());
-  }
-  add(doubts, std::move(doubt));
+    return std::pair(std::ranges::count_if(all, is_so), std::ssize(all));
+  });
 }
 
 auto is_timed(Timing how) {
@@ -177,23 +185,18 @@ bool are_several_machines(const StudyResults& study) {
 
 // Who was slowed, and by what. No solver, but a doubt: of all.
 std::vector<Doubt> doubts_of_load(const StudyResults& study) {
-  std::vector<Doubt> doubts;
-  const auto of = [](std::string what) { return Doubt{.kind = DoubtKind::times_not_comparable, .what = what}; };
+  Doubts doubts;
+  const auto of = [](const char* what) { return Doubt{.kind = DoubtKind::times_not_comparable, .what = what}; };
   add(doubts, study, of("solved in parallel"), is_timed(Timing::parallel));
   add(doubts, study, of("a debug build"), is_timed(Timing::debug_build));
   if (are_several_machines(study)) doubts.push_back(of("several machines"));
   for (Doubt& doubt : doubts) doubt.who.clear();
   if (!doubts.empty()) return {doubts.front()};
-  Doubt busy = of("the machine was busy");
-  for (const std::string& solver : study.solvers) {
+  add_counts(doubts, study, of("the machine was busy"), [&](const std::string& solver) {
     const auto disturbed = std::ranges::count_if(study.of(solver), &Solve::was_disturbed);
     const auto clean = std::ranges::count_if(study.of(solver), is_timed(Timing::clean));
-    if (disturbed < 2 || 10 * disturbed <= clean) continue;
-    busy.who.push_back(solver);
-    busy.count += static_cast<double>(disturbed);
-    busy.of += static_cast<double>(clean);
-  }
-  add(doubts, std::move(busy));
+    return std::pair(disturbed > 1 && 10 * disturbed > clean ? disturbed : 0, clean);
+  });
   return doubts;
 }
 
@@ -273,7 +276,7 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
 void add_of_evaluations(Doubts& doubts, const StudyResults& study) {
   for (const auto& [by, what] : {std::pair(CountedBy::nobody, "evaluations are not counted, so not compared"),
                                  {CountedBy::solver, "evaluations are by its own count, so not compared"}})
-    add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = what},
+    add(doubts, study, {.kind = DoubtKind::counted_otherwise, .what = what},
         [by = by](const Solve& solve) { return !is_without_answer(solve.status) && solve.counted_by == by; });
 }
 
@@ -311,33 +314,20 @@ void add_of_plan(Doubts& doubts, const StudyResults& study) {
     const auto recorded = session.environment.find("analysis");
     if (recorded == session.environment.end()) continue;
     const Plan then = plan_of(recorded->second);
-    if (then != plan) others.insert(session.id);
-    if (then.test != plan.test) fields.insert("test");
-    if (then.metric != plan.metric) fields.insert("metric");
-    if (then.control != plan.control) fields.insert("control");
-    if (then.significance != plan.significance) fields.insert("significance");
-    if (then.margin != plan.margin || then.margin_cm != plan.margin_cm) fields.insert("margin");
+    for (const auto& [differs, field] : {std::pair(then.test != plan.test, "test"),
+                                         {then.metric != plan.metric, "metric"},
+                                         {then.control != plan.control, "control"},
+                                         {then.significance != plan.significance, "significance"},
+                                         {then.margin != plan.margin || then.margin_cm != plan.margin_cm, "margin"}}) {
+      if (differs) others.insert(session.id), fields.insert(field);
+    }
   }
   add(doubts, study, {.kind = DoubtKind::plan_changed, .what = fmt::format("{}", fmt::join(fields, ", "))},
       [&](const Solve& solve) { return others.contains(solve.session); });
 }
 
-// Runs that lack points or were not begun.
-void add_of_runs(Doubts& doubts, const StudyResults& study) {
-  Doubt doubt{.kind = DoubtKind::runs_missing};
-  for (const std::string& solver : study.solvers) {
-    const auto missing = study.runs - std::ssize(complete_runs_of(study, solver));
-    if (missing <= 0) continue;
-    doubt.who.push_back(solver);
-    doubt.count += static_cast<double>(missing);
-    doubt.of += study.runs;
-  }
-  add(doubts, std::move(doubt));
-}
-
 void add_of_repeats(Doubts& doubts, const StudyResults& study) {
-  const Design design = design_of(study, false);
-  if (design.is_paired || !design.are_runs) return;
+  if (design_of(study, false).is_paired) return;
   std::map<std::size_t, std::vector<std::string>> repeating;  // solvers, by their number of runs
   for (const std::string& solver : study.solvers) {
     if (repeats_itself(study, solver)) repeating[complete_runs_of(study, solver).size()].push_back(solver);
@@ -358,7 +348,9 @@ bool have_same_solves(Solves solves, Solves others) {
 
 std::vector<Doubt> doubts_of(const StudyResults& study) {
   Doubts doubts;
-  add_of_runs(doubts, study);
+  add_counts(doubts, study, {.kind = DoubtKind::runs_missing}, [&](const std::string& solver) {
+    return std::pair(study.runs - std::ssize(complete_runs_of(study, solver)), study.runs);
+  });
   add(doubts, study, {.kind = DoubtKind::without_answer}, [](const Solve& solve) { return !gave_answer(solve); });
   add(doubts, study, {.kind = DoubtKind::claimed_but_wrong},
       [](const Solve& solve) { return solve.status == Status::claimed_but_wrong; });

@@ -258,7 +258,7 @@ TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is
   CHECK(group(itself, "B").lost == 0);
   for (const Observations& of : {nobody, itself}) {
     REQUIRE(of.doubts.size() == 1);
-    CHECK(of.doubts.front().kind == DoubtKind::budgets_differ);
+    CHECK(of.doubts.front().kind == DoubtKind::counted_otherwise);
     CHECK(of.doubts.front().who == std::vector<std::string>{"B"});
     CHECK(group(of, "B").is_apart);
     CHECK_FALSE(group(of, "A").is_apart);
