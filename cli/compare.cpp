@@ -46,13 +46,16 @@ struct Source {
       : store(file, results::Store::Mode::read), entry(chosen_study(store, name)) {}
 
   std::vector<std::string> labels() const { return labels_of(entry); }
-  // Reads this label alone.
-  StudyResults side(const std::string& label, const CompareArguments& arguments) const {
-    if (std::ranges::count(labels(), label) == 0)
-      throw std::invalid_argument(numerics::unknown_name("label", label, labels()));
-    results::StoredStudy of_label = entry;
-    std::erase_if(of_label.series, [&](const results::Series& series) { return series.label != label; });
-    StudyResults study = checked_study(store, of_label);
+  // Reads these labels alone.
+  StudyResults study_of(const std::vector<std::string>& chosen, const CompareArguments& arguments) const {
+    results::StoredStudy part = entry;
+    part.series.clear();
+    for (const std::string& label : chosen) {
+      const auto series = std::ranges::find(entry.series, label, &results::Series::label);
+      if (series == entry.series.end()) throw std::invalid_argument(numerics::unknown_name("label", label, labels()));
+      part.series.push_back(*series);
+    }
+    StudyResults study = checked_study(store, part);
     if (!arguments.margin.empty()) study.definition.plan.margin = margin_from(arguments.margin);
     return study;
   }
@@ -63,7 +66,7 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
   if (!arguments.store.empty()) {
     const Source both(arguments.store, arguments.study);
     if (arguments.a == arguments.b) throw std::invalid_argument("A and B are the same label; expected two");
-    all.push_back(gate(both.side(arguments.a, arguments), both.side(arguments.b, arguments)));
+    all.push_back(gate(both.study_of({arguments.b, arguments.a}, arguments)));
     decide(all);
     return all;
   }
@@ -86,7 +89,7 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
   for (const std::string& label : labels) {
     if (std::ranges::count(labels, label) > 1)
       throw std::invalid_argument(fmt::format("the label {} is given twice", label));
-    all.push_back(gate(a.side(label, arguments), b.side(label, arguments)));
+    all.push_back(gate(a.study_of({label}, arguments), b.study_of({label}, arguments)));
   }
   decide(all);
   return all;

@@ -76,6 +76,7 @@ void remove_rounding(std::vector<double>& values, double rounding) {
 struct Two {
   std::vector<double> a, b, differences;
   double no_answer = 0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
+  bool are_all_equal = false;
 
   Two(const Observations& observed, const Pair& pair, bool are_logs) {
     std::vector<double> all = pair.a.values;
@@ -92,6 +93,7 @@ struct Two {
     }
     a.assign(all.begin(), all.begin() + std::ssize(pair.a.values));
     b.assign(all.begin() + std::ssize(pair.a.values), all.end());
+    are_all_equal = !all.empty() && std::ranges::count(all, all.front()) == std::ssize(all);
     if (!is(pair.method, by_difference)) return;
     std::vector<double> sizes{0};
     double largest = are_logs ? 1 : 0;
@@ -106,6 +108,7 @@ struct Two {
     }
     remove_rounding(sizes, rounding_of_doubles * largest);
     for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = std::copysign(sizes[i + 1], differences[i]);
+    are_all_equal = std::ranges::count(differences, 0.0) == std::ssize(differences);
   }
 };
 
@@ -145,18 +148,16 @@ Tested examined(const Observations& observed, const Plan& plan, const Pair& pair
   const Summary first = pair.a.summary ? *pair.a.summary : summarise(two.a);
   const Summary second = pair.b.summary ? *pair.b.summary : summarise(two.b);
   const bool is_share = observed.scale == Scale::share, are_constant = first.sd == 0 && second.sd == 0;
+  finding.are_all_equal = two.are_all_equal;
   Tested tested = tested_by(pair.method, two, first, second, alpha);
   std::optional<Interval>& interval = tested.interval;
   std::optional<double> share_larger;
   if (is(pair.method, by_difference)) {
-    const auto equal = static_cast<double>(std::ranges::count(two.differences, 0.0));
-    const auto larger =
-        static_cast<double>(std::ranges::count_if(two.differences, [](double each) { return each > 0; }));
-    finding.are_all_equal = equal == static_cast<double>(two.differences.size());
-    share_larger = (larger + equal / 2) / static_cast<double>(two.differences.size());
-  } else {
-    finding.are_all_equal = are_constant && first.mean == second.mean;
-    if (!two.a.empty() && !two.b.empty()) share_larger = a12(two.a, two.b);
+    double twice = 0;
+    for (const double each : two.differences) twice += (each > 0) + (each >= 0);
+    share_larger = twice / 2 / static_cast<double>(two.differences.size());
+  } else if (!two.a.empty() && !two.b.empty()) {
+    share_larger = a12(two.a, two.b);
   }
   if (share_larger) finding.effect = observed.better == Better::larger ? *share_larger : 1 - *share_larger;
   if (is_share && interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
@@ -270,11 +271,7 @@ Headline usually_better(const Observations& observed, const Plan& plan, const st
                         const std::string& loser) {
   Group better = observed.groups[place_of(observed, winner)], other = observed.groups[place_of(observed, loser)];
   keep_common_blocks(better, other);
-  const auto is_worse = [&](double one, double two) {
-    if (observed.scale == Scale::ratio) one = std::max(one, observed.floor), two = std::max(two, observed.floor);
-    const double relative = plan.margin * (observed.scale == Scale::share ? 1 : std::min(std::abs(one), std::abs(two)));
-    return (observed.better == Better::smaller ? one - two : two - one) > std::max(observed.absolute_margin, relative);
-  };
+  const auto is_worse = [&](double one, double two) { return is_worse_than_margin(observed, plan, one, two); };
   const Description its = describe(better), theirs = describe(other);
   const bool is_median_worse =
       is(method_of(observed, plan, better, other), by_ranks) && is_worse(its.median, theirs.median);
@@ -318,12 +315,22 @@ Verdict turned(Verdict verdict) {
   return verdict == Verdict::better ? Verdict::worse : Verdict::better;
 }
 
-std::vector<Finding> compare(const Observations& observed, const Plan& plan) {
+bool can_decide(const Observations& observed, const Plan& plan) {
+  std::vector<Pair> pairs = pairs_of(observed, plan);
+  testable(pairs, plan.significance);
+  return std::ranges::any_of(pairs, [&](const Pair& pair) {
+    return pair.finding.why == Why::tested && !Two(observed, pair, are_on_logs(observed, pair)).are_all_equal;
+  });
+}
+
+std::vector<Finding> compare(const Observations& observed, const Plan& plan, std::size_t metrics) {
   if (!plan.control.empty() && place_of(observed, plan.control) == observed.groups.size())
     throw std::invalid_argument("the control '" + plan.control + "' is no group");
   std::vector<Pair> pairs = pairs_of(observed, plan);
-  const auto tested_pairs = static_cast<double>(std::max<std::size_t>(1, testable(pairs, plan.significance)));
-  const double alpha = plan.significance / tested_pairs;
+  const auto shares = static_cast<double>(metrics);
+  const double tests =
+      shares * static_cast<double>(std::max<std::size_t>(1, testable(pairs, plan.significance / shares)));
+  const double alpha = plan.significance / tests;
   for (Pair& pair : pairs) {
     Finding& finding = pair.finding;
     const bool are_logs = are_on_logs(observed, pair), is_tested = finding.why == Why::tested;
@@ -342,7 +349,7 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan) {
     finding.test = methods[static_cast<std::size_t>(pair.method)].first;
     if (tested.interval && finding.estimate)
       finding.interval = Interval{shown(tested.interval->low), shown(tested.interval->high)};
-    finding.p = std::min(1.0, tested.p * tested_pairs);
+    finding.p = std::min(1.0, tested.p * tests);
     set_verdict(observed, plan, pair, tested.direction, finding);
   }
   std::vector<Finding> findings;
@@ -362,6 +369,13 @@ Finding better_first(Finding finding, std::string_view control) {
   if (finding.effect) finding.effect = 1 - *finding.effect;
   finding.verdict = turned(finding.verdict);
   return finding;
+}
+
+bool is_worse_than_margin(const Observations& observed, const Plan& plan, double one, double other) {
+  if (observed.scale == Scale::ratio) one = std::max(one, observed.floor), other = std::max(other, observed.floor);
+  const double relative = plan.margin * (observed.scale == Scale::share ? 1 : std::min(std::abs(one), std::abs(other)));
+  const double loss = observed.better == Better::smaller ? one - other : other - one;
+  return loss > std::max(observed.absolute_margin, relative) + observed.rounding;
 }
 
 std::set<std::string> losers_of(const std::vector<Finding>& findings) {

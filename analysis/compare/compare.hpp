@@ -53,14 +53,20 @@ struct Finding {
 // values that it then judges is wrong more often than it says. A pair is decided at the significance divided by the
 // number of pairs that data of these sizes can decide at all.
 //
-// Throws std::invalid_argument if the control is no group. Paired groups have one size without blocks, and ratios are
-// of values above 0, or have a floor above it.
-std::vector<Finding> compare(const Observations& observed, const Plan& plan);
+// So many metrics share the significance. Throws std::invalid_argument if the control is no group. Paired groups have
+// one size without blocks, and ratios are of values above 0, or have a floor above it.
+std::vector<Finding> compare(const Observations& observed, const Plan& plan, std::size_t metrics = 1);
+
+// Before any p is known: data of this size can decide some pair, and its values are not all equal.
+bool can_decide(const Observations& observed, const Plan& plan);
 
 // better or worse
 bool is_difference(Verdict verdict);
 // Of the second.
 Verdict turned(Verdict verdict);
+
+// A mean or median is worse than another by more than the margin.
+bool is_worse_than_margin(const Observations& observed, const Plan& plan, double one, double other);
 
 // Who is worse than another.
 std::set<std::string> losers_of(const std::vector<Finding>& findings);

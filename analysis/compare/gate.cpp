@@ -3,9 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -18,7 +16,6 @@ using namespace results;
 
 void refuse_other_task(const StudyResults& one, const StudyResults& other) {
   const Definition &a = one.definition, &b = other.definition;
-  const std::string before = one.solvers == other.solvers ? "before" : one.solvers.front();
   const std::pair<bool, const char*> differences[]{
       {a.robot != b.robot || a.arm != b.arm, "arms"},
       {a.path != b.path || a.points != b.points, "targets"},
@@ -32,43 +29,29 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
   for (const auto& [differ, what] : differences) {
     if (differ)
       throw std::invalid_argument(
-          fmt::format("not compared: {} has other {} than {}", other.solvers.front(), what, before));
+          fmt::format("not compared: {} has other {} than before", other.solvers.front(), what));
   }
-  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
-  if (one.solves.empty() || !std::ranges::equal(one.solves, other.solves, {}, place, place))
-    throw std::invalid_argument(
-        fmt::format("not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
-                    other.solvers.front(), other.solves.size(), before, one.solves.size()));
 }
 
-// Of both sides, as solvers of one study. Takes their solves.
+// Of both stores, as solvers of one study. Takes their solves.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both) {
-  if (baseline.solvers == both.solvers)
-    both.solvers = {baseline.solvers.front() + " now", baseline.solvers.front() + " before"};
-  else
-    both.solvers.push_back(baseline.solvers.front());
+  const std::string label = both.solvers.front();
+  both.solvers = {label + " now", label + " before"};
   both.entry.series = {{.label = both.solvers.front()}, {.label = both.solvers.back()}};
   both.drawn = {};
-  std::map<std::int64_t, int> numbers;  // of two stores sessions have the same, of one store they are the same
-  for (const Session& session : baseline.sessions) {
-    const auto known = std::ranges::find_if(both.sessions, [&](const Session& each) {
-      return each.began == session.began && each.environment == session.environment;
-    });
-    const auto next = both.sessions.empty() ? 1 : both.sessions.back().id + 1;
-    numbers[session.id] = static_cast<int>(known == both.sessions.end() ? next : known->id);
-    if (known != both.sessions.end()) continue;
-    both.sessions.push_back(session);
-    both.sessions.back().id = next;
+  const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
+  for (Session& session : std::exchange(baseline.sessions, {})) {
+    session.id += before;
+    both.sessions.push_back(std::move(session));
   }
   both.solves.reserve(2 * both.solves.size());
   for (Solve solve : std::exchange(baseline.solves, {})) {
     solve.solver = 1;
-    solve.session = numbers[solve.session];
+    solve.session += before;
     both.solves.push_back(solve);
   }
   refuse_other_targets(both);
-  both.definition.plan = baseline.definition.plan;     // a candidate sets no margin of its own
-  both.definition.plan.control = both.solvers.back();  // shown second
+  both.definition.plan = baseline.definition.plan;  // a candidate sets no margin of its own
   return both;
 }
 
@@ -89,22 +72,21 @@ std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyRes
 }
 
 // Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
-Judged judged_answers(const StudyResults& study, bool machine_decides) {
+Observations observed_answers(const StudyResults& study, bool machine_decides) {
   Observations observed{.metric = "answers", .quantity = "answered", .better = Better::larger, .scale = Scale::share};
   for (const std::string& solver : study.solvers) {
     Group& group = observed.groups.emplace_back(Group{.name = solver});
     for (const Solve& solve : study.of(solver))
       group.values.push_back(gave_answer(solve) || (machine_decides && solve.status == results::Status::over_budget));
   }
-  return judge(std::move(observed), study.definition.plan);
+  return observed;
 }
 
 bool is_time(const Judged& judged) { return judged.observations.metric == metric_named("seconds").slug; }
 
 // Equal values cannot be worse by chance, and times decide nothing.
 bool takes_significance(const Judged& judged) {
-  const Finding& finding = judged.findings.front();
-  return finding.why == Why::tested && !finding.are_all_equal && !is_time(judged);
+  return !is_time(judged) && can_decide(judged.observations, judged.plan);
 }
 
 // Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where none was
@@ -114,15 +96,13 @@ bool is_lost_for_sure(const Judged& judged) {
   const Description &candidate = judged.described.front(), &baseline = judged.described.back();
   if (observed.metric == "answers")
     return candidate.mean < baseline.mean && (baseline.mean == 1 || candidate.mean == 0);
-  if (judged.findings.front().why != Why::fact) return false;
-  const double loss = (candidate.mean - baseline.mean) * (observed.better == Better::smaller ? 1 : -1);
-  const double share = observed.scale == Scale::share ? 1 : std::min(std::abs(candidate.mean), std::abs(baseline.mean));
-  return loss > std::max(observed.absolute_margin, judged.plan.margin * share) + observed.rounding;
+  return judged.findings.front().why == Why::fact &&
+         is_worse_than_margin(observed, judged.plan, candidate.mean, baseline.mean);
 }
 
 // A metric of which all values vanished, though there are answers.
 void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
-  if (judged.metrics.back().described.front().mean == 0) return;
+  if (std::ranges::max(judged.metrics.back().observations.groups.front().values) == 0) return;
   for (const Judged& metric : judged.metrics) {
     const std::vector<Group>& groups = metric.observations.groups;
     if (groups.front().lost > 0 && groups.front().values.empty() && !groups.back().values.empty())
@@ -134,33 +114,43 @@ void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
 
 }  // namespace
 
-Gate gate(StudyResults baseline, StudyResults candidate) {
-  refuse_other_task(baseline, candidate);
-  Gate gate;
-  if (baseline.solvers == candidate.solvers) gate.label = baseline.solvers.front();
-  StudyResults study = study_of_both(baseline, std::move(candidate));
-  gate.are_same = have_same_solves(study.of(study.solvers.front()), study.of(study.solvers.back()));
-  JudgedStudy& judged = gate.judged = judge(std::move(study));
+Gate gate(StudyResults study, const std::string& label) {
+  const std::string candidate = study.solvers.front(), baseline = study.solvers.back();
+  const Solves ours = study.of(candidate), theirs = study.of(baseline);
+  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
+  if (theirs.empty() || !std::ranges::equal(ours, theirs, {}, place, place))
+    throw std::invalid_argument(fmt::format(
+        "not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
+        label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
+  Gate gate{.label = label, .are_same = have_same_solves(ours, theirs)};
+  study.definition.plan.control = baseline;  // shown second
+  JudgedStudy& judged = gate.judged = observe_all(std::move(study));
   const std::vector<Doubt>& doubts = judged.metrics[judged.deciding].observations.doubts;
   const bool machine_decides = std::ranges::count(doubts, DoubtKind::seconds_decide, &Doubt::kind) > 0;
-  judged.metrics.push_back(judged_answers(judged.study, machine_decides));
-  if (!gate.label.empty()) refuse_vanished(judged, gate.label);
-  std::ranges::move(doubts_of_limits(baseline, judged.study), std::back_inserter(judged.doubts));
-  judged.study.solves = {};  // judged, and large
+  judged.metrics.push_back(
+      {.observations = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
+  judged.study.solves = {};  // observed, and large
   return gate;
 }
 
+Gate gate(StudyResults baseline, StudyResults candidate) {
+  refuse_other_task(baseline, candidate);
+  const std::string label = candidate.solvers.front();
+  Gate both = gate(study_of_both(baseline, std::move(candidate)), label);
+  refuse_vanished(both.judged, label);
+  std::ranges::move(doubts_of_limits(baseline, both.judged.study), std::back_inserter(both.judged.doubts));
+  return both;
+}
+
 void decide(std::vector<Gate>& gates) {
-  std::ptrdiff_t shares = 0;
+  std::ptrdiff_t tests = 0;
   for (const Gate& gate : gates)
-    shares += gate.are_same ? 0 : std::ranges::count_if(gate.judged.metrics, takes_significance);
+    tests += gate.are_same ? 0 : std::ranges::count_if(gate.judged.metrics, takes_significance);
   for (Gate& gate : gates) {
     JudgedStudy& study = gate.judged;
-    Plan plan = study.study.definition.plan;
-    const double whole = plan.significance, tests = static_cast<double>(std::max(shares, std::ptrdiff_t{1}));
-    plan.significance /= tests;
     for (Judged& judged : study.metrics) {
-      if (tests > 1) judged = judge(std::move(judged.observations), plan);
+      judged = judge(std::move(judged.observations), judged.plan,
+                     static_cast<std::size_t>(std::max<std::ptrdiff_t>(tests, 1)));
       const Observations& observed = judged.observations;
       Finding& finding = judged.findings.front();
       if (is_lost_for_sure(judged)) {
@@ -170,8 +160,6 @@ void decide(std::vector<Gate>& gates) {
         finding.p.reset();
         finding.interval.reset();
       }
-      if (finding.p) *finding.p = std::min(1.0, *finding.p * tests);  // as of the pairs of a report
-      judged.plan.significance = whole;
       const bool is_equal =
           gate.are_same || (finding.are_all_equal &&
                             (observed.is_paired || observed.scale != Scale::share || observed.metric == "answers"));

@@ -9,19 +9,22 @@
 namespace ikbench::compare {
 
 struct Gate {
-  std::string label;  // of both; empty: they differ
-  // Without solves and values. Of two solvers, the candidate first; the last metric is the share of solves that gave an
-  // answer.
+  std::string label;  // of both; empty: two solvers of one store
+  // Without solves, once decided without values. Of two solvers, the candidate first; the last metric is the share of
+  // solves that gave an answer.
   JudgedStudy judged;
   std::vector<std::string> worse, better, not_decided, not_tested;  // quantities, but time, which depends on the load
   bool are_same = false;  // all solves, bit for bit: then nothing is left to decide
   int size = 0;           // targets, or runs of chained solves
 };
 
-// Of two studies of one solver each, judged by the baseline's plan, and not yet decided. Throws std::invalid_argument
-// if the two had different tasks or solves, or if the candidate lacks all values of a metric.
+// Of a study of two solvers, the candidate first; observed and not yet judged. Throws std::invalid_argument if they
+// have not the same solves.
+Gate gate(StudyResults study, const std::string& label = "");
+// Of one solver in two stores, by the baseline's plan. Throws also if the tasks differ, or if the candidate lacks all
+// values of a metric.
 Gate gate(StudyResults baseline, StudyResults candidate);
-// What is worse, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
+// Judges all, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
 // no more compares than it says.
 void decide(std::vector<Gate>& gates);
 

@@ -44,17 +44,14 @@ bool has_meaning(const Observations& observed) {
 
 }  // namespace
 
-Judged judge(Observations observations, const Plan& plan) {
+Judged judge(Observations observations, const Plan& plan, std::size_t metrics) {
   Judged judged{.observations = std::move(observations), .plan = plan};
   const Observations& observed = judged.observations;
   for (const Group& group : observed.groups) judged.described.push_back(describe(group));
-  judged.findings = compare(observed, plan);
+  judged.findings = compare(observed, plan, metrics);
   judged.headline = headline(observed, plan, judged.findings);
-  for (const auto& [why, kind] :
-       {std::pair(Why::too_few, DoubtKind::too_few), {Why::few_decide, DoubtKind::few_decide_mean}}) {
-    std::erase_if(judged.observations.doubts, [kind = kind](const Doubt& doubt) { return doubt.kind == kind; });
-    add_doubt(judged, why, kind);
-  }
+  add_doubt(judged, Why::too_few, DoubtKind::too_few);
+  add_doubt(judged, Why::few_decide, DoubtKind::few_decide_mean);
   return judged;
 }
 
@@ -91,7 +88,7 @@ std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judg
   return order;
 }
 
-JudgedStudy judge(StudyResults study) {
+JudgedStudy observe_all(StudyResults study) {
   const results::Definition& definition = study.definition;
   const bool are_any_solved =
       definition.has_tolerance() && std::ranges::count(study.solves, results::Status::ok, &Solve::status) > 0;
@@ -106,10 +103,16 @@ JudgedStudy judge(StudyResults study) {
     Observations observed = observe(study, metric);
     if (!is_deciding && !has_meaning(observed)) continue;
     if (is_deciding) judged.deciding = judged.metrics.size();
-    judged.metrics.push_back(judge(std::move(observed), definition.plan));
+    judged.metrics.push_back({.observations = std::move(observed), .plan = definition.plan});
   }
   judged.doubts = doubts_of(study);
   judged.study = std::move(study);
+  return judged;
+}
+
+JudgedStudy judge(StudyResults study) {
+  JudgedStudy judged = observe_all(std::move(study));
+  for (Judged& metric : judged.metrics) metric = judge(std::move(metric.observations), metric.plan);
   return judged;
 }
 

@@ -20,8 +20,8 @@ struct Judged {
   Headline headline;
 };
 
-// The doubts of the findings stand with those of the observations.
-Judged judge(Observations observed, const Plan& plan);
+// The doubts of the findings stand with those of the observations. So many metrics share the significance.
+Judged judge(Observations observed, const Plan& plan, std::size_t metrics = 1);
 
 // What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
 // median; NaN where values are lost.
@@ -38,6 +38,8 @@ struct JudgedStudy {
   std::vector<Doubt> doubts;  // of the whole study
 };
 
+// Without descriptions and findings.
+JudgedStudy observe_all(StudyResults study);
 JudgedStudy judge(StudyResults study);
 
 // Null if the study has no such metric, by its column.

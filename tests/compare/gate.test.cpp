@@ -9,8 +9,7 @@ const Asked drawn_100{.start = "initial", .targets = "drawn", .runs = 1, .points
 // A study of one solver whose numbers are drawn: 70 of 100 targets are solved, with about 100 evaluations, the others
 // use up 1000.
 StudyResults version(
-    int seed, const Asked& asked = of_100, const Change& change = [](SolveRecord&) {},
-    const std::string& began = "today") {
+    int seed, const Asked& asked = of_100, const Change& change = [](SolveRecord&) {}) {
   std::mt19937 random(static_cast<unsigned>(seed));
   std::lognormal_distribution<double> factor(0, 0.3);
   const auto draw = [&](SolveRecord& solve) {
@@ -22,7 +21,7 @@ StudyResults version(
     solve.seconds = solve.cpu_seconds = 1e-5 * static_cast<double>(solve.evaluations);
     change(solve);
   };
-  return study(asked, draw, {"mine"}, {{.id = 1, .began = began, .environment = {{"cpu", "one"}, {"analysis", "{}"}}}});
+  return study(asked, draw, {"mine"}, {{.id = 1, .environment = {{"cpu", "one"}, {"analysis", "{}"}}}});
 }
 
 Gate gate_of(const StudyResults& before, const StudyResults& after, std::size_t labels = 1) {
@@ -84,10 +83,8 @@ TEST_CASE("drawn targets are paired; another task or number of solves is refused
                     StartsWith("not compared: mine has 23 solves, before 100; complete both"));
 }
 
-TEST_CASE("times decide nothing, and those of other sessions and of solves that are the same are not compared") {
-  Asked in_turns = of_100;
-  in_turns.runs = 5;
-  in_turns.points = 20;
+TEST_CASE("times decide nothing, and those of other stores and of solves that are the same are not compared") {
+  const Asked in_turns{.start = "initial", .runs = 5, .points = 20, .tolerance_cm = 0.1};
   const auto time_of = [](const Gate& gate) {
     return std::ranges::find(gate.judged.metrics, "time", [](const Judged& each) { return each.observations.metric; })
         ->findings.front();
@@ -98,16 +95,21 @@ TEST_CASE("times decide nothing, and those of other sessions and of solves that 
     solve.answer_rad.push_back(1);
   };
   const StudyResults before = version(1, in_turns);
-  const Gate apart = gate_of(before, version(1, in_turns, slow_and_other, "tomorrow"));
-  const Gate same = gate_of(before, version(1, in_turns, slow));
-  for (const Gate* gate : {&apart, &same}) {
-    CHECK(time_of(*gate).why == Why::apart);
-    CHECK(gate->worse.empty());
-    CHECK(gate->not_decided.empty());
+  for (const Gate& gate :
+       {gate_of(before, version(1, in_turns, slow_and_other)), gate_of(before, version(1, in_turns, slow))}) {
+    CHECK(time_of(gate).why == Why::apart);
+    CHECK(gate.worse.empty());
+    CHECK(gate.not_decided.empty());
   }
-  const Gate one = gate_of(before, version(1, in_turns, slow_and_other));
-  CHECK(time_of(one).verdict == Verdict::worse);
-  CHECK(exit_code({one}, true) == 0);
+  std::vector<Gate> one{gate(study(in_turns,
+                                   [&](SolveRecord& solve) {
+                                     solve.seconds = solve.cpu_seconds = 1e-5 * (100 * solve.run + solve.point);
+                                     if (solve.solver == "B") slow_and_other(solve);
+                                   },
+                                   {"B", "A"}))};
+  decide(one);
+  CHECK(time_of(one.front()).verdict == Verdict::worse);
+  CHECK(exit_code(one, true) == 0);
 }
 
 TEST_CASE("a metric that vanished is refused, one that another solver lacks is not tested") {
@@ -115,9 +117,14 @@ TEST_CASE("a metric that vanished is refused, one that another solver lacks is n
   CHECK_THROWS_WITH(gate_of(version(1), version(1, of_100, uncounted)),
                     StartsWith("not compared: mine lacks all evaluations"));
   CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
-  const Gate gate = gate_of(study(of_100, [](SolveRecord&) {}, {"A"}), study(of_100, uncounted, {"B"}));
-  CHECK(gate.not_tested == Names{"evaluations"});
-  CHECK(exit_code({gate}, false) == 0);
+  std::vector<Gate> of_two{gate(study(of_100,
+                                      [&](SolveRecord& solve) {
+                                        if (solve.solver == "B") uncounted(solve);
+                                      },
+                                      {"B", "A"}))};
+  decide(of_two);
+  CHECK(of_two.front().not_tested == Names{"evaluations"});
+  CHECK(exit_code(of_two, false) == 0);
 }
 
 TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
@@ -177,9 +184,10 @@ TEST_CASE("two labels of one study are compared as two versions are") {
   const auto slower = [](SolveRecord& solve) {
     solve.evaluations = solve.solver == "B" ? 300 + solve.point : 100 + solve.point;
   };
-  const Gate gate = gate_of(study(of_100, slower, {"A"}), study(of_100, slower, {"B"}));
-  CHECK(gate.judged.study.solvers == Names{"B", "A"});
-  CHECK(gate.worse == Names{"evaluations"});
+  std::vector<Gate> gates{gate(study(of_100, slower, {"B", "A"}))};
+  decide(gates);
+  CHECK(gates.front().judged.study.solvers == Names{"B", "A"});
+  CHECK(gates.front().worse == Names{"evaluations"});
 }
 
 TEST_CASE("a loss of a solver that repeats itself is a fact") {
