@@ -30,6 +30,13 @@ Gate gate_of(const StudyResults& before, const StudyResults& after, std::size_t 
   return gates.front();
 }
 
+// Of one study of B and A.
+Gate gate_of(const Asked& asked, const Change& change) {
+  std::vector<Gate> gates{gate(study(asked, change, {"B", "A"}))};
+  decide(gates);
+  return gates.front();
+}
+
 using Names = std::vector<std::string>;
 
 }  // namespace
@@ -101,15 +108,12 @@ TEST_CASE("times decide nothing, and those of other stores and of solves that ar
     CHECK(gate.worse.empty());
     CHECK(gate.not_decided.empty());
   }
-  std::vector<Gate> one{gate(study(in_turns,
-                                   [&](SolveRecord& solve) {
-                                     solve.seconds = solve.cpu_seconds = 1e-5 * (100 * solve.run + solve.point);
-                                     if (solve.solver == "B") slow_and_other(solve);
-                                   },
-                                   {"B", "A"}))};
-  decide(one);
-  CHECK(time_of(one.front()).verdict == Verdict::worse);
-  CHECK(exit_code(one, true) == 0);
+  const Gate one = gate_of(in_turns, [&](SolveRecord& solve) {
+    solve.seconds = solve.cpu_seconds = 1e-5 * (100 * solve.run + solve.point);
+    if (solve.solver == "B") slow_and_other(solve);
+  });
+  CHECK(time_of(one).verdict == Verdict::worse);
+  CHECK(exit_code({one}, true) == 0);
 }
 
 TEST_CASE("a metric that vanished is refused, one that another solver lacks is not tested") {
@@ -117,14 +121,11 @@ TEST_CASE("a metric that vanished is refused, one that another solver lacks is n
   CHECK_THROWS_WITH(gate_of(version(1), version(1, of_100, uncounted)),
                     StartsWith("not compared: mine lacks all evaluations"));
   CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
-  std::vector<Gate> of_two{gate(study(of_100,
-                                      [&](SolveRecord& solve) {
-                                        if (solve.solver == "B") uncounted(solve);
-                                      },
-                                      {"B", "A"}))};
-  decide(of_two);
-  CHECK(of_two.front().not_tested == Names{"evaluations"});
-  CHECK(exit_code(of_two, false) == 0);
+  const Gate of_two = gate_of(of_100, [&](SolveRecord& solve) {
+    if (solve.solver == "B") uncounted(solve);
+  });
+  CHECK(of_two.not_tested == Names{"evaluations"});
+  CHECK(exit_code({of_two}, false) == 0);
 }
 
 TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
@@ -184,10 +185,9 @@ TEST_CASE("two labels of one study are compared as two versions are") {
   const auto slower = [](SolveRecord& solve) {
     solve.evaluations = solve.solver == "B" ? 300 + solve.point : 100 + solve.point;
   };
-  std::vector<Gate> gates{gate(study(of_100, slower, {"B", "A"}))};
-  decide(gates);
-  CHECK(gates.front().judged.study.solvers == Names{"B", "A"});
-  CHECK(gates.front().worse == Names{"evaluations"});
+  const Gate gate = gate_of(of_100, slower);
+  CHECK(gate.judged.study.solvers == Names{"B", "A"});
+  CHECK(gate.worse == Names{"evaluations"});
 }
 
 TEST_CASE("a loss of a solver that repeats itself is a fact") {
