@@ -163,15 +163,14 @@ Chosen answers_of(const SolvedMultiverse& multiverse) {
   return answers;
 }
 
-// "only where bounds=initial or BA.best_of=evaluated", by these words for an answer: the smallest sets of one or two
-// answers, other than defaults, without which it never happens.
-std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& parts, Outcome outcome,
-                  std::string results::Alternative::*words) {
+// "only where no solver is clamped": the smallest sets of one or two answers, other than defaults, without which it
+// never happens.
+std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
   if (!happens(parts, outcome, {})) return "nowhere";
   const Chosen answers = answers_of(multiverse);
   if (happens(parts, outcome, answers)) return "in some seeds of the default, too";
   const auto name_of = [&](const Choice& answer) {
-    return multiverse.dimensions[answer.dimension].alternatives[answer.alternative].*words;
+    return multiverse.dimensions[answer.dimension].alternatives[answer.alternative].where;
   };
   Names ones, twos;
   for (const Choice& one : answers) {
@@ -205,13 +204,9 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
       for (const Part& part : parts) sum += count(part, {}).*outcome;
       return static_cast<std::int64_t>(sum);
     };
-    const auto by_settings = [&](Outcome outcome) {
-      return where(multiverse, parts, outcome, &results::Alternative::set);
-    };
-    result.fails_where[claim.id] = where(multiverse, parts, &Readings::fails, &results::Alternative::where);
+    const std::string& fails = result.fails_where[claim.id] = where(multiverse, parts, &Readings::fails);
     result.table.rows.push_back({claim.sentence, all(&Readings::holds), all(&Readings::fails),
-                                 all(&Readings::undecided), by_settings(&Readings::fails),
-                                 by_settings(&Readings::undecided)});
+                                 all(&Readings::undecided), fails, where(multiverse, parts, &Readings::undecided)});
   }
   result.table.notes = {fmt::format(
       "{:.0f} readings, each with seeds 1 to {}. Each pair is judged alone, at significance / pairs. Counts depend on "
