@@ -282,7 +282,11 @@ std::string to_latex(const Table& whole) {
   std::vector<std::string> heads;
   const std::vector<Kinds> kinds = kinds_of(table);  // spreads have a column of their own, so that the numbers align
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    letters += kinds[c].texts ? "l" : kinds[c].spreads ? "r@{ }l" : "r";
+    const bool is_long = std::ranges::any_of(table.rows, [&](const auto& row) {
+      const auto* words = std::get_if<std::string>(&row[c]);
+      return words && character_count(*words) > 60;
+    });
+    letters += is_long ? "p{5cm}" : kinds[c].texts ? "l" : kinds[c].spreads ? "r@{ }l" : "r";
     const std::string name = latex_text(head(table.columns[c], kinds[c]));
     heads.push_back(kinds[c].spreads ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
   }
