@@ -285,9 +285,6 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
 std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
                                      const Look& look) {
   const Observations& observed = metric.observations;
-  Look brief = look;  // two names a row
-  brief.names = short_names(shown, 15);
-  const auto name_in_row = [&](const std::string& solver) { return short_name(brief, solver); };
   const auto place = [&](const std::string& name) { return std::ranges::find(shown, name) - shown.begin(); };
   const auto places = [&](const Finding& of_two) { return std::minmax({place(of_two.first), place(of_two.second)}); };
   std::vector<Finding> findings = metric.findings;
@@ -300,15 +297,25 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
     only = fmt::format(" Only the pairs of {}.", shown.front());
   }
   std::ranges::stable_sort(findings, {}, places);
+  for (Finding& finding : findings) finding = better_first(std::move(finding), metric.plan.control);
+  const auto is_shared = [&](std::string Finding::*name) {
+    return findings.size() > 1 && std::ranges::all_of(findings, [&](const Finding& finding) {
+             return finding.*name == findings.front().*name;
+           });
+  };
+  const bool is_first = is_shared(&Finding::first), is_second = is_shared(&Finding::second);
+  const auto names = is_first || is_second ? look.names : short_names(shown, 15);  // or two in a row
+  const auto name_in_row = [&](const std::string& solver) {
+    return names.contains(solver) ? names.at(solver) : solver;
+  };
   std::vector<IntervalRow> rows;
   bool are_ratios = false;
-  for (Finding& finding : findings) {
-    finding = better_first(std::move(finding), metric.plan.control);
+  for (const Finding& finding : findings) {
     are_ratios = finding.scale == Scale::ratio;
     const double factor = are_ratios ? 1 : finding.scale == Scale::share ? 100 : unit.factor;
     IntervalRow& row = rows.emplace_back();
-    row.label =
-        fmt::format("{} {} {}", name_in_row(finding.first), are_ratios ? "/" : "-", name_in_row(finding.second));
+    const std::string first = name_in_row(finding.first), second = name_in_row(finding.second);
+    row.label = is_first ? second : is_second ? first : fmt::format("{} {} {}", first, are_ratios ? "/" : "-", second);
     if (finding.estimate) row.estimate = factor * *finding.estimate;
     if (finding.interval) row.low = factor * finding.interval->low, row.high = factor * finding.interval->high;
     row.verdict = finding.verdict == Verdict::undecided && finding.are_all_equal
@@ -318,6 +325,10 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
       row.style = style_of(look, finding.verdict == Verdict::better ? finding.first : finding.second);
   }
   if (std::ranges::all_of(findings, &Finding::are_all_equal)) return std::nullopt;
+  if (is_first || is_second)
+    rows.insert(rows.begin(),
+                {.label = fmt::format("{} {} {}", is_first ? name_in_row(findings[0].first) : "…",
+                                      are_ratios ? "/" : "-", is_second ? name_in_row(findings[0].second) : "…")});
   const std::string quantity = observed.metric == "solved" ? "share solved" : observed.quantity;
   const std::string what = are_ratios ? "ratio" : "difference";
   return differences(
@@ -450,10 +461,13 @@ std::vector<Figure> of_file(const std::vector<Judged>& metrics, const Look& look
   const auto add = [&](std::optional<Figure> figure) {
     if (figure) all.push_back(std::move(*figure));
   };
+  const Judged& first = metrics.front();
   std::vector<std::string> shown = look.style.solvers;
+  if (shown.empty()) {
+    for (const std::size_t i : best_first(first, metrics)) shown.push_back(first.observations.groups[i].name);
+  }
   for (const Judged& metric : metrics) {
     const Observations& observed = metric.observations;
-    if (shown.empty()) std::ranges::transform(observed.groups, std::back_inserter(shown), &Group::name);
     const bool has_values =
         std::ranges::any_of(observed.groups, [](const Group& group) { return !group.values.empty(); });
     if (!has_values || (observed.scale == Scale::share && observed.trials == 1)) continue;
@@ -464,7 +478,6 @@ std::vector<Figure> of_file(const std::vector<Judged>& metrics, const Look& look
                .unit = observed.unit},
               box_rows(metric, {observed.unit}, shown, look)));
   }
-  const Judged& first = metrics.front();
   add(differences_of(first, {first.observations.unit}, shown, look));
   return all;
 }

@@ -87,9 +87,9 @@ struct NamedSolver {
 };
 
 // The line styles of all solvers of a report, by label. A solver has the colour of style.colours, or else, if it is
-// built in, its own of the palette; each other algorithm gets the colour that fewest have. From a palette of fewer than
-// seven all get them in order. Solvers of one colour, such as two variants of one algorithm, have different markers and
-// dashes. Colours of style.colours that the palette lacks are added to it.
+// built in and no other has it, its own of the palette; all others, such as variants of an algorithm, get the colour
+// that fewest have. From a palette of fewer than seven all get them in order. Solvers of one colour have different
+// markers and dashes. Colours of style.colours that the palette lacks are added to it.
 std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, results::FigureStyle& style);
 
 }  // namespace ikbench::figures

@@ -55,11 +55,12 @@ std::string tick(double value, bool is_power) {
 // All ticks of an axis are written alike.
 bool are_powers(double low, double high) { return low < 0.999e-3 || high > 1.001e5; }
 
-// Powers of ten with small ticks between; below three decades 2 and 5 times these have labels, too.
+// Powers of ten with small ticks between; below three decades 2 and 5 times these have labels, too, or 3 times where
+// these would touch.
 std::string ticks_between(char letter, double low, double high, bool is_power) {
   const double decades = std::log10(high) - std::log10(low);
   const int every = 1 + static_cast<int>((decades - 1) / 4);
-  const double most = letter == 'x' && is_power ? 1.2 : 2.2;  // decades with room for more than powers of ten
+  const bool is_tight = letter == 'x' && decades > 1.2;
   std::vector<std::string> ticks;
   if (decades < 0.7) {
     const double step = round_step_of(high - low, 5);
@@ -73,7 +74,8 @@ std::string ticks_between(char letter, double low, double high, bool is_power) {
       if (at > high * (1 + 1e-9)) break;
       if (at < low * (1 - 1e-9) || (multiple > 1 && every > 1)) continue;
       const bool has_label =
-          decade % every == 0 && (multiple == 1 || ((multiple == 2 || multiple == 5) && decades <= most));
+          decade % every == 0 && (multiple == 1 || (decades <= 2.2 && (is_tight ? multiple == 3 && !is_power
+                                                                                : multiple == 2 || multiple == 5)));
       const std::string label = has_label ? tick(at, is_power) : "";
       if (has_label || every == 1) ticks.push_back(fmt::format("'{}' {}{}", label, text_of(at), has_label ? "" : " 1"));
     }

@@ -26,13 +26,16 @@ constexpr std::size_t most_bands = 3;     // more would cover each other
 
 Figure begun(const About& about) { return {.name = about.name, .caption = about.caption}; }
 
-// The first rows; the caption says whose are left out.
+// The first rows; the picture says how many, the caption whose are left out.
 template <class Row>
 std::span<const Row> drawn_of(const std::vector<Row>& all, std::size_t most, Figure& figure) {
   std::vector<std::string> others;
   for (std::size_t i = most; i < all.size(); ++i) others.push_back(label_of(all[i].label));
-  if (!others.empty())
+  if (!others.empty()) {
     figure.caption += fmt::format(" Without {}: only the first {} are drawn.", fmt::join(others, ", "), most);
+    figure.settings +=
+        fmt::format("set label 'first {} of {}' at screen 1 - margin(0.15), screen up(0.3) right\n", most, all.size());
+  }
   return std::span(all).first(all.size() - others.size());
 }
 
@@ -158,7 +161,7 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
   }
   if (!back.empty()) figure.caption += " Bands: quartiles.";
   const Axis y = value_axis('y', ys, about, Begins::at_zero);
-  figure.settings = y.settings + linear_axis('x', xs, x_axis, Begins::at_first).settings;
+  figure.settings += y.settings + linear_axis('x', xs, x_axis, Begins::at_first).settings;
   add_margins(figure);
   for (Named& end : ends) end.y = y.share_of(end.y);
   add_names(figure, ends);
@@ -211,7 +214,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
       clauses.push_back(fmt::format("data index {} every {}::{} {} points ls {}", i, every, 1 + every * i / drawn, rows,
                                     all[i].style));
   }
-  figure.settings =
+  figure.settings +=
       axis.settings +
       fmt::format(
           "set yrange [{}:{}]\nset ytics 20\nset label '{} [%]' at screen margin(0.3), graph 0.5 center rotate\n", low,
@@ -399,7 +402,9 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
   std::vector<std::string> labels, ticks, clauses;
   for (const std::string& row : rows) labels.push_back(label_of(row));
   add_labelled_rows(figure, labels, 0.5);
-  if (panels.size() > 3) figure.width_cm = 17;  // two columns of a journal
+  constexpr double header_cm = 2.2;
+  if (figure.sides_cm + header_cm * static_cast<double>(panels.size()) > figure.width_cm)
+    figure.width_cm = 17;  // two columns of a journal
   figure.data = "# row, share [%] of each study\n";
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::vector<double> numbers{static_cast<double>(r + 1)};

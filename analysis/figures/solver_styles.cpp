@@ -42,24 +42,22 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
   const std::size_t own_colours = style.palette.size();
   const bool is_short = own_colours < own_palette.size();
   std::map<std::string, std::size_t> places;
+  std::vector<std::size_t> users(own_colours);
+  const auto give = [&](const std::string& label, std::size_t place) {
+    users.resize(style.palette.size());
+    if (places.emplace(label, place).second) ++users[place];
+  };
   for (const auto& [label, algorithm] : solvers) {
     const auto given = style.colours.find(label);
-    if (given != style.colours.end()) {
-      places.emplace(label, place_in(style.palette, given->second));
-    } else if (!is_short) {
-      const auto own = std::ranges::find(own_places, algorithm, [](const auto& place) { return place.first; });
-      if (own != std::end(own_places)) places.emplace(label, own->second);
-    }
+    if (given != style.colours.end()) give(label, place_in(style.palette, given->second));
   }
-  std::vector<std::size_t> users(style.palette.size());
-  for (const auto& [label, place] : places) ++users[place];
-  std::map<std::string, std::size_t> places_of;  // of algorithms that are not built in
   for (const auto& [label, algorithm] : solvers) {
-    if (places.contains(label)) continue;
+    const auto own = std::ranges::find(own_places, algorithm, [](const auto& place) { return place.first; });
+    if (!is_short && own != std::end(own_places) && users[own->second] == 0) give(label, own->second);
+  }
+  for (const NamedSolver& solver : solvers) {
     const auto rarest = std::min_element(users.begin(), users.begin() + static_cast<std::ptrdiff_t>(own_colours));
-    const auto place = static_cast<std::size_t>(rarest - users.begin());
-    places.emplace(label, is_short ? place : places_of.emplace(algorithm, place).first->second);
-    ++users[places.at(label)];
+    give(solver.label, static_cast<std::size_t>(rarest - users.begin()));
   }
   std::map<std::string, int> styles;
   std::ranges::fill(users, 0);
