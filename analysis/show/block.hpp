@@ -59,6 +59,8 @@ std::string interval_text(const compare::Interval& interval, std::string (*numbe
 // intervals of which one excludes an end take a third, which says "low" or "high".
 std::string to_csv(const Table& table);
 std::string to_markdown(const Table& table);
+// Its notes, and what bold is, for where type is set.
+std::vector<std::string> typeset_notes(const Table& table);
 std::string to_latex(const Table& table);  // booktabs
 std::string to_html(const Table& table);
 std::string to_text(const Table& table);  // of a screen: units stand at the numbers

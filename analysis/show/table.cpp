@@ -276,6 +276,17 @@ std::string to_markdown(const Table& whole) {
   return text;
 }
 
+std::vector<std::string> typeset_notes(const Table& table) {
+  std::vector<std::string> notes = table.notes;
+  const auto is_bold = [](const Cell& cell) {
+    const auto* const marked = std::get_if<Marked>(&cell);
+    return marked && marked->is_best;
+  };
+  if (std::ranges::any_of(table.rows, [&](const auto& row) { return std::ranges::any_of(row, is_bold); }))
+    notes.emplace_back("Bold: no solver is shown to be better.");
+  return notes;
+}
+
 std::string to_latex(const Table& whole) {
   const Table table = for_readers(whole);
   std::string letters, text;
@@ -299,7 +310,7 @@ std::string to_latex(const Table& whole) {
     }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
-  const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
+  const std::string notes = latex_text(fmt::format("{}", fmt::join(typeset_notes(table), " ")));
   // A table shrinks to fit a column, to four fifths at the most; else it takes both, and shrinks down to the size of
   // \\scriptsize.
   return fmt::format(
