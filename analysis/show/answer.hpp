@@ -46,7 +46,8 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
 // "a and b: DLS is best; c: nobody is shown to be best."
 std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names);
 std::optional<figures::Figure> studies_figure(const Table& studies);  // bars of its shares
-Table with_a_row_a_study(const Table& studies);                       // of one unit, without intervals
+Table without_intervals(Table studies);
+Table with_a_row_a_study(const Table& studies);  // of one unit, without intervals
 Table pairs_table(const Answer& answer);
 std::string chosen_before(const Answer& answer);  // what a verdict on another metric is worth; empty if there is none
 std::string of_pairs(

@@ -152,9 +152,11 @@ Table results_table(const Answer& answer) {
 
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
   Table table{.name = "studies", .columns = {{"solver"}}};
+  std::vector<std::string> quantities, references, shown, told;
   for (std::size_t s = 0; s < studies.size(); ++s) {
     const Table of_study = results_table(studies[s]);
     table.columns.push_back({.name = names[s], .unit = of_study.columns[1].unit});
+    quantities.push_back(of_study.columns[1].name);
     for (const std::vector<Cell>& of_solver : of_study.rows) {
       const auto has_its_name = [&](const std::vector<Cell>& row) {
         return std::get<std::string>(row[0]) == std::get<std::string>(of_solver[0]);
@@ -169,15 +171,24 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
   const bool are_shares =
       std::ranges::all_of(studies, [](const Answer& answer) { return is_share(answer.decisive()); });
   table.caption = are_shares ? "Share of targets solved" : "What decides each study";
-  std::vector<std::string> references;
+  for (const auto& [quantity, where] : by_word(quantities, names)) shown.push_back(quantity + " (" + where + ")");
   for (const Answer& answer : studies)
     references.push_back((answer.decisive().plan.control.empty() ? "" : "the control ") + reference_of(answer));
-  std::vector<std::string> told;
   for (const auto& [reference, where] : by_word(references, names)) told.push_back(reference + " (" + where + ")");
+  const auto has = [&](const auto& is_it) {
+    return std::ranges::any_of(table.rows, [&](const auto& row) { return std::ranges::any_of(row, is_it); });
+  };
+  const bool has_untested = has([](const Cell& cell) {
+    const auto* const marked = std::get_if<Marked>(&cell);
+    return marked && marked->mark == "!";
+  });
+  const bool has_empty = has([](const Cell& cell) { return std::holds_alternative<std::monostate>(cell); });
   table.notes = {
-      fmt::format("In the order of the first study that has the solver. * shown to be worse than {}, ! not tested; "
-                  "each study is judged alone.",
-                  listed(told, " or ")),
+      fmt::format(
+          "{}In the order of the first study that has the solver. * shown to be worse than {}{}{}; each study is "
+          "judged alone.",
+          are_shares ? "" : fmt::format("Shown: {}. ", listed(shown)), listed(told, " or "),
+          has_untested ? ", ! not tested" : "", has_empty ? ", - not in the study or without a value" : ""),
       are_shares ? "Brackets: intervals at the level of each study."
                  : "Brackets: intervals of shares, else quartiles."};
   return table;
@@ -188,9 +199,15 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
   for (const Answer& answer : studies) {
     const Judged& judged = answer.decisive();
     const std::vector<std::string> best = best_of(judged);
-    found.push_back(!best.empty()                 ? listed(best) + (best.size() == 1 ? " is best" : " are best")
-                    : judged.plan.control.empty() ? "nobody is shown to be best"
-                                                  : "all are judged against " + judged.plan.control + " alone");
+    const std::string& control = judged.plan.control;
+    const auto count = [&](Verdict verdict) {
+      return std::ranges::count_if(
+          judged.findings, [&](const Finding& finding) { return better_first(finding, control).verdict == verdict; });
+    };
+    found.push_back(!best.empty()     ? listed(best) + (best.size() == 1 ? " is best" : " are best")
+                    : control.empty() ? "nobody is shown to be best"
+                                      : fmt::format("against the control {}, {} better and {} worse", control,
+                                                    count(Verdict::better), count(Verdict::worse)));
   }
   for (const auto& [what, where] : by_word(found, names)) parts.push_back(fmt::format("{}: {}", where, what));
   return fmt::format("{}.", fmt::join(parts, "; "));
@@ -220,24 +237,31 @@ std::optional<figures::Figure> studies_figure(const Table& studies) {
     }
   }
   return figures::bars({.name = "studies",
-                        .caption = "Share of targets solved (-: the study has no such solver)." +
+                        .caption = "Share of targets solved (-: not in the study)." +
                                    (others.empty() ? "" : " Without " + listed(others) + "."),
                         .quantity = "solved",
                         .unit = "%"},
                        solvers, panels);
 }
 
-Table with_a_row_a_study(const Table& studies) {
-  Table turned{.name = studies.name, .caption = studies.caption, .columns = {{"study"}}, .notes = {studies.notes[0]}};
-  for (std::size_t c = 1; c < studies.columns.size(); ++c) turned.rows.push_back({studies.columns[c].name});
-  for (const auto& row : studies.rows) {
-    turned.columns.push_back({.name = std::get<std::string>(row[0]), .unit = studies.columns[1].unit});
-    for (std::size_t c = 1; c < row.size(); ++c) {
-      Cell& cell = turned.rows[c - 1].emplace_back(row[c]);
+Table without_intervals(Table studies) {
+  studies.notes.resize(1);
+  for (auto& row : studies.rows) {
+    for (Cell& cell : row) {
       if (auto* const value = std::get_if<Marked>(&cell)) value->interval.reset();
     }
   }
-  return turned;
+  return studies;
+}
+
+Table with_a_row_a_study(const Table& studies) {
+  Table turned{.name = studies.name, .caption = studies.caption, .columns = {{"study"}}, .notes = studies.notes};
+  for (std::size_t c = 1; c < studies.columns.size(); ++c) turned.rows.push_back({studies.columns[c].name});
+  for (const auto& row : studies.rows) {
+    turned.columns.push_back({.name = std::get<std::string>(row[0]), .unit = studies.columns[1].unit});
+    for (std::size_t c = 1; c < row.size(); ++c) turned.rows[c - 1].push_back(row[c]);
+  }
+  return without_intervals(std::move(turned));
 }
 
 std::string chosen_before(const Answer& answer) {

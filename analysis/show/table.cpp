@@ -283,7 +283,7 @@ std::vector<std::string> typeset_notes(const Table& table) {
     return marked && marked->is_best;
   };
   if (std::ranges::any_of(table.rows, [&](const auto& row) { return std::ranges::any_of(row, is_bold); }))
-    notes.emplace_back("Bold: no solver is shown to be better.");
+    notes.emplace_back("Bold: no other solver is shown to be better.");
   return notes;
 }
 
