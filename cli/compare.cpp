@@ -1,5 +1,6 @@
 // ikbench compare: is a solver worse than its baseline?
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
@@ -147,7 +148,7 @@ std::string screen_of(const std::vector<Gate>& all) {
 // That of a report, with the rows of all labels.
 numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
   numerics::OrderedJson json;
-  std::string headline = verdict_of_same(all);
+  std::vector<std::string> sentences;
   for (const Gate& gate : all) {
     const std::string& label = gate.label.empty() ? gate.judged.study.solvers.front() : gate.label;
     numerics::OrderedJson of = show::to_json(answer_of(gate));
@@ -155,7 +156,7 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
       for (auto& row : of[rows]) row["label"] = label;
     }
     for (auto& doubt : of["doubts"]) doubt = label + ": " + doubt.get<std::string>();
-    if (!gate.are_same) headline += (headline.empty() ? "" : " ") + verdict_of(gate);
+    if (!gate.are_same) sentences.push_back(verdict_of(gate));
     for (const auto& [member, value] : of.items()) {
       if (!value.is_array() || !json.contains(member))
         json[member] = value;
@@ -167,15 +168,15 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
     json["undecided"][label] = gate.not_decided;
     json["not_tested"][label] = gate.not_tested;
   }
-  json["headline"] = headline;
+  if (const std::string same = verdict_of_same(all); !same.empty()) sentences.push_back(same);
+  json["headline"] = fmt::format("{}", fmt::join(sentences, " "));
   json["files"] = numerics::OrderedJson::array();
   json["exit_code"] = code;
   return json;
 }
 
 std::string markdown_of(const std::vector<Gate>& all) {
-  std::string text = show::markdown_text(verdict_of_same(all));
-  if (!text.empty()) text = fmt::format("**{}**\n\n", text);
+  std::string text;
   for (const Gate& gate : all) {
     if (gate.are_same) continue;
     const show::Answer answer = answer_of(gate);
@@ -184,7 +185,8 @@ std::string markdown_of(const std::vector<Gate>& all) {
     for (const compare::Doubt& doubt : answer.all_doubts())
       text += show::markdown_text("! " + words_of(doubt)) + "\n\n";
   }
-  return text;
+  const std::string same = show::markdown_text(verdict_of_same(all));
+  return same.empty() ? text : fmt::format("{}**{}**\n", text, same);
 }
 
 }  // namespace
