@@ -264,9 +264,13 @@ show::Table means_table(const Repeated& repeated) {
       count.add(table.rows[i].back());
     }
   }
-  if (count.all > 0)
-    table.notes.push_back(fmt::format("{} of {} repeat: {}", count.explained, count.all, meaning_of_signs));
-  if (table.columns.size() == 1) table.rows.clear();
+  if (table.columns.size() == 1)
+    table.rows.clear();
+  else
+    table.notes.push_back(count.all > 0
+                              ? fmt::format("{} of {} repeat: {}", count.explained, count.all, meaning_of_signs)
+                              : fmt::format("{} are too few to say which numbers repeat, and leave claims open.",
+                                            numerics::counted(study.runs, "runs")));
   return table;
 }
 

@@ -170,7 +170,8 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
                                papers::share_in_ranges * static_cast<double>(numbers.all));
   all.front() += '.';
   if (!numbers.own_missed.empty())
-    all.push_back(fmt::format("Not repeated: IK-BA's own mean {}.", show::listed(numbers.own_missed, " and mean ")));
+    all.push_back(fmt::format("IK-BA's own mean {} {} not repeat.", show::listed(numbers.own_missed, " and mean "),
+                              numbers.own_missed.size() == 1 ? "does" : "do"));
   std::string words =
       fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
   if (holds(best) && holds(accurate) && holds(claim_named(claims, "least_variation")))
