@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <string_view>
@@ -59,12 +60,26 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
     const auto rarest = std::min_element(users.begin(), users.begin() + static_cast<std::ptrdiff_t>(own_colours));
     give(solver.label, static_cast<std::size_t>(rarest - users.begin()));
   }
+  constexpr std::size_t markers = 13;                      // style.gp
+  std::vector<std::pair<std::string, std::size_t>> given;  // by algorithm
   std::map<std::string, int> styles;
-  std::ranges::fill(users, 0);
-  for (const NamedSolver& solver : solvers) {
-    if (styles.contains(solver.label)) continue;
-    const std::size_t place = places.at(solver.label);
-    styles.emplace(solver.label, static_cast<int>(1 + place + style.palette.size() * users[place]++));
+  for (const auto& [label, algorithm] : solvers) {
+    if (styles.contains(label)) continue;
+    // How many have the style, how many variants the marker, and how many others.
+    const auto users_of = [&, &own = algorithm](std::size_t i) {
+      std::array<int, 3> n{};
+      for (const auto& [other, its] : given) {
+        n[0] += its == i ? 1 : 0;
+        if (its % markers == i % markers) ++n[other == own ? 1 : 2];
+      }
+      return n;
+    };
+    std::size_t rarest = places.at(label);
+    for (std::size_t i = rarest; i < markers * style.palette.size(); i += style.palette.size()) {
+      if (users_of(i) < users_of(rarest)) rarest = i;
+    }
+    given.emplace_back(algorithm, rarest);
+    styles.emplace(label, static_cast<int>(1 + rarest));
   }
   return styles;
 }

@@ -76,17 +76,22 @@ TEST_CASE("no two solvers of a study look alike, and other solvers have other co
   CHECK(colours.size() == 4);
 }
 
-TEST_CASE("variants of a solver have other colours while there are any, then other line types", "[figure]") {
+TEST_CASE("variants of a solver have other colours while there are any, then other line types and markers",
+          "[figure]") {
   std::vector<NamedSolver> solvers;
   for (const std::string name : {"ik_bat", "mine"}) {
     for (const char variant : std::string("abcdefgh")) solvers.push_back({name + variant, name});
     FigureStyle style;
     const auto styles = line_styles(solvers, style);
     CHECK(styles.at("ik_bata") == 1);
-    std::set<int> looks;
+    std::set<int> looks, markers;
     std::map<std::string, int> users;
-    for (const auto& [label, look] : styles) looks.insert(look), ++users[colour_of(look, style)];
+    for (const auto& [label, look] : styles) {
+      looks.insert(look), ++users[colour_of(look, style)];
+      if (label.starts_with(name)) markers.insert((look - 1) % 13);
+    }
     CHECK(looks.size() == solvers.size());
+    CHECK(markers.size() == 8);
     CHECK(users.size() == 7);
     for (const auto& [colour, n] : users) CHECK(n <= 1 + static_cast<int>(solvers.size()) / 7);
     solvers.resize(8);
