@@ -149,9 +149,13 @@ Axis linear_axis(char letter, std::span<const double> values, const std::string&
   Axis axis{.settings = "", .low = is_first ? least : least - room, .high = is_first ? largest : largest + room};
   if (begins == Begins::at_zero) axis.low = std::min(0.0, 1.05 * least), axis.high = largest > 0 ? 1.05 * largest : 1;
   const double step = std::max(round_step_of(axis.high - axis.low, 5), is_first ? 1.0 : 0.0);  // whole points
-  axis.settings = fmt::format("set {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(axis.low), text_of(axis.high),
-                              letter == 'x' ? fmt::format("set xtics {}\n", text_of(step)) : "", titled(letter, title),
-                              placed(letter, axis.low, axis.high));
+  double ticks_cm = 0;
+  for (double i = std::ceil(axis.low / step); i * step <= axis.high; ++i)
+    ticks_cm += 0.25 + width_cm_of(fmt::format("{:.6g}", i * step));
+  const std::string ticks =
+      letter == 'x' ? fmt::format("set xtics {} * (plot_cm < {} ? 2 : 1)\n", text_of(step), text_of(ticks_cm)) : "";
+  axis.settings = fmt::format("set {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(axis.low), text_of(axis.high), ticks,
+                              titled(letter, title), placed(letter, axis.low, axis.high));
   if (is_first) axis.settings += fmt::format("set {}tics add ({})\n", letter, text_of(least));
   axis.least = axis.low;
   return axis;
@@ -218,32 +222,39 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
 void add_names(Figure& figure, std::vector<Named> marks) {
   if (marks.size() < 2) return;
   constexpr double around_cm = 1.5, row_cm = 0.34, stroke_cm = 0.6;
+  const std::size_t n = marks.size();
   double widest_cm = 0;
   for (const Named& mark : marks) widest_cm = std::max(widest_cm, width_cm_of(mark.label));
-  figure.height_cm = std::max(figure.height_cm, around_cm + row_cm * static_cast<double>(marks.size()));
-  figure.sides_cm = 1.8 + stroke_cm + widest_cm;
-  figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + stroke_cm + 0.15));
+  const bool is_below = widest_cm > 2;
+  if (is_below) {
+    figure.legend = (n + 1) / 2;
+    figure.sides_cm = std::max(figure.sides_cm, 1.3 * (widest_cm + stroke_cm));
+  } else {
+    figure.height_cm = std::max(figure.height_cm, around_cm + row_cm * static_cast<double>(n));
+    figure.sides_cm = 1.8 + stroke_cm + widest_cm;
+    figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + stroke_cm + 0.15));
+    std::ranges::stable_sort(marks, std::ranges::greater(), &Named::y);
+  }
   // None above another: halfway between the lowest places from the top down and the highest from the bottom up.
   const double row = row_cm / (figure.height_cm - around_cm);
-  std::ranges::stable_sort(marks, std::ranges::greater(), &Named::y);
-  const std::size_t n = marks.size();
   std::vector<double> at(n), up(n);
   for (std::size_t i = 0; i < n; ++i) at[i] = i == 0 ? marks[i].y : std::min(marks[i].y, at[i - 1] - row);
   for (std::size_t i = n; i-- > 0;) up[i] = i + 1 == n ? marks[i].y : std::max(marks[i].y, up[i + 1] + row);
-  for (std::size_t i = 0; i < n; ++i)
-    at[i] = std::clamp((at[i] + up[i]) / 2, row * static_cast<double>(n - 1 - i), 1 - row * static_cast<double>(i));
   for (std::size_t i = 0; i < n; ++i) {
     const auto& [label, style, y, x] = marks[i];
+    const double height =
+        std::clamp((at[i] + up[i]) / 2, row * static_cast<double>(n - 1 - i), 1 - row * static_cast<double>(i));
     const std::string at_name =
-                          fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.3), text_of(at[i])),
-                      colour = colour_of(style);
-    figure.settings += fmt::format(
-        "set label {0} at {1} left offset {2}, 0 noenhanced\n"
-        "set arrow from graph {3}, graph {4} to {1} nohead back lw 0.5 dt 3 {5}\n",
-        gnuplot_text(label), at_name, x < 1 ? 0 : 0.8, text_of(x), text_of(y), colour);
-    if (x == 1)  // a label of its own, since SVG raises the text of one with a point
-      figure.settings += fmt::format("set label '' at {} point {}\n", at_name,
-                                     style > 0 ? fmt::format("ls {}", style) : "pt 6 ps 0.9 " + colour);
+        is_below ? fmt::format("screen {}, screen up({})", i % 2 == 0 ? 0.05 : 0.53,
+                               text_of(0.35 * static_cast<double>(figure.legend - i / 2)))
+                 : fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.3), text_of(height));
+    // The marker has a label of its own, since SVG raises the text of one with a point.
+    figure.settings += fmt::format("set label {} at {} left offset 1, 0 noenhanced\nset label '' at {} point {}\n",
+                                   gnuplot_text(label), at_name, at_name,
+                                   style > 0 ? fmt::format("ls {}", style) : "pt 6 ps 0.9 " + colour_of(style));
+    if (!is_below)
+      figure.settings += fmt::format("set arrow from graph {}, graph {} to {} nohead back lw 0.5 dt 3 {}\n", text_of(x),
+                                     text_of(y), at_name, colour_of(style));
   }
 }
 

@@ -48,12 +48,12 @@ Axis logarithmic_axis(char letter, double smallest, double largest, const std::s
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm);
 // The same margins in every figure with two axes.
 void add_margins(Figure& figure);
-// Names at the right of the plot, each joined to its mark; none for a single one. At the end of a line, the default, a
-// name has the line's marker, which tells lines that end at one place apart.
+// Names with their markers: at the right of the plot, each joined to its mark, or in two columns below where they would
+// take too much of the width. None for a single one.
 struct Named {
   std::string label;
   int style = 1;        // 0: grey
-  double y = 0, x = 1;  // shares of the axes
+  double y = 0, x = 1;  // shares of the axes; by default the end of a line
 };
 void add_names(Figure& figure, std::vector<Named> marks);
 // Room for so many entries below the plot, a row each; none for a single one.

@@ -39,6 +39,7 @@ set xlabel offset 0, 0.85
 # Labels that leave no room for the plot make the text of their figure smaller; a height that is too small grows.
 if (all_width_cm > 0) width_cm = all_width_cm
 if (sides_cm * text / 8.0 > 0.65 * width_cm) text = 8.0 * 0.65 * width_cm / sides_cm
+plot_cm = width_cm * 8.0 / text - sides_cm
 legend_rows_cm = legend > 0 ? 0.2 + 0.35 * legend : 0
 least_cm = (0.8 * height_cm + legend_rows_cm) * text / 8.0
 height_cm = (height_cm + legend_rows_cm) * text / 8.0

@@ -90,6 +90,12 @@ TEST_CASE("eight lines are drawn, their names in order and none above another", 
     CHECK((0 <= heights[i] && heights[i] <= 1));
     if (i > 0) CHECK(heights[i - 1] - heights[i] >= Approx(row));
   }
+  lines[9].label += " by a name that is long";  // not drawn, so that it takes no room
+  CHECK(curves(error_in("c"), "point", lines)->legend == 0);
+  lines[0].label = "solver 0 by a name that is long";
+  const Figure below = *curves(error_in("c"), "point", lines);
+  CHECK(below.legend == 4);
+  CHECK(contains(below.settings, "set label 'solver 7' at screen 0.53, screen up(0.35)"));
   lines.resize(1);
   CHECK_FALSE(contains(curves(error_in("c"), "point", lines)->settings, "solver 0"));
 }
