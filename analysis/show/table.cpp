@@ -292,12 +292,13 @@ std::string to_latex(const Table& whole) {
   std::string letters, text;
   std::vector<std::string> heads;
   const std::vector<Kinds> kinds = kinds_of(table);  // spreads have a column of their own, so that the numbers align
+  std::vector<bool> are_long;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    const bool is_long = std::ranges::any_of(table.rows, [&](const auto& row) {
+    are_long.push_back(std::ranges::any_of(table.rows, [&](const auto& row) {
       const auto* words = std::get_if<std::string>(&row[c]);
       return words && character_count(*words) > 60;
-    });
-    letters += is_long ? "p{5cm}" : kinds[c].texts ? "l" : kinds[c].spreads ? "r@{ }l" : "r";
+    }));
+    letters += are_long[c] ? "p{5cm}" : kinds[c].texts ? "l" : kinds[c].spreads ? "r@{ }l" : "r";
     const std::string name = latex_text(head(table.columns[c], kinds[c]));
     heads.push_back(kinds[c].spreads ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
   }
@@ -306,6 +307,7 @@ std::string to_latex(const Table& whole) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
       cells.push_back(latex_cell(row[c], table.columns[c], kinds[c]));
+      if (are_long[c]) cells.back() = fmt::format("{{\\raggedright {}\\par}}", cells.back());
       if (kinds[c].spreads && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
     }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
