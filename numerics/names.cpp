@@ -171,7 +171,8 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
       if (is_long) own = (character_count(words.front() + " …" + own) <= length ? words.front() + " …" : "…") + own;
       different.insert(short_of[name] = is_long ? shortened(own, longest) : shortened(name, length));
     }
-    if (length == longest && different.size() < names.size()) return {};  // they look the same, and stay as they are
+    if (length < longest || different.size() == names.size()) continue;
+    for (const std::string& name : names) short_of[name] = name;  // they look the same, and stay as they are
   }
   return short_of;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <regex>
@@ -32,22 +33,16 @@ constexpr EmbeddedFile style_file[]{
 #include "style.inc"
 };
 
-bool is_own_file(const std::filesystem::path& file) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored));
-}
-
 std::filesystem::path picture_of(const Figure& figure, std::string_view type) {
   return fmt::format("{}.{}", figure.name, type);
 }
 
-// Removes pictures of an earlier report; a link or a device in their place is not ours to remove.
+// Removes pictures of an earlier report.
 void remove_pictures(const Figure& figure, const std::filesystem::path& folder,
                      const std::vector<std::string>& but_not) {
   for (const std::string& type : results::picture_formats) {
-    const std::filesystem::path file = folder / picture_of(figure, type);
     std::error_code ignored;
-    if (std::ranges::count(but_not, type) == 0 && is_own_file(file)) std::filesystem::remove(file, ignored);
+    if (std::ranges::count(but_not, type) == 0) std::filesystem::remove(folder / picture_of(figure, type), ignored);
   }
 }
 
@@ -98,14 +93,12 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
     const std::string file = picture_of(figure, type);
     std::optional<std::string> picture = read_file(workshop / file);
     if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
-    const std::filesystem::path place = workshop.parent_path() / file;
     if (picture->find(end, picture->size() - std::min(picture->size(), end.size() + 2)) == std::string::npos)
-      // gnuplot does not say that a disk is full
-      throw std::runtime_error(
-          fmt::format("cannot write '{}': {} wrote only a part of it; is the disk full?", place.string(), gnuplot));
+      throw std::runtime_error(fmt::format("{} wrote only a part of '{}'; is the disk full?", gnuplot,
+                                           (workshop.parent_path() / file).string()));
     if (type == "pdf") remove_date(*picture);
     if (type == "svg") complete_svg(*picture, figure);
-    write_file(place, *picture);
+    write_file(workshop.parent_path() / file, *picture);
   }
 }
 
@@ -126,13 +119,8 @@ std::string script_of(const Figure& figure, const std::vector<std::string>& form
   return script + "unset output\n";
 }
 
-struct Source {
-  std::string file, text;
-};
-
-// The files that a report writes beside its pictures.
-std::vector<Source> sources_of(const std::vector<Figure>& figures, const FigureStyle& look) {
-  std::vector<Source> sources;
+// The files that a report writes beside its pictures, with their texts.
+std::map<std::string, std::string> sources_of(const std::vector<Figure>& figures, const FigureStyle& look) {
   std::string style(style_file->text);
   const std::pair<std::string_view, std::string> values[]{{"TEXT_PT", text_of(look.text_pt)},
                                                           {"FONT", look.font},
@@ -140,10 +128,10 @@ std::vector<Source> sources_of(const std::vector<Figure>& figures, const FigureS
                                                           {"HEIGHT_CM", text_of(look.height_cm)},
                                                           {"COLOURS", fmt::format("{}", fmt::join(look.palette, " "))}};
   for (const auto& [name, value] : values) style.replace(style.find(name), name.size(), value);
-  sources.push_back({std::string(style_file->name), style});
+  std::map<std::string, std::string> sources{{std::string(style_file->name), style}};
   for (const Figure& figure : figures) {
-    sources.push_back({figure.name + ".gp", script_of(figure, look.formats)});
-    sources.push_back({figure.name + ".dat", figure.data});
+    sources.emplace(figure.name + ".gp", script_of(figure, look.formats));
+    sources.emplace(figure.name + ".dat", figure.data);
   }
   return sources;
 }
@@ -162,31 +150,27 @@ void refuse_missing_font(const std::string& font) {
 std::vector<std::string> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                                        const RenderOptions& options) {
   if (figures.empty()) return {};
-  const std::vector<Source> sources = sources_of(figures, options.style);
-  for (const Source& source : sources) write_file(folder / source.file, source.text);
+  const auto sources = sources_of(figures, options.style);
+  for (const auto& [file, text] : sources) write_file(folder / file, text);
   if (!options.render) {
     for (const Figure& figure : figures) remove_pictures(figure, folder, {});
     return {};
   }
 
   const TemporaryFolder workshop(folder);
-  for (const Source& source : sources) write_file(workshop.path() / source.file, source.text);
+  for (const auto& [file, text] : sources) write_file(workshop.path() / file, text);
   std::atomic<std::size_t> next = 0;
   std::mutex one_at_a_time;
   std::int64_t done = 0;
-  std::vector<std::string> errors(figures.size());
-  std::vector<std::exception_ptr> failures(figures.size());  // these end the report, not only a figure
+  std::vector<std::exception_ptr> failures(figures.size());
   const auto work = [&] {
     for (std::size_t i = next++; i < figures.size(); i = next++) {
       try {
         draw(figures[i], workshop.path(), options);
-      } catch (const std::invalid_argument& error) {
-        errors[i] = fmt::format("{} is not drawn: {}", figures[i].name, error.what());
       } catch (...) {
         failures[i] = std::current_exception();
-        next = figures.size();
       }
-      remove_pictures(figures[i], folder, errors[i].empty() ? options.style.formats : std::vector<std::string>());
+      remove_pictures(figures[i], folder, failures[i] ? std::vector<std::string>() : options.style.formats);
       if (!options.progress) continue;
       const std::scoped_lock lock(one_at_a_time);
       options.progress(++done, static_cast<std::int64_t>(figures.size()));
@@ -195,10 +179,14 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
   std::jthread other(work);
   work();
   other.join();
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
+  std::vector<std::string> errors;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    try {
+      if (failures[i]) std::rethrow_exception(failures[i]);
+    } catch (const std::invalid_argument& error) {  // others end the report
+      errors.push_back(fmt::format("{} is not drawn: {}", figures[i].name, error.what()));
+    }
   }
-  std::erase(errors, "");
   return errors;
 }
 

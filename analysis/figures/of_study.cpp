@@ -28,10 +28,6 @@ constexpr std::size_t most_iterations = 200;  // drawn
 // Targets that have an order.
 bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.points > 1; }
 
-bool is_solved(const StudyResults& study, const Solve& solve) {
-  return study.definition.has_tolerance() && solve.status == results::Status::ok;
-}
-
 CurveRow row_at(double x, const std::vector<double>& values, Average average) {
   const compare::Description all = describe({.name = "", .values = values});
   if (average == Average::mean) return {.x = x, .y = all.mean};
@@ -80,11 +76,10 @@ std::optional<Figure> shares_of(const StudyResults& study, About about, const st
   std::vector<std::string> left_out;
   for (const std::string& solver : drawn_solvers(study, look)) {
     if (std::ranges::count(without, solver) > 0) {
-      left_out.push_back(short_name(look, solver));
+      left_out.push_back(look.names.at(solver));
       continue;
     }
-    Successes& successes =
-        all.emplace_back(Successes{.label = short_name(look, solver), .style = style_of(look, solver)});
+    Successes& successes = all.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
     for (const Solve& solve : study.of(solver)) {
       ++successes.attempts;
       if (const double value = cost(solve); !std::isnan(value)) successes.costs.push_back(value);
@@ -93,6 +88,20 @@ std::optional<Figure> shares_of(const StudyResults& study, About about, const st
   if (!left_out.empty() && all.size() < 2) return std::nullopt;  // nothing to see it against
   if (!left_out.empty()) about.caption += fmt::format(" Without {}, {}.", fmt::join(left_out, ", "), why);
   return shares(about, y_axis, all, dashed);
+}
+
+std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view column, std::string_view cost,
+                                const Look& look) {
+  const StudyResults& study = judged.study;
+  const Metric& metric = metric_named(column);
+  const double factor = drawn_unit(study, metric.unit).factor;
+  return shares_of(study, about_of(study, metric, fmt::format("Share of targets solved within {}.", cost)), "solved",
+                   not_compared(judged, column), fmt::format("whose {} cannot be compared", metric.name), look, nowhere,
+                   [&](const Solve& solve) {
+                     return study.definition.has_tolerance() && solve.status == results::Status::ok
+                                ? factor * std::max(metric.value(solve, study), metric.floor)
+                                : nowhere;
+                   });
 }
 
 std::optional<Figure> error_by(const StudyResults& study, std::string_view axis, Average average,
@@ -152,24 +161,11 @@ std::optional<Figure> error_by_point(const JudgedStudy& judged, const Look& look
 }
 
 std::optional<Figure> solved_by_evaluations(const JudgedStudy& judged, const Look& look) {
-  const StudyResults& study = judged.study;
-  return shares_of(
-      study, about_of(study, metric_named("evaluations"), "Share of targets solved within a number of evaluations."),
-      "solved", not_compared(judged, "evaluations"), "whose evaluations are not comparable", look, nowhere,
-      [&](const Solve& solve) {
-        return is_solved(study, solve) ? std::max(1.0, static_cast<double>(solve.evaluations)) : nowhere;
-      });
+  return solved_by(judged, "evaluations", "a number of evaluations", look);
 }
 
 std::optional<Figure> solved_by_time(const JudgedStudy& judged, const Look& look) {
-  const StudyResults& study = judged.study;
-  const Metric& metric = metric_named(time);
-  const double factor = drawn_unit(study, metric.unit).factor;
-  return shares_of(study, about_of(study, metric, "Share of targets solved within a time."), "solved",
-                   not_compared(judged, time), "whose times are not comparable", look, nowhere,
-                   [&](const Solve& solve) {
-                     return is_solved(study, solve) ? factor * std::max(solve.seconds, metric.floor) : nowhere;
-                   });
+  return solved_by(judged, time, "a time", look);
 }
 
 std::optional<Figure> differences(const JudgedStudy& judged, const Look& look) {
@@ -219,16 +215,6 @@ std::vector<std::string> drawn_solvers(const StudyResults& study, const Look& lo
   return shown;
 }
 
-int style_of(const Look& look, const std::string& solver) {
-  const auto found = look.lines.find(solver);
-  return found == look.lines.end() ? 1 : found->second;
-}
-
-std::string short_name(const Look& look, const std::string& solver) {
-  const auto found = look.names.find(solver);
-  return found == look.names.end() ? solver : found->second;
-}
-
 DrawnUnit drawn_unit(const StudyResults& study, std::string_view unit) {
   if (unit == "s") return {"ms", 1000};
   if (unit == "cm" && study.definition.published.empty()) return {"mm", 10};
@@ -241,8 +227,8 @@ std::vector<BoxRow> box_rows(const Judged& metric, const DrawnUnit& unit, const 
   for (const std::string& name : shown) {
     const Group* const group = &metric.observations.groups[place_of(metric.observations, name)];
     const compare::Description all = describe(*group);
-    BoxRow& row = rows.emplace_back(
-        BoxRow{.label = short_name(look, name), .style = style_of(look, name), .values = group->values});
+    BoxRow& row =
+        rows.emplace_back(BoxRow{.label = look.names.at(name), .style = look.lines.at(name), .values = group->values});
     row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
     for (double& value : row.values) value *= unit.factor;
     for (double& value : row.box) value *= unit.factor;
@@ -270,11 +256,11 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
   const double factor = drawn_unit(judged.study, errors->observations.unit).factor;
   for (const std::string& solver : drawn_solvers(judged.study, look)) {
     Dot& dot = dots.emplace_back(Dot{.label = solver,
-                                     .style = style_of(look, solver),
+                                     .style = look.lines.at(solver),
                                      .x = value(*motions, solver),
                                      .y = factor * value(*errors, solver)});
     add_printed(dot);
-    dot.label = short_name(look, solver);
+    dot.label = look.names.at(solver);
   }
   About about = about_of(judged.study, metric_named(error),
                          fmt::format("Error against joint motion, {}s: best is the lower left.", average));
@@ -305,16 +291,13 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
   };
   const bool is_first = is_shared(&Finding::first), is_second = is_shared(&Finding::second);
   const auto names = is_first || is_second ? look.names : short_names(shown, 15);  // or two in a row
-  const auto name_in_row = [&](const std::string& solver) {
-    return names.contains(solver) ? names.at(solver) : solver;
-  };
   std::vector<IntervalRow> rows;
   bool are_ratios = false;
   for (const Finding& finding : findings) {
     are_ratios = finding.scale == Scale::ratio;
     const double factor = are_ratios ? 1 : finding.scale == Scale::share ? 100 : unit.factor;
     IntervalRow& row = rows.emplace_back();
-    const std::string first = name_in_row(finding.first), second = name_in_row(finding.second);
+    const std::string first = names.at(finding.first), second = names.at(finding.second);
     row.label = is_first ? second : is_second ? first : fmt::format("{} {} {}", first, are_ratios ? "/" : "-", second);
     if (finding.estimate) row.estimate = factor * *finding.estimate;
     if (finding.interval) row.low = factor * finding.interval->low, row.high = factor * finding.interval->high;
@@ -322,13 +305,13 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
                       ? fmt::format("same in all {}", finding.n)
                       : name_of(finding.verdict);
     if (is_difference(finding.verdict))
-      row.style = style_of(look, finding.verdict == Verdict::better ? finding.first : finding.second);
+      row.style = look.lines.at(finding.verdict == Verdict::better ? finding.first : finding.second);
   }
   if (std::ranges::all_of(findings, &Finding::are_all_equal)) return std::nullopt;
   if (is_first || is_second)
     rows.insert(rows.begin(),
-                {.label = fmt::format("{} {} {}", is_first ? name_in_row(findings[0].first) : "…",
-                                      are_ratios ? "/" : "-", is_second ? name_in_row(findings[0].second) : "…")});
+                {.label = fmt::format("{} {} {}", is_first ? names.at(findings[0].first) : "…", are_ratios ? "/" : "-",
+                                      is_second ? names.at(findings[0].second) : "…")});
   const std::string quantity = observed.metric == "solved" ? "share solved" : observed.quantity;
   const std::string what = are_ratios ? "ratio" : "difference";
   return differences(
@@ -353,7 +336,7 @@ std::vector<Line> by_point(const StudyResults& study, std::string_view column, c
       const double value = factor * metric.value(solve, study);
       if (std::isfinite(value)) values[solve.point].push_back(value);
     }
-    Line& line = all.emplace_back(Line{.label = short_name(look, solver), .style = style_of(look, solver)});
+    Line& line = all.emplace_back(Line{.label = look.names.at(solver), .style = look.lines.at(solver)});
     for (const auto& [point, of_point] : values) line.rows.push_back(row_at(point, of_point, average));
   }
   return all;
@@ -366,7 +349,7 @@ std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Aver
   const std::size_t n = std::min(longest, most_iterations);
   std::vector<Line> all;
   for (const std::string& solver : drawn_solvers(study, look)) {
-    Line& line = all.emplace_back(Line{.label = short_name(look, solver), .style = style_of(look, solver)});
+    Line& line = all.emplace_back(Line{.label = look.names.at(solver), .style = look.lines.at(solver)});
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = n == 1 ? 0 : k * (longest - 1) / (n - 1);
       std::vector<double> values;
@@ -415,8 +398,8 @@ PathRows path_rows(const StudyResults& study, const std::string& solver, std::si
     return Corner{metres[0] / centimetre, metres[1] / centimetre, metres[2] / centimetre};
   };
   PathRows rows{.targets = {},
-                .reached_label = "reached by " + short_name(look, solver),
-                .style = style_of(look, solver),
+                .reached_label = "reached by " + look.names.at(solver),
+                .style = look.lines.at(solver),
                 .is_closed = study.definition.path == "circle" && std::ssize(solves) == study.points};
   const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
   const std::size_t every = std::max<std::size_t>(1, (solves.size() + arms - 1) / arms);
@@ -445,7 +428,7 @@ JointRows joint_rows(const StudyResults& study, const Look& look) {
                            arm->limits.lower[j] / degree, arm->limits.upper[j] / degree});
   }
   for (const std::string& solver : drawn_solvers(study, look)) {
-    JointRow row{.label = short_name(look, solver), .style = style_of(look, solver)};
+    JointRow row{.label = look.names.at(solver), .style = look.lines.at(solver)};
     for (const SolveRecord& solve : study.first_run_of(solver)) {
       std::vector<double>& angles = row.angles_deg.emplace_back();
       for (const std::size_t joint : turning)
@@ -458,9 +441,6 @@ JointRows joint_rows(const StudyResults& study, const Look& look) {
 
 std::vector<Figure> of_file(const std::vector<Judged>& metrics, const Look& look) {
   std::vector<Figure> all;
-  const auto add = [&](std::optional<Figure> figure) {
-    if (figure) all.push_back(std::move(*figure));
-  };
   const Judged& first = metrics.front();
   std::vector<std::string> shown = look.style.solvers;
   if (shown.empty()) {
@@ -472,13 +452,11 @@ std::vector<Figure> of_file(const std::vector<Judged>& metrics, const Look& look
         std::ranges::any_of(observed.groups, [](const Group& group) { return !group.values.empty(); });
     if (!has_values || (observed.scale == Scale::share && observed.trials == 1)) continue;
     const std::string number = all.empty() ? "" : fmt::format("-{}", all.size() + 1);
-    add(boxes({.name = "boxes" + number,
-               .caption = caption_of_boxes(observed.quantity, "a value"),
-               .quantity = observed.quantity,
-               .unit = observed.unit},
-              box_rows(metric, {observed.unit}, shown, look)));
+    const About about{"boxes" + number, caption_of_boxes(observed.quantity, "a value"), observed.quantity,
+                      observed.unit};
+    if (auto figure = boxes(about, box_rows(metric, {observed.unit}, shown, look))) all.push_back(std::move(*figure));
   }
-  add(differences_of(first, {first.observations.unit}, shown, look));
+  if (auto figure = differences_of(first, {first.observations.unit}, shown, look)) all.push_back(std::move(*figure));
   return all;
 }
 

@@ -20,9 +20,9 @@ namespace ikbench::figures {
 
 // What all figures of a report look like.
 struct Look {
-  results::FigureStyle style;                     // with the colours that its solvers were given
-  std::map<std::string, int> lines;               // style of each solver, by label
-  std::map<std::string, std::string> names = {};  // short ones of long labels
+  results::FigureStyle style;                // with the colours that its solvers were given
+  std::map<std::string, int> lines;          // style of each solver, by label
+  std::map<std::string, std::string> names;  // its short name
 };
 Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle style);
 
@@ -44,8 +44,6 @@ About about_of(const compare::StudyResults& study, const compare::Metric& metric
 
 // The solvers that figures show, in their order.
 std::vector<std::string> drawn_solvers(const compare::StudyResults& study, const Look& look);
-int style_of(const Look& look, const std::string& solver);
-std::string short_name(const Look& look, const std::string& solver);
 
 // Values are drawn times `factor`: 10 for cm in mm.
 struct DrawnUnit {

@@ -137,7 +137,7 @@ double width_cm_of(std::string_view label) {
 
 double Axis::share_of(double value) const {
   const auto along = [&](double v) { return is_logarithmic ? std::log(v) : v; };
-  return (along(std::clamp(value, least, high)) - along(low)) / (along(high) - along(low));
+  return (along(std::clamp(value, low, high)) - along(low)) / (along(high) - along(low));
 }
 
 Axis linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins) {
@@ -157,7 +157,6 @@ Axis linear_axis(char letter, std::span<const double> values, const std::string&
   axis.settings = fmt::format("set {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(axis.low), text_of(axis.high), ticks,
                               titled(letter, title), placed(letter, axis.low, axis.high));
   if (is_first) axis.settings += fmt::format("set {}tics add ({})\n", letter, text_of(least));
-  axis.least = axis.low;
   return axis;
 }
 
@@ -192,7 +191,7 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
   if (has_edge)
     settings += fmt::format("set {}tics add ('{}' {})\n", letter,
                             about.floor > 0 ? "≤ " + tick(about.floor, is_power) : "0", text_of(edge));
-  return {settings + titled(letter, title) + placed(letter, edge, high), low, high, true, edge};
+  return {settings + titled(letter, title) + placed(letter, edge, high), low, high, true};
 }
 
 void add_margins(Figure& figure) {

@@ -35,7 +35,6 @@ struct Axis {
   std::string settings;
   double low = 0, high = 1;  // of the range
   bool is_logarithmic = false;
-  double least = low;  // where smaller values are drawn
 
   double share_of(double value) const;  // 0 at the low end, 1 at the high one
 };

@@ -60,7 +60,6 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
   Figure figure = begun(about);
   const auto rows = drawn_of(all_rows, most_rows, figure);
   std::vector<std::string> labels, clauses, remarks;
-  std::vector<int> styles;
   std::vector<double> all;
   figure.data =
       "# row; smallest, lower quartile, median, upper quartile, largest; as printed: smallest, median, largest\n";
@@ -70,7 +69,6 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
     const BoxRow& row = rows[i];
     const auto y = static_cast<double>(i + 1);
     labels.push_back(label_of(row.label));
-    styles.push_back(row.style);
     remarks.push_back(row.remark);
     all.insert(all.end(), row.values.begin(), row.values.end());
     all.insert(all.end(), row.box.begin(), row.box.end());
@@ -95,12 +93,10 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
   figure.data += values;
   add_labelled_rows(figure, labels, has_printed ? 0.8 : 0.65);
   figure.settings += value_axis('x', all, about, Begins::around).settings;
-  figure.settings += fmt::format("colour(row) = colour_of(int(word('{}', row)))\n", fmt::join(styles, " "));
   add_remarks(figure, remarks);
   if (is_thinned) figure.caption += fmt::format(" Of more than {0} values, {0} are drawn at even ranks.", most_values);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string box = fmt::format("data index 0 every ::{0}::{0} using", i),
-                      colour = fmt::format("lc rgb colour({})", i + 1);
+    const std::string box = fmt::format("data index 0 every ::{0}::{0} using", i), colour = colour_of(rows[i].style);
     clauses.push_back(
         fmt::format("data index {} using (place_x($1)):2 with points pt 6 ps 0.3 lw 0.7 {}", i + 1, colour));
     clauses.push_back(fmt::format(
@@ -189,7 +185,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
   if (is_dashed) smallest = std::max(smallest, dashed / farthest);
   const Axis axis = logarithmic_axis('x', smallest, largest, about.axis());
   figure.data = fmt::format("# {}, share of all attempts [%]\n", about.axis());
-  constexpr double low = -2, high = 102;
+  const Axis y = linear_axis('y', std::vector<double>{0, 100}, y_axis + " [%]", Begins::around);
   for (std::size_t i = 0; i < all.size(); ++i) {
     costs = all[i].costs;
     std::ranges::sort(costs);
@@ -207,7 +203,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
     figure.data += data_row({1e300, share});
     if (i >= drawn) continue;
     const std::string style = fmt::format("ls {} lw 1.3", all[i].style);
-    ends.push_back({label_of(all[i].label), all[i].style, (share - low) / (high - low)});
+    ends.push_back({label_of(all[i].label), all[i].style, y.share_of(share)});
     constexpr std::string_view rows = "using (place_x($1)):2 with";
     clauses.push_back(fmt::format("data index {} {} steps {}", i, rows, style));
     const std::size_t every = 1 + steps / 6;  // markers, of each line elsewhere
@@ -215,11 +211,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
       clauses.push_back(fmt::format("data index {} every {}::{} {} points ls {}", i, every, 1 + every * i / drawn, rows,
                                     all[i].style));
   }
-  figure.settings +=
-      axis.settings +
-      fmt::format(
-          "set yrange [{}:{}]\nset ytics 20\nset label '{} [%]' at screen margin(0.3), graph 0.5 center rotate\n", low,
-          high, y_axis);
+  figure.settings += axis.settings + y.settings;
   if (is_dashed)
     figure.settings += fmt::format(
         "set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n"

@@ -71,9 +71,9 @@ TEST_CASE("solvers whose costs are not known or not comparable are left out of s
     return std::ranges::find(figures, name, &Figure::name)->caption;
   };
   CHECK(caption_of("solved-by-evaluations") ==
-        "Share of targets solved within a number of evaluations. Without A, whose evaluations are not comparable.");
+        "Share of targets solved within a number of evaluations. Without A, whose evaluations cannot be compared.");
   CHECK(caption_of("solved-by-time") ==
-        "Share of targets solved within a time. Without B, whose times are not comparable.");
+        "Share of targets solved within a time. Without B, whose time cannot be compared.");
 }
 
 TEST_CASE("a difference is told as tables tell it: the better one first, in points or a ratio", "[of_study]") {
@@ -158,7 +158,7 @@ TEST_CASE("chosen solvers are drawn alone, in their order, in their colours", "[
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].label == "C");
   CHECK(rows[0].box[2] == Approx(1));  // [ms]
-  CHECK(rows[0].style == style_of(chosen, "C"));
+  CHECK(rows[0].style == chosen.lines.at("C"));
 }
 
 TEST_CASE("the paper's figures have the printed numbers beside ours", "[of_study]") {
