@@ -40,47 +40,41 @@ std::size_t place_in(std::vector<std::string>& palette, const std::string& colou
 }  // namespace
 
 std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, FigureStyle& style) {
+  constexpr std::size_t markers = 13;  // style.gp
   const std::size_t own_colours = style.palette.size();
-  const bool is_short = own_colours < own_palette.size();
-  std::map<std::string, std::size_t> places;
-  std::vector<std::size_t> users(own_colours);
-  const auto give = [&](const std::string& label, std::size_t place) {
-    users.resize(style.palette.size());
-    if (places.emplace(label, place).second) ++users[place];
-  };
-  for (const auto& [label, algorithm] : solvers) {
-    const auto given = style.colours.find(label);
-    if (given != style.colours.end()) give(label, place_in(style.palette, given->second));
-  }
-  for (const auto& [label, algorithm] : solvers) {
-    const auto own = std::ranges::find(own_places, algorithm, [](const auto& place) { return place.first; });
-    if (!is_short && own != std::end(own_places) && users[own->second] == 0) give(label, own->second);
-  }
-  for (const NamedSolver& solver : solvers) {
-    const auto rarest = std::min_element(users.begin(), users.begin() + static_cast<std::ptrdiff_t>(own_colours));
-    give(solver.label, static_cast<std::size_t>(rarest - users.begin()));
-  }
-  constexpr std::size_t markers = 13;                      // style.gp
+  for (const auto& [label, colour] : style.colours) place_in(style.palette, colour);
+  const std::size_t hues = style.palette.size();
   std::vector<std::pair<std::string, std::size_t>> given;  // by algorithm
   std::map<std::string, int> styles;
-  for (const auto& [label, algorithm] : solvers) {
-    if (styles.contains(label)) continue;
-    // How many have the style, how many variants the marker, and how many others.
-    const auto users_of = [&, &own = algorithm](std::size_t i) {
-      std::array<int, 3> n{};
-      for (const auto& [other, its] : given) {
-        n[0] += its == i ? 1 : 0;
-        if (its % markers == i % markers) ++n[other == own ? 1 : 2];
+  // Gives one of these places that fewest have, then the style that fewest have, whose marker fewest variants have.
+  const auto give = [&](const NamedSolver& solver, std::size_t from, std::size_t to) {
+    if (styles.contains(solver.label)) return;
+    std::map<std::array<int, 4>, std::size_t> by_users;
+    for (std::size_t i = 0; i < markers * hues; ++i) {
+      if (i % hues < from || i % hues >= to) continue;
+      std::array<int, 4> users{};
+      for (const auto& [algorithm, its] : given) {
+        if (its % hues == i % hues) ++users[0];
+        if (its == i) ++users[1];
+        if (its % markers == i % markers) ++users[algorithm == solver.algorithm ? 2 : 3];
       }
-      return n;
-    };
-    std::size_t rarest = places.at(label);
-    for (std::size_t i = rarest; i < markers * style.palette.size(); i += style.palette.size()) {
-      if (users_of(i) < users_of(rarest)) rarest = i;
+      by_users.emplace(users, i);
     }
-    given.emplace_back(algorithm, rarest);
-    styles.emplace(label, static_cast<int>(1 + rarest));
+    given.emplace_back(solver.algorithm, by_users.begin()->second);
+    styles.emplace(solver.label, static_cast<int>(1 + given.back().second));
+  };
+  for (const NamedSolver& solver : solvers) {
+    if (!style.colours.contains(solver.label)) continue;
+    const std::size_t place = place_in(style.palette, style.colours.at(solver.label));
+    give(solver, place, place + 1);
   }
+  for (const NamedSolver& solver : solvers) {
+    const auto own = std::ranges::find(own_places, solver.algorithm, [](const auto& place) { return place.first; });
+    if (own_colours < own_palette.size() || own == std::end(own_places)) continue;
+    const auto has_it = [&](const auto& other) { return other.second % hues == own->second; };
+    if (std::ranges::none_of(given, has_it)) give(solver, own->second, own->second + 1);
+  }
+  for (const NamedSolver& solver : solvers) give(solver, 0, own_colours);
   return styles;
 }
 
