@@ -104,12 +104,6 @@ std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view colu
                    });
 }
 
-std::optional<Figure> error_by(const StudyResults& study, std::string_view axis, Average average,
-                               const std::vector<Line>& all) {
-  const std::string caption = fmt::format("Error by {}: {}s.", axis, average == Average::mean ? "mean" : "median");
-  return curves(about_of(study, metric_named(error), caption), std::string(axis), all);
-}
-
 std::string first_points(const StudyResults& study) {
   return study.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";
 }
@@ -150,14 +144,16 @@ std::optional<Figure> motion_boxes(const JudgedStudy& judged, const Look& look) 
 }
 
 std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& look) {
-  return error_by(judged.study, "iteration", Average::median, by_iteration(judged.study, look, Average::median));
+  return curves(about_of(judged.study, metric_named(error), "Error by iteration: medians."), "iteration",
+                by_iteration(judged.study, look, Average::median));
 }
 
 std::optional<Figure> error_by_point(const JudgedStudy& judged, const Look& look) {
   if (!is_path(judged.study) || error_by_iteration(judged, look)) return std::nullopt;
   const bool are_means = judged.study.definition.plan.test == results::Plan::Test::means;
-  const Average average = are_means ? Average::mean : Average::median;
-  return error_by(judged.study, "point", average, by_point(judged.study, error, look, average));
+  const std::string caption = fmt::format("Error by point: {}s.", are_means ? "mean" : "median");
+  return curves(about_of(judged.study, metric_named(error), caption), "point",
+                by_point(judged.study, error, look, are_means ? Average::mean : Average::median));
 }
 
 std::optional<Figure> solved_by_evaluations(const JudgedStudy& judged, const Look& look) {

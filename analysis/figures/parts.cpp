@@ -17,7 +17,6 @@ using namespace numerics;
 
 namespace {
 
-constexpr std::size_t longest_label = 60;
 constexpr double spread_of_logarithmic = 30;
 constexpr int farthest_decade = 300;
 
@@ -84,14 +83,19 @@ std::string ticks_between(char letter, double low, double high, bool is_power) {
   return fmt::format("set {}tics ({})\n", letter, fmt::join(ticks, ", "));
 }
 
-}  // namespace
+// The same in every figure with two axes.
+void add_margins(Figure& figure) {
+  figure.settings +=
+      "set lmargin at screen margin(1.7)\nset rmargin at screen 1 - margin(0.35)\n"
+      "set bmargin at screen up(1.2 + legend_rows_cm)\nset tmargin at screen 1 - up(0.3)\n";
+}
 
-std::string label_of(std::string_view text) { return shortened(text, longest_label); }
+}  // namespace
 
 std::string gnuplot_text(std::string_view text) {
   constexpr std::string_view harmless = " -_.,:()+*/=<>[]&|?^~%";  // gnuplot 5.4 looks for macros in quotes, too
   std::string result = "'";
-  for (const char c : one_line(text)) {
+  for (const char c : shortened(one_line(text), 60)) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte >= 0x80 || std::isalnum(byte) != 0 || harmless.find(c) != std::string_view::npos) {
       result += c;
@@ -194,12 +198,6 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
   return {settings + titled(letter, title) + placed(letter, edge, high), low, high, true};
 }
 
-void add_margins(Figure& figure) {
-  figure.settings +=
-      "set lmargin at screen margin(1.7)\nset rmargin at screen 1 - margin(0.35)\n"
-      "set bmargin at screen up(1.2 + legend_rows_cm)\nset tmargin at screen 1 - up(0.3)\n";
-}
-
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm) {
   std::vector<std::string> ticks;
   double widest_cm = 0;
@@ -219,6 +217,7 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
 }
 
 void add_names(Figure& figure, std::vector<Named> marks) {
+  add_margins(figure);
   if (marks.size() < 2) return;
   constexpr double around_cm = 1.5, row_cm = 0.34, stroke_cm = 0.6;
   const std::size_t n = marks.size();

@@ -10,9 +10,8 @@
 
 namespace ikbench::figures {
 
-// A label: at most 60 characters.
-std::string label_of(std::string_view text);
-// Any text as an expression. Characters that mean something to gnuplot become elements of style.gp's array `character`.
+// Any text as an expression, at most 60 characters of it. Characters that mean something to gnuplot become elements of
+// style.gp's array `character`.
 std::string gnuplot_text(std::string_view text);
 
 // A line of a data file. "NaN" for what is not drawn: gnuplot works in doubles, with room for an axis around.
@@ -45,10 +44,8 @@ Axis logarithmic_axis(char letter, double smallest, double largest, const std::s
 
 // Rows 1, 2, ... from the top with their labels at the left. Sets the figure's size.
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm);
-// The same margins in every figure with two axes.
-void add_margins(Figure& figure);
 // Names with their markers: at the right of the plot, each joined to its mark, or in two columns below where they would
-// take too much of the width. None for a single one.
+// take too much of the width. None for a single one. Sets the margins.
 struct Named {
   std::string label;
   int style = 1;        // 0: grey

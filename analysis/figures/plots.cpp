@@ -24,13 +24,11 @@ constexpr std::size_t most_values = 200;  // drawn of a group
 constexpr std::size_t most_lines = 8;     // that can be told apart; the data file has all
 constexpr std::size_t most_bands = 3;     // more would cover each other
 
-Figure begun(const About& about) { return {.name = about.name, .caption = about.caption}; }
-
 // The first rows; the picture says how many, the caption whose are left out.
 template <class Row>
 std::span<const Row> drawn_of(const std::vector<Row>& all, std::size_t most, Figure& figure) {
   std::vector<std::string> others;
-  for (std::size_t i = most; i < all.size(); ++i) others.push_back(label_of(all[i].label));
+  for (std::size_t i = most; i < all.size(); ++i) others.push_back(all[i].label);
   if (!others.empty()) {
     figure.caption += fmt::format(" Without {}: only the first {} are drawn.", fmt::join(others, ", "), most);
     figure.settings +=
@@ -57,7 +55,7 @@ void add_remarks(Figure& figure, const std::vector<std::string>& remarks) {
 }  // namespace
 
 std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_rows) {
-  Figure figure = begun(about);
+  Figure figure{.name = about.name, .caption = about.caption};
   const auto rows = drawn_of(all_rows, most_rows, figure);
   std::vector<std::string> labels, clauses, remarks;
   std::vector<double> all;
@@ -68,7 +66,7 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const BoxRow& row = rows[i];
     const auto y = static_cast<double>(i + 1);
-    labels.push_back(label_of(row.label));
+    labels.push_back(row.label);
     remarks.push_back(row.remark);
     all.insert(all.end(), row.values.begin(), row.values.end());
     all.insert(all.end(), row.box.begin(), row.box.end());
@@ -126,7 +124,7 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
     return std::ranges::none_of(line.rows, [](const CurveRow& row) { return std::isfinite(row.y); });
   });
   if (all.empty()) return std::nullopt;
-  Figure figure = begun(about);
+  Figure figure{.name = about.name, .caption = about.caption};
   const std::size_t drawn = drawn_of(all, most_lines, figure).size();
   std::vector<double> xs, ys;
   std::vector<std::string> back, front;
@@ -142,7 +140,7 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
                                         line.rows, [](double high) { return !std::isnan(high); }, &CurveRow::high);
     const std::string style =
         line.style > 0 ? fmt::format("ls {}", line.style) : fmt::format("lw 0.7 dt 2 {} pt 6 ps 0.9", grey);
-    Named& end = ends.emplace_back(Named{label_of(line.label), line.style});
+    Named& end = ends.emplace_back(Named{line.label, line.style});
     for (const CurveRow& row : line.rows) {
       xs.push_back(row.x);
       ys.push_back(row.y);
@@ -159,7 +157,6 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
   if (!back.empty()) figure.caption += " Bands: quartiles.";
   const Axis y = value_axis('y', ys, about, Begins::at_zero);
   figure.settings += y.settings + linear_axis('x', xs, x_axis, Begins::at_first).settings;
-  add_margins(figure);
   for (Named& end : ends) end.y = y.share_of(end.y);
   add_names(figure, ends);
   std::ranges::move(front, std::back_inserter(back));
@@ -169,7 +166,7 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, std:
 
 std::optional<Figure> shares(const About& about, const std::string& y_axis, const std::vector<Successes>& all,
                              double dashed) {
-  Figure figure = begun(about);
+  Figure figure{.name = about.name, .caption = about.caption};
   const std::size_t drawn = drawn_of(all, most_lines, figure).size();
   std::vector<std::string> clauses;
   std::vector<Named> ends;
@@ -203,7 +200,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
     figure.data += data_row({1e300, share});
     if (i >= drawn) continue;
     const std::string style = fmt::format("ls {} lw 1.3", all[i].style);
-    ends.push_back({label_of(all[i].label), all[i].style, y.share_of(share)});
+    ends.push_back({all[i].label, all[i].style, y.share_of(share)});
     constexpr std::string_view rows = "using (place_x($1)):2 with";
     clauses.push_back(fmt::format("data index {} {} steps {}", i, rows, style));
     const std::size_t every = 1 + steps / 6;  // markers, of each line elsewhere
@@ -217,14 +214,13 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
         "set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n"
         "set label 'tolerance' at {0}, graph 1 center offset 0, 0.3\n",
         text_of(dashed), grey);
-  add_margins(figure);
   add_names(figure, ends);
   figure.plot = plotted(clauses);
   return figure;
 }
 
 std::optional<Figure> differences(const About& about, const std::vector<IntervalRow>& rows, bool are_ratios) {
-  Figure figure = begun(about);
+  Figure figure{.name = about.name, .caption = about.caption};
   const double of_equals = are_ratios ? 1 : 0;
   std::vector<std::string> labels, clauses, verdicts;
   std::vector<double> all{of_equals};
@@ -232,7 +228,7 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const IntervalRow& row = rows[i];
     labels.push_back(row.label);
-    verdicts.push_back(label_of(row.verdict));
+    verdicts.push_back(row.verdict);
     for (const double value : {row.estimate, row.low, row.high}) {
       if (std::abs(value) <= 1e300 && (!are_ratios || value > 0)) all.push_back(value);
     }
@@ -259,7 +255,7 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
 }
 
 Figure path(const About& about, const PathRows& rows) {
-  Figure figure = begun(about);
+  Figure figure{.name = about.name, .caption = about.caption};
   figure.height_cm = 7;
   std::array<std::vector<double>, 3> shown;
   const auto see = [&](const std::vector<Corner>& corners) {
@@ -281,7 +277,7 @@ Figure path(const About& about, const PathRows& rows) {
   see(rows.targets);
   std::vector<std::string> clauses;
   const auto add = [&](const std::string& label, const std::string& what) {
-    clauses.push_back(fmt::format("data index {} title {}", what, gnuplot_text(label_of(label))));
+    clauses.push_back(fmt::format("data index {} title {}", what, gnuplot_text(label)));
   };
   if (!rows.targets.empty()) add("path", fmt::format("0 using 1:2:3 with lines lw 0.7 {}", grey));
   constexpr std::array<std::string_view, 3> shades{"#303030", "#707070", "#A8A8A8"};
@@ -323,7 +319,7 @@ Figure path(const About& about, const PathRows& rows) {
 
 std::optional<Figure> joints(const About& about, const std::vector<JointRow>& rows,
                              const std::vector<JointColumn>& columns) {
-  Figure figure = begun(about);
+  Figure figure{.name = about.name, .caption = about.caption};
   const std::size_t drawn = drawn_of(rows, most_lines, figure).size();
   std::vector<double> all;
   std::size_t points = 1;
@@ -334,8 +330,8 @@ std::optional<Figure> joints(const About& about, const std::vector<JointRow>& ro
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto limit = [](double degrees) { return std::abs(degrees) <= 1e300 ? text_of(degrees) : "NaN"; };
     figure.settings +=
-        fmt::format("name[{0}] = {1}\nlower[{0}] = {2}\nupper[{0}] = {3}\n", i + 1,
-                    gnuplot_text(label_of(columns[i].label)), limit(columns[i].lower_deg), limit(columns[i].upper_deg));
+        fmt::format("name[{0}] = {1}\nlower[{0}] = {2}\nupper[{0}] = {3}\n", i + 1, gnuplot_text(columns[i].label),
+                    limit(columns[i].lower_deg), limit(columns[i].upper_deg));
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const JointRow& row = rows[i];
@@ -354,7 +350,7 @@ std::optional<Figure> joints(const About& about, const std::vector<JointRow>& ro
     if (row.angles_deg.empty()) figure.data += "NaN NaN\n";
     if (i >= drawn) continue;
     points = std::max(points, row.angles_deg.size());
-    const std::string label = fmt::format("({}) {}", static_cast<char>('a' + i), label_of(row.label));
+    const std::string label = fmt::format("({}) {}", static_cast<char>('a' + i), row.label);
     figure.settings += fmt::format("solver[{0}] = {1}\nstyle[{0}] = {2}\n", i + 1,
                                    gnuplot_text(rows.size() == 1 ? "" : label), row.style);
   }
@@ -388,12 +384,12 @@ std::optional<Figure> joints(const About& about, const std::vector<JointRow>& ro
 
 std::optional<Figure> bars(const About& about, const std::vector<std::string>& rows,
                            const std::vector<BarPanel>& all_panels) {
-  Figure figure = begun(about);
+  Figure figure{.name = about.name, .caption = about.caption};
   const auto panels = drawn_of(all_panels, 5, figure);
   if (rows.empty() || panels.empty()) return std::nullopt;
   constexpr double pitch = 1.7;  // of panels; a bar of 100 % is 1
   std::vector<std::string> labels, ticks, clauses;
-  for (const std::string& row : rows) labels.push_back(label_of(row));
+  for (const std::string& row : rows) labels.push_back(row);
   add_labelled_rows(figure, labels, 0.5);
   constexpr double header_cm = 2.2;
   if (figure.sides_cm + header_cm * static_cast<double>(panels.size()) > figure.width_cm)
@@ -429,7 +425,7 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
 }
 
 std::optional<Figure> overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots) {
-  Figure figure = begun(about);
+  Figure figure{.name = about.name, .caption = about.caption};
   std::vector<double> xs, ys;
   std::vector<std::string> clauses;
   std::vector<Named> names;
@@ -440,7 +436,7 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
     ys.insert(ys.end(), {dot.y, dot.printed_y});
     figure.data += fmt::format("# {}\n{}", one_line(dot.label), data_row({dot.x, dot.y, dot.printed_x, dot.printed_y}));
     const std::string line = fmt::format("data every ::{0}::{0} using", names.size()), colour = colour_of(dot.style);
-    names.push_back({label_of(dot.label), dot.style, dot.y, dot.x});
+    names.push_back({dot.label, dot.style, dot.y, dot.x});
     clauses.push_back(fmt::format("{} (place_x($1)):(place_y($2)) with points ls {} dt 1 ps 0.9", line, dot.style));
     clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 {}", line, colour));
   }
@@ -453,7 +449,6 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
                   "with vectors nohead lw 0.6 {}",
                   grey));
   for (Named& each : names) each.x = x.share_of(each.x), each.y = y.share_of(each.y);
-  add_margins(figure);
   add_names(figure, names);
   figure.plot = plotted(clauses);
   return figure;
