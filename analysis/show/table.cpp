@@ -307,7 +307,7 @@ std::string to_latex(const Table& whole) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
       cells.push_back(latex_cell(row[c], table.columns[c], kinds[c]));
-      if (are_long[c]) cells.back() = fmt::format("{{\\raggedright {}\\par}}", cells.back());
+      if (are_long[c]) cells.back() = "\\raggedright\\let\\\\\\tabularnewline " + cells.back();
       if (kinds[c].spreads && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
     }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));

@@ -127,5 +127,6 @@ TEST_CASE("no label breaks a page, Markdown, LaTeX or a screen", "[show]") {
   CHECK(pipes(markdown) == pipes(to_markdown(with_label("mine"))));
   CHECK(markdown.find("<script") == std::string::npos);
   CHECK(latex.find("\\input") == std::string::npos);
+  CHECK(contains(to_latex(with_label(std::string(61, 'x'))), "\\raggedright\\let\\\\\\tabularnewline xxx"));
   CHECK(contains(latex, "\\textbackslash{}input\\{x\\} \\& \\% \\_ \\raisebox{-.6ex}{\\textasciitilde}"));
 }
