@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "numerics/units.hpp"
 #include "results/study.hpp"
 #include "robots/robot.hpp"
+#include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
 
@@ -50,7 +52,27 @@ struct Left {
   std::vector<double> arm_rad;
 };
 
-void check(const Definition& study, const Robot& arm, const Left& before, const SolveRecord& solve) {
+// The labels of our own solvers. A program may have the name of one.
+std::set<std::string> built_in(const StoredStudy& study) {
+  std::set<std::string> labels;
+  for (const Series& series : study.series)
+    for (const solvers::SolverInfo& info : solvers::all_solvers())
+      if (info.name == series.algorithm && info.library.empty() &&
+          series.options.find("\"process\"") == std::string::npos)
+        labels.insert(series.label);
+  return labels;
+}
+
+// True if a solve of the study may have spent this. Our solvers are stopped after each iteration; others stop
+// themselves.
+bool may_spend(const StopRule& stop, bool is_built_in, const SolveRecord& solve) {
+  if (solve.evaluations == 0 && solve.counted_by == CountedBy::suite) return false;
+  if (is_built_in) return solve.counted_by == CountedBy::suite && solve.iterations <= stop.iterations;
+  return !is_in_order(solve.status) ||
+         !is_over({.evaluations = solve.evaluations, .iterations = solve.iterations}, stop);
+}
+
+void check(const Definition& study, const Robot& arm, const Left& before, bool is_built_in, const SolveRecord& solve) {
   const auto joints = static_cast<std::size_t>(arm.joints());
   if (solve.target_position_m.size() != 3 || solve.reached_position_m.size() != 3 ||
       solve.target_rotation.size() != 9 || solve.start_rad.size() != joints || solve.answer_rad.size() != joints)
@@ -60,10 +82,10 @@ void check(const Definition& study, const Robot& arm, const Left& before, const 
     refuse(solve, "it does not start where the solve before it left the arm");
   if (stays(solve.status) && solve.answer_rad != solve.start_rad)
     refuse(solve, fmt::format("the arm moved, though status {} is stored", name_of(solve.status)));
-  if ((solve.counted_by == CountedBy::suite && solve.evaluations == 0) ||
-      (is_in_order(solve.status) && is_over({.iterations = solve.iterations}, study.stop)))
-    refuse(solve, fmt::format("{} evaluations in {} iterations are stored, which no solve of this study makes",
-                              solve.evaluations, solve.iterations));
+  if (!may_spend(study.stop, is_built_in, solve))
+    refuse(solve,
+           fmt::format("{} evaluations (counted by {}) in {} iterations are stored, which no solve of this study makes",
+                       solve.evaluations, name_of(solve.counted_by), solve.iterations));
   Pose target = Pose::Identity();
   target.translation() = vector_of(solve.target_position_m);
   target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
@@ -80,6 +102,9 @@ void check(const Definition& study, const Robot& arm, const Left& before, const 
   for (Eigen::Index i = 0; i < 3; ++i)
     expect("reached_position_m", solve, solve.reached_position_m[static_cast<std::size_t>(i)], computed.reached[i],
            1e-8 * (1 + far));
+  if (solve.status == Status::not_finite && solve.stop_reason != StopReason::not_finite &&
+      std::isfinite(computed.position_error + computed.orientation_error))
+    refuse(solve, "status not_finite is stored, but its numbers are finite");
   if (!is_in_order(solve.status) && solve.status != Status::limit_violated)
     return;  // what was answered is not stored: the arm stayed, or the claim decided
   const auto status = [&](double rounding) {
@@ -102,9 +127,9 @@ TakeSolve recheck_of(const StoredStudy& study) {
   if (!stored)
     throw std::invalid_argument(fmt::format(
         "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", study.name));
-  return [definition, arm = std::make_shared<const Robot>(std::move(*stored)),
+  return [definition, arm = std::make_shared<const Robot>(std::move(*stored)), ours = built_in(study),
           before = std::make_shared<Left>()](const SolveRecord& solve) {
-    check(definition, *arm, *before, solve);
+    check(definition, *arm, *before, ours.contains(solve.solver), solve);
     const bool is_moved = solve.status != Status::not_finite;
     *before = {solve.solver, solve.run, solve.point, is_moved ? solve.answer_rad : solve.start_rad};
   };

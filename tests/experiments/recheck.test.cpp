@@ -100,9 +100,11 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"reached_position_m", [](SolveRecord& solve) { solve.reached_position_m[1] += 1e-6; }},
       {"not start where the solve before", [](SolveRecord& solve) { solve.start_rad = solve.answer_rad; }},
       {"the arm moved, though status crashed", [](SolveRecord& solve) { solve.status = Status::crashed; }},
-      {": 0 evaluations in ", [](SolveRecord& solve) { solve.evaluations = 0; }},
-      {" in 400 iterations are stored, which no solve",
-       [](SolveRecord& solve) { solve.status = Status::ok, solve.iterations = 400; }},
+      {": 0 evaluations (counted by suite) in ", [](SolveRecord& solve) { solve.evaluations = 0; }},
+      {"(counted by nobody) in ", [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; }},
+      {" iterations are stored, which no solve",
+       [&](SolveRecord& solve) { solve.iterations = study.stop.iterations + 1; }},
+      {"status not_finite is stored", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.target_rotation.clear(); }}};
   for (const auto& [what, change] : changes) {
@@ -113,6 +115,20 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
                                              solves[4].run, solves[4].point)) &&
                    ContainsSubstring(what));
   }
+}
+
+TEST_CASE("a solve of a program that kept its budget has not spent 1.5 times as much", "[recheck]") {
+  Study study = study_with("stanford");
+  study.stop.evaluations = 1000;
+  StoredStudy entry = entry_of(study);
+  for (Series& series : entry.series) series.options = R"({"process":"./program"})";
+  SolveRecord solve = solves_of(study).front();
+  REQUIRE(is_in_order(solve.status));
+  solve.counted_by = CountedBy::solver;
+  solve.evaluations = 1500;
+  CHECK(refused_row(entry, {solve}) == "");
+  solve.evaluations = 1501;
+  CHECK_THAT(refused_row(entry, {solve}), ContainsSubstring(": 1501 evaluations (counted by solver) in "));
 }
 
 TEST_CASE("an arm that cannot be read is refused", "[recheck]") {
