@@ -44,7 +44,7 @@ struct Source {
   results::StoredStudy entry;
 
   Source(const std::string& file, const std::string& name)
-      : store(file, results::Store::Mode::read), entry(chosen_study(store, name)) {}
+      : store(file, results::Store::Mode::read), entry(store.study(name)) {}
 
   std::vector<std::string> labels() const { return labels_of(entry); }
   // Reads these labels alone.

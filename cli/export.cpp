@@ -46,7 +46,7 @@ void add_export(CLI::App& app, Invocation&) {
       "Columns: ikbench list columns");
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
-    const StoredStudy study = chosen_study(store, arguments->study);
+    const StoredStudy study = store.study(arguments->study);
     if (arguments->format == "fingerprint") {
       const auto [text, solves] = fingerprint(store, study);
       const std::string line = fmt::format("{}  {}  {}\n", text, solves, printable(study.name));

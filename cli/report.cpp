@@ -38,7 +38,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   std::set<std::string> solvers;
   for (const std::string& file : files) {
     const Store store(file, Store::Mode::read);
-    const StoredStudy entry = chosen_study(store, study);
+    const StoredStudy entry = store.study(study);
     const compare::JudgedStudy judged = compare::judge(checked_study(store, entry));
     names.push_back(entry.name);
     arms.push_back(judged.study.definition.robot);
@@ -99,7 +99,7 @@ void add_report(CLI::App& app, Invocation&) {
     const std::filesystem::path folder =
         arguments->out.empty() ? std::filesystem::path(file).parent_path() : std::filesystem::path(arguments->out);
     const Store store(file, Store::Mode::read);
-    const StoredStudy study = chosen_study(store, arguments->study);
+    const StoredStudy study = store.study(arguments->study);
     write_and_announce(store, study, folder.empty() ? "." : folder, arguments->report);
   });
 }

@@ -273,13 +273,6 @@ compare::StudyResults exported_study(const Store& store, const StoredStudy& entr
   return study;
 }
 
-StoredStudy chosen_study(const Store& store, const std::string& name) {
-  if (!name.empty()) return store.study(name);
-  std::vector<StoredStudy> studies = store.studies();
-  if (studies.empty()) throw std::invalid_argument("the store contains no study");
-  return std::move(studies.front());
-}
-
 std::string run_study(const Study& study, const StoredStudy& stored, const std::filesystem::path& folder,
                       RunRequest request, Store::Mode mode) {
   if (const auto& arm = study.robot_of_file; arm != nullptr && !arm->tip_link.empty()) {

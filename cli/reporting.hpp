@@ -73,9 +73,6 @@ compare::StudyResults checked_study(const results::Store& store, const results::
 compare::StudyResults exported_study(const results::Store& store, const results::StoredStudy& entry,
                                      const std::filesystem::path& folder);
 
-// The study of that name, or the store's first if the name is empty.
-results::StoredStudy chosen_study(const results::Store& store, const std::string& name);
-
 struct RunArguments {
   std::string out;
   int jobs = 1;

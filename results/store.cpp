@@ -334,11 +334,12 @@ std::vector<StoredStudy> Store::studies() const {
 StoredStudy Store::study(const std::string& name) const {
   std::string names;
   for (StoredStudy& each : studies()) {
-    if (each.name == name) return std::move(each);
+    if (name.empty() || each.name == name) return std::move(each);
     names += (names.empty() ? "" : ", ") + each.name;
   }
-  throw std::invalid_argument(fmt::format("no study '{}' in '{}'; expected one of: {}", name, database_->name,
-                                          names.empty() ? "(the store is empty)" : names));
+  throw std::invalid_argument(
+      names.empty() ? fmt::format("'{}' has no study; expected a store that `ikbench run` wrote", database_->name)
+                    : fmt::format("no study '{}' in '{}'; expected one of: {}", name, database_->name, names));
 }
 
 std::int64_t Store::begin_session(const std::map<std::string, std::string>& environment) {
