@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   namespace cli = ikbench::cli;
   using namespace ikbench::numerics;
   using namespace ikbench::experiments;
+  constexpr auto unwritten = "cannot write to standard output; make room on its disk, or do not close it";
   std::vector<std::string> words(argv + 1, argv + argc);
   CLI::App app("Runs inverse-kinematics solvers on studies, stores every solve and says what the numbers mean.",
                "ikbench");
@@ -62,8 +63,7 @@ int main(int argc, char** argv) {
     const cli::SignalWatch signals;
     static_cast<void>(instruction_set());  // reports a wrong IKBENCH_INSTRUCTION_SET before anything starts
     app.parse(words);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      throw std::runtime_error("cannot write to standard output");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw std::runtime_error(unwritten);
     return invocation.exit_code;
   } catch (const cli::Cancelled&) {
     return cli::cancelled_exit_code();
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (app.exit(error) != 0) return 1;
     if (std::cout.flush()) return 0;
-    cli::say_mistake("cannot write to standard output");
+    cli::say_mistake(unwritten);
     return 2;
   } catch (const std::invalid_argument& error) {
     cli::say_mistake(error.what());
