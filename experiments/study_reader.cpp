@@ -238,7 +238,8 @@ std::shared_ptr<const Program> read_program(TomlReader& reader) {
   constexpr std::string_view key = "process";
   ProgramChoice choice;
   list_fields(reader, choice);
-  if (choice.process.empty()) reader.fail(key, *reader.find(key), "a program, and its arguments");
+  if (choice.process.empty() || choice.process[0].empty())
+    reader.fail(key, *reader.find(key), "a program, and its arguments");
   try {
     return meet(choice, folder_of(reader, key));
   } catch (const std::invalid_argument& error) {

@@ -245,7 +245,9 @@ std::string ChildProcess::end_after(Status trouble) {
   const bool by_itself = trouble == Status::crashed;
   end(std::chrono::seconds(by_itself ? 1 : 0));
   std::string told;
-  if (by_itself && WIFSIGNALED(status_)) told = fmt::format(" (signal {})", WTERMSIG(status_));
+  if (by_itself && WIFSIGNALED(status_))
+    told = fmt::format(" (signal {}{})", WTERMSIG(status_),
+                       WTERMSIG(status_) == SIGKILL ? ": killed, or it closed its standard output" : "");
   if (by_itself && WIFEXITED(status_)) told = fmt::format(" (exit code {})", WEXITSTATUS(status_));
   std::string_view last = wrote_;
   last = last.substr(0, last.find_last_not_of("\n ") + 1);

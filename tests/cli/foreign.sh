@@ -111,6 +111,8 @@ while IFS='|' read -r said command change; do
 done <<'TABLE'
 no_such_program|"no_such_program"|
 exit code 1|"false"|
+expected a program|""|
+it closed its standard output|"sh", "-c", "exec >&-; exec sleep 9"|
 million|"cat", "/dev/zero"|
 is no key|"python3", "changed.py"|s/"name": "w"/"name": "label"/
 solves for axis, pose|"python3", "changed.py"|s/ikbench=2/ikbench=2, goals=["axis", "pose"]/
