@@ -174,7 +174,7 @@ void decide(std::vector<Gate>& gates) {
     const auto size = [&](std::size_t i) {
       return std::max(deciding.described[i].n, deciding.observations.groups[i].copies);
     };
-    gate.size = deciding.observations.is_paired ? deciding.findings.front().n : std::min(size(0), size(1));
+    gate.size = std::max(size(0), size(1));  // one may have no answer
     for (Judged& judged : study.metrics) {
       for (Group& group : judged.observations.groups) group.values = {};
     }
