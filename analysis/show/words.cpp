@@ -156,7 +156,7 @@ std::string not_tested(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const Finding& finding = judged.findings.front();
   const bool have_one_reason =
-      std::ranges::count(judged.findings, finding.why, &Finding::why) == std::ssize(judged.findings);
+      finding.n > 0 && std::ranges::count(judged.findings, finding.why, &Finding::why) == std::ssize(judged.findings);
   switch (have_one_reason ? finding.why : Why::tested) {
     case Why::too_few:
       return fmt::format("Not tested: {} cannot decide it, {} can; {}", numerics::counted(finding.n, answer.noun),

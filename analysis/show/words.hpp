@@ -20,7 +20,7 @@ std::vector<std::string> best_of(const compare::Judged& judged);
 // One sentence: "DLS is best: it solved 100 of 100 targets; PSO 88, mine 54."
 std::string headline(const Answer& answer);
 
-// "better", "same within 5 %", "not decided", "not tested: it takes 5"
+// "better", "same within 5 %", "not decided", "not tested: it takes 5 values"
 std::string verdict_words(const compare::Finding& finding, const compare::Judged& judged);
 std::string warning_of(const compare::Doubt& doubt);  // a sentence
 // "times", "points", or the metric's unit.

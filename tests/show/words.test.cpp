@@ -87,6 +87,7 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   add("not decided between the first two",
       of(errors({{"A", a}, {"B", values_around(1.25, 0.5)}, {"C", values_around(1.55, 0.5)}})));
   add("too few", of(errors({{"A", {1, 2, 3}}, {"B", {4, 5, 6}}})));
+  add("without values", of(errors({{"A", {1, 2, 3}}, {"B", {}}})));
   add("by means, few decide", of(errors({{"A", heavy(1)}, {"B", b}}), {.test = results::Plan::Test::means}));
   add("usually better", of(errors({{"A", heavy(1)}, {"B", b}})));
   add("usually better, by the median worse",
