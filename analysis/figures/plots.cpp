@@ -324,7 +324,7 @@ std::optional<Figure> joints(const About& about, const std::vector<JointRow>& ro
   std::vector<double> all;
   std::size_t points = 1;
   bool is_outside = false;
-  figure.settings =
+  figure.settings +=
       fmt::format("array name[{0}]\narray lower[{0}]\narray upper[{0}]\narray solver[{1}]\narray style[{1}]\n",
                   columns.size(), drawn);
   for (std::size_t i = 0; i < columns.size(); ++i) {

@@ -151,6 +151,8 @@ TEST_CASE("joints have a panel each, and angles outside the limits are told", "[
   const Figure outside = *joints(error_in("j"), {{"A", 1, {{91, 0}}}, {"B", 2, {{0, 0}}}}, columns);
   CHECK(contains(outside.caption, "Rings: outside the limits."));
   CHECK(contains(outside.settings, "(b) B"));
+  const std::vector<JointRow> nine(9, {"A", 1, {{10, 200}}});
+  CHECK(contains(joints(error_in("j"), nine, columns)->settings, "'first 8 of 9'"));
 }
 
 TEST_CASE("an axis is logarithmic from a factor of 30 on, and says what lies at its edge", "[plots]") {
