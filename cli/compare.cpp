@@ -103,7 +103,7 @@ std::string verdict_of(const Gate& gate) {
   const bool is_apart = gate.judged.metrics.front().findings.front().why == Why::apart;
   std::vector<std::string> parts;
   if (is_worse) parts.push_back("in " + show::listed(gate.worse));
-  if (!gate.better.empty()) parts.push_back((is_worse ? "better in " : "in ") + show::listed(gate.better));
+  if (!gate.better.empty()) parts.push_back((is_worse || is_apart ? "better in " : "in ") + show::listed(gate.better));
   std::string text =
       fmt::format("{} is {} {}{}{} ({}).", gate.label.empty() ? solvers.front() : gate.label,
                   is_worse                    ? "worse than"
