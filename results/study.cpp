@@ -63,14 +63,6 @@ void list_fields(Fields& io, StudyData& study) {
   io.whole("seed", study.seed, {0, no_limit}, "seed of all random numbers", InKey::in_text);
 }
 
-Plan plan_of(std::string_view json) {
-  Plan plan;
-  const toml::table table = toml_of(parsed_json(json));
-  TomlReader reader(table, "the plan of a session", "");
-  list_fields(reader, plan);
-  return plan;
-}
-
 Definition definition_of(std::string_view json) {
   const Json all = parsed_json(json);
   if (!all.is_object()) throw std::invalid_argument("the definition of a study is no JSON object");

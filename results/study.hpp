@@ -141,7 +141,5 @@ struct Definition : StudyData {
 // Members that the text lacks keep their defaults. Throws std::invalid_argument if it is no JSON object, or with the
 // study's name and the member whose value cannot be.
 Definition definition_of(std::string_view json);
-// The part "analysis" of a definition, also as a session recorded it.
-Plan plan_of(std::string_view json);
 
 }  // namespace ikbench::results

@@ -11,6 +11,7 @@
 
 #include "analysis/compare/describe.hpp"
 #include "analysis/compare/tests_of_two.hpp"
+#include "numerics/json.hpp"
 
 namespace ikbench::compare {
 
@@ -307,19 +308,15 @@ void add_of_budgets(Doubts& doubts, const StudyResults& study) {
 
 // By the stored plan: a command may judge by another.
 void add_of_plan(Doubts& doubts, const StudyResults& study) {
-  const Plan plan = definition_of(study.entry.definition).plan;
+  const numerics::Json plan = numerics::parsed_json(study.entry.definition)["analysis"];
   std::set<std::int64_t> others;  // sessions
   std::set<std::string> fields;
   for (const Session& session : study.sessions) {
     const auto recorded = session.environment.find("analysis");
     if (recorded == session.environment.end()) continue;
-    const Plan then = plan_of(recorded->second);
-    for (const auto& [differs, field] : {std::pair(then.test != plan.test, "test"),
-                                         {then.metric != plan.metric, "metric"},
-                                         {then.control != plan.control, "control"},
-                                         {then.significance != plan.significance, "significance"},
-                                         {then.margin != plan.margin || then.margin_cm != plan.margin_cm, "margin"}}) {
-      if (differs) others.insert(session.id), fields.insert(field);
+    const numerics::Json then = numerics::parsed_json(recorded->second);
+    for (const auto& [field, value] : then.items()) {
+      if (!plan.contains(field) || plan[field] != value) others.insert(session.id), fields.insert(field);
     }
   }
   add(doubts, study, {.kind = DoubtKind::plan_changed, .what = fmt::format("{}", fmt::join(fields, ", "))},

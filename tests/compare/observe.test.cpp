@@ -322,7 +322,7 @@ TEST_CASE("Targets out of reach and a plan that was changed after the data are t
   };
   CHECK_FALSE(recorded(R"({"test": "ranks", "margin_percent": 10})"));
   REQUIRE(recorded(R"({"test": "means", "margin_percent": 5})"));
-  CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->what == "margin, test");
+  CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->what == "margin_percent, test");
   CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->count == 40);
   CHECK(recorded(R"({"control": "dropped", "margin_percent": 10})")->what == "control");
   StudyResults of = study(asked, as_made);
