@@ -49,81 +49,48 @@ struct Bend {
 };
 
 // Adds records to a study, which come by solver, run and point.
-class Adder {
- public:
-  explicit Adder(StudyResults& study) : study_(study) {}
+struct Adder {
+  StudyResults& study;
+  int first_run = 1, drawn = 0;
+  Bend bend = {};
 
   void add(const SolveRecord& record) {
     if (record.run < 1 || record.point < 1)
       throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
-                                              study_.entry.name, record.solver, record.run, record.point));
-    const auto solver = static_cast<int>(std::ranges::find(study_.solvers, record.solver) - study_.solvers.begin());
-    const bool is_first = study_.solves.empty() || study_.solves.back().solver != solver;
-    if (!record.trace_cm.empty() && study_.drawn.size() >= most_traces)
+                                              study.entry.name, record.solver, record.run, record.point));
+    const auto solver = static_cast<int>(std::ranges::find(study.solvers, record.solver) - study.solvers.begin());
+    const bool is_first = study.solves.empty() || study.solves.back().solver != solver;
+    if (!record.trace_cm.empty() && study.drawn.size() >= most_traces)
       throw std::invalid_argument(fmt::format("study '{}' has too many solves with a trace; expected at most {}",
-                                              study_.entry.name, most_traces));
-    if (is_first) first_run_ = record.run, drawn_ = 0;
-    if (is_first || study_.solves.back().run != record.run) bend_ = {};
-    if (!record.trace_cm.empty() || (record.run == first_run_ && drawn_++ < most_drawn)) study_.drawn.push_back(record);
-    study_.solves.push_back({.run = record.run,
-                             .point = record.point,
-                             .solver = solver,
-                             .session = static_cast<int>(record.session),
-                             .status = record.status,
-                             .stop_reason = record.stop_reason,
-                             .timing = record.timing,
-                             .counted_by = record.counted_by,
-                             .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
-                             .was_disturbed = record.timing == Timing::clean && record.cpu_seconds > 0 &&
-                                              record.seconds > 1.1 * record.cpu_seconds,
-                             .position_error_cm = record.position_error_cm,
-                             .orientation_error = record.orientation_error,
-                             .variation_deg = record.variation_deg,
-                             .variation_m = record.variation_m,
-                             .largest_move_deg = record.largest_move_deg,
-                             .seconds = record.seconds,
-                             .bend_deg = bend_.with(record.answer_rad),
-                             .evaluations = record.evaluations,
-                             .iterations = record.iterations,
-                             .target = hash_of({record.target_position_m, record.target_rotation}),
-                             .start = hash_of({record.start_rad}),
-                             .answer = hash_of({record.answer_rad})});
+                                              study.entry.name, most_traces));
+    if (is_first) first_run = record.run, drawn = 0;
+    if (is_first || study.solves.back().run != record.run) bend = {};
+    if (!record.trace_cm.empty() || (record.run == first_run && drawn++ < most_drawn)) study.drawn.push_back(record);
+    study.solves.push_back({.run = record.run,
+                            .point = record.point,
+                            .solver = solver,
+                            .session = static_cast<int>(record.session),
+                            .status = record.status,
+                            .stop_reason = record.stop_reason,
+                            .timing = record.timing,
+                            .counted_by = record.counted_by,
+                            .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
+                            .was_disturbed = record.timing == Timing::clean && record.cpu_seconds > 0 &&
+                                             record.seconds > 1.1 * record.cpu_seconds,
+                            .position_error_cm = record.position_error_cm,
+                            .orientation_error = record.orientation_error,
+                            .variation_deg = record.variation_deg,
+                            .variation_m = record.variation_m,
+                            .largest_move_deg = record.largest_move_deg,
+                            .seconds = record.seconds,
+                            .bend_deg = bend.with(record.answer_rad),
+                            .evaluations = record.evaluations,
+                            .iterations = record.iterations,
+                            .target = hash_of({record.target_position_m, record.target_rotation}),
+                            .start = hash_of({record.start_rad}),
+                            .answer = hash_of({record.answer_rad})});
   }
-
- private:
-  StudyResults& study_;
-  int first_run_ = 1, drawn_ = 0;
-  Bend bend_;
 };
-
-// Of an entry, without its solves.
-StudyResults begun(const StoredStudy& entry) {
-  StudyResults study{.entry = entry, .definition = definition_of(entry.definition)};
-  study.runs = study.definition.runs;
-  study.points = study.definition.points;
-  for (const Series& series : entry.series) {
-    if (series.label.empty())
-      throw std::invalid_argument(fmt::format("study '{}' has a solver without a label; expected one", entry.name));
-    study.solvers.push_back(series.label);
-  }
-  return study;
-}
-
-// Adds what follows from the solves.
-StudyResults complete(StudyResults study, const std::vector<Session>& sessions) {
-  std::set<std::int64_t> used;
-  for (const Solve& solve : study.solves) {
-    study.runs = std::max(study.runs, solve.run);
-    study.points = std::max(study.points, solve.point);
-    used.insert(solve.session);
-  }
-  std::ranges::copy_if(sessions, std::back_inserter(study.sessions),
-                       [&](const Session& session) { return used.contains(session.id); });
-  std::string& control = study.definition.plan.control;
-  if (std::ranges::count(study.solvers, control) == 0) control.clear();
-  refuse_other_targets(study);
-  return study;
-}
 
 }  // namespace
 
@@ -165,27 +132,32 @@ std::set<std::string> facts_of(const StudyResults& study, const std::string& nam
   return values;
 }
 
-StudyResults study_of(const StoredStudy& entry, const std::vector<SolveRecord>& records,
-                      const std::vector<Session>& sessions) {
-  StudyResults study = begun(entry);
-  Adder adder(study);
-  for (const SolveRecord& record : records) adder.add(record);
-  return complete(std::move(study), sessions);
-}
-
 StudyResults read_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
   const std::int64_t all = store.number_of_solves(entry);
   if (all > most_solves)
     throw std::invalid_argument(
         fmt::format("study '{}' has {} solves; expected at most {}", entry.name, all, most_solves));
-  StudyResults study = begun(entry);
+  StudyResults study{.entry = entry, .definition = definition_of(entry.definition)};
+  study.runs = study.definition.runs;
+  study.points = study.definition.points;
+  for (const Series& series : entry.series) study.solvers.push_back(series.label);
   study.solves.reserve(static_cast<std::size_t>(all));
-  Adder adder(study);
+  Adder adder{study};
   store.each_of_study(entry, [&](const SolveRecord& record) {
     if (also) also(record);
     adder.add(record);
   });
-  study = complete(std::move(study), store.sessions());
+  std::set<std::int64_t> used;
+  for (const Solve& solve : study.solves) {
+    study.runs = std::max(study.runs, solve.run);
+    study.points = std::max(study.points, solve.point);
+    used.insert(solve.session);
+  }
+  study.sessions = store.sessions();
+  std::erase_if(study.sessions, [&](const Session& session) { return !used.contains(session.id); });
+  std::string& control = study.definition.plan.control;
+  if (std::ranges::count(study.solvers, control) == 0) control.clear();
+  refuse_other_targets(study);
   for (const Series& series : entry.series) {
     if (std::ssize(study.of(series.label)) >= std::int64_t{study.runs} * study.points) continue;
     const std::int64_t others = store.solves_of_other_sources(series.key);

@@ -65,9 +65,6 @@ constexpr std::size_t most_traces = 2'000'000;
 // `most_solves`, or more than `most_traces` with a trace; and, as all do, if solvers had other targets or starts.
 StudyResults read_study(const results::Store& store, const results::StoredStudy& entry,
                         const results::TakeSolve& also = {});
-// The same from records by solver, run and point, whose solvers are those of the entry.
-StudyResults study_of(const results::StoredStudy& entry, const std::vector<results::SolveRecord>& records,
-                      const std::vector<results::Session>& sessions = {});
 // Throws std::invalid_argument: no solver chooses its targets, nor its starts, but those that its own answers left.
 void refuse_other_targets(const StudyResults& study);
 

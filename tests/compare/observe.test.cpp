@@ -74,7 +74,7 @@ TEST_CASE("A chained run that lacks a point gives no observation, and a pair has
     std::vector<SolveRecord> solves = solves_of(asked, {"A", "B"}, number_errors);
     std::erase_if(solves,
                   [](const SolveRecord& solve) { return solve.solver == "A" && solve.run == 2 && solve.point == 3; });
-    return study_of(entry_of(asked, {"A", "B"}), solves);
+    return stored_study(entry_of(asked, {"A", "B"}), solves);
   };
   CHECK(group(observed(without(chained)), "A").values == Numbers{12.5, 32.5, 42.5, 52.5});
   const Observations runs = observed(without(drawn_runs));

@@ -13,6 +13,7 @@
 #include "analysis/compare/tests_of_two.hpp"
 #include "numerics/units.hpp"
 #include "tests/common.hpp"
+#include "tests/stored_study.hpp"
 
 using namespace ikbench::compare;
 
@@ -81,7 +82,7 @@ inline StudyResults study(const Asked& asked, const Change& change,
                           const std::vector<std::string>& solvers = {"A", "B"},
                           const std::vector<results::Session>& sessions = {
                               {.id = 1, .environment = {{"cpu", "one"}}}}) {
-  return study_of(entry_of(asked, solvers), solves_of(asked, solvers, change), sessions);
+  return stored_study(entry_of(asked, solvers), solves_of(asked, solvers, change), sessions);
 }
 
 }  // namespace ikbench::compare

@@ -6,7 +6,7 @@ using namespace ikbench::results;
 TEST_CASE("A study has the solves of each solver by run and point, and the sessions that made them") {
   const Asked asked{.runs = 2, .points = 2};
   const std::vector<SolveRecord> solves = solves_of(asked, {"A", "B"}, [](SolveRecord&) {});
-  const StudyResults study = study_of(entry_of(asked, {"A", "B"}), solves, {{.id = 1}, {.id = 2}});
+  const StudyResults study = stored_study(entry_of(asked, {"A", "B"}), solves, {{.id = 1}, {.id = 2}});
   REQUIRE(study.of("B").size() == 4);
   CHECK(study.of("B")[1].point == 2);
   CHECK(study.of("B")[2].run == 2);
@@ -29,7 +29,7 @@ TEST_CASE("Solvers of a study have the same targets, and starts but where their 
   const std::vector<std::string> labels{"A", "B", "C"};
   std::vector<SolveRecord> solves = solves_of(unchained, labels, other_target);
   std::erase_if(solves, [](const SolveRecord& solve) { return solve.solver == "A"; });  // has solved nothing
-  CHECK_THROWS_WITH(study_of(entry_of(unchained, labels), solves),
+  CHECK_THROWS_WITH(stored_study(entry_of(unchained, labels), solves),
                     StartsWith(place + "1: B and C had different targets"));
   CHECK_NOTHROW(study(chained, other_start(2)));
 }
@@ -39,22 +39,11 @@ TEST_CASE("A control that is no solver is none") {
   CHECK(study(asked, [](SolveRecord&) {}).definition.plan.control.empty());
 }
 
-TEST_CASE("A study is read from a store, and solves of another version are counted where its own are missing") {
-  const Asked asked{.runs = 2, .points = 2};
-  const StoredStudy entry = entry_of(asked, {"A", "B"});
-  const ScratchFolder folder;
-  Store store(folder.path / "store.sqlite", Store::Mode::write);
-  store.save_study(entry);
-  const std::int64_t session = store.begin_session({{"cpu", "one"}});
-  std::vector<SolveRecord> solves = solves_of(asked, {"A", "B"}, [&](SolveRecord& solve) {
-    solve.session = session;
-    solve.series = solve.solver == "A" ? "A@1" : "B@0";
-  });
-  store.append(solves);
-  const StudyResults study = read_study(store, entry);
-  CHECK(study.of("A").size() == 4);
-  CHECK(study.of("B").empty());
-  CHECK(study.sessions.size() == 1);
-  CHECK(study.solves_of_other_versions == 4);
-  CHECK(study.solvers_of_other_versions == std::vector<std::string>{"B"});
+TEST_CASE("Solves of another version are counted where its own are missing") {
+  const auto by_another = [](SolveRecord& solve) { solve.series = solve.solver == "B" ? "B@0" : ""; };
+  const StudyResults of = study({.runs = 2, .points = 2}, by_another);
+  CHECK(of.of("A").size() == 4);
+  CHECK(of.of("B").empty());
+  CHECK(of.solves_of_other_versions == 4);
+  CHECK(of.solvers_of_other_versions == std::vector<std::string>{"B"});
 }

@@ -9,6 +9,7 @@
 #include "analysis/show/answer.hpp"
 #include "analysis/slim2023/slim2023.hpp"
 #include "tests/common.hpp"
+#include "tests/stored_study.hpp"
 
 using namespace ikbench;
 using namespace ikbench::compare;
@@ -70,7 +71,7 @@ inline compare::JudgedStudy study_of(const Made& made, const Change& change = {}
       }
     }
   }
-  return compare::judge(compare::study_of(entry, solves, {{.id = 1, .environment = {{"cpu", "one"}}}}));
+  return compare::judge(compare::stored_study(entry, solves, {{.id = 1, .environment = {{"cpu", "one"}}}}));
 }
 
 inline Repeated repeated(const compare::JudgedStudy& study, std::vector<const compare::JudgedStudy*> companions = {}) {

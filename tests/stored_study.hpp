@@ -1,0 +1,30 @@
+// A hand-made study, read from a store.
+#pragma once
+
+#include "analysis/compare/study.hpp"
+#include "tests/common.hpp"
+
+namespace ikbench::compare {
+
+// Records without a series are of the series with their solver's label. One store has all studies of a program, because
+// making one waits for the disk.
+inline StudyResults stored_study(results::StoredStudy entry, std::vector<results::SolveRecord> solves,
+                                 const std::vector<results::Session>& sessions = {}) {
+  static const ScratchFolder folder;
+  static results::Store store(folder.path / "store.sqlite", results::Store::Mode::write);
+  static int studies = 0;
+  const std::string own = fmt::format("{} ", ++studies);
+  std::map<std::int64_t, std::int64_t> stored;
+  for (const results::Session& session : sessions) stored[session.id] = store.begin_session(session.environment);
+  for (results::SolveRecord& solve : solves) {
+    if (solve.series.empty())
+      solve.series = std::ranges::find(entry.series, solve.solver, &results::Series::label)->key;
+    solve.series.insert(0, own);
+    solve.session = stored[solve.session];
+  }
+  for (results::Series& series : entry.series) series.key.insert(0, own);
+  store.append(solves);
+  return read_study(store, entry);
+}
+
+}  // namespace ikbench::compare
