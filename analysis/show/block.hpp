@@ -36,8 +36,9 @@ using Cell = std::variant<std::monostate, std::string, std::int64_t, double, com
 struct Column {
   std::string name;
   std::string unit = {};
-  bool is_p = false;              // p-values: "0.0005", "< 0.0001"
-  std::vector<double> ends = {};  // from which readers tell numbers apart (digits_apart of text.hpp)
+  bool is_p = false;               // p-values: "0.0005", "< 0.0001"
+  std::string unit_of_cells = {};  // beside each number that is no ratio, in place of the head
+  std::vector<double> ends = {};   // from which readers tell numbers apart (digits_apart of text.hpp)
 };
 
 // Columns with nothing but names.

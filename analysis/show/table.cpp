@@ -21,11 +21,11 @@ using Rows = std::vector<std::vector<std::string>>;
 using Escape = std::string (*)(std::string_view);
 using Number = std::string (*)(double, int digits);
 
-// A cell for readers. `unit` stands after a number.
+// A cell for readers.
 struct Readable {
   Number number;
   const Column& column;
-  std::string unit = {}, at_most = "≤ ", dash = "-";
+  std::string at_most = "≤ ", dash = "-", unit = column.unit_of_cells.empty() ? "" : ' ' + column.unit_of_cells;
 
   std::string operator()(std::monostate) const { return "-"; }
   std::string operator()(const std::string& text) const { return text; }
@@ -82,18 +82,16 @@ std::vector<Kinds> kinds_of(const Table& table) {
   return kinds;
 }
 
-// Where some cells are ratios, the unit stands at the other numbers.
-std::string head(const Column& column, const Kinds& kinds) {
-  return column.unit.empty() || kinds.ratios ? column.name : fmt::format("{} [{}]", column.name, column.unit);
-}
-std::string unit_of_cells(const Column& column, const Kinds& kinds) {
-  return column.unit.empty() || !kinds.ratios ? "" : ' ' + column.unit;
+std::string head(const Column& column) {
+  return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
 
-// Readers see printed numbers in a column of their own, and no column that is empty in every row.
+// Readers see printed numbers in a column of their own, no column that is empty in every row, and where some cells are
+// ratios, the unit at the other numbers.
 Table for_readers(Table table) {
   const std::vector<Kinds> kinds = kinds_of(table);
   for (std::size_t c = table.columns.size(); c-- > 0;) {
+    if (kinds[c].ratios) table.columns[c].unit_of_cells = std::exchange(table.columns[c].unit, "");
     if (kinds[c].printed) {
       const auto next = static_cast<std::ptrdiff_t>(c + 1);
       table.columns.insert(table.columns.begin() + next, {"printed"});
@@ -115,15 +113,12 @@ Table for_readers(Table table) {
 
 // The table as texts; the first row is the head.
 Rows readable(const Table& table, Escape escape) {
-  const std::vector<Kinds> kinds = kinds_of(table);
   Rows rows(1);
-  for (std::size_t c = 0; c < kinds.size(); ++c) rows[0].push_back(escape(head(table.columns[c], kinds[c])));
+  for (const Column& column : table.columns) rows[0].push_back(escape(head(column)));
   for (const auto& cells : table.rows) {
     auto& row = rows.emplace_back();
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      const Column& column = table.columns[c];
-      row.push_back(escape(std::visit(Readable{number_text, column, unit_of_cells(column, kinds[c])}, cells[c])));
-    }
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      row.push_back(escape(std::visit(Readable{number_text, table.columns[c]}, cells[c])));
   }
   return rows;
 }
@@ -133,33 +128,30 @@ constexpr std::string_view times = "times", mark = "mark";  // have no unit
 // The members of a cell in files of numbers, with the words that follow the name of its column.
 std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const Cell& cell) {
   const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
-  if (kinds.intervals) {
-    const auto* of = std::get_if<compare::Interval>(&cell);
-    std::vector<std::pair<std::string_view, Json>> of_interval{{"low", of ? number(of->low) : Json()},
-                                                               {"high", of ? number(of->high) : Json()}};
-    if (kinds.excluded)
-      of_interval.emplace_back("excluded", !excludes_end(cell) ? Json() : of->excludes_low ? "low" : "high");
-    return of_interval;
-  }
-  if (const auto* of = std::get_if<Printed>(&cell)) return {{"", number(of->ours)}, {"printed", of->printed}};
+  const auto* const printed = std::get_if<Printed>(&cell);
   const auto* const marked = std::get_if<Marked>(&cell);
+  const auto* const interval = std::get_if<compare::Interval>(&cell);
+  const auto* const spread = interval ? interval : marked && marked->interval ? &*marked->interval : nullptr;
+  const auto to_reference = [&](compare::Scale scale) {
+    return marked && marked->to_reference == scale ? number(marked->value) : Json();
+  };
   Json value;
   if (const auto* text = std::get_if<std::string>(&cell)) value = *text;
   if (const auto* count = std::get_if<std::int64_t>(&cell)) value = *count;
   if (const auto* of = std::get_if<double>(&cell)) value = number(*of);
+  if (printed) value = number(printed->ours);
   if (marked && !marked->to_reference) value = number(marked->value);
-  std::vector<std::pair<std::string_view, Json>> all{{"", value}};
-  if (kinds.printed) all.emplace_back("printed", Json());
-  const auto to_reference = [&](compare::Scale scale) {
-    return marked && marked->to_reference == scale ? number(marked->value) : Json();
-  };
+  std::vector<std::pair<std::string_view, Json>> all;
+  if (!kinds.intervals) all.emplace_back("", value);
+  if (kinds.printed) all.emplace_back("printed", printed ? Json(printed->printed) : Json());
   if (kinds.ratios) all.emplace_back(times, to_reference(compare::Scale::ratio));
   if (kinds.differences) all.emplace_back("difference", to_reference(compare::Scale::difference));
-  if (kinds.spreads) {
-    const auto its = marked ? marked->interval : std::nullopt;
-    all.emplace_back("low", its ? number(its->low) : Json());
-    all.emplace_back("high", its ? number(its->high) : Json());
+  if (kinds.intervals || kinds.spreads) {
+    all.emplace_back("low", spread ? number(spread->low) : Json());
+    all.emplace_back("high", spread ? number(spread->high) : Json());
   }
+  if (kinds.excluded)
+    all.emplace_back("excluded", !excludes_end(cell) ? Json() : interval->excludes_low ? "low" : "high");
   if (kinds.marks) all.emplace_back(mark, marked && !marked->mark.empty() ? Json(marked->mark) : Json());
   return all;
 }
@@ -184,13 +176,13 @@ std::string latex_number(double value, int digits) {
   return text.size() > 1 && text[0] == '-' ? fmt::format("${}$", text) : text;
 }
 
-std::string latex_cell(const Cell& cell, const Column& column, const Kinds& kinds) {
-  const Readable read{latex_number, column, latex_text(unit_of_cells(column, kinds)), "$\\le$ ", "--"};
+std::string latex_cell(const Cell& cell, const Column& column) {
+  const Readable read{latex_number, column, "$\\le$ ", "--"};
   if (const auto* text = std::get_if<std::string>(&cell)) return latex_text(*text);
   if (std::holds_alternative<Printed>(cell)) return latex_text(std::visit(read, cell));
   if (const auto* of = std::get_if<Marked>(&cell)) {
-    const auto bare = [&](Marked part) { return part.mark.clear(), part.interval.reset(), read(part); };
-    std::string text = of->is_best ? fmt::format("\\textbf{{{}}}", bare(*of)) : bare(*of);
+    std::string text = read(Marked{.value = of->value, .is_bound = of->is_bound, .to_reference = of->to_reference});
+    if (of->is_best) text = fmt::format("\\textbf{{{}}}", text);
     if (of->interval) {
       const std::string whole = read(Marked{.value = of->value, .interval = of->interval});
       text += fmt::format(" & {{\\scriptsize {}}}", whole.substr(whole.find('(')));
@@ -288,7 +280,8 @@ std::vector<std::string> typeset_notes(const Table& table) {
 }
 
 std::string to_latex(const Table& whole) {
-  const Table table = for_readers(whole);
+  Table table = for_readers(whole);
+  for (Column& column : table.columns) column.unit_of_cells = latex_text(column.unit_of_cells);
   std::string letters, text;
   std::vector<std::string> heads;
   const std::vector<Kinds> kinds = kinds_of(table);  // spreads have a column of their own, so that the numbers align
@@ -299,14 +292,14 @@ std::string to_latex(const Table& whole) {
       return words && character_count(*words) > 60;
     }));
     letters += are_long[c] ? "p{5cm}" : kinds[c].texts ? "l" : kinds[c].spreads ? "r@{ }l" : "r";
-    const std::string name = latex_text(head(table.columns[c], kinds[c]));
+    const std::string name = latex_text(head(table.columns[c]));
     heads.push_back(kinds[c].spreads ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
   }
   text += fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      cells.push_back(latex_cell(row[c], table.columns[c], kinds[c]));
+      cells.push_back(latex_cell(row[c], table.columns[c]));
       if (are_long[c]) cells.back() = "\\raggedright\\let\\\\\\tabularnewline " + cells.back();
       if (kinds[c].spreads && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
     }
@@ -363,19 +356,16 @@ std::string to_html(const Table& whole) {
 }
 
 std::string to_text(const Table& whole) {
-  const Table table = for_readers(whole);
-  constexpr std::size_t longest = 60, width = 100;
-  Rows rows(1);
-  for (const Column& column : table.columns) rows[0].push_back(shortened(column.name, longest));
-  for (const auto& cells : table.rows) {
-    auto& row = rows.emplace_back();
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      const Column& column = table.columns[c];
-      const Readable read{number_text, column, column.unit.empty() ? "" : ' ' + column.unit};
-      row.push_back(c == 0 ? shortened(std::visit(read, cells[c]), longest) : std::visit(read, cells[c]));
-    }
+  Table table = for_readers(whole);
+  constexpr std::size_t longest = 60;
+  for (Column& column : table.columns) {
+    column.name = shortened(column.name, longest);
+    if (!column.unit.empty()) column.unit_of_cells = std::exchange(column.unit, "");
   }
-  std::string text = in_columns(rows, 3, width);
+  for (auto& row : table.rows) {
+    if (auto* const name = std::get_if<std::string>(&row[0])) *name = shortened(*name, longest);
+  }
+  std::string text = in_columns(readable(table, one_line));
   for (const std::string& note : table.notes) text += paragraph(note, "");
   return text;
 }
