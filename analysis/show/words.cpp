@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -27,6 +28,12 @@ const std::string& solver_name(const Judged& judged, std::size_t group) {
   return judged.observations.groups[group].name;
 }
 
+// "1 point", "2.5 cm".
+std::string with_unit(const std::string& text, const std::string& unit) {
+  if (unit.empty()) return text;
+  return fmt::format("{} {}", text, text == "1" && unit == "points" ? "point" : unit);
+}
+
 // A group's number: "88", "0.42"; of the first also the whole or the unit: "100 of 100 targets", "0.017 mm".
 std::string number_of(const Answer& answer, const Judged& judged, std::size_t group, std::size_t first) {
   const bool is_first = group == first;
@@ -41,8 +48,7 @@ std::string number_of(const Answer& answer, const Judged& judged, std::size_t gr
   }
   const Observations& observed = judged.observations;
   const bool is_bound = value == observed.groups[group].at_most && value > 0;
-  return fmt::format("{}{}{}{}", is_bound ? "at most " : "", number_text(value),
-                     is_first && !observed.unit.empty() ? " " : "", is_first ? observed.unit : "");
+  return with_unit((is_bound ? "at most " : "") + number_text(value), is_first ? observed.unit : "");
 }
 
 // "median error", "mean error", "solved"
@@ -98,10 +104,6 @@ std::string all_of(const Judged& judged) {
   return names_of(names);
 }
 
-bool all_are(const Judged& judged, Verdict verdict) {
-  return std::ranges::all_of(judged.findings, [=](const Finding& finding) { return finding.verdict == verdict; });
-}
-
 // Empty unless all solvers solved all targets.
 std::string all_solved(const Answer& answer) {
   const Judged& judged = answer.decisive();
@@ -120,8 +122,7 @@ std::string usual(const Judged& judged) {
   const Description &its = judged.described[place_of(observed, head.usual)],
                     &theirs = judged.described[place_of(observed, head.other)];
   const auto two = [&](double one, double other) {
-    return fmt::format("{} and {}{}{}", number_text(one), number_text(other), observed.unit.empty() ? "" : " ",
-                       observed.unit);
+    return fmt::format("{} and {}", number_text(one), with_unit(number_text(other), observed.unit));
   };
   const auto [usually, not_so] =
       observed.better == Better::smaller ? std::pair("smaller", "larger") : std::pair("larger", "smaller");
@@ -155,71 +156,60 @@ std::string against_control(const Answer& answer) {
 std::string not_tested(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const Finding& finding = judged.findings.front();
-  const bool have_one_reason =
+  const std::string numbers = numbers_of(answer, true);
+  const bool is_for_all =
       finding.n > 0 && std::ranges::count(judged.findings, finding.why, &Finding::why) == std::ssize(judged.findings);
-  switch (have_one_reason ? finding.why : Why::tested) {
-    case Why::too_few:
-      return fmt::format("Not tested: {} cannot decide it, {} can; {}", numerics::counted(finding.n, answer.noun),
-                         finding.needed, numbers_of(answer, true));
-    case Why::fact:
-      return fmt::format("Certain for these {}, since the solvers repeat themselves: {}", answer.noun,
-                         numbers_of(answer, true));
-    default:
-      return fmt::format("Not tested: {}", numbers_of(answer, true));
-  }
+  if (is_for_all && finding.why == Why::too_few)
+    return fmt::format("Not tested: {} cannot decide it, {} can; {}", numerics::counted(finding.n, answer.noun),
+                       finding.needed, numbers);
+  if (is_for_all && finding.why == Why::fact)
+    return fmt::format("Certain for these {}, since the solvers repeat themselves: {}", answer.noun, numbers);
+  return "Not tested: " + numbers;
 }
 
 // Where no solver is best: those that none is shown to beat, and whom the one of them beats that beats most.
 std::string unbeaten(const Answer& answer) {
   const Judged& judged = answer.decisive();
-  const std::set<std::string> beaten = losers_of(judged.findings);
+  const auto against = [&](const std::string& one, Verdict verdict) {  // the others, as the table has them
+    std::vector<std::string> others;
+    for (const std::size_t i : answer.order) {
+      const std::string& other = solver_name(judged, i);
+      const Finding* const pair = finding_of(judged, one, other);
+      if (pair && better_first(*pair, other).verdict == verdict) others.push_back(other);
+    }
+    return others;
+  };
   std::set<std::string> tested;
   for (const Finding& finding : judged.findings) {
     if (finding.verdict != Verdict::not_tested) tested.insert({finding.first, finding.second});
   }
-  std::vector<std::string> rest, apart;
+  if (tested.empty()) return not_tested(answer);
+  std::vector<std::string> rest, apart, same, others;  // same: as all before it
   for (const std::size_t i : answer.order) {
     const std::string& name = solver_name(judged, i);
-    if (!tested.contains(name))
-      apart.push_back(name);
-    else if (!beaten.contains(name))
-      rest.push_back(name);
-  }
-  const std::string numbers = numbers_of(answer, true);
-  std::vector<std::string> same, others;  // as all before it
-  for (const std::string& name : rest) {
-    const auto is_same = [&](const std::string& other) {
-      const Finding* const pair = finding_of(judged, other, name);
-      return pair && pair->verdict == Verdict::same;
+    const auto is_same = [its = against(name, Verdict::same)](auto& other) {
+      return std::ranges::count(its, other) > 0;
     };
+    if (!tested.contains(name)) apart.push_back(name);
+    if (!tested.contains(name) || !against(name, Verdict::worse).empty()) continue;
+    rest.push_back(name);
     (std::ranges::all_of(same, is_same) ? same : others).push_back(name);
   }
+  const std::string numbers = numbers_of(answer, true);
   if (same.size() > 1)
     return fmt::format("{} are the same within {}{}: {}", names_of(same), margin_words(judged),
                        others.empty() ? "" : ", not decided against " + names_of(others), numbers);
   if (std::ranges::all_of(judged.findings, &Finding::are_all_equal))
     return fmt::format("{} are the {}: {} {}", all_of(judged), verdict_words(judged.findings.front(), judged),
                        quantity_of(answer), number_of(answer, judged, answer.order[0], answer.order[0]));
-  const auto told = [&](const std::vector<std::string>& names) {
-    std::vector<std::string> all;
-    for (const std::string& name : names)
-      all.push_back(with_number(answer, name, place_of(judged.observations, rest[0])));
-    return names_of(all);
+  const auto beaten = [&](const std::string& one) { return against(one, Verdict::better).size(); };
+  const auto leader = std::ranges::max_element(rest, {}, beaten);
+  if (leader == rest.end() || beaten(*leader) == 0) return "Not decided: " + numbers;
+  const auto told = [&](std::vector<std::string> names) {
+    for (std::string& name : names) name = with_number(answer, name, place_of(judged.observations, rest[0]));
+    return names_of(names);
   };
-  const auto against = [&](const std::string& one, bool is_better) {
-    std::vector<std::string> all;
-    for (const std::size_t i : answer.order) {
-      const std::string& other = solver_name(judged, i);
-      const Finding* const pair = finding_of(judged, one, other);
-      const auto verdict = pair ? better_first(*pair, other).verdict : Verdict::not_tested;
-      if (verdict == (is_better ? Verdict::better : Verdict::undecided)) all.push_back(other);
-    }
-    return all;
-  };
-  const auto count = [&](const std::string& one) { return against(one, true).size(); };
-  const auto leader = std::ranges::max_element(rest, {}, count);
-  if (leader == rest.end() || count(*leader) == 0) return "Not decided: " + numbers;
-  const std::vector<std::string> worse = against(*leader, true), open = against(*leader, false);
+  const std::vector<std::string> worse = against(*leader, Verdict::better), open = against(*leader, Verdict::undecided);
   std::string text = rest.size() == 1 ? fmt::format("{} is better than {}", told(rest), told(worse))
                                       : fmt::format("Not decided between {}; {} {} worse than {}", told(rest),
                                                     told(worse), worse.size() == 1 ? "is" : "are", *leader);
@@ -288,7 +278,6 @@ std::string best(const Answer& answer) {
 std::string sentence(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const Headline& head = judged.headline;
-  const std::size_t groups = judged.described.size();
   if (!best_of(judged).empty()) return best(answer);
   if (!head.best.empty()) return unbeaten(answer);
   if (!head.usual.empty()) return usual(judged);
@@ -298,16 +287,8 @@ std::string sentence(const Answer& answer) {
     return (is_solved ? "" : solver_name(judged, 0) + ": ") + numbers_of(answer, is_solved);
   }
   if (head.is_circle) return "No solver is best, since each is worse than another: " + numbers_of(answer, true);
-  if (!judged.plan.control.empty() && groups > 2) return against_control(answer);
-  if (all_are(judged, Verdict::same))
-    return fmt::format("{} are the same within {}: {}", all_of(judged), margin_words(judged), numbers_of(answer, true));
-  return all_are(judged, Verdict::not_tested) ? not_tested(answer) : unbeaten(answer);
-}
-
-// "1 point", "2.5 cm".
-std::string with_unit(const std::string& text, const std::string& unit) {
-  if (unit.empty()) return text;
-  return fmt::format("{} {}", text, text == "1" && unit == "points" ? "point" : unit);
+  if (!judged.plan.control.empty() && answer.order.size() > 2) return against_control(answer);
+  return unbeaten(answer);
 }
 
 }  // namespace
@@ -362,21 +343,10 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
   std::string words(compare::name_of(finding.verdict));
   if (finding.n == 0 && finding.why == Why::too_few) return words + ": no values";
   if (finding.is_within_margin) words += ", by less than " + margin;
-  switch (finding.why) {
-    case Why::tested:
-      return words;
-    case Why::lost:
-      return words + ": values are missing";
-    case Why::apart:
-      return words + ": not comparable";
-    case Why::fact:
-      return words + ": certain, without a test";
-    case Why::too_few:
-      return fmt::format("{}: it takes {} values", words, finding.needed);
-    case Why::few_decide:
-      return words + ": few values decide the mean";
-  }
-  return words;
+  if (finding.why == Why::too_few) return fmt::format("{}: it takes {} values", words, finding.needed);
+  constexpr std::array<const char*, 6> reasons{
+      "", ": values are missing", ": not comparable", ": certain, without a test", "", ": few values decide the mean"};
+  return words + reasons[static_cast<std::size_t>(finding.why)];
 }
 
 std::string warning_of(const Doubt& doubt) {
