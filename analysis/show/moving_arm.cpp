@@ -118,15 +118,11 @@ std::optional<std::string> moving_arm(const StudyResults& study, const std::vect
 
 std::optional<std::string> drawing_library() {
   for (const std::filesystem::path folder : {"/usr/share/javascript/three", "/usr/share/nodejs/three"}) {
-    std::string library;
-    for (const char* name : {"build/three.min.js", "examples/js/controls/OrbitControls.js"}) {
-      const auto text = read_file(folder / name);
-      const bool is_safe =
-          text && text->find("</script") == std::string::npos && text->find("<!--") == std::string::npos;
-      if (!is_safe) break;
-      library += *text + '\n';
-      if (std::string_view(name).starts_with("examples")) return library;
-    }
+    const auto library = read_file(folder / "build/three.min.js");
+    const auto controls = read_file(folder / "examples/js/controls/OrbitControls.js");
+    const std::string both = library.value_or("") + '\n' + controls.value_or("") + '\n';
+    const bool is_safe = both.find("</script") == std::string::npos && both.find("<!--") == std::string::npos;
+    if (library && controls && is_safe) return both;
   }
   return std::nullopt;
 }

@@ -106,12 +106,10 @@ Table for_article(Table table, const Report& report, const Answer& brief) {
   if (table.name == "results") {
     for (const compare::Doubt& doubt : brief.all_doubts()) table.notes.push_back(warning_of(doubt));
   }
-  for (std::size_t c = table.columns.size(); c-- > 0;) {
-    const bool is_told = are_pairs && c == 0;  // in the caption
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {  // writers leave out what is empty
+    const bool is_told = are_pairs && c == 0;               // in the caption
     if (!is_told && table.columns[c].name != "remark") continue;
-    const auto at = static_cast<std::ptrdiff_t>(c);
-    table.columns.erase(table.columns.begin() + at);
-    for (auto& row : table.rows) row.erase(row.begin() + at);
+    for (auto& row : table.rows) row[c] = {};
   }
   const std::string& name = report.study.entry.name;
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);

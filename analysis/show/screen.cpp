@@ -14,40 +14,32 @@ using namespace compare;
 
 namespace {
 
-constexpr std::size_t most_rows = 20, most_notes = 4, longest_name = 24;
+constexpr std::size_t most_rows = 20, longest_name = 24;
 
 std::string table_of(const Answer& answer) {
   Table table = results_table(answer);
   table.columns[0].name = "";
   const std::size_t all = table.rows.size();
   if (all > most_rows) table.rows.resize(most_rows - 1);
-  std::vector<std::string> notes = std::exchange(table.notes, {});
+  const std::vector<std::string> notes = std::exchange(table.notes, {});
   std::string text = to_text(table);
   if (all > most_rows) text += fmt::format("  and {} more solvers\n", all - most_rows + 1);
-  notes.resize(std::min(notes.size(), most_notes));
   return notes.empty() ? text : text + paragraph(fmt::format("{}", fmt::join(notes, " ")), "");
-}
-
-std::string warnings_of(const Answer& answer) {
-  std::string text;
-  for (const Doubt& doubt : answer.all_doubts()) text += paragraph("! " + words_of(doubt), "  ");
-  return text;
 }
 
 }  // namespace
 
 std::string screen(const Answer& whole, const std::string& page) {
   const Answer answer = with_short_names(whole, longest_name);
-  constexpr std::size_t gap = 3, width = 100;
   std::string text;
   std::istringstream lines(headline(answer));
   for (std::string line; std::getline(lines, line);) text += paragraph(line, "");
   const auto pairs = pair_rows(answer);
-  text += '\n' + table_of(answer) + in_columns(pairs, gap, width);
+  text += '\n' + table_of(answer) + in_columns(pairs);
   for (const std::string& note :
        {of_pairs(answer), answer.decisive().described.size() == 2 ? chosen_before(answer) : ""})
     text += note.empty() || pairs.empty() ? "" : paragraph(note, "");
-  text += warnings_of(answer);
+  for (const Doubt& doubt : answer.all_doubts()) text += paragraph("! " + words_of(doubt), "  ");
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));
 }
 

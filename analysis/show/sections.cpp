@@ -9,18 +9,6 @@ namespace ikbench::show {
 
 using namespace compare;
 
-namespace {
-
-Blocks first_of(const Report& report) {
-  if (!report.first.empty()) return report.first;
-  Blocks blocks{Heading{headline(report.answer)}};
-  if (!report.study.entry.series.empty()) blocks.emplace_back(what_is_studied(report.study) + '.');
-  blocks.emplace_back(results_table(report.answer));
-  return blocks;
-}
-
-}  // namespace
-
 Report report_of(JudgedStudy judged, std::vector<figures::Figure> figures) {
   Report report{.answer = answer_of(judged), .figures = std::move(figures)};
   report.study = std::move(judged.study);
@@ -28,7 +16,14 @@ Report report_of(JudgedStudy judged, std::vector<figures::Figure> figures) {
 }
 
 std::vector<Blocks> sections_of(const Report& report) {
-  std::vector<Blocks> sections{first_of(report)};
+  Blocks first = report.first;
+  const bool is_of_study = !report.study.entry.series.empty();  // else of a user's file
+  if (first.empty()) {
+    first = {Heading{headline(report.answer)}};
+    if (is_of_study) first.emplace_back(what_is_studied(report.study) + '.');
+    first.emplace_back(results_table(report.answer));
+  }
+  std::vector<Blocks> sections{first};
   const auto add = [&](std::string heading, Blocks blocks) {
     const auto is_empty = [](const Block& block) {
       const auto* const table = std::get_if<Table>(&block);
@@ -51,7 +46,7 @@ std::vector<Blocks> sections_of(const Report& report) {
   for (const Doubt& doubt : report.answer.all_doubts()) warnings.emplace_back(warning_of(doubt));
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   add("Warnings", std::move(warnings));
-  if (!report.study.entry.series.empty())  // else of a user's file
+  if (is_of_study)
     add("Set-up", {methods_of(report.answer, report.study) + ". For LaTeX, with what to cite: tables/methods.tex.",
                    study_table(report.study), options_table(report.study), machine_table(report.study)});
   return sections;

@@ -16,21 +16,14 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-struct Substitute {
-  char character;
-  std::string_view text;
-};
+using Substitute = std::pair<char, std::string_view>;
 
 std::string replaced(std::string_view text, std::span<const Substitute> substitutes, std::string_view after_backslash) {
   std::string result;
   for (const char c : one_line(text)) {
-    const auto found = std::ranges::find(substitutes, c, &Substitute::character);
-    if (found != substitutes.end()) {
-      result += found->text;
-    } else {
-      if (after_backslash.find(c) != std::string_view::npos) result += '\\';
-      result += c;
-    }
+    const auto found = std::ranges::find(substitutes, c, &Substitute::first);
+    if (after_backslash.find(c) != std::string_view::npos) result += '\\';
+    result += found == substitutes.end() ? std::string_view(&c, 1) : found->second;
   }
   return result;
 }

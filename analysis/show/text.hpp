@@ -29,8 +29,7 @@ std::string listed(const std::vector<std::string>& names, std::string_view last 
 std::vector<std::string> broken(std::string_view text, std::size_t first, std::size_t others);
 
 // Rows with their columns padded. If they are wider than `width`, the words of the widest columns are wrapped.
-std::string in_columns(const std::vector<std::vector<std::string>>& rows, std::size_t gap = 3,
-                       std::size_t width = std::string::npos);
+std::string in_columns(const std::vector<std::vector<std::string>>& rows, std::size_t gap = 3, std::size_t width = 100);
 
 // Lines of a screen, at most 100 columns, which break between words; the first begins with `first`, others with
 // `indent`.
