@@ -177,20 +177,16 @@ auto is_timed(Timing how) {
   return [how](const Solve& solve) { return solve.timing == how; };
 }
 
-// Machines differ if their processors do, or both name and start: one that starts again keeps its name, and containers
-// on it have their own.
-bool are_several_machines(const StudyResults& study) {
-  const auto differ = [&](const char* fact) { return facts_of(study, fact).size() > 1; };
-  return differ("cpu") || (differ("host") && differ("boot"));
-}
-
 // Who was slowed, and by what. No solver, but a doubt: of all.
 std::vector<Doubt> doubts_of_load(const StudyResults& study) {
   Doubts doubts;
   const auto of = [](const char* what) { return Doubt{.kind = DoubtKind::times_not_comparable, .what = what}; };
   add(doubts, study, of("solved in parallel"), is_timed(Timing::parallel));
   add(doubts, study, of("a debug build"), is_timed(Timing::debug_build));
-  if (are_several_machines(study)) doubts.push_back(of("several machines"));
+  // Machines differ if their processors do, or both name and start: one that starts again keeps its name, and
+  // containers on it have their own.
+  const auto differ = [&](const char* fact) { return facts_of(study, fact).size() > 1; };
+  if (differ("cpu") || (differ("host") && differ("boot"))) doubts.push_back(of("several machines"));
   for (Doubt& doubt : doubts) doubt.who.clear();
   if (!doubts.empty()) return {doubts.front()};
   add_counts(doubts, study, of("the machine was busy"), [&](const std::string& solver) {
@@ -252,23 +248,18 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   return doubts;
 }
 
-// Some solve took the seconds that the study gives.
-bool is_ended_by_clock(const StudyResults& study, std::string_view solver) {
-  constexpr double nearly = 0.9;  // programs and libraries stop by themselves
-  const double limit = study.definition.stop.seconds;
-  return limit > 0 &&
-         std::ranges::any_of(study.of(solver), [&](const Solve& solve) { return solve.seconds >= nearly * limit; });
-}
-
 // What solvers reach in seconds depends on the load.
 std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
-  if (study.definition.stop.seconds == 0) return {};
+  const double limit = study.definition.stop.seconds;
+  if (limit == 0) return {};
+  const auto is_ended = [&](const Solve& solve) { return solve.seconds >= 0.9 * limit; };  // programs stop before it
   std::vector<Doubt> doubts = doubts_of_load(study);
   if (!measured_apart(study).empty()) doubts.push_back({.what = "measured in different sessions"});
   for (Doubt& doubt : doubts) {
     doubt.kind = DoubtKind::seconds_decide;
     if (doubt.who.empty()) doubt.who = study.solvers;
-    std::erase_if(doubt.who, [&](const std::string& solver) { return !is_ended_by_clock(study, solver); });
+    std::erase_if(doubt.who,
+                  [&](const std::string& solver) { return std::ranges::none_of(study.of(solver), is_ended); });
   }
   std::erase_if(doubts, [](const Doubt& doubt) { return doubt.who.empty(); });
   return doubts;

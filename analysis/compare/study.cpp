@@ -6,11 +6,9 @@
 #include <bit>
 #include <cmath>
 #include <initializer_list>
-#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <unordered_map>
-#include <utility>
 
 #include "analysis/compare/describe.hpp"
 #include "numerics/units.hpp"
@@ -140,7 +138,11 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
   StudyResults study{.entry = entry, .definition = definition_of(entry.definition)};
   study.runs = study.definition.runs;
   study.points = study.definition.points;
-  for (const Series& series : entry.series) study.solvers.push_back(series.label);
+  for (const Series& series : entry.series) {
+    if (series.label.empty())
+      throw std::invalid_argument(fmt::format("study '{}' has a solver without a label; expected one", entry.name));
+    study.solvers.push_back(series.label);
+  }
   study.solves.reserve(static_cast<std::size_t>(all));
   Adder adder{study};
   store.each_of_study(entry, [&](const SolveRecord& record) {
@@ -148,11 +150,7 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
     adder.add(record);
   });
   std::set<std::int64_t> used;
-  for (const Solve& solve : study.solves) {
-    study.runs = std::max(study.runs, solve.run);
-    study.points = std::max(study.points, solve.point);
-    used.insert(solve.session);
-  }
+  for (const Solve& solve : study.solves) used.insert(solve.session);
   study.sessions = store.sessions();
   std::erase_if(study.sessions, [&](const Session& session) { return !used.contains(session.id); });
   std::string& control = study.definition.plan.control;
