@@ -52,8 +52,7 @@ Json first_run(const StudyResults& study, const std::string& solver, const robot
   const bool in_mm = study.definition.published.empty();  // as in tables
   Json steps = Json::array();
   const SolveRecord* before = nullptr;
-  for (const SolveRecord& solve : solves) {
-    if (steps.size() == most_points) break;
+  for (const SolveRecord& solve : solves.first(std::min(solves.size(), most_points))) {
     Json step{{"point", solve.point},
               {"target", rounded(solve.target_position_m)},
               {"answer", rounded(solve.answer_rad)},

@@ -67,14 +67,15 @@ std::vector<std::string> files_of(const std::vector<figures::Figure>& figures, c
   return files;
 }
 
-std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
-  std::vector<figures::Figure> figures;
-  for (const Blocks& blocks : sections) {
-    for (const Block& block : blocks) {
-      if (const auto* figure = std::get_if<figures::Figure>(&block)) figures.push_back(*figure);
+template <class Kind>
+std::vector<Kind*> all_in(std::vector<Blocks>& sections) {
+  std::vector<Kind*> all;
+  for (Blocks& blocks : sections) {
+    for (Block& block : blocks) {
+      if (auto* const of_kind = std::get_if<Kind>(&block)) all.push_back(of_kind);
     }
   }
-  return figures;
+  return all;
 }
 
 // Leaves readers the pairs that were tested, and of many those of the reference.
@@ -158,7 +159,9 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   const std::vector<std::string> earlier = files_of_earlier(folder);
   for (const std::string& file : earlier) numerics::refuse_input(folder / file);
   std::vector<Blocks> sections = sections_of(report);
-  const std::vector<figures::Figure> figures = figures_in(sections);
+  const std::vector<Table*> tables = all_in<Table>(sections);
+  std::vector<figures::Figure> figures;
+  for (const figures::Figure* figure : all_in<figures::Figure>(sections)) figures.push_back(*figure);
   Written written{.page = folder / own_files[0]};
   written.warnings = figures::write_figures(figures, folder / "figures", options);
 
@@ -175,14 +178,10 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
                     keys.empty() ? "" : " Solvers and arm: \\cite{", fmt::join(keys, ","), keys.empty() ? "" : "}."));
   }
   const Answer brief = with_short_names(report.answer, 20);
-  for (const Blocks& blocks : sections) {
-    for (const Block& block : blocks) {
-      if (!std::holds_alternative<Table>(block)) continue;
-      const Table& table = std::get<Table>(block);
-      if (table.name.empty()) continue;
-      write_table(table, for_article(table, report, brief), folder / "tables", program);
-      for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table.name, type));
-    }
+  for (const Table* table : tables) {
+    if (table->name.empty()) continue;
+    write_table(*table, for_article(*table, report, brief), folder / "tables", program);
+    for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table->name, type));
   }
   std::ranges::move(files_of(figures, folder), std::back_inserter(files));
   std::ranges::sort(files);
@@ -190,11 +189,8 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   Json json = to_json(report.answer);
   json["files"] = files;
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
-  for (Blocks& blocks : sections) {
-    for (Block& block : blocks) {
-      if (auto* const table = std::get_if<Table>(&block); table && table->name == "pairs")
-        keep_telling(*table, report.answer);
-    }
+  for (Table* table : tables) {
+    if (table->name == "pairs") keep_telling(*table, report.answer);
   }
   results::write_file(folder / "report.md", to_markdown(sections, folder));
   const std::string& title = report.study.definition.title;

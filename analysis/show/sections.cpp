@@ -16,14 +16,13 @@ Report report_of(JudgedStudy judged, std::vector<figures::Figure> figures) {
 }
 
 std::vector<Blocks> sections_of(const Report& report) {
-  Blocks first = report.first;
+  std::vector<Blocks> sections{report.first};
   const bool is_of_study = !report.study.entry.series.empty();  // else of a user's file
-  if (first.empty()) {
-    first = {Heading{headline(report.answer)}};
-    if (is_of_study) first.emplace_back(what_is_studied(report.study) + '.');
-    first.emplace_back(results_table(report.answer));
+  if (report.first.empty()) {
+    sections[0] = {Heading{headline(report.answer)}};
+    if (is_of_study) sections[0].emplace_back(what_is_studied(report.study) + '.');
+    sections[0].emplace_back(results_table(report.answer));
   }
-  std::vector<Blocks> sections{first};
   const auto add = [&](std::string heading, Blocks blocks) {
     const auto is_empty = [](const Block& block) {
       const auto* const table = std::get_if<Table>(&block);

@@ -62,14 +62,17 @@ bool excludes_end(const Cell& cell) {
 // Of which kinds the cells of a column are: what files of numbers have columns for.
 struct Kinds {
   bool texts = false, intervals = false, excluded = false, printed = false;
-  bool ratios = false, differences = false, spreads = false, marks = false;  // of Marked
+  bool long_texts = false;
+  bool ratios = false, differences = false, spreads = false, marks = false, best = false;  // of Marked
 };
 std::vector<Kinds> kinds_of(const Table& table) {
   std::vector<Kinds> kinds(table.columns.size());
   for (const auto& row : table.rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       const Marked its = std::holds_alternative<Marked>(row[c]) ? std::get<Marked>(row[c]) : Marked{};
-      kinds[c].texts |= std::holds_alternative<std::string>(row[c]);
+      const auto* const text = std::get_if<std::string>(&row[c]);
+      kinds[c].texts |= text != nullptr;
+      kinds[c].long_texts |= text != nullptr && character_count(*text) > 60;
       kinds[c].intervals |= std::holds_alternative<compare::Interval>(row[c]);
       kinds[c].excluded |= excludes_end(row[c]);
       kinds[c].printed |= std::holds_alternative<Printed>(row[c]);
@@ -77,6 +80,7 @@ std::vector<Kinds> kinds_of(const Table& table) {
       kinds[c].differences |= its.to_reference == compare::Scale::difference;
       kinds[c].spreads |= its.interval.has_value();
       kinds[c].marks |= !its.mark.empty();
+      kinds[c].best |= its.is_best;
     }
   }
   return kinds;
@@ -178,8 +182,8 @@ std::string latex_number(double value, int digits) {
 
 std::string latex_cell(const Cell& cell, const Column& column) {
   const Readable read{latex_number, column, "$\\le$ ", "--"};
-  if (const auto* text = std::get_if<std::string>(&cell)) return latex_text(*text);
-  if (std::holds_alternative<Printed>(cell)) return latex_text(std::visit(read, cell));
+  if (std::holds_alternative<std::string>(cell) || std::holds_alternative<Printed>(cell))
+    return latex_text(std::visit(read, cell));
   if (const auto* of = std::get_if<Marked>(&cell)) {
     std::string text = read(Marked{.value = of->value, .is_bound = of->is_bound, .to_reference = of->to_reference});
     if (of->is_best) text = fmt::format("\\textbf{{{}}}", text);
@@ -270,11 +274,7 @@ std::string to_markdown(const Table& whole) {
 
 std::vector<std::string> typeset_notes(const Table& table) {
   std::vector<std::string> notes = table.notes;
-  const auto is_bold = [](const Cell& cell) {
-    const auto* const marked = std::get_if<Marked>(&cell);
-    return marked && marked->is_best;
-  };
-  if (std::ranges::any_of(table.rows, [&](const auto& row) { return std::ranges::any_of(row, is_bold); }))
+  if (std::ranges::any_of(kinds_of(table), &Kinds::best))
     notes.emplace_back("Bold: no other solver is shown to be better.");
   return notes;
 }
@@ -285,13 +285,8 @@ std::string to_latex(const Table& whole) {
   std::string letters, text;
   std::vector<std::string> heads;
   const std::vector<Kinds> kinds = kinds_of(table);  // spreads have a column of their own, so that the numbers align
-  std::vector<bool> are_long;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    are_long.push_back(std::ranges::any_of(table.rows, [&](const auto& row) {
-      const auto* words = std::get_if<std::string>(&row[c]);
-      return words && character_count(*words) > 60;
-    }));
-    letters += are_long[c] ? "p{5cm}" : kinds[c].texts ? "l" : kinds[c].spreads ? "r@{ }l" : "r";
+    letters += kinds[c].long_texts ? "p{5cm}" : kinds[c].texts ? "l" : kinds[c].spreads ? "r@{ }l" : "r";
     const std::string name = latex_text(head(table.columns[c]));
     heads.push_back(kinds[c].spreads ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
   }
@@ -300,7 +295,7 @@ std::string to_latex(const Table& whole) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
       cells.push_back(latex_cell(row[c], table.columns[c]));
-      if (are_long[c]) cells.back() = "\\raggedright\\let\\\\\\tabularnewline " + cells.back();
+      if (kinds[c].long_texts) cells.back() = "\\raggedright\\let\\\\\\tabularnewline " + cells.back();
       if (kinds[c].spreads && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
     }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));

@@ -138,14 +138,12 @@ std::vector<std::string> broken(std::string_view text, std::size_t first, std::s
     end = std::min(end, text.size());
     const std::string_view word = text.substr(at, end - at);
     const std::size_t length = character_count(word), width = lines.size() == 1 ? first : others;
-    if (at > 0 && used + 1 + length > width && used > 0) {
-      lines.emplace_back(word);
-      used = length;
-    } else {
-      if (at > 0) lines.back() += ' ';
-      lines.back() += word;
-      used += length + (at > 0 ? 1 : 0);
-    }
+    if (used > 0 && used + 1 + length > width)
+      lines.emplace_back(), used = 0;
+    else if (at > 0)
+      lines.back() += ' ', ++used;
+    lines.back() += word;
+    used += length;
     at = end + 1;
   }
   for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);

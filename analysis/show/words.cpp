@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "analysis/show/block.hpp"
 #include "analysis/show/text.hpp"
 #include "numerics/names.hpp"
 
@@ -229,13 +228,12 @@ std::vector<Finding> findings_of_best(const Judged& judged) {
 
 // ", by less than 5 %", of all or of some that the best ones beat.
 std::string by_little(const Judged& judged) {
-  const auto is_best = [&](const std::string& name) { return std::ranges::count(judged.headline.best, name) > 0; };
   std::set<std::string> who;
   bool are_all = true;
   for (const Finding& finding : findings_of_best(judged)) {
     if (!is_difference(finding.verdict)) continue;
     are_all &= finding.is_within_margin;
-    if (finding.is_within_margin) who.insert(is_best(finding.first) ? finding.second : finding.first);
+    if (finding.is_within_margin) who.insert(finding.verdict == Verdict::better ? finding.second : finding.first);
   }
   if (who.empty()) return "";
   const std::string than = are_all ? "" : "but better than " + names_of({who.begin(), who.end()}) + ' ';
