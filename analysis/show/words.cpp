@@ -195,25 +195,36 @@ std::string unbeaten(const Answer& answer) {
     (std::ranges::all_of(same, is_same) ? same : others).push_back(name);
   }
   const std::string numbers = numbers_of(answer, true);
-  if (same.size() > 1)
-    return fmt::format("{} are the same within {}{}: {}", names_of(same), margin_words(judged),
-                       others.empty() ? "" : ", not decided against " + names_of(others), numbers);
+  const std::string untested = apart.empty() ? "" : "; not tested: " + names_of(apart);
+  const auto are_worse = [](const std::string& names, std::size_t count, const std::string& than) {
+    return count == 0 ? "" : fmt::format("; {} {} worse than {}", names, count == 1 ? "is" : "are", than);
+  };
+  if (same.size() > 1) {
+    const std::vector<std::string> worse = against(same.front(), Verdict::better);
+    return fmt::format("{} are the same within {}{}: {}{}", names_of(same), margin_words(judged),
+                       others.empty() ? "" : ", not decided against " + names_of(others), numbers,
+                       are_worse(names_of(worse), worse.size(), same.front()));
+  }
   if (std::ranges::all_of(judged.findings, &Finding::are_all_equal))
     return fmt::format("{} are the {}: {} {}", all_of(judged), verdict_words(judged.findings.front(), judged),
                        quantity_of(answer), number_of(answer, judged, answer.order[0], answer.order[0]));
   const auto beaten = [&](const std::string& one) { return against(one, Verdict::better).size(); };
   const auto leader = std::ranges::max_element(rest, {}, beaten);
-  if (leader == rest.end() || beaten(*leader) == 0) return "Not decided: " + numbers;
+  if (leader == rest.end() || beaten(*leader) == 0) return "Not decided: " + numbers + untested;
   const auto told = [&](std::vector<std::string> names) {
     for (std::string& name : names) name = with_number(answer, name, place_of(judged.observations, rest[0]));
     return names_of(names);
   };
-  const std::vector<std::string> worse = against(*leader, Verdict::better), open = against(*leader, Verdict::undecided);
-  std::string text = rest.size() == 1 ? fmt::format("{} is better than {}", told(rest), told(worse))
-                                      : fmt::format("Not decided between {}; {} {} worse than {}", told(rest),
-                                                    told(worse), worse.size() == 1 ? "is" : "are", *leader);
-  if (rest.size() == 1 && !open.empty()) text += "; not decided against " + told(open);
-  return apart.empty() ? text : fmt::format("{}; not tested: {}", text, names_of(apart));
+  const std::vector<std::string> worse = against(*leader, Verdict::better);
+  std::vector<std::string> open = against(*leader, Verdict::undecided);
+  std::erase_if(open, [&](const std::string& name) { return std::ranges::count(rest, name) > 0; });
+  std::string text = rest.size() == 1
+                         ? fmt::format("{} is better than {}", told(rest), told(worse))
+                         : "Not decided between " + told(rest) + are_worse(told(worse), worse.size(), *leader);
+  if (!open.empty())
+    text += rest.size() == 1 ? "; not decided against " + told(open)
+                             : fmt::format("; not decided between {} and {}", *leader, told(open));
+  return text + untested;
 }
 
 // Of a best one and another.
