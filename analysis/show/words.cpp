@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -169,12 +170,16 @@ std::string not_tested(const Answer& answer) {
 // Where no solver is best: those that none is shown to beat, and whom the one of them beats that beats most.
 std::string unbeaten(const Answer& answer) {
   const Judged& judged = answer.decisive();
+  std::map<std::string, std::map<std::string, Verdict>> verdicts;  // of one against another
+  for (const Finding& finding : judged.findings) {
+    verdicts[finding.first][finding.second] = finding.verdict;
+    verdicts[finding.second][finding.first] = turned(finding.verdict);
+  }
   const auto against = [&](const std::string& one, Verdict verdict) {  // the others, as the table has them
     std::vector<std::string> others;
     for (const std::size_t i : answer.order) {
-      const std::string& other = solver_name(judged, i);
-      const Finding* const pair = finding_of(judged, one, other);
-      if (pair && better_first(*pair, other).verdict == verdict) others.push_back(other);
+      const auto found = verdicts[one].find(solver_name(judged, i));
+      if (found != verdicts[one].end() && found->second == verdict) others.push_back(found->first);
     }
     return others;
   };
