@@ -215,7 +215,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
       "Exit codes: 0 nothing is worse, 3 something is worse, perhaps by more than the margin, 4 with --strict something\n"
-      "is not decided or not tested, 1 not compared: a mistake, or A and B differ in more than solvers. Times are shown and decide nothing.");
+      "is not decided or not tested, 1 not compared: a mistake, or A and B differ in more than solvers.\n"
+      "Times are shown and decide nothing.");
   command->callback([arguments, &invocation] {
     const std::vector<Gate> all = compare_all(*arguments);
     invocation.exit_code = exit_code(all, arguments->is_strict);

@@ -388,9 +388,8 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
   const auto panels = drawn_of(all_panels, 5, figure);
   if (rows.empty() || panels.empty()) return std::nullopt;
   constexpr double pitch = 1.7;  // of panels; a bar of 100 % is 1
-  std::vector<std::string> labels, ticks, clauses;
-  for (const std::string& row : rows) labels.push_back(row);
-  add_labelled_rows(figure, labels, 0.5);
+  std::vector<std::string> ticks, clauses;
+  add_labelled_rows(figure, rows, 0.5);
   constexpr double header_cm = 2.2;
   if (figure.sides_cm + header_cm * static_cast<double>(panels.size()) > figure.width_cm)
     figure.width_cm = 17;  // two columns of a journal

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -357,10 +356,21 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
   std::string words(compare::name_of(finding.verdict));
   if (finding.n == 0 && finding.why == Why::too_few) return words + ": no values";
   if (finding.is_within_margin) words += ", by less than " + margin;
-  if (finding.why == Why::too_few) return fmt::format("{}: it takes {} values", words, finding.needed);
-  constexpr std::array<const char*, 6> reasons{
-      "", ": values are missing", ": not comparable", ": certain, without a test", "", ": few values decide the mean"};
-  return words + reasons[static_cast<std::size_t>(finding.why)];
+  switch (finding.why) {
+    case Why::tested:
+      return words;
+    case Why::lost:
+      return words + ": values are missing";
+    case Why::apart:
+      return words + ": not comparable";
+    case Why::fact:
+      return words + ": certain, without a test";
+    case Why::too_few:
+      return fmt::format("{}: it takes {} values", words, finding.needed);
+    case Why::few_decide:
+      return words + ": few values decide the mean";
+  }
+  return words;
 }
 
 std::string warning_of(const Doubt& doubt) {
