@@ -1,6 +1,8 @@
 // Here and not in the header, because they are timed: folders that include it are compiled with -O1.
 #include "solvers/objective.hpp"
 
+#include <cmath>
+
 #include "robots/rotation.hpp"
 
 namespace ikbench::solvers {
@@ -26,16 +28,26 @@ void Objective::evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::Vecto
   }
 }
 
-Residual Objective::evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
-  if (!goal_.has_direction()) return goal_.target.translation() - arm_.position_jacobian(q, jacobian.topRows<3>());
+Linearized Objective::evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
+  if (!goal_.has_direction()) {
+    const Eigen::Vector3d away = goal_.target.translation() - arm_.position_jacobian(q, jacobian.topRows<3>());
+    return {away.norm(), away};
+  }
   const robots::Pose reached = arm_.pose_jacobian(q, jacobian.topRows<6>());
   const Eigen::Vector3d z = reached.linear().col(2);
   for (Eigen::Index j = 0; j < jacobian.cols() && goal_.kind == GoalKind::axis; ++j)
     jacobian.col(j).tail<3>() -= z.dot(jacobian.col(j).tail<3>()) * z;
   jacobian.bottomRows<3>() *= goal_.rotation_weight;
-  Residual residual(6);
-  residual << goal_.target.translation() - reached.translation(), goal_.rotation_weight * turn_from(reached.linear());
-  return residual;
+
+  const Eigen::Vector3d away = goal_.target.translation() - reached.translation();
+  const Eigen::Matrix3d axes_away = goal_.rotation_weight * (goal_.target.linear() - reached.linear());
+  // The error's three points; those of an axis lie on both sides of the tool.
+  const double squares = goal_.kind == GoalKind::axis ? 3 * away.squaredNorm() + 2 * axes_away.col(2).squaredNorm()
+                                                      : away.squaredNorm() + (away + axes_away.col(0)).squaredNorm() +
+                                                            (away + axes_away.col(1)).squaredNorm();
+  Residual to_go(6);
+  to_go << away, goal_.rotation_weight * turn_from(reached.linear());
+  return {std::sqrt(squares / 3), to_go};
 }
 
 }  // namespace ikbench::solvers

@@ -102,7 +102,8 @@ class Objective {
   // Writes the geometric Jacobian in the same units into `jacobian`, rows() x joints. J dq = residual is Newton's step.
   // The norm of a residual of 6 rows differs from the error. Counts one evaluation, as it is one candidate.
   Linearized linearize(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
-    return {error(q), evaluate_linear(q, jacobian)};
+    ++evaluations_;
+    return evaluate_linear(q, jacobian);
   }
 
   // Deviation of a configuration from the goal's pose, also if only a position is searched. It judges answers and does
@@ -117,7 +118,7 @@ class Objective {
       : arm_(arm), goal_(std::move(goal)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
 
   virtual void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors);
-  virtual Residual evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian);
+  virtual Linearized evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian);
 
  private:
   Eigen::Vector3d turn_from(const Eigen::Matrix3d& reached) const;  // the rotation vector that is left

@@ -42,12 +42,20 @@ class RecordingObjective final : public solvers::Objective {
  private:
   void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) override {
     solvers::Objective::evaluate(q, errors);
-    for (Eigen::Index i = 0; i < q.cols(); ++i) {
-      const std::size_t turn = candidates.size();
-      if (scripted_) errors[i] = turn < script_.size() ? script_[turn] : std::numeric_limits<double>::infinity();
-      candidates.push_back(q.col(i));
-      given.push_back(errors[i]);
-    }
+    for (Eigen::Index i = 0; i < q.cols(); ++i) record(q.col(i), errors[i]);
+  }
+  solvers::Linearized evaluate_linear(const robots::ConfigurationRef& q,
+                                      Eigen::Ref<Eigen::MatrixXd> jacobian) override {
+    solvers::Linearized linearized = solvers::Objective::evaluate_linear(q, jacobian);
+    record(q, linearized.error);
+    return linearized;
+  }
+
+  void record(const Eigen::VectorXd& q, double& error) {
+    const std::size_t turn = candidates.size();
+    if (scripted_) error = turn < script_.size() ? script_[turn] : std::numeric_limits<double>::infinity();
+    candidates.push_back(q);
+    given.push_back(error);
   }
 
   bool scripted_ = false;
@@ -73,11 +81,12 @@ class SpoiltObjective final : public solvers::Objective {
       if (++turn_ % period_ == 0) error = value_;
     }
   }
-  solvers::Residual evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) override {
-    const solvers::Residual to_go = solvers::Objective::evaluate_linear(q, jacobian);
-    if (++turn_ % period_ != 0) return to_go;
+  solvers::Linearized evaluate_linear(const robots::ConfigurationRef& q,
+                                      Eigen::Ref<Eigen::MatrixXd> jacobian) override {
+    const solvers::Linearized linearized = solvers::Objective::evaluate_linear(q, jacobian);
+    if (++turn_ % period_ != 0) return linearized;
     jacobian.setConstant(value_);
-    return solvers::Residual::Constant(to_go.size(), value_);
+    return {value_, solvers::Residual::Constant(linearized.to_go.size(), value_)};
   }
 
   double value_;

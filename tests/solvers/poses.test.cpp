@@ -103,7 +103,7 @@ TEST_CASE("every solver's best is honest about a pose or an axis and never worse
       long taken = 0;
       solver->start(task.problem, objective, random);
       for (int iteration = 0; iteration < 40; ++iteration) {
-        REQUIRE(solver->best().error == judge.error(solver->best().q));
+        REQUIRE(std::abs(solver->best().error - judge.error(solver->best().q)) < 1e-14);
         REQUIRE(solver->best().error <= before);
         before = solver->best().error;
         const long allocated = allocations();
