@@ -9,7 +9,6 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <regex>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -68,8 +67,6 @@ void replace_all(std::string& text, std::string_view old, std::string_view by) {
 
 // What gnuplot cannot say: a size in units of length, a title, and other fonts for machines that lack the one.
 void complete_svg(std::string& svg, const Figure& figure) {
-  const std::regex empty("\t?<g [^>]*>\n(\t\t<text></text>\n\t)?</g>\n");  // groups, half of some files
-  for (int nested = 0; nested < 2; ++nested) svg = std::regex_replace(svg, empty, "");
   const std::size_t box = svg.find("viewBox=\"0 0 "), end = svg.find('"', box + 13);
   if (box == std::string::npos || end == std::string::npos) return;
   std::string size = svg.substr(box + 13, end - box - 13);
