@@ -455,7 +455,7 @@ void Store::each_of_study(const StoredStudy& study, const Take& take) const {
       SQLite::bind(query, series.key, definition.runs, definition.points);
       database_->read_solves(query, [&](SolveRecord& record) {
         if (record.solver != series.label)
-          throw Damage(fmt::format("the label of '{}' is another in its solves", excerpt(series.label)));
+          throw Damage(fmt::format("the label of {} is another in its solves", excerpt(series.label)));
         record.study = study.name;  // also if another study's name solved it first
         take(record);
       });
