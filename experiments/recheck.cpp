@@ -130,8 +130,8 @@ TakeSolve recheck_of(const StoredStudy& study) {
   return [definition, arm = std::make_shared<const Robot>(std::move(*stored)), ours = built_in(study),
           before = std::make_shared<Left>()](const SolveRecord& solve) {
     check(definition, *arm, *before, ours.contains(solve.solver), solve);
-    const bool is_moved = solve.status != Status::not_finite;
-    *before = {solve.solver, solve.run, solve.point, is_moved ? solve.answer_rad : solve.start_rad};
+    *before = {solve.solver, solve.run, solve.point,
+               moves_arm(solve, definition.start) ? solve.answer_rad : solve.start_rad};
   };
 }
 
