@@ -1,7 +1,7 @@
 // A study as it is judged: its definition, its plan and all of its solves.
 //
 // A study may have millions of solves. A record takes about 1 kB, so judging keeps numbers of each and a hash of its
-// lists, 136 bytes: a million within 400 MB. Whole records are kept only of what figures draw.
+// lists, 120 bytes: a million within 400 MB. Whole records are kept only of what figures draw.
 #pragma once
 
 #include <cstdint>
