@@ -14,6 +14,7 @@
 #include "numerics/number.hpp"
 #include "results/export.hpp"
 #include "results/files.hpp"
+#include "results/study.hpp"
 
 namespace ikbench::results {
 
@@ -61,10 +62,12 @@ std::vector<Row> rows_of(const SolveRecord& solve) {
   return rows;
 }
 
-// The number of searched joints: all, or those before the wrist.
-std::size_t dimension_of(const Json& definition, const SolveRecord& solve) {
-  const std::size_t all = solve.answer_rad.size();
-  return definition.value("search", "") == "wrist" && all > 3 ? all - 3 : all;
+// The number of searched joints: all, those before the wrist, or all but the last.
+std::size_t dimension_of(Search search, const SolveRecord& solve) {
+  const std::size_t all = solve.answer_rad.size(), left = search == Search::wrist    ? 3
+                                                          : search == Search::flange ? 1
+                                                                                     : 0;
+  return all > left ? all - left : all;
 }
 
 // One function of one solver: the rows of all its runs, and their entries in the JSON file.
@@ -121,7 +124,7 @@ void refuse_full(const std::filesystem::path& folder) {
 
 std::vector<std::string> write_iohprofiler(const StoredStudy& study, const PassSolves& pass,
                                            const std::filesystem::path& folder) {
-  const Json definition = numerics::parsed_ordered_json(study.definition);
+  const Search search = definition_of(study.definition).search;
   std::map<std::string, std::map<int, Function>> functions;  // by solver and point
   std::size_t dimension = 0;
   std::set<std::string> left_out;
@@ -135,7 +138,7 @@ std::vector<std::string> write_iohprofiler(const StoredStudy& study, const PassS
           fmt::format("run {}, point {}: IOHprofiler's numbers end at {}; expected no more runs "
                       "and points",
                       solve.run, solve.point, largest_id));
-    dimension = dimension_of(definition, solve);
+    dimension = dimension_of(search, solve);
     add_run(functions[solve.solver][solve.point], solve, dimension);
   });
   if (functions.empty())

@@ -39,6 +39,12 @@ code=${PIPESTATUS[0]}
 succeeds export made/store.sqlite --format iohprofiler -o ioh
 [ -z "$err" ] || fail "a solver of the paper is left out: $err"
 refused 'ioh' export made/store.sqlite --format iohprofiler -o ioh
+cp made/store.sqlite flange.sqlite
+sqlite3 flange.sqlite "UPDATE studies SET definition = json_set(definition, '$.search', 'flange')"
+succeeds export flange.sqlite --format iohprofiler -o flange
+for joints in ioh:4 flange:6; do
+  equal "searched joints" "${joints%:*}:$(find "${joints%:*}" -name '*.dat' | sed 's/.*_DIM//; s/.dat//' | sort -u)" "$joints"
+done
 # The SQL of the docs counts no solve of an older program, and has the means of the report.
 cp -r made asked
 sqlite3 asked/store.sqlite "CREATE TEMP TABLE older AS SELECT * FROM solves; UPDATE older SET series = 'older@' || series; INSERT INTO solves SELECT * FROM older"
