@@ -1,5 +1,6 @@
 // Random numbers, the same on every machine: xoshiro256++ (Blackman and Vigna 2019) in eight interleaved lanes, seeded
-// by splitmix64 from a key. A stream is a pure function of its key.
+// by splitmix64 from a key. A stream is a pure function of its key. Distributions are our own, since those of std
+// differ between libraries.
 #pragma once
 
 #include <Eigen/Core>

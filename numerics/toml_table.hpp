@@ -1,5 +1,5 @@
 // Parses TOML and reads the fields of a table by name, unit and range. Every mistake is one sentence with file, line,
-// column, value and what was expected.
+// column, value and what was expected, of which toml++ knows the place alone.
 #pragma once
 
 #include <cstdint>

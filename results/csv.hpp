@@ -1,6 +1,7 @@
 // Comma-separated values by RFC 4180: cells are quoted if needed, quotes doubled, and any text round-trips; but one
 // that begins as a formula, and is no number, gets a ' before it, as spreadsheets write texts. Lines may end in LF or
-// CRLF; the writer uses LF. A byte-order mark and empty lines are skipped.
+// CRLF; the writer uses LF. A byte-order mark and empty lines are skipped. By hand, since libcsv copies every cell and
+// knows no lines for messages.
 #pragma once
 
 #include <cstddef>
