@@ -25,7 +25,7 @@ using namespace results;
 
 namespace {
 
-// The state of a run of one solver that is not done.
+// A chain is a run of one solver. This is how far one is that is not done.
 struct Chained {
   std::vector<bool> stored;     // one per point, in their order
   Configuration configuration;  // the arm's present configuration
