@@ -20,7 +20,17 @@ using namespace compare;
 
 namespace {
 
-const std::string star = "*", exclamation = "!";
+const std::string star = "*", plus = "+", exclamation = "!";
+
+// "* worse and + better than DLS, ! not tested", of the marks that occur.
+std::string meaning_of(const std::set<std::string>& marks, const std::string& reference) {
+  std::vector<std::string> pairs, all;
+  if (marks.contains(star)) pairs.push_back(star + " worse");
+  if (marks.contains(plus)) pairs.push_back(plus + " better");
+  if (!pairs.empty()) all.push_back(listed(pairs) + " than " + reference);
+  if (marks.contains(exclamation)) all.push_back(exclamation + " not tested");
+  return listed(all, ", ");
+}
 
 std::int64_t count(double number) { return std::llround(number); }
 
@@ -47,8 +57,12 @@ Cell result_cell(const Answer& answer, const Judged& judged, const std::string& 
   const Finding* const pair = finding_of(judged, solver, reference);
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const bool is_untested = group->is_apart || group->lost > 0 || (pair && finding.verdict == Verdict::not_tested);
-  const bool is_worse = finding.verdict == Verdict::worse && !finding.is_within_margin;
-  const std::string mark = is_untested ? exclamation : is_worse ? star : "";
+  const bool is_better = finding.verdict == Verdict::better && !judged.plan.control.empty();
+  const std::string mark = is_untested                         ? exclamation
+                           : finding.is_within_margin          ? ""
+                           : finding.verdict == Verdict::worse ? star
+                           : is_better                         ? plus
+                                                               : "";
   if (judged.observations.is_of_solved && solver != reference) {
     if (!finding.estimate) return {};
     return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale};
@@ -134,13 +148,8 @@ Table results_table(const Answer& answer) {
                       are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun);
   }
   if (!answer.direction.empty()) key += (key.empty() ? "" : "; ") + answer.direction;
-  std::vector<std::string> meanings, sentences{key};
-  if (marks.contains(star)) {
-    const std::string level = number_text(decisive.plan.significance);
-    meanings.push_back(fmt::format("{} worse than {} (adjusted p < {})", star, reference, level));
-  }
-  if (marks.contains(exclamation)) meanings.push_back(fmt::format("{} not tested", exclamation));
-  sentences.push_back(fmt::format("{}", fmt::join(meanings, ", ")));
+  const std::string level = fmt::format(" (adjusted p < {})", number_text(decisive.plan.significance));
+  std::vector<std::string> sentences{key, meaning_of(marks, reference + level)};
   if (has_shares)
     sentences.push_back(fmt::format("Brackets{}: {:.3g} % intervals", has_quartiles ? " of shares" : "",
                                     100 * (1 - decisive.plan.significance)));
@@ -152,9 +161,11 @@ Table results_table(const Answer& answer) {
 
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
   Table table{.name = "studies", .columns = {{"solver"}}};
-  std::vector<std::string> quantities, references, shown, told;
+  std::vector<std::string> quantities, references, referring, shown, told;
+  std::set<std::string> all_marks;
   for (std::size_t s = 0; s < studies.size(); ++s) {
     const Table of_study = results_table(studies[s]);
+    std::set<std::string> marks;
     table.columns.push_back({.name = names[s], .unit = of_study.columns[1].unit});
     quantities.push_back(of_study.columns[1].name);
     for (const std::vector<Cell>& of_solver : of_study.rows) {
@@ -165,32 +176,33 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
       if (row == table.rows.end()) row = table.rows.insert(row, {of_solver[0]});
       row->resize(s + 1);
       row->push_back(of_solver[1]);
+      if (const auto* const marked = std::get_if<Marked>(&of_solver[1])) marks.insert(marked->mark);
     }
+    if (marks.contains(star) || marks.contains(plus)) {
+      referring.push_back(names[s]);
+      references.push_back((studies[s].decisive().plan.control.empty() ? "" : "the control ") +
+                           reference_of(studies[s]));
+    }
+    all_marks.merge(marks);
   }
-  for (auto& row : table.rows) row.resize(table.columns.size());
+  bool has_empty = false;
+  for (auto& row : table.rows) {
+    row.resize(table.columns.size());
+    for (const Cell& cell : row) has_empty |= std::holds_alternative<std::monostate>(cell);
+  }
   const bool are_shares =
       std::ranges::all_of(studies, [](const Answer& answer) { return is_share(answer.decisive()); });
   table.caption = are_shares ? "Share of targets solved" : "What decides each study";
   for (const auto& [quantity, where] : by_word(quantities, names)) shown.push_back(quantity + " (" + where + ")");
-  for (const Answer& answer : studies)
-    references.push_back((answer.decisive().plan.control.empty() ? "" : "the control ") + reference_of(answer));
-  for (const auto& [reference, where] : by_word(references, names)) told.push_back(reference + " (" + where + ")");
-  const auto has = [&](const auto& is_it) {
-    return std::ranges::any_of(table.rows, [&](const auto& row) { return std::ranges::any_of(row, is_it); });
-  };
-  const bool has_untested = has([](const Cell& cell) {
-    const auto* const marked = std::get_if<Marked>(&cell);
-    return marked && marked->mark == "!";
-  });
-  const bool has_empty = has([](const Cell& cell) { return std::holds_alternative<std::monostate>(cell); });
-  table.notes = {
-      fmt::format(
-          "{}In the order of the first study that has the solver. * shown to be worse than {}{}{}; each study is "
-          "judged alone.",
-          are_shares ? "" : fmt::format("Shown: {}. ", listed(shown)), listed(told, " or "),
-          has_untested ? ", ! not tested" : "", has_empty ? ", - not in the study or without a value" : ""),
-      are_shares ? "Brackets: intervals at the level of each study."
-                 : "Brackets: intervals of shares, else quartiles."};
+  for (const auto& [reference, where] : by_word(references, referring)) told.push_back(reference + " (" + where + ")");
+  std::vector<std::string> sentences{
+      are_shares ? "" : "Shown: " + listed(shown), "In the order of the first study that has the solver",
+      meaning_of(all_marks, listed(told, " or ")), has_empty ? "-: not in the study or without a value" : "",
+      "Each study is judged alone"};
+  std::erase(sentences, "");
+  table.notes = {fmt::format("{}.", fmt::join(sentences, ". ")),
+                 are_shares ? "Brackets: intervals at the level of each study."
+                            : "Brackets: intervals of shares, else quartiles."};
   return table;
 }
 

@@ -237,7 +237,9 @@ TEST_CASE("a table says no more below it than it has", "[show]") {
   CHECK(anova_table(of_errors).notes.empty());
 }
 
-TEST_CASE("a star says that a solver is worse than the reference, and stands at what the test was of", "[show]") {
+TEST_CASE(
+    "marks say who is worse than the reference and who is better than a control, and stand at what the test was of",
+    "[show]") {
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.03, 0.6);
   const auto text = [](compare::Observations costs, results::Plan plan = {}, int last = 6) {
     costs.is_of_solved = costs.is_paired = true;
@@ -253,15 +255,16 @@ TEST_CASE("a star says that a solver is worse than the reference, and stands at 
         "B: medians; the others: ratios to it, on values that both solved. * worse than B (adjusted\n"
         "p < 0.05). Brackets: 95 % intervals.\n");
   CHECK(text(costs, {.control = "A"}) ==
-        "solver   solved           motion\n"
-        "B        100 % (84-100)   3 times *\n"
-        "A        30 % (15-52)     1 deg\n"
-        "C        30 % (15-52)     3 times *\n"
-        "A: medians; the others: ratios to it, on values that both solved. * worse than A (adjusted\n"
-        "p < 0.05). Brackets: 95 % intervals.\n");
+        "solver   solved             motion\n"
+        "B        100 % (84-100) +   3 times *\n"
+        "A        30 % (15-52)       1 deg\n"
+        "C        30 % (15-52)       3 times *\n"
+        "A: medians; the others: ratios to it, on values that both solved. * worse and + better than A\n"
+        "(adjusted p < 0.05). Brackets: 95 % intervals.\n");
+  CHECK(contains(text(costs, {.control = "B"}), "A        30 % (15-52) *   0.33 times +\n"));
   const std::string by_means = text(costs, {.test = results::Plan::Test::means, .control = "A"});
   INFO(by_means);
-  CHECK(contains(by_means, "B        100 % (84-100)   +2.08 deg *"));
+  CHECK(contains(by_means, "B        100 % (84-100) +   +2.08 deg *"));
   CHECK(contains(by_means, "A: means; the others: differences from it, on values that both solved."));
   costs.groups[2].is_apart = true;
   costs.groups[0].values = {};
