@@ -33,7 +33,8 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
   for (const JudgedClaim& claim : claims) {
     std::vector<std::string> remarks;
     if (!claim.section.empty()) remarks.push_back(claim.section + '.');
-    if (!claim.fails_where.empty()) remarks.push_back(fmt::format("Of the readings it fails {}.", claim.fails_where));
+    if (!claim.fails_where.empty())
+      remarks.push_back(fmt::format("Of the readings, each seed by itself, it fails {}.", claim.fails_where));
     if (!claim.evidence.empty()) remarks.push_back(claim.evidence);
     const auto cell = [](std::string text) { return text.empty() ? show::Cell() : show::Cell(std::move(text)); };
     table.rows.push_back({claim.sentence, std::string(name_of(claim.holds)), cell(claim.number),

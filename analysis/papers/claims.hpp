@@ -23,7 +23,7 @@ struct JudgedClaim {
   std::string number = {};       // the most telling one: "0.0017 cm, K-ABC 0.21"
   std::string rival = {};        // its part of the best rival: "K-ABC 0.21"
   std::string evidence = {};     // what tables do not say, in at most two sentences
-  std::string fails_where = {};  // "only where no solver is clamped", "nowhere"; empty if readings were not tried
+  std::string fails_where = {};  // "in 3 of 8, only where none is clamped", "nowhere"; empty if readings were not tried
 };
 
 // In the order of the paper's file, with where each fails, by its id. A claim that the report cannot judge is not

@@ -204,9 +204,11 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
       for (const Part& part : parts) sum += count(part, {}).*outcome;
       return static_cast<std::int64_t>(sum);
     };
-    const std::string& fails = result.fails_where[claim.id] = where(multiverse, parts, &Readings::fails);
-    result.table.rows.push_back({claim.sentence, all(&Readings::holds), all(&Readings::fails),
-                                 all(&Readings::undecided), fails, where(multiverse, parts, &Readings::undecided)});
+    const std::int64_t hold = all(&Readings::holds), fail = all(&Readings::fails), open = all(&Readings::undecided);
+    const std::string fails = where(multiverse, parts, &Readings::fails);
+    result.fails_where[claim.id] = fail == 0 ? fails : fmt::format("in {} of {}, {}", fail, hold + fail + open, fails);
+    result.table.rows.push_back(
+        {claim.sentence, hold, fail, open, fails, where(multiverse, parts, &Readings::undecided)});
   }
   result.table.notes = {fmt::format(
       "{:.0f} readings, each with seeds 1 to {}. Each pair is judged alone, at significance / pairs. Counts depend on "

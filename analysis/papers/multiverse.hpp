@@ -22,7 +22,7 @@ struct SolvedMultiverse : results::Multiverse {
 };
 
 struct JudgedMultiverse {
-  std::map<std::string, std::string> fails_where;  // of claims, by id: "only where no solver is clamped", "nowhere"
+  std::map<std::string, std::string> fails_where;  // of claims, by id, as in JudgedClaim
   show::Table table;                               // "multiverse"; readings, each seed of one by itself
 };
 

@@ -107,15 +107,15 @@ TEST_CASE("the smallest sets of answers without which a claim does not fail are 
   const auto fails_where = [&](const SolvedMultiverse& of, const char* id) {
     return judged(paper, of, {}).fails_where[id];
   };
-  CHECK(fails_where(small(few_runs), "better_than_ba") == "only where a is 1 or b is 1");
-  CHECK(fails_where(small(few_runs), "least_variation") == "only where a is 1 or c is 1");
-  CHECK(fails_where(small(few_runs), "most_accurate") == "only where a is 1 or b is 1");
+  CHECK(fails_where(small(few_runs), "better_than_ba").ends_with(", only where a is 1 or b is 1"));
+  CHECK(fails_where(small(few_runs), "least_variation") == "in 24 of 32, only where a is 1 or c is 1");
+  CHECK(fails_where(small(few_runs), "most_accurate") == "in 22 of 32, only where a is 1 or b is 1");
 
   SolvedMultiverse by_default = small(few_runs);  // and where nothing or the default fails
   for (auto& study : by_default.studies) study.solvers[1] = {chosen(by_default, {}, 9, 50, few_runs)};
   CHECK(fails_where(by_default, "better_than_ba") == "nowhere");
   for (auto& study : by_default.studies) study.solvers[1] = {chosen(by_default, {}, 0.1, 50, few_runs)};
-  CHECK(fails_where(by_default, "better_than_ba") == "in some seeds of the default, too");
+  CHECK(fails_where(by_default, "better_than_ba") == "in 16 of 16, in some seeds of the default, too");
 }
 
 TEST_CASE("a solver that diverges is not tested", "[papers]") {
