@@ -93,7 +93,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   const FigureStyle style = styled(all.front().study.entry, arguments.report);
   papers::Repeated repeated{.paper = paper, .study = all.front()};
   for (std::size_t i = 1; i < all.size(); ++i) repeated.companions.push_back(&all[i]);
-  const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.fails_where);
+  const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.in_readings);
   show::Table means = papers::means_table(repeated), brief = means;
   if (means.rows.empty()) means = papers::rates_table(repeated), brief = papers::rates_table(repeated, false);
 
@@ -122,7 +122,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   if (const auto figure = papers::rates_figure(repeated))
     reported.additions.push_back({show::Heading{"Ours and the printed"}, *figure});
   reported.claims = papers::claims_section(claims);
-  if (!readings.fails_where.empty())
+  if (!readings.in_readings.empty())
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
   announce(reported, folder, arguments.report, style,
            fmt::format("{}{}\n", papers::screen(sentences, brief, claims),

@@ -33,8 +33,8 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
   for (const JudgedClaim& claim : claims) {
     std::vector<std::string> remarks;
     if (!claim.section.empty()) remarks.push_back(claim.section + '.');
-    if (!claim.fails_where.empty())
-      remarks.push_back(fmt::format("Of the readings, each seed by itself, it fails {}.", claim.fails_where));
+    if (!claim.in_readings.empty())
+      remarks.push_back(fmt::format("Of the readings, each seed by itself, it {}.", claim.in_readings));
     if (!claim.evidence.empty()) remarks.push_back(claim.evidence);
     const auto cell = [](std::string text) { return text.empty() ? show::Cell() : show::Cell(std::move(text)); };
     table.rows.push_back({claim.sentence, std::string(name_of(claim.holds)), cell(claim.number),
@@ -48,7 +48,7 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
 std::string_view name_of(Holds holds) { return verdicts[static_cast<std::size_t>(holds)]; }
 
 std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
-                                       const std::map<std::string, std::string>& fails_where) {
+                                       const std::map<std::string, std::string>& in_readings) {
   std::vector<JudgedClaim> all;
   for (const Claim& claim : repeated.paper.claims) {
     JudgedClaims found = claim.rule ? claim.rule->judge(claim, repeated) : JudgedClaims();
@@ -59,7 +59,7 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
     }
     for (JudgedClaim& judged : found) {
       if (!claim.note.empty()) judged.evidence += (judged.evidence.empty() ? "" : " ") + claim.note;
-      if (const auto own = fails_where.find(judged.id); own != fails_where.end()) judged.fails_where = own->second;
+      if (const auto own = in_readings.find(judged.id); own != in_readings.end()) judged.in_readings = own->second;
       all.push_back(std::move(judged));
     }
   }

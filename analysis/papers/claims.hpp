@@ -23,13 +23,13 @@ struct JudgedClaim {
   std::string number = {};       // the most telling one: "0.0017 cm, K-ABC 0.21"
   std::string rival = {};        // its part of the best rival: "K-ABC 0.21"
   std::string evidence = {};     // what tables do not say, in at most two sentences
-  std::string fails_where = {};  // "in 3 of 8, only where none is clamped", "nowhere"; empty if readings were not tried
+  std::string in_readings = {};  // "holds in 3 of 8 and fails in 4, only where none is clamped", or empty
 };
 
-// In the order of the paper's file, with where each fails, by its id. A claim that the report cannot judge is not
-// tested; our own questions, and claims that are made of each solver, are left out instead.
+// In the order of the paper's file, with what each does in readings, by its id. A claim that the report cannot judge is
+// not tested; our own questions, and claims that are made of each solver, are left out instead.
 std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
-                                       const std::map<std::string, std::string>& fails_where = {});
+                                       const std::map<std::string, std::string>& in_readings = {});
 
 const JudgedClaim* claim_named(const std::vector<JudgedClaim>& claims, std::string_view id);  // null if it is not there
 std::string tally_words(const std::vector<JudgedClaim>& claims);  // "3 claims: holds 2, fails 1."

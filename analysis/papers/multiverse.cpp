@@ -191,7 +191,7 @@ std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& p
 
 JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::Plan& plan) {
   JudgedMultiverse result{
-      .fails_where = {},
+      .in_readings = {},
       .table = {.name = "multiverse",
                 .caption = "The claims in every reading",
                 .columns = {{"claim"}, {"holds"}, {"fails"}, {"not decided"}, {"it fails"}, {"it is not decided"}}}};
@@ -206,7 +206,8 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
     };
     const std::int64_t hold = all(&Readings::holds), fail = all(&Readings::fails), open = all(&Readings::undecided);
     const std::string fails = where(multiverse, parts, &Readings::fails);
-    result.fails_where[claim.id] = fail == 0 ? fails : fmt::format("in {} of {}, {}", fail, hold + fail + open, fails);
+    result.in_readings[claim.id] = fmt::format("holds in {} of {} and fails {}{}", hold, hold + fail + open,
+                                               fail == 0 ? "" : fmt::format("in {}, ", fail), fails);
     result.table.rows.push_back(
         {claim.sentence, hold, fail, open, fails, where(multiverse, parts, &Readings::undecided)});
   }

@@ -22,7 +22,7 @@ struct SolvedMultiverse : results::Multiverse {
 };
 
 struct JudgedMultiverse {
-  std::map<std::string, std::string> fails_where;  // of claims, by id, as in JudgedClaim
+  std::map<std::string, std::string> in_readings;  // of claims, by id, as in JudgedClaim
   show::Table table;                               // "multiverse"; readings, each seed of one by itself
 };
 

@@ -189,7 +189,7 @@ TEST_CASE("the tally of pairs and of parts", "[papers]") {
 TEST_CASE("claims are told by verdict, with where they fail", "[papers]") {
   const JudgedStudy study = study_of({});
   const std::vector<JudgedClaim> claims =
-      judged_claims(repeated(study), {{"most_accurate", "only where none is clamped"}});
+      judged_claims(repeated(study), {{"most_accurate", "fails only where none is clamped"}});
   const show::Blocks blocks = claims_section(claims);
   REQUIRE(blocks.size() == 4);
   const auto& table = std::get<show::Table>(blocks[1]);

@@ -64,7 +64,7 @@ TEST_CASE("the first sentences say whether the conclusion repeats, and on what i
   const JudgedStudy context = study_of({.name = "slim2023-context", .solvers = {"DLS"}},
                                        [](SolveRecord& solve) { solve.position_error_cm = 1e-6 * solve.run; });
   const Repeated of = repeated(helix(), {&all_joints(), &context});
-  const std::vector<JudgedClaim> claims = judged_claims(of, {{"most_accurate", "nowhere"}});
+  const std::vector<JudgedClaim> claims = judged_claims(of, {{"most_accurate", "fails nowhere"}});
   const std::vector<std::string> sentences =
       slim2023::sentences(claims, {.explained = 7, .all = 60, .own_missed = {"error 1 cm", "motion 2 deg"}});
   REQUIRE(sentences.size() == 5);
