@@ -43,7 +43,7 @@ std::string reference_of(const Answer& answer);  // the control, else the first 
 Table results_table(const Answer& answer);  // a row a solver
 // Solvers by studies: of each study its deciding column, in the order of the first. Each study is judged alone.
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names);
-// "a and b: DLS is best; c: nobody is shown to be best."
+// "a and b: DLS is best; c: Not decided." What the headline of each begins with.
 std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names);
 std::optional<figures::Figure> studies_figure(const Table& studies);  // bars of its shares
 Table without_intervals(Table studies);

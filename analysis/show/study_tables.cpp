@@ -210,16 +210,17 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
   std::vector<std::string> found, parts;
   for (const Answer& answer : studies) {
     const Judged& judged = answer.decisive();
-    const std::vector<std::string> best = best_of(judged);
     const std::string& control = judged.plan.control;
     const auto count = [&](Verdict verdict) {
       return std::ranges::count_if(
           judged.findings, [&](const Finding& finding) { return better_first(finding, control).verdict == verdict; });
     };
-    found.push_back(!best.empty()     ? listed(best) + (best.size() == 1 ? " is best" : " are best")
-                    : control.empty() ? "nobody is shown to be best"
-                                      : fmt::format("against the control {}, {} better and {} worse", control,
-                                                    count(Verdict::better), count(Verdict::worse)));
+    const std::string whole = headline(answer);
+    found.push_back(
+        control.empty() || !best_of(judged).empty()
+            ? whole.substr(0, std::min(whole.find_first_of(judged.findings.empty() ? ";" : ":;"), whole.size() - 1))
+            : fmt::format("against the control {}, {} better and {} worse", control, count(Verdict::better),
+                          count(Verdict::worse)));
   }
   for (const auto& [what, where] : by_word(found, names)) parts.push_back(fmt::format("{}: {}", where, what));
   return fmt::format("{}.", fmt::join(parts, "; "));
