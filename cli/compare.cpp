@@ -96,7 +96,7 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
   return all;
 }
 
-// "mine is worse than PSO: in solved and error (100 targets). Not decided: joint motion."
+// "mine is worse than PSO: in solved and error. Not decided: joint motion."
 std::string verdict_of(const Gate& gate) {
   const std::vector<std::string>& solvers = gate.judged.study.solvers;
   const bool is_worse = !gate.worse.empty();
@@ -105,14 +105,13 @@ std::string verdict_of(const Gate& gate) {
   if (is_worse) parts.push_back("in " + show::listed(gate.worse));
   if (!gate.better.empty()) parts.push_back((is_worse || is_apart ? "better in " : "in ") + show::listed(gate.better));
   std::string text =
-      fmt::format("{} is {} {}{}{} ({}).", gate.label.empty() ? solvers.front() : gate.label,
+      fmt::format("{} is {} {}{}{}.", gate.label.empty() ? solvers.front() : gate.label,
                   is_worse                    ? "worse than"
                   : is_apart                  ? "not comparable with"
                   : !gate.better.empty()      ? "better than"
                   : !gate.not_decided.empty() ? "not shown to be worse than"
                                               : "not worse than",
-                  gate.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ", show::listed(parts, ", "),
-                  numerics::counted(gate.size, gate.judged.study.definition.is_chained() ? "runs" : "targets"));
+                  gate.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ", show::listed(parts, ", "));
   if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));
   if (!gate.not_tested.empty()) text += fmt::format(" Not tested: {}.", show::listed(gate.not_tested));
   return text;

@@ -170,11 +170,6 @@ void decide(std::vector<Gate>& gates) {
       if (finding.verdict == Verdict::undecided && is_open) gate.not_decided.push_back(observed.quantity);
       if (finding.verdict == Verdict::not_tested && is_open) gate.not_tested.push_back(observed.quantity);
     }
-    const Judged& deciding = study.metrics[study.deciding];
-    const auto size = [&](std::size_t i) {
-      return std::max(deciding.described[i].n, deciding.observations.groups[i].copies);
-    };
-    gate.size = std::max(size(0), size(1));  // one may have no answer
     for (Judged& judged : study.metrics) {
       for (Group& group : judged.observations.groups) group.values = {};
     }

@@ -15,7 +15,6 @@ struct Gate {
   JudgedStudy judged;
   std::vector<std::string> worse, better, not_decided, not_tested;  // quantities, but time, which depends on the load
   bool are_same = false;  // all solves, bit for bit: then nothing is left to decide
-  int size = 0;           // targets, or runs of chained solves
 };
 
 // Of a study of two solvers, the candidate first; observed and not yet judged. Throws std::invalid_argument if they

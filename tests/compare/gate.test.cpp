@@ -70,7 +70,7 @@ TEST_CASE("5 crashes in 100 solves are worse where the baseline had none") {
     CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, solved))}, false) == 0);
     CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, crash))}, false) == 0);
     const auto crash_always = [](SolveRecord& solve) { solve.status = Status::crashed; };
-    CHECK(gate_of(version(1, asked, solved), version(1, asked, crash_always)).size == 100);
+    CHECK(exit_code({gate_of(version(1, asked, solved), version(1, asked, crash_always))}, false) == 3);
   }
 }
 
