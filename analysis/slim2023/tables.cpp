@@ -182,7 +182,7 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   words = fmt::format("\"{}\" {}{} ({})", accurate->sentence, accurate->holds >= Holds::undecided ? "is " : "",
                       name_of(accurate->holds), accurate->number);
   if (!accurate->in_readings.empty())
-    words += fmt::format(". Of the readings that we tried, each seed by itself, it {}", accurate->in_readings);
+    words += fmt::format(". Of the readings and seeds that we tried it {}", accurate->in_readings);
   all.push_back(words + '.');
   if (classical != nullptr && classical->holds == Holds::fails)
     all.push_back(fmt::format("More accurate, and not in the paper: {} cm.", classical->rival));
