@@ -79,9 +79,11 @@ int main(int argc, char** argv) {
       for (const std::string& name : option->get_lnames()) options.push_back(name);
     }
     for (const std::string& word : command.remaining()) {
-      if (!word.starts_with("--")) continue;
-      const std::string name = word.substr(2, word.find('=') - 2), nearest = nearest_name(name, options);
-      cli::say_mistake(fmt::format("{} has no option --{}; {}see --help", command.get_name(), front(name, 100),
+      if (!word.starts_with('-')) continue;
+      const std::string name = word.substr(0, word.find('='));
+      const std::string nearest =
+          nearest_name(name == "-o" ? "out" : name.substr(std::min<std::size_t>(2, name.size())), options);
+      cli::say_mistake(fmt::format("{} has no option {}; {}see --help", command.get_name(), front(name, 100),
                                    nearest.empty() ? "" : fmt::format("did you mean --{}? Or ", nearest)));
       return 1;
     }
