@@ -214,7 +214,7 @@ std::string unbeaten(const Answer& answer) {
                        quantity_of(answer), number_of(answer, judged, answer.order[0], answer.order[0]));
   const auto beaten = [&](const std::string& one) { return against(one, Verdict::better).size(); };
   const auto leader = std::ranges::max_element(rest, {}, beaten);
-  if (leader == rest.end() || beaten(*leader) == 0) return "Not decided: " + numbers + untested;
+  if (rest.empty() || (rest.size() == 1 && beaten(*leader) == 0)) return "Not decided: " + numbers + untested;
   const auto told = [&](std::vector<std::string> names) {
     for (std::string& name : names) name = with_number(answer, name, place_of(judged.observations, rest[0]));
     return names_of(names);
