@@ -54,11 +54,6 @@ std::string menu(const std::vector<std::pair<std::string, std::string>>& files) 
   return text + "</div></details>\n";
 }
 
-std::string upper(std::string text) {
-  for (char& letter : text) letter = static_cast<char>(std::toupper(letter));
-  return text;
-}
-
 struct PageWriter {
   const std::filesystem::path& folder;
 
@@ -91,7 +86,7 @@ struct PageWriter {
     }
     std::vector<std::pair<std::string, std::string>> files;
     for (const std::string& type : types_of(figure, folder))
-      files.emplace_back(upper(type), fmt::format("figures/{}.{}", figure.name, type));
+      files.emplace_back(type, fmt::format("figures/{}.{}", figure.name, type));
     return fmt::format("<figure id=\"figure-{}\"{}>\n{}<figcaption>{}</figcaption>\n{}</figure>\n", id_of(figure.name),
                        figure.width_cm > 12 ? " class=\"wide\"" : "", picture, caption,
                        files.empty() ? "" : menu(files));
