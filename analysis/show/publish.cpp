@@ -78,13 +78,15 @@ std::vector<Kind*> all_in(std::vector<Blocks>& sections) {
   return all;
 }
 
-// Leaves readers the pairs that were tested, and of many those of the reference.
+// Leaves readers the pairs that were tested, if any, and of many those of the reference.
 void keep_telling(Table& pairs, const Answer& answer) {
   const bool are_many = answer.decisive().findings.size() > figures::most_pairs;
   const std::string reference = reference_of(answer);
+  const auto is_untested = [](const std::vector<Cell>& row) { return std::holds_alternative<std::monostate>(row[6]); };
+  if (std::ranges::all_of(pairs.rows, is_untested)) return;
   const std::size_t taken = std::erase_if(pairs.rows, [&](const std::vector<Cell>& row) {
     const bool is_of_it = std::get<std::string>(row[1]) == reference || std::get<std::string>(row[2]) == reference;
-    return std::holds_alternative<std::monostate>(row[6]) || (are_many && !is_of_it);
+    return is_untested(row) || (are_many && !is_of_it);
   });
   if (taken > 0)
     pairs.notes.push_back(fmt::format("Here are the pairs {}that were tested; the CSV has all.",
