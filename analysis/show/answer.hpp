@@ -49,9 +49,8 @@ std::optional<figures::Figure> studies_figure(const Table& studies);  // bars of
 Table without_intervals(Table studies);
 Table with_a_row_a_study(const Table& studies);  // of one unit, without intervals
 Table pairs_table(const Answer& answer);
-std::string chosen_before(const Answer& answer);  // what a verdict on another metric is worth; empty if there is none
-std::string of_pairs(
-    const Answer& answer);  // what estimates are of, which medians may refute; empty for shares and means
+std::string what_decides(const Answer& answer);  // what a verdict on another metric is worth; empty if there is none
+std::string of_pairs(const Answer& answer);      // what estimates are of, if medians may refute them
 Table descriptives_table(const Answer& answer);
 Table anova_table(const Answer& answer);
 

@@ -37,7 +37,7 @@ std::string screen(const Answer& whole, const std::string& page) {
   const auto pairs = pair_rows(answer);
   text += '\n' + table_of(answer) + in_columns(pairs);
   for (const std::string& note :
-       {of_pairs(answer), answer.decisive().described.size() == 2 ? chosen_before(answer) : ""})
+       {of_pairs(answer), answer.decisive().described.size() == 2 ? what_decides(answer) : ""})
     text += note.empty() || pairs.empty() ? "" : paragraph(note, "");
   for (const Doubt& doubt : answer.all_doubts()) text += paragraph("! " + words_of(doubt), "  ");
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));

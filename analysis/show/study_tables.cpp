@@ -277,13 +277,11 @@ Table with_a_row_a_study(const Table& studies) {
   return without_intervals(std::move(turned));
 }
 
-std::string chosen_before(const Answer& answer) {
+std::string what_decides(const Answer& answer) {
   if (answer.metrics.size() < 2) return "";
   if (!answer.verdict.empty())
-    return "p is multiplied by the number of labels and metrics tested, and intervals hold for all at once. Times decide "
-           "nothing.";
-  return fmt::format("Only {} was chosen before; other metrics are exploratory.",
-                     answer.decisive().observations.quantity);
+    return "p and intervals are adjusted for all labels and metrics tested. Times decide nothing.";
+  return fmt::format("Only {} decides; other metrics are exploratory.", answer.decisive().observations.quantity);
 }
 
 std::string of_pairs(const Answer& answer) {
@@ -316,7 +314,7 @@ Table pairs_table(const Answer& answer) {
   table.columns[3].ends = table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[6].is_p = true;
   table.columns[6].ends = {answer.decisive().plan.significance};
-  std::vector<std::string> notes{chosen_before(answer)};
+  std::vector<std::string> notes{what_decides(answer)};
   if (answer.verdict.empty() || notes[0].empty())
     notes.emplace_back(
         "p is multiplied by the number of pairs tested of a metric, and intervals hold for all pairs at once.");

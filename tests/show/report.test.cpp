@@ -121,24 +121,24 @@ TEST_CASE("a screen has the solvers up to 20, at most six pairs and 100 columns"
   CHECK(of_two.find('\x1b') == std::string::npos);
 }
 
-TEST_CASE("below the pairs of two solvers stands which metric was chosen before", "[show]") {
+TEST_CASE("below the pairs of two solvers stands which metric decides", "[show]") {
   const auto of_two = [](const std::string& metric) {
     return judged(numbers(metric, metric, "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}));
   };
   Answer two = answer_of({of_two("error"), of_two("effort")}, 1);
   const auto is_told = [](const Answer& answer) {
-    return screen(answer).find(chosen_before(answer)) != std::string::npos;
+    return screen(answer).find(what_decides(answer)) != std::string::npos;
   };
-  CHECK(chosen_before(two).starts_with("Only effort "));
+  CHECK(what_decides(two).starts_with("Only effort "));
   CHECK(is_told(two));
-  CHECK(pairs_table(two).notes.front().starts_with(chosen_before(two)));
+  CHECK(pairs_table(two).notes.front().starts_with(what_decides(two)));
   two.verdict = "A is worse.";
   two.metrics[1].observations.doubts.push_back(
       {.kind = compare::DoubtKind::seconds_decide, .who = {"A"}, .what = "slow"});
   CHECK(screen(two).starts_with("A is worse.\n\n"));
   CHECK(screen(two).find("! results of A are not compared") != std::string::npos);
-  CHECK(chosen_before(two).find("effort") == std::string::npos);
-  CHECK(chosen_before(answer_of({of_two("error")})).empty());
+  CHECK(what_decides(two).find("effort") == std::string::npos);
+  CHECK(what_decides(answer_of({of_two("error")})).empty());
   CHECK_FALSE(is_told(answer_of(judged_study())));
 }
 
