@@ -234,7 +234,8 @@ std::optional<figures::Figure> studies_figure(const Table& studies) {
     if (is_share) shares.push_back(c);
     (is_share ? names : others).push_back(studies.columns[c].name);
   }
-  std::string shared = names.empty() ? "" : names.front();  // at the start, which tells none apart: "baselines-"
+  if (names.size() < 2) return std::nullopt;
+  std::string shared = names.front();  // at the start, which tells none apart: "baselines-"
   for (const std::string& name : names)
     shared.resize(static_cast<std::size_t>(std::ranges::mismatch(shared, name).in1 - shared.begin()));
   std::vector<figures::BarPanel> panels;
