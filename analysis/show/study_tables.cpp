@@ -57,24 +57,21 @@ Cell result_cell(const Answer& answer, const Judged& judged, const std::string& 
   const Finding* const pair = finding_of(judged, solver, reference);
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const bool is_untested = group->is_apart || group->lost > 0 || (pair && finding.verdict == Verdict::not_tested);
-  const bool is_better = finding.verdict == Verdict::better && !judged.plan.control.empty();
-  const std::string mark = is_untested                         ? exclamation
-                           : finding.is_within_margin          ? ""
-                           : finding.verdict == Verdict::worse ? star
-                           : is_better                         ? plus
-                                                               : "";
-  if (judged.observations.is_of_solved && solver != reference) {
-    if (!finding.estimate) return {};
+  const bool is_worse = finding.verdict == Verdict::worse && !finding.is_within_margin;
+  const bool is_better = finding.verdict == Verdict::better && !finding.is_within_margin;
+  const bool is_of_solved = judged.observations.is_of_solved, is_reference = solver == reference;
+  const std::string better = reference == judged.plan.control && is_better ? plus : "";
+  const std::string mark = is_untested ? exclamation : is_worse ? star : better;
+  if (is_of_solved && (is_reference ? group->is_apart : !finding.estimate)) return {};
+  if (is_of_solved && !is_reference)
     return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale};
-  }
   const Description& its = judged.described[i];
   const double value = average_of(judged, i);
   if (std::isnan(value)) return {};
   Marked cell{.value = value, .mark = mark, .is_bound = group->at_most > 0 && value == group->at_most};
   cell.interval = interval_of(judged, its);
   const bool is_deciding = &judged == &answer.decisive();
-  if (is_deciding && !is_share(judged) && !judged.observations.is_of_solved && !cell.is_bound && its.n > 1 &&
-      !std::isnan(its.median))
+  if (is_deciding && !is_share(judged) && !is_of_solved && !cell.is_bound && its.n > 1 && !std::isnan(its.median))
     cell.interval = Interval{its.lower_quartile, its.upper_quartile};
   cell.is_best = is_deciding && std::ranges::count(judged.headline.best, solver) > 0;
   return cell;
@@ -169,10 +166,8 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
     table.columns.push_back({.name = names[s], .unit = of_study.columns[1].unit});
     quantities.push_back(of_study.columns[1].name);
     for (const std::vector<Cell>& of_solver : of_study.rows) {
-      const auto has_its_name = [&](const std::vector<Cell>& row) {
-        return std::get<std::string>(row[0]) == std::get<std::string>(of_solver[0]);
-      };
-      auto row = std::ranges::find_if(table.rows, has_its_name);
+      const auto name_of = [](const std::vector<Cell>& each) { return std::get<std::string>(each[0]); };
+      auto row = std::ranges::find(table.rows, name_of(of_solver), name_of);
       if (row == table.rows.end()) row = table.rows.insert(row, {of_solver[0]});
       row->resize(s + 1);
       row->push_back(of_solver[1]);
@@ -188,7 +183,7 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
   bool has_empty = false;
   for (auto& row : table.rows) {
     row.resize(table.columns.size());
-    for (const Cell& cell : row) has_empty |= std::holds_alternative<std::monostate>(cell);
+    has_empty |= std::ranges::count(row, 0U, &Cell::index) > 0;
   }
   const bool are_shares =
       std::ranges::all_of(studies, [](const Answer& answer) { return is_share(answer.decisive()); });
@@ -200,9 +195,9 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
       meaning_of(all_marks, listed(told, " or ")), has_empty ? "-: not in the study or without a value" : "",
       "Each study is judged alone"};
   std::erase(sentences, "");
-  table.notes = {fmt::format("{}.", fmt::join(sentences, ". ")),
-                 are_shares ? "Brackets: intervals at the level of each study."
-                            : "Brackets: intervals of shares, else quartiles."};
+  table.notes = {
+      fmt::format("{}.", fmt::join(sentences, ". ")),
+      are_shares ? "Brackets: intervals at each study's level." : "Brackets: intervals of shares, else quartiles."};
   return table;
 }
 
@@ -211,16 +206,12 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
   for (const Answer& answer : studies) {
     const Judged& judged = answer.decisive();
     const std::string& control = judged.plan.control;
-    const auto count = [&](Verdict verdict) {
-      return std::ranges::count_if(
-          judged.findings, [&](const Finding& finding) { return better_first(finding, control).verdict == verdict; });
-    };
-    const std::string whole = headline(answer);
-    found.push_back(
-        control.empty() || !best_of(judged).empty()
-            ? whole.substr(0, std::min(whole.find_first_of(judged.findings.empty() ? ";" : ":;"), whole.size() - 1))
-            : fmt::format("against the control {}, {} better and {} worse", control, count(Verdict::better),
-                          count(Verdict::worse)));
+    const auto count = [&](Verdict verdict) { return std::ranges::count(judged.findings, verdict, &Finding::verdict); };
+    const std::string whole = headline(answer), ends = judged.findings.empty() ? ";" : ":;";
+    found.push_back(control.empty() || !best_of(judged).empty()
+                        ? whole.substr(0, std::min(whole.find_first_of(ends), whole.size() - 1))
+                        : fmt::format("against the control {}, {} better and {} worse", control, count(Verdict::better),
+                                      count(Verdict::worse)));
   }
   for (const auto& [what, where] : by_word(found, names)) parts.push_back(fmt::format("{}: {}", where, what));
   return fmt::format("{}.", fmt::join(parts, "; "));
@@ -288,9 +279,8 @@ std::string what_decides(const Answer& answer) {
 std::string of_pairs(const Answer& answer) {
   const Judged& judged = answer.decisive();
   const auto has_estimate = [](const Finding& finding) { return finding.estimate.has_value(); };
-  if (is_share(judged) || judged.plan.test == results::Plan::Test::means ||
-      std::ranges::none_of(judged.findings, has_estimate))
-    return "";
+  const bool are_means = judged.plan.test == results::Plan::Test::means;
+  if (is_share(judged) || are_means || std::ranges::none_of(judged.findings, has_estimate)) return "";
   return fmt::format("{} are of pairs, not of medians.",
                      judged.observations.scale == Scale::ratio ? "Ratios" : "Differences");
 }
