@@ -197,8 +197,7 @@ TEST_CASE("claims are told by verdict, with where they fail", "[papers]") {
   const auto most = std::ranges::find_if(
       table.rows, [](const auto& row) { return std::get<std::string>(row[0]) == "IK-BA is the most accurate"; });
   REQUIRE(most != table.rows.end());
-  CHECK(std::get<std::string>((*most)[3]) ==
-        "Table 3. Of readings and seeds it fails only where none is clamped.");
+  CHECK(std::get<std::string>((*most)[3]) == "Table 3. Of readings and seeds it fails only where none is clamped.");
   CHECK(std::get<std::string>(table.rows.back()[1]) == "not tested");
   CHECK(contains(show::to_text(means_table(repeated(study))), "0.00194 cm   0.0019 "));
   const std::string text = screen({"A sentence."}, {.caption = "Table"}, claims);
