@@ -29,7 +29,7 @@ std::vector<Solves> runs_of(Solves rest) {
   return runs;
 }
 
-bool is_complete(const StudyResults& study, Solves run) { return std::ssize(run) == study.points; }
+bool is_complete(const StudyResults& study, Solves run) { return std::ssize(run) == study.definition.points; }
 
 std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view solver) {
   std::vector<Solves> runs = runs_of(study.of(solver));
@@ -46,12 +46,12 @@ struct Design {
 
 Design design_of(const StudyResults& study, bool of_run) {
   const bool is_drawn = study.definition.draws_targets;
-  const bool are_runs = of_run || study.definition.is_chained() || study.points == 1;
+  const bool are_runs = of_run || study.definition.is_chained() || study.definition.points == 1;
   return {.are_runs = are_runs,
           .is_paired = is_drawn || !are_runs,
-          .solves = are_runs   ? study.points
+          .solves = are_runs   ? study.definition.points
                     : is_drawn ? 1
-                               : study.runs};
+                               : study.definition.runs};
 }
 
 // The same target, outcome and answer, bit for bit.
@@ -105,7 +105,7 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, co
     for (const Solve& solve : run) {
       if (of_solved && solve.status != Status::ok) continue;
       const int block = design.are_runs            ? solve.run
-                        : definition.draws_targets ? (solve.run - 1) * study.points + solve.point
+                        : definition.draws_targets ? (solve.run - 1) * definition.points + solve.point
                                                    : solve.point;
       const double value = metric.value(solve, study);
       values.push_back({block, value < least ? least : value});
@@ -337,7 +337,7 @@ bool have_same_solves(Solves solves, Solves others) {
 std::vector<Doubt> doubts_of(const StudyResults& study) {
   Doubts doubts;
   add_counts(doubts, study, {.kind = DoubtKind::runs_missing}, [&](const std::string& solver) {
-    return std::pair(study.runs - std::ssize(complete_runs_of(study, solver)), study.runs);
+    return std::pair(study.definition.runs - std::ssize(complete_runs_of(study, solver)), study.definition.runs);
   });
   add(doubts, study, {.kind = DoubtKind::without_answer}, [](const Solve& solve) { return !gave_answer(solve); });
   add(doubts, study, {.kind = DoubtKind::claimed_but_wrong},
@@ -347,7 +347,7 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
   if (const int count = study.definition.out_of_reach; count > 0)
     doubts.push_back({.kind = DoubtKind::out_of_reach,
                       .count = static_cast<double>(count),
-                      .of = static_cast<double>(study.points)});
+                      .of = static_cast<double>(study.definition.points)});
   add_of_plan(doubts, study);
   add_of_repeats(doubts, study);
   if (study.solves_of_other_versions > 0)

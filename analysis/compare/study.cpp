@@ -136,8 +136,6 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
     throw std::invalid_argument(
         fmt::format("study '{}' has {} solves; expected at most {}", entry.name, all, most_solves));
   StudyResults study{.entry = entry, .definition = definition_of(entry.definition)};
-  study.runs = study.definition.runs;
-  study.points = study.definition.points;
   for (const Series& series : entry.series) {
     if (series.label.empty())
       throw std::invalid_argument(fmt::format("study '{}' has a solver without a label; expected one", entry.name));
@@ -157,7 +155,7 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
   if (std::ranges::count(study.solvers, control) == 0) control.clear();
   refuse_other_targets(study);
   for (const Series& series : entry.series) {
-    if (std::ssize(study.of(series.label)) >= std::int64_t{study.runs} * study.points) continue;
+    if (std::ssize(study.of(series.label)) >= std::int64_t{study.definition.runs} * study.definition.points) continue;
     const std::int64_t others = store.solves_of_other_sources(series.key);
     if (others == 0) continue;
     study.solvers_of_other_versions.push_back(series.label);

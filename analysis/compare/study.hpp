@@ -41,7 +41,6 @@ struct StudyResults {
   results::StoredStudy entry;               // name, definition as JSON, series
   results::Definition definition;           // the same, read; a control that is no solver is empty
   std::vector<std::string> solvers;         // labels, in the order of the study
-  int runs = 0, points = 0;                 // as defined
   std::vector<Solve> solves;                // by solver, run and point; only current ones
   std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace
   std::vector<results::Session> sessions;   // that made them

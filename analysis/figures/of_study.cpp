@@ -26,7 +26,7 @@ constexpr std::string_view error = "position_error_cm", motion = "variation_deg"
 constexpr std::size_t most_iterations = 200;  // drawn
 
 // Targets that have an order.
-bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.points > 1; }
+bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.definition.points > 1; }
 
 CurveRow row_at(double x, const std::vector<double>& values, Average average) {
   const compare::Description all = describe({.name = "", .values = values});
@@ -38,8 +38,9 @@ CurveRow row_at(double x, const std::vector<double>& values, Average average) {
 std::string observation_of(const StudyResults& study, const Metric& metric) {
   const std::string_view average = metric.kind == Kind::time ? "median" : "mean";
   if (study.definition.is_chained()) return fmt::format("the {} of a run", average);
-  return study.runs > 1 && !study.definition.draws_targets ? fmt::format("a target, the {} of its runs", average)
-                                                           : "a target";
+  return study.definition.runs > 1 && !study.definition.draws_targets
+             ? fmt::format("a target, the {} of its runs", average)
+             : "a target";
 }
 
 std::string caption_of_boxes(std::string_view quantity, std::string_view observation) {
@@ -105,7 +106,7 @@ std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view colu
 }
 
 std::string first_points(const StudyResults& study) {
-  return study.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";
+  return study.definition.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";
 }
 
 }  // namespace
@@ -397,7 +398,7 @@ PathRows path_rows(const StudyResults& study, const std::string& solver, std::si
   PathRows rows{.targets = {},
                 .reached_label = "reached by " + look.names.at(solver),
                 .style = look.lines.at(solver),
-                .is_closed = study.definition.path == "circle" && std::ssize(solves) == study.points};
+                .is_closed = study.definition.path == "circle" && std::ssize(solves) == study.definition.points};
   const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
   const std::size_t every = std::max<std::size_t>(1, (solves.size() + arms - 1) / arms);
   for (std::size_t i = 0; i < solves.size(); ++i) {

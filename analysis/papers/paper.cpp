@@ -248,9 +248,9 @@ Explained explained_by(const Repeated& repeated) {
 
 show::Table means_table(const Repeated& repeated) {
   const StudyResults& study = repeated.study.study;
-  show::Table table{.name = "means",
-                    .caption = fmt::format("Means of {}, here and as printed", numerics::counted(study.runs, "runs")),
-                    .columns = {{"solver"}}};
+  const std::string runs = numerics::counted(study.definition.runs, "runs");
+  show::Table table{
+      .name = "means", .caption = fmt::format("Means of {}, here and as printed", runs), .columns = {{"solver"}}};
   Explained count;
   for (const std::string& solver : study.solvers) table.rows.push_back({solver});
   for (const Judged& judged : repeated.study.metrics) {
@@ -267,10 +267,9 @@ show::Table means_table(const Repeated& repeated) {
   if (table.columns.size() == 1)
     table.rows.clear();
   else
-    table.notes.push_back(count.all > 0
-                              ? fmt::format("{} of {} repeat: {}", count.explained, count.all, meaning_of_signs)
-                              : fmt::format("{} are too few to say which numbers repeat, and leave claims open.",
-                                            numerics::counted(study.runs, "runs")));
+    table.notes.push_back(
+        count.all > 0 ? fmt::format("{} of {} repeat: {}", count.explained, count.all, meaning_of_signs)
+                      : fmt::format("{} are too few to say which numbers repeat, and leave claims open.", runs));
   return table;
 }
 

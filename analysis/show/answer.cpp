@@ -88,7 +88,7 @@ Answer answer_of(const JudgedStudy& judged) {
   const results::Definition& definition = judged.study.definition;
   Answer all = answer_of(judged.metrics, judged.deciding);
   all.doubts = judged.doubts;
-  const bool are_runs = definition.is_chained() || (judged.study.points == 1 && !definition.draws_targets);
+  const bool are_runs = definition.is_chained() || (definition.points == 1 && !definition.draws_targets);
   all.noun = are_runs ? "runs" : "targets";
   for (Judged& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);

@@ -396,7 +396,7 @@ Table study_table(const StudyResults& study) {
                   : fmt::format("{}, from link {} to {}", definition.robot, definition.base_link, definition.tip_link));
   for (const std::string& note : definition.arm_notes) add_setting(table, "arm as read", note);
   add_setting(table, "targets",
-              fmt::format("{} a run, {}{}", study.points, with_blanks(definition.path),
+              fmt::format("{} a run, {}{}", definition.points, with_blanks(definition.path),
                           definition.draws_targets ? ", drawn for each run anew" : ""));
   add_setting(table, "search", with_blanks(name_of(definition.search)));
   add_setting(table, "start",
@@ -404,7 +404,7 @@ Table study_table(const StudyResults& study) {
   add_setting(table, "candidates outside limits", with_blanks(name_of(definition.bounds)));
   add_setting(table, "answers outside limits", std::string(name_of(definition.limits)));
   add_setting(table, "a solve ends at", stops_of(study));
-  add_setting(table, "runs", fmt::to_string(study.runs));
+  add_setting(table, "runs", fmt::to_string(definition.runs));
   add_setting(table, "seed", fmt::to_string(definition.seed));
   for (const std::string& departure : definition.departures)
     add_setting(table, "departs from the published study", departure);
@@ -423,8 +423,9 @@ std::string stops_of(const StudyResults& study) {
 
 std::string what_is_studied(const StudyResults& study) {
   const results::Definition& definition = study.definition;
-  return fmt::format("{}: {}, {} of {} ({})", study.entry.name, definition.robot, numerics::counted(study.runs, "runs"),
-                     numerics::counted(study.points, "targets"), with_blanks(definition.path));
+  return fmt::format("{}: {}, {} of {} ({})", study.entry.name, definition.robot,
+                     numerics::counted(definition.runs, "runs"), numerics::counted(definition.points, "targets"),
+                     with_blanks(definition.path));
 }
 
 std::string methods_of(const Answer& answer, const StudyResults& study) {
@@ -436,10 +437,10 @@ std::string methods_of(const Answer& answer, const StudyResults& study) {
     }
   }
   const auto given = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };
-  const std::int64_t runs = study.runs;
-  const std::string targets = definition.draws_targets ? numerics::counted(runs * study.points, "targets")
-                                                       : numerics::counted(study.points, "targets") + " in each of " +
-                                                             numerics::counted(runs, "runs");
+  const std::int64_t runs = definition.runs;
+  const std::string targets = definition.draws_targets ? numerics::counted(runs * definition.points, "targets")
+                                                       : numerics::counted(definition.points, "targets") +
+                                                             " in each of " + numerics::counted(runs, "runs");
   const auto fact = [&](const char* name) {
     const std::set<std::string> values = facts_of(study, name);
     return values.empty() ? "unknown" : given(values);

@@ -12,8 +12,8 @@ TEST_CASE("A study has the solves of each solver by run and point, and the sessi
   CHECK(study.of("B")[2].run == 2);
   CHECK(study.of("nobody").empty());
   CHECK(study.sessions.size() == 1);
-  CHECK(study.runs == 2);
-  CHECK(study.points == 2);
+  CHECK(study.definition.runs == 2);
+  CHECK(study.definition.points == 2);
 }
 
 TEST_CASE("Solvers of a study have the same targets, and starts but where their own answers left the arm") {

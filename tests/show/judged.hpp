@@ -66,8 +66,8 @@ inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
   definition.search = results::Search::all_joints;
   definition.start = results::Start::middle;
   definition.path = "random";
-  definition.runs = study.runs = 4;
-  definition.points = study.points = 5;
+  definition.runs = 4;
+  definition.points = 5;
   definition.seed = 1;
   definition.draws_targets = true;
   definition.stop = {.iterations = 100, .tolerance = 0.0001, .evaluations = 4000};

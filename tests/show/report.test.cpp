@@ -323,8 +323,8 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
       {"joint": "turns", "offset_deg": 0, "d_m": 0, "a_m": 1, "alpha_deg": 0, "limits_deg": [-90, 90]}],
       "base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}, "tool": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}})";
   study.solvers = {"</script>", "B"};
-  study.runs = 2;
-  study.points = 1;
+  study.definition.runs = 2;
+  study.definition.points = 1;
   for (const std::string& solver : study.solvers) {
     for (const int run : {1, 2}) {
       results::SolveRecord solve{.solver = solver, .run = run};
