@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -279,6 +280,16 @@ Headline usually_better(const Observations& observed, const Plan& plan, const st
   return {.usual = winner, .other = loser, .is_median_worse = is_median_worse};
 }
 
+// Who is worse than another.
+std::set<std::string> losers_of(const std::vector<Finding>& findings) {
+  std::set<std::string> losers;
+  for (const Finding& finding : findings) {
+    if (is_difference(finding.verdict))
+      losers.insert(finding.verdict == Verdict::better ? finding.second : finding.first);
+  }
+  return losers;
+}
+
 // How many pairs data of this size can decide, before any p is known: those that cannot leave, the least able first.
 std::size_t testable(std::vector<Pair>& pairs, double significance) {
   std::vector<Pair*> family;
@@ -376,15 +387,6 @@ bool is_worse_than_margin(const Observations& observed, const Plan& plan, double
   const double relative = plan.margin * (observed.scale == Scale::share ? 1 : std::min(std::abs(one), std::abs(other)));
   const double loss = observed.better == Better::smaller ? one - other : other - one;
   return loss > std::max(observed.absolute_margin, relative) + observed.rounding;
-}
-
-std::set<std::string> losers_of(const std::vector<Finding>& findings) {
-  std::set<std::string> losers;
-  for (const Finding& finding : findings) {
-    if (is_difference(finding.verdict))
-      losers.insert(finding.verdict == Verdict::better ? finding.second : finding.first);
-  }
-  return losers;
 }
 
 Headline headline(const Observations& observed, const Plan& plan, const std::vector<Finding>& findings) {

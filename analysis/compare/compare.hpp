@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,9 +66,6 @@ Verdict turned(Verdict verdict);
 
 // A mean or median is worse than another by more than the margin.
 bool is_worse_than_margin(const Observations& observed, const Plan& plan, double one, double other);
-
-// Who is worse than another.
-std::set<std::string> losers_of(const std::vector<Finding>& findings);
 
 // The same pair, told with its better one first, or with the control second.
 Finding better_first(Finding finding, std::string_view control);

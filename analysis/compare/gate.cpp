@@ -84,11 +84,6 @@ Observations observed_answers(const StudyResults& study, bool machine_decides) {
 
 bool is_time(const Judged& judged) { return judged.observations.metric == metric_named("seconds").slug; }
 
-// Equal values cannot be worse by chance, and times decide nothing.
-bool takes_significance(const Judged& judged) {
-  return !is_time(judged) && can_decide(judged.observations, judged.plan);
-}
-
 // Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where none was
 // missing or none is left.
 bool is_lost_for_sure(const Judged& judged) {
@@ -144,6 +139,9 @@ Gate gate(StudyResults baseline, StudyResults candidate) {
 
 void decide(std::vector<Gate>& gates) {
   std::ptrdiff_t tests = 0;
+  const auto takes_significance = [](const Judged& judged) {  // equal values cannot be worse by chance
+    return !is_time(judged) && can_decide(judged.observations, judged.plan);
+  };
   for (const Gate& gate : gates)
     tests += gate.are_same ? 0 : std::ranges::count_if(gate.judged.metrics, takes_significance);
   for (Gate& gate : gates) {
