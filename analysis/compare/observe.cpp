@@ -350,10 +350,7 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
                       .of = static_cast<double>(study.definition.points)});
   add_of_plan(doubts, study);
   add_of_repeats(doubts, study);
-  if (study.solves_of_other_versions > 0)
-    doubts.push_back({.kind = DoubtKind::other_version,
-                      .who = study.solvers_of_other_versions,
-                      .count = static_cast<double>(study.solves_of_other_versions)});
+  add(doubts, study.other_version);
   return doubts;
 }
 

@@ -158,8 +158,8 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
     if (std::ssize(study.of(series.label)) >= std::int64_t{study.definition.runs} * study.definition.points) continue;
     const std::int64_t others = store.solves_of_other_sources(series.key);
     if (others == 0) continue;
-    study.solvers_of_other_versions.push_back(series.label);
-    study.solves_of_other_versions += others;
+    study.other_version.who.push_back(series.label);
+    study.other_version.count += static_cast<double>(others);
   }
   return study;
 }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/compare/observations.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
 #include "results/study.hpp"
@@ -44,8 +45,7 @@ struct StudyResults {
   std::vector<Solve> solves;                // by solver, run and point; only current ones
   std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace
   std::vector<results::Session> sessions;   // that made them
-  std::int64_t solves_of_other_versions = 0;                // that stand in the store instead of missing ones
-  std::vector<std::string> solvers_of_other_versions = {};  // whose these are
+  Doubt other_version = {.kind = DoubtKind::other_version};  // solves that stand in the store instead of missing ones
 
   // By run and point.
   Solves of(std::string_view solver) const;

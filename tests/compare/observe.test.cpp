@@ -326,8 +326,8 @@ TEST_CASE("Targets out of reach and a plan that was changed after the data are t
   CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->count == 40);
   CHECK(recorded(R"({"control": "dropped", "margin_percent": 10})")->what == "control");
   StudyResults of = study(asked, as_made);
-  of.solves_of_other_versions = 7;
-  of.solvers_of_other_versions = {"B"};
+  of.other_version.who = {"B"};
+  of.other_version.count = 7;
   CHECK(doubt_of(of, DoubtKind::other_version)->count == 7);
 }
 

@@ -44,6 +44,6 @@ TEST_CASE("Solves of another version are counted where its own are missing") {
   const StudyResults of = study({.runs = 2, .points = 2}, by_another);
   CHECK(of.of("A").size() == 4);
   CHECK(of.of("B").empty());
-  CHECK(of.solves_of_other_versions == 4);
-  CHECK(of.solvers_of_other_versions == std::vector<std::string>{"B"});
+  CHECK(of.other_version.count == 4);
+  CHECK(of.other_version.who == std::vector<std::string>{"B"});
 }
