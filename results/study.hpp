@@ -37,7 +37,8 @@ inline void list_fields(numerics::Fields& io, Plan& plan) {
   io.choice("test", plan.test, {"ranks", "means"}, "what decides: ranks, or means as papers compare them");
   io.text(
       "metric", plan.metric,
-      "what decides who is best, a metric of ikbench list metrics; \"\": solved where any target is solved, else the error");
+      "what decides who is best, a metric of ikbench list metrics; \"\": solved where any target is solved, else the "
+      "error");
   io.text("control", plan.control, "label to compare the others with; \"\": compare every pair");
   io.number("significance", plan.significance, 1, {0.0001, 0.2},
             "significance level of the tests of a metric together");

@@ -366,17 +366,20 @@ std::optional<Figure> joints(const About& about, const std::vector<JointRow>& ro
                          "set samples 2\nunset key\n",
                          points + 1, points, text_of(step));
   figure.plot = fmt::format(
-      "set multiplot layout {0}, {1} rowsfirst margins margin(1.35), 1 - margin(0.25), up(0.95), 1 - up(0.65 + {2}) spacing margin(0.15), up({2})\n"
+      "set multiplot layout {0}, {1} rowsfirst margins margin(1.35), 1 - margin(0.25), up(0.95), 1 - up(0.65 + {2}) "
+      "spacing margin(0.15), up({2})\n"
       "do for [r=1:{0}] {{\n  do for [c=1:{1}] {{\n"
       "    unset label\n    unset title\n    set format ''\n"
       "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.6 noenhanced }}\n"
       "    if (r == 1) {{ set label name[c] at graph 0.5, graph 1 center offset 0, {3} noenhanced }}\n"
-      "    if (r == 1 && c == 1) {{ set label 'angle [deg]' at screen margin(0.3), screen 0.5 center rotate; set label 'point' at screen 0.5, up(0.22) center }}\n"
+      "    if (r == 1 && c == 1) {{ set label 'angle [deg]' at screen margin(0.3), screen 0.5 center rotate; "
+      "set label 'point' at screen 0.5, up(0.22) center }}\n"
       "    if (r == {0} && c % 2 == 1) {{ set format x '%g' }}\n"
       "    plot NaN, lower[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
       "      upper[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
       "      data index r-1 using 1:(column(c+1)) with lines lw 0.9 lc rgb colour_of(style[r]), \\\n"
-      "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) with points pt 6 ps 0.6 lw 0.8 lc rgb '#000000'\n"
+      "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) "
+      "with points pt 6 ps 0.6 lw 0.8 lc rgb '#000000'\n"
       "  }}\n}}\nunset multiplot",
       drawn, columns.size(), text_of(gap_cm), drawn == 1 ? 0.7 : 1.9);
   return figure;
