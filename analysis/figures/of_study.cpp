@@ -172,19 +172,15 @@ std::optional<Figure> differences(const JudgedStudy& judged, const Look& look) {
 }
 
 std::optional<Figure> path(const JudgedStudy& judged, const Look& look) {
-  const StudyResults& study = judged.study;
-  if (!is_path(study)) return std::nullopt;
-  const std::string solver = drawn_solvers(study, look).front();
-  return path({"", fmt::format("Targets, and what {} reached in its first run.{}", solver, first_points(study))},
-              path_rows(study, solver, 1, look));
+  if (!is_path(judged.study)) return std::nullopt;
+  return path_of(judged.study, look, 1, "." + first_points(judged.study));
 }
 
 std::optional<Figure> joints(const JudgedStudy& judged, const Look& look) {
   const StudyResults& study = judged.study;
   if (!is_path(study)) return std::nullopt;
-  const auto [rows, columns] = joint_rows(study, look);
   return joints({"", "Joint angles along the path, first run of each solver. Dashed: limits." + first_points(study)},
-                rows, columns);
+                joint_rows(study, look));
 }
 
 Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle style) {
@@ -389,7 +385,8 @@ std::vector<Corner> corners_of(const robots::Robot& arm, const Eigen::VectorXd& 
   return corners;
 }
 
-PathRows path_rows(const StudyResults& study, const std::string& solver, std::size_t arms, const Look& look) {
+Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, const std::string& more) {
+  const std::string solver = drawn_solvers(study, look).front();
   const std::span<const SolveRecord> solves = study.first_run_of(solver);
   const auto corner_of = [](std::span<const double> metres) {
     if (metres.size() != 3) return Corner{nowhere, nowhere, nowhere};
@@ -410,7 +407,7 @@ PathRows path_rows(const StudyResults& study, const std::string& solver, std::si
     if (i % every != 0 || !arm || q.size() != arm->joints() || !q.allFinite()) continue;
     rows.arms.emplace_back(fmt::format("arm at point {}", solve.point), corners_of(*arm, q));
   }
-  return rows;
+  return path({"", fmt::format("Targets, and what {} reached in its first run{}", solver, more)}, rows);
 }
 
 JointRows joint_rows(const StudyResults& study, const Look& look) {

@@ -67,13 +67,9 @@ std::vector<Line> by_point(const compare::StudyResults& study, std::string_view 
 // The best error after each iteration, of all solves; those that ended earlier keep their last. Solvers without a trace
 // have no row.
 std::vector<Line> by_iteration(const compare::StudyResults& study, const Look& look, Average average);
-// Of one solver's first run, with the arm at so many of its points.
-PathRows path_rows(const compare::StudyResults& study, const std::string& solver, std::size_t arms, const Look& look);
+// Of the first solver's first run, with the arm at so many of its points; the caption ends with `more`.
+Figure path_of(const compare::StudyResults& study, const Look& look, std::size_t arms, const std::string& more);
 // Of the joints that turn. Empty where no answer is known.
-struct JointRows {
-  std::vector<JointRow> rows;
-  std::vector<JointColumn> columns;
-};
 JointRows joint_rows(const compare::StudyResults& study, const Look& look);
 
 // The corners of an arm from the base to the tool: the origins of a description's joints, or the ends of the table's

@@ -317,8 +317,8 @@ Figure path(const About& about, const PathRows& rows) {
   return figure;
 }
 
-std::optional<Figure> joints(const About& about, const std::vector<JointRow>& rows,
-                             const std::vector<JointColumn>& columns) {
+std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
+  const auto& [rows, columns] = all_rows;
   Figure figure{.name = about.name, .caption = about.caption};
   const std::size_t drawn = drawn_of(rows, most_lines, figure).size();
   std::vector<double> all;

@@ -84,8 +84,11 @@ struct JointColumn {
   std::string label;
   double lower_deg = nowhere, upper_deg = nowhere;
 };
-std::optional<Figure> joints(const About& about, const std::vector<JointRow>& rows,
-                             const std::vector<JointColumn>& columns);
+struct JointRows {
+  std::vector<JointRow> rows;
+  std::vector<JointColumn> columns;
+};
+std::optional<Figure> joints(const About& about, const JointRows& all_rows);
 
 // Shares of several studies: a row a solver, a panel of bars a study. What is nowhere has a dash.
 struct BarPanel {

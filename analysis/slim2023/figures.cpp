@@ -1,4 +1,3 @@
-
 #include <fmt/format.h>
 
 #include <string>
@@ -17,20 +16,14 @@ namespace {
 
 constexpr std::string_view error = "position_error_cm", motion = "variation_deg", time = "seconds";
 
-About numbered(int number, About about) {
-  about.name = fmt::format("figure-{}", number);
-  about.caption = fmt::format("Figure {}. {}", number, about.caption);
-  return about;
+std::optional<Figure> numbered(int number, std::optional<Figure> figure) {
+  if (!figure) return figure;
+  figure->name = fmt::format("figure-{}", number);
+  figure->caption = fmt::format("Figure {}. {}", number, figure->caption);
+  return figure;
 }
 
 papers::PrintedRows in_print(std::string_view column) { return papers::printed_means("slim2023", "table-3", column); }
-
-Figure path_figure(const StudyResults& study, int number, std::size_t arms, const Look& look) {
-  const std::string solver = drawn_solvers(study, look).front();
-  return path(numbered(number, {.caption = fmt::format("Targets, and what {} reached in its first run, with the arm{}.",
-                                                       solver, arms == 1 ? "" : " at three of them")}),
-              path_rows(study, solver, arms, look));
-}
 
 // The means of Table 3, ours and printed.
 std::optional<Figure> overview_figure(const JudgedStudy& judged, const Look& look) {
@@ -50,19 +43,19 @@ using Figures = std::vector<std::optional<Figure>>;
 
 Figures of_helix(const JudgedStudy& judged, const Look& look) {
   const StudyResults& study = judged.study;
-  Figures figures{overview_figure(judged, look), path_figure(study, 5, 1, look)};
+  Figures figures{overview_figure(judged, look), numbered(5, path_of(study, look, 1, ", with the arm."))};
   for (const PaperMetric& metric : paper_metrics) {
     const bool is_time = metric.column == time;
     const Metric& drawn = metric_named(metric.column);
     const About about = about_of(
         study, drawn, fmt::format("The {} at each point, {} of the runs.", drawn.name, is_time ? "median" : "mean"));
-    figures.push_back(curves(numbered(metric.curves, about), "point",
-                             by_point(study, metric.column, look, is_time ? Average::median : Average::mean)));
+    figures.push_back(numbered(
+        metric.curves,
+        curves(about, "point", by_point(study, metric.column, look, is_time ? Average::median : Average::mean))));
   }
-  const auto [rows, columns] = joint_rows(study, look);
   figures.push_back(
-      joints(numbered(9, {.caption = "Joint angles along the path, first run of each solver. Dashed: limits."}), rows,
-             columns));
+      numbered(9, joints({.caption = "Joint angles along the path, first run of each solver. Dashed: limits."},
+                         joint_rows(study, look))));
   for (const PaperMetric& metric : paper_metrics) {
     const Judged* const values = judged_of(judged, metric.column);
     if (values == nullptr) continue;
@@ -79,15 +72,15 @@ Figures of_helix(const JudgedStudy& judged, const Look& look) {
       if (const auto* const of = papers::row_of(printed, row.label))
         row.printed = {of->numbers.smallest, of->numbers.median, of->numbers.largest};
     }
-    figures.push_back(boxes(numbered(metric.boxes, about), boxed));
+    figures.push_back(numbered(metric.boxes, boxes(about, boxed)));
   }
   return figures;
 }
 
 Figures of_circle(const StudyResults& study, const Look& look) {
-  Figures figures{path_figure(study, 15, 3, look)};
-  const auto [rows, columns] = joint_rows(study, look);
-  figures.push_back(joints(numbered(16, {.caption = "Joint angles along the circle. Dashed: limits."}), rows, columns));
+  Figures figures{numbered(15, path_of(study, look, 3, ", with the arm at three of them."))};
+  figures.push_back(
+      numbered(16, joints({.caption = "Joint angles along the circle. Dashed: limits."}, joint_rows(study, look))));
   std::vector<Line> errors = by_point(study, error, look, Average::mean);
   const CsvTable printed = results::published::table("slim2023", "table-8");
   Line& beside = errors.emplace_back(Line{.label = "as printed", .style = 0});
@@ -97,7 +90,7 @@ Figures of_circle(const StudyResults& study, const Look& look) {
                        const std::vector<Line>& lines) {
     About about = about_of(study, metric_named(error), caption);
     about.floor = 0;  // all is rounding
-    figures.push_back(curves(numbered(number, about), axis, lines));
+    figures.push_back(numbered(number, curves(about, axis, lines)));
   };
   add(17, "The error at each point, beside Table 8's.", "point", errors);
   add(18, "Best error after each iteration, mean of all solves.", "iteration",

@@ -33,7 +33,7 @@ std::vector<Figure> every_kind(const std::string& label) {
            differences(named("ratios"), {{label, 2, 0.5, 4, label, 2}, {label}, {label, 1, 0.9, double{INFINITY}}},
                        true),
            differences(named("differences"), {{label, -2, -5, 4}, {label, 0, 0, 0}}, false),
-           joints(named("joints"), {{label, 1, {{10, 20}, {15, 95}}}, {label, 2}}, {{label, -90, 90}, {label}}),
+           joints(named("joints"), {{{label, 1, {{10, 20}, {15, 95}}}, {label, 2}}, {{label, -90, 90}, {label}}}),
            overview(named("overview"), label,
                     {{label, 1, 10, 0.5, 20, 0.1}, {label, 2, 1, 1}, {label, 2, nowhere, nowhere}}),
        })
@@ -67,7 +67,7 @@ TEST_CASE("a figure without a mark is none", "[plots]") {
   CHECK_FALSE(shares(about, "solved", {{"A", 1, {}, 4}, {"B", 2, {2001}, 4}}, 2));
   CHECK_FALSE(differences(about, {{.label = "A - B", .verdict = "not decided"}}, false));
   CHECK_FALSE(overview(about, "x", {{.label = "A", .x = 1}, {.label = "B", .x = 1, .y = 1}}));  // one is none
-  CHECK_FALSE(joints(about, {{.label = "A"}}, {{"joint 1"}}));
+  CHECK_FALSE(joints(about, {{{.label = "A"}}, {{"joint 1"}}}));
 }
 
 TEST_CASE("eight lines are drawn, their names in order and none above another", "[plots]") {
@@ -145,14 +145,14 @@ TEST_CASE("a closed path ends where it begins, and the arm follows", "[plots]") 
 
 TEST_CASE("joints have a panel each, and angles outside the limits are told", "[plots]") {
   const std::vector<JointColumn> columns{{"joint 1", -90, 90}, {"joint 2"}};
-  const Figure inside = *joints(error_in("j"), {{"A", 1, {{10, 200}, {-90, 0}}}}, columns);
+  const Figure inside = *joints(error_in("j"), {{{"A", 1, {{10, 200}, {-90, 0}}}}, columns});
   CHECK(inside.data == "# A: point, angle of each joint [deg]\n1 10 200\n2 -90 0\n");
   CHECK_FALSE(contains(inside.caption, "outside"));
-  const Figure outside = *joints(error_in("j"), {{"A", 1, {{91, 0}}}, {"B", 2, {{0, 0}}}}, columns);
+  const Figure outside = *joints(error_in("j"), {{{"A", 1, {{91, 0}}}, {"B", 2, {{0, 0}}}}, columns});
   CHECK(contains(outside.caption, "Rings: outside the limits."));
   CHECK(contains(outside.settings, "(b) B"));
   const std::vector<JointRow> nine(9, {"A", 1, {{10, 200}}});
-  CHECK(contains(joints(error_in("j"), nine, columns)->settings, "'first 8 of 9'"));
+  CHECK(contains(joints(error_in("j"), {nine, columns})->settings, "'first 8 of 9'"));
 }
 
 TEST_CASE("an axis is logarithmic from a factor of 30 on, and says what lies at its edge", "[plots]") {
