@@ -53,7 +53,7 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
     JudgedClaims found = claim.rule ? claim.rule->judge(claim, repeated) : JudgedClaims();
     const bool is_of_many = claim.sentence.find('{') != std::string::npos;
     if (found.empty() && !claim.is_ours && !is_of_many) {
-      found.push_back(begun(claim));
+      found.push_back({claim});
       found.back().evidence = claim.decides;
     }
     for (JudgedClaim& judged : found) {

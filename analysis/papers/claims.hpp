@@ -16,9 +16,7 @@ namespace ikbench::papers {
 enum class Holds { holds, in_part, fails, undecided, not_tested };
 std::string_view name_of(Holds holds);
 
-struct JudgedClaim {
-  std::string id, sentence, section;
-  bool is_ours = false;
+struct JudgedClaim : Claim {
   Holds holds = Holds::not_tested;
   std::string number = {};       // the most telling one: "0.0017 cm, K-ABC 0.21"
   std::string rival = {};        // its part of the best rival: "K-ABC 0.21"
@@ -55,8 +53,6 @@ struct Rule {
 // metric, and worse in none. differ: all differ, by one-way ANOVA. at_rounding: all of its solver's errors are.
 // as_printed: each printed share of solved targets is ours.
 std::span<const Rule> rules();
-
-JudgedClaim begun(const Claim& claim);  // without a verdict
 
 // How solvers do against others.
 struct Tally {

@@ -138,7 +138,7 @@ Names same_there(const Claim& claim, const Repeated& repeated) {
 // A larger share in each study, which are arms, than the best of the rivals.
 JudgedClaims better_in_each_study(const Claim& claim, const Repeated& repeated) {
   const std::string& own = claim.solvers.front();
-  JudgedClaim result = begun(claim);
+  JudgedClaim result{claim};
   Tally tally;
   Names arms;
   for (const JudgedStudy* on_arm : repeated.all()) {
@@ -160,7 +160,7 @@ JudgedClaims better_in_each_study(const Claim& claim, const Repeated& repeated) 
 JudgedClaims better(const Claim& claim, const Repeated& repeated) {
   if (claim.of == Of::each_study) return better_in_each_study(claim, repeated);
   const Names& own = claim.solvers;
-  JudgedClaim result = begun(claim);
+  JudgedClaim result{claim};
   std::vector<Holds> here;
   const Names same = same_there(claim, repeated);
   for (const Metric* metric : claim.metrics) {
@@ -206,7 +206,7 @@ JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
     here.push_back(std::move(*ours));
   }
   const Tally tally = dominance(here, solver);
-  JudgedClaim result = begun(claim);
+  JudgedClaim result{claim};
   result.holds = holds_of(tally);
   result.number = fmt::format("ahead of {} of {}", tally.better, tally.all());
   return {result};
@@ -221,7 +221,7 @@ JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
     const auto test = anova(ours->observations);
     here.push_back(!test ? Holds::not_tested : test->p < significance ? Holds::holds : Holds::undecided);
   }
-  JudgedClaim result = begun(claim);
+  JudgedClaim result{claim};
   result.holds = holds_of(here);
   result.number = fmt::format("{} of {} differ", std::ranges::count(here, Holds::holds), here.size());
   return {result};
@@ -233,7 +233,7 @@ JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
   const std::string& solver = claim.solvers.front();
   if (judged == nullptr || judged->study.of(solver).empty()) return {};
   const StudyResults& study = judged->study;
-  JudgedClaim result = begun(claim);
+  JudgedClaim result{claim};
   double farthest_cm = 0;
   for (const results::SolveRecord& solve : study.first_run_of(solver)) {
     double square = 0;
@@ -259,7 +259,7 @@ JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
     for (const Rate& rate : rates_of(repeated, solver))
       repeats.push_back(always_or_on_average(rate.is_as_printed(), false));
     if (repeats.empty()) continue;
-    JudgedClaim& result = judged.emplace_back(begun(claim));
+    JudgedClaim& result = judged.emplace_back(JudgedClaim{claim});
     result.id = fmt::format("{}-{}", claim.id, solver);
     result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", solver));
     result.holds = holds_of(repeats);
@@ -277,10 +277,6 @@ constexpr Rule all_rules[]{{"better", better},
 }  // namespace
 
 std::span<const Rule> rules() { return all_rules; }
-
-JudgedClaim begun(const Claim& claim) {
-  return {.id = claim.id, .sentence = claim.sentence, .section = claim.section, .is_ours = claim.is_ours};
-}
 
 void Tally::add(Verdict verdict) {
   ++(verdict == Verdict::better       ? better
