@@ -62,12 +62,7 @@ std::string study_details(const std::string& name) {
 }
 
 std::string path_details(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Path& path : paths()) {
-    if (path->name() == name) return to_toml(path);
-    names.emplace_back(path->name());
-  }
-  throw std::invalid_argument(unknown_name("path", name, names));
+  return to_toml(find_named("path", name, paths(), [](const Path& path) { return path->name(); }));
 }
 
 Rows list_of(std::string_view kind) {

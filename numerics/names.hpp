@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,17 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
 
 // `unknown solver "ik_bta"; did you mean "ik_bat"? There are: ik_bat, bat, ...`
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates);
+
+// The one of all that has this name. Throws std::invalid_argument, which lists all, if there is none.
+template <class All, class NameOf>
+const auto& find_named(std::string_view kind, std::string_view name, const All& all, NameOf name_of) {
+  std::vector<std::string> names;
+  for (const auto& each : all) {
+    if (name_of(each) == name) return each;
+    names.emplace_back(name_of(each));
+  }
+  throw std::invalid_argument(unknown_name(kind, name, names));
+}
 
 // One line of valid UTF-8: control characters become blanks, bytes that are none U+FFFD.
 std::string one_line(std::string_view text);

@@ -58,14 +58,10 @@ std::vector<SolverInfo> all_solvers() { return registry().solvers; }
 std::vector<MissingPeer> missing_peers() { return registry().missing; }
 
 const SolverInfo& solver(std::string_view name) {
-  for (const SolverInfo& info : registry().solvers)
-    if (info.name == name) return info;
   for (const MissingPeer& peer : registry().missing) {
     if (peer.name == name) throw std::invalid_argument(fmt::format("the solver {} is {}", name, peer.how));
   }
-  std::vector<std::string> names;
-  for (const SolverInfo& info : registry().solvers) names.push_back(info.name);
-  throw std::invalid_argument(unknown_name("solver", name, names));
+  return find_named("solver", name, registry().solvers, [](const SolverInfo& info) { return info.name; });
 }
 
 }  // namespace ikbench::solvers

@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include "analysis/compare/describe.hpp"
@@ -52,12 +51,7 @@ constexpr std::array rows{
 std::span<const Metric> metrics() { return rows; }
 
 const Metric& metric_named(std::string_view column) {
-  std::vector<std::string> known;
-  for (const Metric& metric : rows) {
-    if (metric.column == column) return metric;
-    known.emplace_back(metric.column);
-  }
-  throw std::invalid_argument(numerics::unknown_name("metric", column, known));
+  return numerics::find_named("metric", column, rows, [](const Metric& metric) { return metric.column; });
 }
 
 }  // namespace ikbench::compare

@@ -103,12 +103,7 @@ const std::vector<Paper>& papers() {
 }
 
 const Paper& paper_named(std::string_view name) {
-  std::vector<std::string> names;
-  for (const Paper& paper : papers()) {
-    if (paper.name == name) return paper;
-    names.push_back(paper.name);
-  }
-  throw std::invalid_argument(unknown_name("paper", name, names));
+  return find_named("paper", name, papers(), [](const Paper& paper) { return paper.name; });
 }
 
 Paper read_paper(std::string_view name, std::string_view toml, std::string_view source) {
