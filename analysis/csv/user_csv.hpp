@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "analysis/compare/compare.hpp"
-#include "analysis/compare/observe.hpp"
 
 namespace ikbench::csv {
 

@@ -32,11 +32,6 @@ constexpr EmbeddedFile style_file[]{
 #include "style.inc"
 };
 
-bool is_own_file(const std::filesystem::path& file) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored));
-}
-
 std::filesystem::path picture_of(const Figure& figure, std::string_view type) {
   return fmt::format("{}.{}", figure.name, type);
 }
@@ -47,7 +42,8 @@ void remove_pictures(const Figure& figure, const std::filesystem::path& folder,
   for (const std::string& type : results::picture_formats) {
     const std::filesystem::path file = folder / picture_of(figure, type);
     std::error_code ignored;
-    if (std::ranges::count(but_not, type) == 0 && is_own_file(file)) std::filesystem::remove(file, ignored);
+    const bool is_own = std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored));
+    if (is_own && std::ranges::count(but_not, type) == 0) std::filesystem::remove(file, ignored);
   }
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "analysis/figures/of_study.hpp"
-#include "results/store.hpp"
 
 namespace ikbench::figures {
 

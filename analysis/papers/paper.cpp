@@ -79,13 +79,6 @@ Rates read_rates(TomlReader reader) {
   return rates;
 }
 
-std::vector<Paper> read_all() {
-  std::vector<Paper> all;
-  for (const EmbeddedFile& file : files) all.push_back(read_paper(file.stem(), file.text, file.name));
-  std::stable_partition(all.begin(), all.end(), [](const Paper& paper) { return !paper.means.empty(); });
-  return all;
-}
-
 // Adds the share of the solves, if there are any.
 void set_share(Rate& rate, std::span<const Solve> solves, double n_printed, double level) {
   if (solves.empty()) return;
@@ -98,7 +91,12 @@ void set_share(Rate& rate, std::span<const Solve> solves, double n_printed, doub
 }  // namespace
 
 const std::vector<Paper>& papers() {
-  static const std::vector<Paper> all = read_all();
+  static const std::vector<Paper> all = [] {
+    std::vector<Paper> read;
+    for (const EmbeddedFile& file : files) read.push_back(read_paper(file.stem(), file.text, file.name));
+    std::stable_partition(read.begin(), read.end(), [](const Paper& paper) { return !paper.means.empty(); });
+    return read;
+  }();
   return all;
 }
 

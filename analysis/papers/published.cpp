@@ -21,16 +21,12 @@ double parsed(std::string_view text) {
   throw std::invalid_argument(fmt::format("'{}' is no number", text));
 }
 
-bool has_column(const CsvTable& table, std::string_view column) {
-  return std::ranges::find(table.header, column) != table.header.end();
-}
-
 // Columns such as mean_ms.
 PrintedRow read_row(const CsvTable& table, std::size_t row, std::string solver, std::string_view unit) {
   PrintedRow printed{.solver = std::move(solver), .numbers = {.n = static_cast<int>(table.number(row, "n"))}};
   for (std::size_t s = 0; s < statistics.size(); ++s) {
     const std::string column = fmt::format("{}{}", statistics[s].column, unit);
-    if (!has_column(table, column)) continue;
+    if (std::ranges::count(table.header, column) == 0) continue;
     printed.numbers.*statistics[s].of = table.number(row, column);
     printed.digits[s] = table.cell(row, table.column(column));
   }

@@ -11,7 +11,6 @@
 #include "analysis/show/words.hpp"
 #include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
-#include "numerics/names.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::show {
