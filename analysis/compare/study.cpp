@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <initializer_list>
-#include <set>
 #include <stdexcept>
 #include <unordered_map>
 

@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <span>
 #include <utility>
 
 #include "numerics/names.hpp"
 #include "numerics/units.hpp"
-#include "robots/robot.hpp"
 
 namespace ikbench::figures {
 
@@ -183,16 +181,14 @@ std::optional<Figure> joints(const JudgedStudy& judged, const Look& look) {
                 joint_rows(study, look));
 }
 
-Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle style) {
-  std::vector<NamedSolver> named;
-  for (const results::Series& solver : solvers) named.push_back({solver.label, solver.algorithm});
-  std::ranges::stable_sort(named, {}, [&](const NamedSolver& solver) {  // those that are not shown come last
+Look look_of(std::vector<results::Series> solvers, results::FigureStyle style) {
+  std::ranges::stable_sort(solvers, {}, [&](const results::Series& solver) {  // those that are not shown come last
     return std::ranges::find(style.solvers, solver.label) - style.solvers.begin();
   });
   Look look{.style = std::move(style), .lines = {}};
-  look.lines = line_styles(named, look.style);
+  look.lines = line_styles(solvers, look.style);
   std::vector<std::string> labels;
-  for (const NamedSolver& solver : named) labels.push_back(solver.label);
+  for (const results::Series& solver : solvers) labels.push_back(solver.label);
   look.names = short_names(labels, 24);
   return look;
 }

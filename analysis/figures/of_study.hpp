@@ -24,7 +24,7 @@ struct Look {
   std::map<std::string, int> lines;          // style of each solver, by label
   std::map<std::string, std::string> names;  // its short name
 };
-Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle style);
+Look look_of(std::vector<results::Series> solvers, results::FigureStyle style);
 
 constexpr std::size_t most_pairs = 15;  // of more only those of the reference
 
@@ -76,14 +76,10 @@ JointRows joint_rows(const compare::StudyResults& study, const Look& look);
 // steps along z and x.
 std::vector<Corner> corners_of(const robots::Robot& arm, const Eigen::VectorXd& q);
 
-struct NamedSolver {
-  std::string label, algorithm;
-};
-
 // The line styles of all solvers of a report, by label. A solver has the colour of style.colours, or else, if it is
 // built in and no other has it, its own of the palette; all others, such as variants of an algorithm, get the colour
 // that fewest have. From a palette of fewer than seven all get them in order. Solvers of one colour have different
 // markers and dashes. Colours of style.colours that the palette lacks are added to it.
-std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, results::FigureStyle& style);
+std::map<std::string, int> line_styles(const std::vector<results::Series>& solvers, results::FigureStyle& style);
 
 }  // namespace ikbench::figures

@@ -38,7 +38,7 @@ std::size_t place_in(std::vector<std::string>& palette, const std::string& colou
 
 }  // namespace
 
-std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, FigureStyle& style) {
+std::map<std::string, int> line_styles(const std::vector<Series>& solvers, FigureStyle& style) {
   constexpr std::size_t markers = 13;  // style.gp
   const std::size_t own_colours = style.palette.size();
   for (const auto& [label, colour] : style.colours) place_in(style.palette, colour);
@@ -46,7 +46,7 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
   std::vector<std::pair<std::string, std::size_t>> given;  // by algorithm
   std::map<std::string, int> styles;
   // Gives one of these places that fewest have, then the style that fewest have, whose marker fewest variants have.
-  const auto give = [&](const NamedSolver& solver, std::size_t from, std::size_t to) {
+  const auto give = [&](const Series& solver, std::size_t from, std::size_t to) {
     if (styles.contains(solver.label)) return;
     std::map<std::array<int, 4>, std::size_t> by_users;
     for (std::size_t i = 0; i < markers * hues; ++i) {
@@ -62,18 +62,18 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
     given.emplace_back(solver.algorithm, by_users.begin()->second);
     styles.emplace(solver.label, static_cast<int>(1 + given.back().second));
   };
-  for (const NamedSolver& solver : solvers) {
+  for (const Series& solver : solvers) {
     if (!style.colours.contains(solver.label)) continue;
     const std::size_t place = place_in(style.palette, style.colours.at(solver.label));
     give(solver, place, place + 1);
   }
-  for (const NamedSolver& solver : solvers) {
+  for (const Series& solver : solvers) {
     const auto own = std::ranges::find(own_places, solver.algorithm, [](const auto& place) { return place.first; });
     if (own_colours < own_palette.size() || own == std::end(own_places)) continue;
     const auto has_it = [&](const auto& other) { return other.second % hues == own->second; };
     if (std::ranges::none_of(given, has_it)) give(solver, own->second, own->second + 1);
   }
-  for (const NamedSolver& solver : solvers) give(solver, 0, own_colours);
+  for (const Series& solver : solvers) give(solver, 0, own_colours);
   return styles;
 }
 

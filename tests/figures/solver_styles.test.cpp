@@ -8,7 +8,7 @@ std::string colour_of(int line_style, const FigureStyle& style) {
   return hex_colour(style.palette[static_cast<std::size_t>(line_style - 1) % style.palette.size()]).value();
 }
 
-std::string colour_in(const std::vector<NamedSolver>& solvers, const std::string& label, FigureStyle style = {}) {
+std::string colour_in(const std::vector<Series>& solvers, const std::string& label, FigureStyle style = {}) {
   const auto styles = line_styles(solvers, style);
   return colour_of(styles.at(label), style);
 }
@@ -47,13 +47,13 @@ double distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 TEST_CASE("a built-in solver has one colour in every study, whatever its label and place", "[figure]") {
-  const std::vector<NamedSolver> alone{{"IK-BA", "ik_bat"}},
-      last{{"x", "x"}, {"DE", "differential_evolution"}, {"bats", "ik_bat"}};
+  const std::vector<Series> alone{{"", "IK-BA", "ik_bat"}},
+      last{{"", "x", "x"}, {"", "DE", "differential_evolution"}, {"", "bats", "ik_bat"}};
   CHECK(colour_in(alone, "IK-BA") == own_palette[0]);
   CHECK(colour_in(last, "bats") == own_palette[0]);
   for (const std::string name : {"bat", "particle_swarm", "damped_least_squares", "newton", "kdl_newton", "nlopt"}) {
     CAPTURE(name);
-    const std::vector<NamedSolver> first{{"a", name}}, second{{"b", "unknown"}, {"c", name}};
+    const std::vector<Series> first{{"", "a", name}}, second{{"", "b", "unknown"}, {"", "c", name}};
     CHECK(colour_in(first, "a") == colour_in(second, "c"));
   }
 }
@@ -62,14 +62,15 @@ TEST_CASE("no two solvers of a study look alike, and other solvers have other co
           "[figure]") {
   for (const experiments::Study& study : experiments::studies()) {
     CAPTURE(study.name);
-    std::vector<NamedSolver> solvers{{"mine", "unknown"}};
-    for (const experiments::SolverEntry& entry : study.solvers) solvers.push_back({entry.label, entry.solver});
+    std::vector<Series> solvers{{"", "mine", "unknown"}};
+    for (const experiments::SolverEntry& entry : study.solvers) solvers.push_back({"", entry.label, entry.solver});
     FigureStyle style;
     std::set<int> looks;
     for (const auto& [label, look] : line_styles(solvers, style)) looks.insert(look);
     CHECK(looks.size() == solvers.size());
   }
-  const std::vector<NamedSolver> solvers{{"a", "x"}, {"IK-BA", "ik_bat"}, {"b", "y"}, {"DE", "differential_evolution"}};
+  const std::vector<Series> solvers{
+      {"", "a", "x"}, {"", "IK-BA", "ik_bat"}, {"", "b", "y"}, {"", "DE", "differential_evolution"}};
   FigureStyle style;
   std::set<std::string> colours;
   for (const auto& [label, look] : line_styles(solvers, style)) colours.insert(colour_of(look, style));
@@ -78,9 +79,9 @@ TEST_CASE("no two solvers of a study look alike, and other solvers have other co
 
 TEST_CASE("variants of a solver have other colours while there are any, then other line types and markers",
           "[figure]") {
-  std::vector<NamedSolver> solvers;
+  std::vector<Series> solvers;
   for (const std::string name : {"ik_bat", "mine"}) {
-    for (const char variant : std::string("abcdefgh")) solvers.push_back({name + variant, name});
+    for (const char variant : std::string("abcdefgh")) solvers.push_back({"", name + variant, name});
     FigureStyle style;
     const auto styles = line_styles(solvers, style);
     CHECK(styles.at("ik_bata") == 1);
@@ -100,25 +101,28 @@ TEST_CASE("variants of a solver have other colours while there are any, then oth
 
 TEST_CASE("solvers have the colours of a short palette in their order", "[figure]") {
   FigureStyle three{.palette = {"#0072B2", "#8D1804", "#9C8602"}};
-  const auto styles = line_styles({{"IK-BA", "ik_bat"}, {"PSO", "particle_swarm"}, {"DE", "x"}, {"BA", "bat"}}, three);
+  const auto styles =
+      line_styles({{"", "IK-BA", "ik_bat"}, {"", "PSO", "particle_swarm"}, {"", "DE", "x"}, {"", "BA", "bat"}}, three);
   CHECK(styles == std::map<std::string, int>{{"IK-BA", 1}, {"PSO", 2}, {"DE", 3}, {"BA", 4}});
 }
 
 TEST_CASE("a colour of a study goes before the solver's own", "[figure]") {
   FigureStyle style{.colours = {{"IK-BA", "#abcdef"}, {"mine", "#267195"}}};
-  const std::vector<NamedSolver> solvers{{"IK-BA", "ik_bat"}, {"mine", "x"}, {"IK-BA 2", "ik_bat"}};
+  const std::vector<Series> solvers{{"", "IK-BA", "ik_bat"}, {"", "mine", "x"}, {"", "IK-BA 2", "ik_bat"}};
   const auto styles = line_styles(solvers, style);
   CHECK(colour_of(styles.at("IK-BA"), style) == "#ABCDEF");
   CHECK(colour_of(styles.at("mine"), style) == "#267195");
   CHECK(style.palette.size() == 8);
   FigureStyle two{.palette = {"#000000", "#FF0000"}};
   std::set<int> looks;
-  for (const auto& [label, look] : line_styles({{"a", "bat"}, {"b", "newton"}, {"c", "x"}, {"d", "y"}}, two))
+  for (const auto& [label, look] :
+       line_styles({{"", "a", "bat"}, {"", "b", "newton"}, {"", "c", "x"}, {"", "d", "y"}}, two))
     looks.insert(look);
   CHECK(looks.size() == 4);
   FigureStyle three{.palette = {"#1E8CF8", "#8D1804", "#00705B"}};
   std::set<std::string> colours;
-  for (const auto& [label, look] : line_styles({{"a", "ik_bat"}, {"b", "particle_swarm"}, {"c", "bat"}}, three))
+  for (const auto& [label, look] :
+       line_styles({{"", "a", "ik_bat"}, {"", "b", "particle_swarm"}, {"", "c", "bat"}}, three))
     colours.insert(colour_of(look, three));
   CHECK(colours.size() == 3);
 }
