@@ -59,7 +59,7 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
       paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides}, arguments.jobs);
   const show::Table table = papers::judged(paper, multiverse, plan).table;
   refuse_links(folder);
-  show::write_table(table, folder / "tables", program_name());
+  show::write_table(table, table, folder / "tables", program_name());
   fmt::print("{}Table: {}\n", printable(show::to_text(table)),
              printable((folder / "tables" / "multiverse.csv").string()));
 }

@@ -61,7 +61,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   if (files.size() > most_across &&
       std::ranges::count(table.columns, table.columns.back().unit, unit) == std::ssize(files))
     table = show::with_a_row_a_study(table);
-  show::write_table(table, folder / "tables", program_name());
+  show::write_table(table, table, folder / "tables", program_name());
   std::string written = fmt::format("Table: {}.*", (folder / "tables" / table.name).string());
   if (figure) written += fmt::format(". Figure: {}.*", (folder / "figures" / figure->name).string());
   if (table.columns.size() > 1 + most_with_intervals) table = show::without_intervals(std::move(table));

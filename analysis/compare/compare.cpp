@@ -123,12 +123,6 @@ double smallest_p(Method method, std::size_t m, std::size_t n) {
   return smallest_p_unpaired(m, n) / (method == Method::fisher && m != n ? 2 : 1);
 }
 
-// From the value of the solver that repeats itself.
-int runs_that_differ(const Observations& observed, const Pair& pair) {
-  const std::vector<double> differences = Two(observed, pair, false).differences;
-  return static_cast<int>(std::ranges::count_if(differences, [](double each) { return each != 0; }));
-}
-
 Tested tested_by(Method method, const Two& two, const Summary& first, const Summary& second, double alpha) {
   if (method == Method::ranks) return rank_test(two.a, two.b, alpha);
   if (method == Method::signed_ranks) return signed_rank_test(two.differences, alpha);
@@ -259,7 +253,9 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
       if (finding.why != Why::tested || finding.n == 0) continue;
       pair.smallest_p = smallest_p(pair.method, size_of(pair.a), size_of(pair.b));
       if (!is(pair.method, by_sign)) continue;
-      finding.n = runs_that_differ(observed, pair);
+      // Runs that differ from the value of the solver that repeats itself.
+      const std::vector<double> differences = Two(observed, pair, false).differences;
+      finding.n = static_cast<int>(std::ranges::count_if(differences, [](double each) { return each != 0; }));
       const double least = smallest_p_paired(static_cast<std::size_t>(finding.n));
       pair.smallest_p = pair.method == Method::sign ? least : std::max(least, pair.smallest_p);
     }

@@ -23,6 +23,7 @@ std::string words_of(const Doubt& doubt) {
   const std::string who = names_of(doubt.who), &what = doubt.what;
   const std::string of_whom = who.empty() ? "" : fmt::format(" ({})", who);
   const std::string share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
+  const std::string in_solves = doubt.of > 0 ? fmt::format(" in {} solves", share) : "";
   switch (doubt.kind) {
     case DoubtKind::runs_missing:
       return fmt::format("{} {}{}", share, what.empty() ? "runs missing or without some targets" : what, of_whom);
@@ -39,11 +40,9 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::counted_otherwise:
       return fmt::format("{} ({})", what, who);
     case DoubtKind::times_not_comparable:
-      return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what,
-                         doubt.of > 0 ? fmt::format(" in {} solves", share) : "");
+      return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what, in_solves);
     case DoubtKind::seconds_decide:
-      return fmt::format("results of {} are not compared, since seconds end solves: {}{}", who, what,
-                         doubt.of > 0 ? fmt::format(" in {} solves", share) : "");
+      return fmt::format("results of {} are not compared, since seconds end solves: {}{}", who, what, in_solves);
     case DoubtKind::out_of_reach:
       return fmt::format("{} targets of a run out of reach, so no solver can solve them", share);
     case DoubtKind::too_few:

@@ -4,10 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
-
-#include "analysis/papers/claims.hpp"
 
 namespace ikbench::papers {
 
@@ -33,8 +30,6 @@ bool hangs_on_reading(const Claim& claim) {
   return claim.rule != nullptr && claim.rule->name == "better" && claim.metrics.size() == 1 && claim.study.empty() &&
          contains(metrics_of_readings, claim.metrics.front()->column);
 }
-
-std::size_t metric_of(const Claim& claim) { return claim.metrics.front()->column == metrics_of_readings[0] ? 0 : 1; }
 
 // Of each pair alone, by Welch's t, at its part of the significance, as a report judges a pair of these solvers.
 Plan plan_of_pairs(const Plan& plan, std::size_t solvers) {
@@ -78,7 +73,7 @@ OwnChoices combination(const OfStudy& study, const std::vector<std::size_t>& sol
 // None if a solver of the claim is missing.
 std::vector<Part> parts_of(const SolvedMultiverse& multiverse, const Claim& claim, const results::Plan& plan) {
   const Names& solvers = multiverse.solvers;
-  const std::size_t k = solvers.size(), metric = metric_of(claim);
+  const std::size_t k = solvers.size(), metric = claim.metrics.front()->column == metrics_of_readings[0] ? 0 : 1;
   std::vector<std::size_t> own, rivals;
   for (const std::string& solver : claim.solvers) own.push_back(place_of(solvers, solver));
   for (const std::string& solver : claim.against.empty() ? solvers : claim.against) {
@@ -154,20 +149,14 @@ bool happens(const std::vector<Part>& parts, Outcome outcome, const Chosen& with
   return std::ranges::any_of(parts, [&](const Part& part) { return count(part, without).*outcome > 0; });
 }
 
-// All but the defaults.
-Chosen answers_of(const SolvedMultiverse& multiverse) {
-  Chosen answers;
-  for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
-    for (std::size_t a = 1; a < multiverse.dimensions[d].alternatives.size(); ++a) answers.push_back({d, a});
-  }
-  return answers;
-}
-
 // "only where no solver is clamped": the smallest sets of one or two answers, other than defaults, without which it
 // never happens.
 std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
   if (!happens(parts, outcome, {})) return "nowhere";
-  const Chosen answers = answers_of(multiverse);
+  Chosen answers;  // all but the defaults
+  for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
+    for (std::size_t a = 1; a < multiverse.dimensions[d].alternatives.size(); ++a) answers.push_back({d, a});
+  }
   if (happens(parts, outcome, answers)) return "in some seeds of the default, too";
   const auto name_of = [&](const Choice& answer) {
     return multiverse.dimensions[answer.dimension].alternatives[answer.alternative].where;

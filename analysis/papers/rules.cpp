@@ -115,14 +115,6 @@ Names rivals_of(const Judged& judged, const Names& own) {
   return rivals;
 }
 
-Tally tally_of(const Judged& judged, const Names& own, const Names& rivals) {
-  Tally tally;
-  for (const std::string& solver : own) {
-    for (const std::string& rival : rivals) tally.add(verdict_between(judged, solver, rival));
-  }
-  return tally;
-}
-
 // Solvers of the companion that give the claim's solver's answers to the last bit.
 Names same_there(const Claim& claim, const Repeated& repeated) {
   Names same;
@@ -169,7 +161,11 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
     Names rivals = rivals_of(*ours, own), means;
     std::erase_if(rivals, [&](const std::string& rival) { return has(same, rival); });
     here.insert(here.end(), same.size(), Holds::fails);
-    if (!rivals.empty()) here.push_back(holds_of(tally_of(*ours, own, rivals)));
+    Tally tally;
+    for (const std::string& solver : own) {
+      for (const std::string& rival : rivals) tally.add(verdict_between(*ours, solver, rival));
+    }
+    if (!rivals.empty()) here.push_back(holds_of(tally));
     if (!result.number.empty()) continue;
     for (const std::string& solver : own) means.push_back(mean_words(*ours, solver));
     result.number = (claim.of == Of::spread ? "sd " : "") + with_unit(show::listed(means), *ours);

@@ -122,13 +122,6 @@ Table for_article(Table table, const Report& report, const Answer& brief) {
   return table;
 }
 
-void write_table(const Table& table, const Table& article, const fs::path& folder, const std::string& program) {
-  const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
-  results::write_file(folder / (table.name + ".csv"), to_csv(table));
-  results::write_file(folder / (table.name + ".md"), to_markdown(table));
-  results::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
-}
-
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> all_figures() {
@@ -149,8 +142,11 @@ std::vector<std::string> types_of(const figures::Figure& figure, const fs::path&
   return types;
 }
 
-void write_table(const Table& table, const fs::path& folder, const std::string& program) {
-  write_table(table, table, folder, program);
+void write_table(const Table& table, const Table& article, const fs::path& folder, const std::string& program) {
+  const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
+  results::write_file(folder / (table.name + ".csv"), to_csv(table));
+  results::write_file(folder / (table.name + ".md"), to_markdown(table));
+  results::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
 }
 
 Written publish(const Report& report, const fs::path& folder, const figures::RenderOptions& options,

@@ -40,8 +40,9 @@ std::string to_markdown(const std::vector<Blocks>& sections, const std::filesyst
 // The types of a figure's pictures that stand there: "svg", "pdf", "png".
 std::vector<std::string> types_of(const figures::Figure& figure, const std::filesystem::path& folder);
 
-// NAME.csv, NAME.md and NAME.tex.
-void write_table(const Table& table, const std::filesystem::path& folder, const std::string& program);
+// NAME.csv, NAME.md and, of what an article shows, NAME.tex.
+void write_table(const Table& table, const Table& article, const std::filesystem::path& folder,
+                 const std::string& program);
 
 struct Written {
   std::filesystem::path page;         // report.html

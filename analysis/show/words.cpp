@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "analysis/show/text.hpp"
 #include "numerics/names.hpp"
