@@ -13,6 +13,7 @@
 
 #include "experiments/runner.hpp"
 #include "experiments/verifier.hpp"
+#include "numerics/json.hpp"
 #include "numerics/units.hpp"
 #include "results/study.hpp"
 #include "robots/robot.hpp"
@@ -57,8 +58,7 @@ std::set<std::string> built_in(const StoredStudy& study) {
   std::set<std::string> labels;
   for (const Series& series : study.series)
     for (const solvers::SolverInfo& info : solvers::all_solvers())
-      if (info.name == series.algorithm && info.library.empty() &&
-          series.options.find("\"process\"") == std::string::npos)
+      if (info.name == series.algorithm && info.library.empty() && !parsed_json(series.options).contains("process"))
         labels.insert(series.label);
   return labels;
 }

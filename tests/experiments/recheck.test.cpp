@@ -121,11 +121,13 @@ TEST_CASE("a solve of a program that kept its budget has not spent 1.5 times as 
   Study study = study_with("stanford");
   study.stop.evaluations = 1000;
   StoredStudy entry = entry_of(study);
-  for (Series& series : entry.series) series.options = R"({"process":"./program"})";
   SolveRecord solve = solves_of(study).front();
   REQUIRE(is_in_order(solve.status));
   solve.counted_by = CountedBy::solver;
   solve.evaluations = 1500;
+  for (Series& series : entry.series) series.options = R"({"kind":"process"})";
+  CHECK_THAT(refused_row(entry, {solve}), ContainsSubstring("(counted by solver) in "));
+  for (Series& series : entry.series) series.options = R"({"process":"./program"})";
   CHECK(refused_row(entry, {solve}) == "");
   solve.evaluations = 1501;
   CHECK_THAT(refused_row(entry, {solve}), ContainsSubstring(": 1501 evaluations (counted by solver) in "));
