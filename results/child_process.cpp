@@ -28,12 +28,11 @@ constexpr std::size_t kept_errors = 4000;  // bytes
 struct Pipe {
   Pipe() {
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-      throw std::runtime_error(fmt::format("cannot open a pipe: {}", std::strerror(errno)));
+      throw std::runtime_error(fmt::format("cannot open a pipe: {}; raise ulimit -n", std::strerror(errno)));
   }
   ~Pipe() {
-    for (const int end : ends) {
+    for (const int end : ends)
       if (end >= 0) ::close(end);
-    }
   }
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
@@ -87,9 +86,7 @@ int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawnattr_init(&attributes);
   if (!folder.empty()) ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  for (int i = 0; i < 3; ++i) {
-    ::posix_spawn_file_actions_adddup2(&actions, descriptors[static_cast<std::size_t>(i)], i);
-  }
+  for (int i = 0; i < 3; ++i) ::posix_spawn_file_actions_adddup2(&actions, descriptors[static_cast<std::size_t>(i)], i);
   ::posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
   sigset_t none, all;
   ::sigemptyset(&none);
@@ -115,7 +112,7 @@ ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem
                            std::vector<std::string> variables) {
   Pipe input, output, errors, lifeline;
   guard_ = start_guard(lifeline.ends[0]);
-  if (guard_ < 0) throw std::runtime_error(fmt::format("cannot start a process: {}", std::strerror(errno)));
+  if (guard_ < 0) throw std::runtime_error(fmt::format("no process starts: {}; raise ulimit -u", std::strerror(errno)));
   const int error = spawn(process_, words, folder, variables, guard_, {input.ends[0], output.ends[1], errors.ends[1]});
   if (error != 0) {
     ::kill(guard_, SIGKILL);

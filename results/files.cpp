@@ -32,7 +32,7 @@ struct WriteFailed {
 [[noreturn]] void refuse(const std::string& what, const std::string& why, const std::error_code& error) {
   const std::string message = fmt::format("cannot write {}: {}", what, why);
   if (error.value() == ENOSPC || error.value() == EDQUOT || error.value() == EFBIG || error.value() == EIO)
-    throw std::runtime_error(message + "; make room there, or choose another place");
+    throw std::runtime_error(message + "; make room there (or raise ulimit -f), or choose another place");
   throw std::invalid_argument(message + "; choose a place that you can write to");
 }
 

@@ -6,6 +6,7 @@
 #include <sqlite3.h>
 #include <sys/stat.h>
 
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -135,15 +136,16 @@ std::string checked_path(const fs::path& file, Store::Mode mode) {
           "cannot open '{}' ({}): you may not read or write the file, its folder or the '-wal' file beside it; change "
           "the permissions, or copy the store with its '-wal' file to a folder where you can write",
           file, error.what()));
-    case SQLITE_FULL:
-      throw std::runtime_error(fmt::format("cannot use '{}': {}; make room on its disk and give the same command again",
-                                           file, error.what()));
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       throw std::runtime_error(
           fmt::format("another process has locked '{}'; wait until it has ended, then run again", file));
-    default:
-      throw std::runtime_error(fmt::format("cannot use '{}': {}", file, error.what()));
+    case SQLITE_NOMEM:
+      throw std::bad_alloc();
+    default:  // a full disk, a limit of files, a fault of the disk
+      throw std::runtime_error(fmt::format(
+          "cannot use '{}': {}; make room on its disk, raise ulimit -f or take another disk; then run again", file,
+          error.what()));
   }
 }
 
