@@ -144,9 +144,8 @@ std::string shell_command(std::string_view program, const std::vector<std::strin
 }
 
 std::string aligned(Rows rows, std::size_t width) {
-  for (auto& row : rows) {
+  for (auto& row : rows)
     for (std::string& cell : row) cell = one_line(printable(cell));
-  }
   return show::in_columns(rows, 2, width);
 }
 
@@ -211,7 +210,8 @@ void ProgressBar::show(const Progress& progress) {
   if (const std::string text = text_at(Clock::now(), progress); !text.empty()) write_error(text);
 }
 
-std::filesystem::path default_folder(std::string_view study) {
+std::filesystem::path folder_for(std::string_view study, const std::string& out) {
+  if (!out.empty()) return out;
   constexpr std::size_t longest = 100;
   std::string name(study.substr(0, longest));
   for (char& c : name) {

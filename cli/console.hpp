@@ -86,7 +86,7 @@ class ProgressBar : boost::noncopyable {
   Clock::time_point started_, next_;
 };
 
-// out/<name>, where '_' replaces all but letters, digits, '-', '_' and '.' in the name.
-std::filesystem::path default_folder(std::string_view study);
+// `out`, or if it is empty out/<name>, where '_' replaces all but letters, digits, '-', '_' and '.' in the name.
+std::filesystem::path folder_for(std::string_view study, const std::string& out);
 
 }  // namespace ikbench::cli

@@ -11,6 +11,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -56,9 +57,8 @@ int main(int argc, char** argv) {
   const std::string first = words.front();
   std::ranges::reverse(words);  // as CLI11 takes them
   // What is opened later must not become a standard stream that the caller has closed; to write to it fails.
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
-  }
   try {
     const cli::SignalWatch signals;
     static_cast<void>(instruction_set());  // reports a wrong IKBENCH_INSTRUCTION_SET before anything starts
@@ -75,9 +75,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ExtrasError& error) {  // CLI11 names what it did not expect, but no option that is like it
     const CLI::App& command = app.get_subcommands().empty() ? app : *app.get_subcommands().front();
     std::vector<std::string> options;
-    for (const CLI::Option* option : command.get_options()) {
+    for (const CLI::Option* option : command.get_options())
       for (const std::string& name : option->get_lnames()) options.push_back(name);
-    }
     for (const std::string& word : command.remaining()) {
       if (!word.starts_with('-')) continue;
       const std::string name = word.substr(0, word.find('='));
@@ -97,6 +96,10 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     cli::say_mistake(error.what());
     return 1;
+  } catch (const std::system_error& error) {
+    const bool is_thread = error.code() == std::errc::resource_unavailable_try_again;
+    cli::say_mistake(fmt::format("{}{}", error.what(), is_thread ? " for a thread; raise ulimit -v or -u" : ""));
+    return 2;
   } catch (const std::runtime_error& error) {  // no space left, a store that another process writes, ...
     cli::say_mistake(error.what());
     return 2;

@@ -53,8 +53,7 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
 
 void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& arguments,
                     const std::vector<Dimension>& varied, const Plan& plan) {
-  const std::filesystem::path folder =
-      arguments.out.empty() ? default_folder(paper.name + "-multiverse") : std::filesystem::path(arguments.out);
+  const std::filesystem::path folder = folder_for(paper.name + "-multiverse", arguments.out);
   const papers::SolvedMultiverse multiverse = solved_multiverse(
       paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides}, arguments.jobs);
   const show::Table table = papers::judged(paper, multiverse, plan).table;

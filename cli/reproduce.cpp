@@ -159,8 +159,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     if (command->count("--readings") > 0 && arguments->seeds > 0 && dimensions(paper.name).empty())
       throw std::invalid_argument(
           fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));
-    const std::filesystem::path folder =
-        arguments->run.out.empty() ? default_folder(paper.studies.front()) : std::filesystem::path(arguments->run.out);
+    const std::filesystem::path folder = folder_for(paper.studies.front(), arguments->run.out);
     std::vector<compare::JudgedStudy> judged;
     for (const Study& study : studies_of(paper, *arguments)) {
       const StoredStudy stored = stored_study(study);

@@ -82,8 +82,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     const Shard shard = arguments->shard ? shard_from(*arguments->shard) : Shard{};
     const bool is_part = arguments->shard.has_value();
     refuse_empty_shard(study, shard);
-    std::filesystem::path folder = arguments->run.out;
-    if (folder.empty()) folder = default_folder(study.name);
+    std::filesystem::path folder = folder_for(study.name, arguments->run.out);
     if (arguments->run.out.empty() && is_part)
       folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
     const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
