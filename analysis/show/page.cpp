@@ -150,10 +150,9 @@ struct MarkdownWriter {
 }  // namespace
 
 std::string to_page(const std::string& title, const std::vector<Blocks>& sections,
-                    const std::optional<std::string>& arm, const std::filesystem::path& folder,
-                    const std::string& program) {
+                    const std::optional<std::string>& arm, const std::optional<std::string>& library,
+                    const std::filesystem::path& folder, const std::string& program) {
   const PageWriter write{folder};
-  const auto library = arm ? drawing_library() : std::nullopt;
   const auto script = [](std::string_view code) { return fmt::format("<script>{}</script>\n", code); };
   std::string scripts = script(template_named("page.js"));
   if (library)

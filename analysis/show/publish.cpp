@@ -198,10 +198,11 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
       order.push_back(report.answer.decisive().observations.groups[i].name);
     arm = moving_arm(report.study, order);
   }
-  if (arm && !drawing_library())
+  const auto library = arm ? drawing_library() : std::nullopt;
+  if (arm && !library)
     written.warnings.emplace_back("the page has no moving arm: three.js (libjs-three) is missing or cannot be read");
-  results::write_file(written.page,
-                      to_page(title.empty() ? report.study.entry.name : title, sections, arm, folder, program));
+  results::write_file(
+      written.page, to_page(title.empty() ? report.study.entry.name : title, sections, arm, library, folder, program));
   for (const std::string& file : earlier) {
     std::error_code none;
     if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, none);

@@ -32,10 +32,10 @@ Report report_of(compare::JudgedStudy judged, std::vector<figures::Figure> figur
 std::vector<Blocks> sections_of(const Report& report);
 
 // They show the pictures that stand in `figures` of the report's folder. The page also has the moving arm, if
-// there is one.
+// there is one and a library that draws it.
 std::string to_page(const std::string& title, const std::vector<Blocks>& sections,
-                    const std::optional<std::string>& arm, const std::filesystem::path& folder,
-                    const std::string& program);
+                    const std::optional<std::string>& arm, const std::optional<std::string>& library,
+                    const std::filesystem::path& folder, const std::string& program);
 std::string to_markdown(const std::vector<Blocks>& sections, const std::filesystem::path& folder);
 // The types of a figure's pictures that stand there: "svg", "pdf", "png".
 std::vector<std::string> types_of(const figures::Figure& figure, const std::filesystem::path& folder);

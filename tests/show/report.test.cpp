@@ -196,7 +196,7 @@ TEST_CASE("only files that a report can have written are removed", "[show]") {
 
 TEST_CASE("a report of three solvers is short", "[show]") {
   const std::vector<Blocks> sections = sections_of(report_of());
-  const std::string page = to_page("mine", sections, std::nullopt, {}, "ikbench 2.0");
+  const std::string page = to_page("mine", sections, std::nullopt, std::nullopt, {}, "ikbench 2.0");
   CHECK(words_in(visible(page)) < 900);
   CHECK(words_in(to_markdown(sections, {})) < 1200);
 }
