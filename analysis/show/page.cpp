@@ -88,8 +88,7 @@ struct PageWriter {
     for (const std::string& type : types_of(figure, folder))
       files.emplace_back(type, fmt::format("figures/{}.{}", figure.name, type));
     return fmt::format("<figure id=\"figure-{}\"{}>\n{}<figcaption>{}</figcaption>\n{}</figure>\n", id_of(figure.name),
-                       figure.width_cm > 12 ? " class=\"wide\"" : "", picture, caption,
-                       files.empty() ? "" : menu(files));
+                       figure.width_cm > 12 ? " class=\"wide\"" : "", picture, caption, menu(files));
   }
 };
 
@@ -141,9 +140,7 @@ struct MarkdownWriter {
   }
   std::string operator()(const figures::Figure& figure) const {
     const std::string caption = markdown_text(figure.caption);
-    const std::vector<std::string> types = types_of(figure, folder);
-    return types.empty() ? caption + "\n\n"
-                         : fmt::format("![{}](figures/{}.{})\n\n", caption, figure.name, types.front());
+    return fmt::format("![{}](figures/{}.{})\n\n", caption, figure.name, types_of(figure, folder).front());
   }
 };
 

@@ -92,6 +92,16 @@ void keep_telling(Table& pairs, const Answer& answer) {
                                       are_many ? fmt::format("of {} ", reference) : ""));
 }
 
+// Figures that were not drawn, and sections that had nothing else.
+void leave_out_empty(std::vector<Blocks>& sections, const fs::path& folder) {
+  const auto is_empty = [&](const Block& block) {
+    const auto* const figure = std::get_if<figures::Figure>(&block);
+    return figure != nullptr && types_of(*figure, folder).empty();
+  };
+  for (Blocks& blocks : sections) std::erase_if(blocks, is_empty);
+  std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });
+}
+
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
 // warnings; a caption says of what. `brief` is what is shown, with short names.
 Table for_article(Table table, const Report& report, const Answer& brief) {
@@ -189,6 +199,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   for (Table* table : tables) {
     if (table->name == "pairs") keep_telling(*table, report.answer);
   }
+  leave_out_empty(sections, folder);
   results::write_file(folder / "report.md", to_markdown(sections, folder));
   const std::string& title = report.study.definition.title;
   std::optional<std::string> arm;

@@ -195,10 +195,12 @@ TEST_CASE("only files that a report can have written are removed", "[show]") {
 }
 
 TEST_CASE("a report of three solvers is short", "[show]") {
-  const std::vector<Blocks> sections = sections_of(report_of());
-  const std::string page = to_page("mine", sections, std::nullopt, std::nullopt, {}, "ikbench 2.0");
-  CHECK(words_in(visible(page)) < 900);
-  CHECK(words_in(to_markdown(sections, {})) < 1200);
+  const ScratchFolder folder;
+  const auto text_of = [&](const char* file) { return *results::read_file(folder.path / file); };
+  publish(report_of(), folder.path, {.render = false});
+  CHECK(words_in(visible(text_of("report.html"))) < 900);
+  CHECK(words_in(text_of("report.md")) < 1200);
+  for (const char* file : {"report.html", "report.md"}) CHECK_FALSE(contains(text_of(file), "Pictures"));  // none drawn
 }
 
 TEST_CASE("of several studies each is a column, solvers in the order of the first", "[show]") {
