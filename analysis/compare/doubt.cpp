@@ -45,8 +45,6 @@ std::string words_of(const Doubt& doubt) {
       return fmt::format("results of {} are not compared, since seconds end solves: {}{}", who, what, in_solves);
     case DoubtKind::out_of_reach:
       return fmt::format("{} targets of a run out of reach, so no solver can solve them", share);
-    case DoubtKind::too_few:
-      return fmt::format("too few values of {} to test{}", what, of_whom);
     case DoubtKind::few_decide_mean:
       return fmt::format("few values decide the mean {} of {}: nothing is called better by it", what, who);
     case DoubtKind::plan_changed:

@@ -12,26 +12,19 @@ namespace ikbench::compare {
 
 namespace {
 
-// One doubt of all findings that have this reason.
-void add_doubt(Judged& judged, Why why, DoubtKind kind) {
-  const Observations& observed = judged.observations;
-  Doubt doubt{.kind = kind, .count = std::numeric_limits<double>::infinity(), .what = observed.quantity};
+// Of all findings that few values of a mean leave open.
+void add_doubt(Judged& judged) {
+  Doubt doubt{.kind = DoubtKind::few_decide_mean, .what = judged.observations.quantity};
   std::set<std::string> names;
   for (const Finding& finding : judged.findings) {
-    if (finding.why != why || finding.n == 0) continue;  // who solved nothing has no costs
-    names.insert({finding.first, finding.second});
-    doubt.count = std::min(doubt.count, static_cast<double>(finding.n));
-    doubt.of = std::max(doubt.of, static_cast<double>(finding.needed));
+    if (finding.why == Why::few_decide) names.insert({finding.first, finding.second});
   }
-  if (names.empty()) return;
-  for (std::size_t i = 0; i < observed.groups.size(); ++i) {
+  for (std::size_t i = 0; i < judged.described.size(); ++i) {
     const Description& its = judged.described[i];
-    const bool has_mean = why == Why::few_decide && 2 * its.largest <= its.n * its.mean;
-    const bool has_enough = why == Why::too_few && (its.n >= doubt.of || observed.groups[i].copies > 0);
-    if (names.contains(observed.groups[i].name) && !has_mean && !has_enough)
-      doubt.who.push_back(observed.groups[i].name);
+    const std::string& name = judged.observations.groups[i].name;
+    if (names.contains(name) && 2 * its.largest > its.n * its.mean) doubt.who.push_back(name);
   }
-  judged.observations.doubts.push_back(std::move(doubt));
+  if (!names.empty()) judged.observations.doubts.push_back(std::move(doubt));
 }
 
 // Some observation has a value, and if this is no share one is not 0.
@@ -50,8 +43,7 @@ Judged judge(Observations observations, const Plan& plan, std::size_t metrics) {
   for (const Group& group : observed.groups) judged.described.push_back(describe(group));
   judged.findings = compare(observed, plan, metrics);
   judged.headline = headline(observed, plan, judged.findings);
-  add_doubt(judged, Why::too_few, DoubtKind::too_few);
-  add_doubt(judged, Why::few_decide, DoubtKind::few_decide_mean);
+  add_doubt(judged);
   return judged;
 }
 

@@ -25,13 +25,12 @@ enum class DoubtKind {
   out_of_reach,          // targets
   repeats_itself,        // every run gave the same, so they count as one
   few_decide_mean,       // one value is most of a sum
-  too_few,               // no data of this size can decide
 };
 
 struct Doubt {
   DoubtKind kind;
   std::vector<std::string> who = {};  // solvers
-  double count = 0, of = 0;           // 3 of 20; of too_few: 3 where it takes 20
+  double count = 0, of = 0;           // 3 of 20
   std::string what = {};              // why, in a few words: "solved in parallel"
 };
 

@@ -46,7 +46,7 @@ std::vector<Doubt> Answer::all_doubts() const {
   std::vector<Doubt> all = doubts;
   for (const Judged& judged : metrics) {
     for (const Doubt& doubt : judged.observations.doubts) {
-      const bool names_metric = doubt.kind == DoubtKind::too_few || doubt.kind == DoubtKind::few_decide_mean;
+      const bool names_metric = doubt.kind == DoubtKind::few_decide_mean;
       const auto known = std::ranges::find_if(all, [&](const Doubt& other) {
         return other.kind == doubt.kind && other.who == doubt.who && other.count == doubt.count &&
                other.of == doubt.of && (names_metric || other.what == doubt.what);

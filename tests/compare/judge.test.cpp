@@ -64,13 +64,7 @@ TEST_CASE("The plan's test, level, margin and control reach the comparison") {
   CHECK(judged(R"({"margin_cm": 0.6})").findings.back().verdict == Verdict::same);
 }
 
-TEST_CASE("Too few runs and means that few values decide are told") {
-  const JudgedStudy few = judge(study({.runs = 3}, [](SolveRecord& solve) {
-    solve.position_error_cm = solve.solver == "A" ? 1 : 2 + 0.01 * solve.run;
-  }));
-  CHECK(has_doubt(metric(few, "error").observations.doubts, DoubtKind::too_few));
-  CHECK(metric(few, "error").observations.doubts.front().count == 3);
-  CHECK(metric(few, "error").observations.doubts.front().of == 4);
+TEST_CASE("Means that few values decide are told") {
   const Asked means{.runs = 8, .rest = R"(, "analysis": {"test": "means", "significance": 0.2})"};
   const Judged error = metric(judge(study(means,
                                           [](SolveRecord& solve) {
@@ -81,18 +75,6 @@ TEST_CASE("Too few runs and means that few values decide are told") {
                               "error");
   REQUIRE(has_doubt(error.observations.doubts, DoubtKind::few_decide_mean));
   CHECK(error.observations.doubts.front().who == std::vector<std::string>{"B"});
-}
-
-TEST_CASE("The doubt of a solver that repeats itself has the runs of the other") {
-  const JudgedStudy of = judge(study({.runs = 5}, [](SolveRecord& solve) {
-    if (solve.solver == "A") solve.answer_rad = {0.5 * solve.point};
-    solve.position_error_cm = solve.solver == "A" ? 1 : 2 + 0.01 * solve.run;
-  }));
-  const std::vector<Doubt>& doubts = metric(of, "error").observations.doubts;
-  REQUIRE(has_doubt(doubts, DoubtKind::too_few));
-  CHECK(doubts.front().who == std::vector<std::string>{"B"});
-  CHECK(doubts.front().count == 5);
-  CHECK(doubts.front().of == 6);
 }
 
 TEST_CASE("Where nothing is solved, the error is reported and no cost") {
