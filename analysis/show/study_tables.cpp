@@ -57,11 +57,9 @@ Cell result_cell(const Answer& answer, const Judged& judged, const std::string& 
   const Finding* const pair = finding_of(judged, solver, reference);
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const bool is_untested = group->is_apart || group->lost > 0 || (pair && finding.verdict == Verdict::not_tested);
-  const bool is_worse = finding.verdict == Verdict::worse && !finding.is_within_margin;
-  const bool is_better = finding.verdict == Verdict::better && !finding.is_within_margin;
   const bool is_of_solved = judged.observations.is_of_solved, is_reference = solver == reference;
-  const std::string better = reference == judged.plan.control && is_better ? plus : "";
-  const std::string mark = is_untested ? exclamation : is_worse ? star : better;
+  const bool is_better = finding.verdict == Verdict::better && reference == judged.plan.control;
+  const std::string mark = is_untested ? exclamation : finding.verdict == Verdict::worse ? star : is_better ? plus : "";
   if (is_of_solved && (is_reference ? group->is_apart : !finding.estimate)) return {};
   if (is_of_solved && !is_reference)
     return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale};
