@@ -364,9 +364,8 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan, std
   return findings;
 }
 
-Finding better_first(Finding finding, std::string_view control) {
-  const bool is_behind = finding.verdict == Verdict::worse ||
-                         (finding.verdict != Verdict::better && finding.effect && *finding.effect < 0.5);
+Finding better_first(Finding finding, std::string_view control, bool is_second_ahead) {
+  const bool is_behind = is_difference(finding.verdict) ? finding.verdict == Verdict::worse : is_second_ahead;
   if (control.empty() ? !is_behind : finding.first != control) return finding;
   std::swap(finding.first, finding.second);
   const auto turn = [&](double value) { return finding.scale == Scale::ratio ? 1 / value : 0 - value; };

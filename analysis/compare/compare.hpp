@@ -67,8 +67,9 @@ Verdict turned(Verdict verdict);
 // A mean or median is worse than another by more than the margin.
 bool is_worse_than_margin(const Observations& observed, const Plan& plan, double one, double other);
 
-// The same pair, told with its better one first, or with the control second.
-Finding better_first(Finding finding, std::string_view control);
+// The same pair, told with its better one first, or if none is with its second where that is ahead; or else with the
+// control second.
+Finding better_first(Finding finding, std::string_view control, bool is_second_ahead = false);
 
 // Of one metric.
 struct Headline {

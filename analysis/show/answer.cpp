@@ -70,13 +70,9 @@ Answer answer_of(std::vector<Judged> metrics, std::size_t deciding) {
     std::map<std::string_view, std::size_t> places;
     for (const std::size_t i : best_first(judged, answer.metrics))
       places.emplace(judged.observations.groups[i].name, places.size());
-    const std::string& control = judged.plan.control;
-    for (Finding& finding : judged.findings) {
-      finding = better_first(std::move(finding), control);
-      const bool is_below = places.at(finding.first) > places.at(finding.second);  // though ahead by ranks
-      if (is_below && control.empty() && !is_difference(finding.verdict))
-        finding = better_first(finding, finding.first);
-    }
+    for (Finding& finding : judged.findings)
+      finding =
+          better_first(std::move(finding), judged.plan.control, places.at(finding.second) < places.at(finding.first));
     std::ranges::stable_sort(judged.findings, {}, [&](const Finding& finding) {
       return std::minmax({places.at(finding.first), places.at(finding.second)});
     });
