@@ -71,20 +71,19 @@ std::size_t equals_of(const Judged& judged, const std::vector<std::size_t>& orde
 }
 
 // "it solved 100 of 100 targets; PSO 88, mine 54"; with the first one's name "PSO solved 90 of 100 targets, mine 88".
-// Those that solved as many as the first stand together. Of many solvers the first and the next.
+// Those that solved as many as the first stand together.
 std::string numbers_of(const Answer& answer, bool is_named) {
   const Judged& judged = answer.decisive();
   const bool is_solved = judged.observations.metric == "solved";
   const std::vector<std::size_t>& order = answer.order;
-  const bool are_many = order.size() > most_named;
   const std::size_t equals = is_solved ? equals_of(judged, order) : 1;
   std::vector<std::string> firsts, others;
   for (const std::size_t i : order) {
     const std::string& name = solver_name(judged, i);
     if (firsts.size() < equals)
       firsts.push_back(name);
-    else if (!are_many || others.empty())
-      others.push_back(fmt::format("{}{} {}", are_many ? "then " : "", name, number_of(answer, judged, i, order[0])));
+    else
+      others.push_back(fmt::format("{} {}", name, number_of(answer, judged, i, order[0])));
   }
   const bool are_the_best = equals > 1 && equals == judged.headline.best.size();
   const std::string who = are_the_best ? (equals == 2 ? "both" : "all") : is_named ? names_of(firsts) : "it";
@@ -92,7 +91,7 @@ std::string numbers_of(const Answer& answer, bool is_named) {
   std::string text = is_solved  ? fmt::format("{} solved {}", who, number)
                      : is_named ? fmt::format("{} {} {}", quantity_of(answer), who, number)
                                 : fmt::format("{} {}", quantity_of(answer), number);
-  if (!others.empty()) text += (is_named || are_many ? ", " : "; ") + listed(others, ", ");
+  if (!others.empty()) text += (is_named ? ", " : "; ") + names_of(others, ", ");
   return text;
 }
 
@@ -305,8 +304,8 @@ std::string sentence(const Answer& answer) {
 
 }  // namespace
 
-std::string names_of(const std::vector<std::string>& names) {
-  if (names.size() <= most_named) return listed(names);
+std::string names_of(const std::vector<std::string>& names, std::string_view last) {
+  if (names.size() <= most_named) return listed(names, last);
   return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
 }
 

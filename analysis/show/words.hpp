@@ -11,7 +11,8 @@ namespace ikbench::show {
 
 constexpr std::size_t most_pairs = 6;  // that a screen lists; of more the headline says that all are found
 
-std::string names_of(const std::vector<std::string>& names);  // "A, B and C", "A, B, C and 5 more"
+// "A, B and C", "A, B, C and 5 more"
+std::string names_of(const std::vector<std::string>& names, std::string_view last = " and ");
 // Each word once, with the names that have it.
 std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::string>& words,
                                                          const std::vector<std::string>& names);
