@@ -360,7 +360,9 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
     case Why::lost:
       return words + ": values are missing";
     case Why::apart:
-      return words + ": not comparable";
+      return words + (judged.observations.groups[place_of(judged.observations, finding.first)].summary
+                          ? ": one has no spread"
+                          : ": not comparable");
     case Why::fact:
       return words + ": certain, without a test";
     case Why::too_few:
