@@ -276,9 +276,12 @@ std::string what_decides(const Answer& answer) {
 
 std::string of_pairs(const Answer& answer) {
   const Judged& judged = answer.decisive();
-  const auto has_estimate = [](const Finding& finding) { return finding.estimate.has_value(); };
-  const bool are_means = judged.plan.test == results::Plan::Test::means;
-  if (is_share(judged) || are_means || std::ranges::none_of(judged.findings, has_estimate)) return "";
+  const auto average = [&](const std::string& name) { return average_of(judged, place_of(judged.observations, name)); };
+  const auto is_puzzling = [&](const Finding& finding) {  // the averages lie the other way
+    const double none = finding.scale == Scale::ratio ? 1 : 0;
+    return finding.estimate && (*finding.estimate - none) * (average(finding.first) - average(finding.second)) < 0;
+  };
+  if (std::ranges::none_of(judged.findings, is_puzzling)) return "";
   return fmt::format("{} are of pairs, not of medians.",
                      judged.observations.scale == Scale::ratio ? "Ratios" : "Differences");
 }
