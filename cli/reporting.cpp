@@ -247,10 +247,11 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
 
 void write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
-  const FigureStyle style = styled(study, arguments);
+  FigureStyle style = styled(study, arguments);  // refuses before the study is read
   compare::JudgedStudy judged = compare::judge(exported_study(store, study, folder));
-  std::vector<figures::Figure> pictures = figures::of_study(judged, figures::look_of(judged.study.entry.series, style));
-  announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, style);
+  const figures::Look look = figures::look_of(judged, std::move(style));
+  std::vector<figures::Figure> pictures = figures::of_study(judged, look);
+  announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, look.style);
 }
 
 compare::StudyResults checked_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {

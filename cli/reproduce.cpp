@@ -97,8 +97,9 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   show::Table means = papers::means_table(repeated), brief = means;
   if (means.rows.empty()) means = papers::rates_table(repeated), brief = papers::rates_table(repeated, false);
 
-  const figures::Look look = figures::look_of(all.front().study.entry.series, style);
   const bool is_slim2023 = paper.name == "slim2023";
+  const figures::Look look =
+      is_slim2023 ? figures::look_of(all.front().study.entry.series, style) : figures::look_of(all.front(), style);
   show::Report reported = show::report_of(
       all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look) : figures::of_study(all.front(), look));
   for (const compare::JudgedStudy* const companion : repeated.companions) {
@@ -124,7 +125,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   reported.claims = papers::claims_section(claims);
   if (!readings.in_readings.empty())
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
-  announce(reported, folder, arguments.report, style,
+  announce(reported, folder, arguments.report, look.style,
            fmt::format("{}{}\n", papers::screen(sentences, brief, claims),
                        fingerprints_of(Store(store_in(folder), Store::Mode::read), all, studies_of(paper, {}))));
 }
@@ -134,7 +135,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
 void add_reproduce(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
-      app.add_subcommand("reproduce", "Repeat the experiments of a paper and report beside the printed results");
+      app.add_subcommand("reproduce", "Repeat a paper's experiments and report beside the printed results");
   add_paper_option(*command, arguments->paper);
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();

@@ -66,8 +66,9 @@ show::Report judged(const StatsArguments& arguments, results::FigureStyle& style
     std::vector<results::Series> groups;
     for (const compare::Group& group : metrics.front().observations.groups)
       groups.push_back({.label = group.name, .algorithm = group.name});
-    style = styled({}, labels_of({.series = groups}), arguments.report);
-    reported.figures = figures::of_file(metrics, figures::look_of(groups, style));
+    const figures::Look look = figures::look_of(groups, styled({}, labels_of({.series = groups}), arguments.report));
+    reported.figures = figures::of_file(metrics, look);
+    style = look.style;
   }
   const std::string direction = direction_of(metrics);
   reported.answer = show::answer_of(std::move(metrics));

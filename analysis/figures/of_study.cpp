@@ -193,6 +193,22 @@ Look look_of(std::vector<results::Series> solvers, results::FigureStyle style) {
   return look;
 }
 
+Look look_of(const JudgedStudy& judged, results::FigureStyle style) {
+  const Judged& deciding = judged.metrics[judged.deciding];
+  std::vector<results::Series> solvers = judged.study.entry.series;
+  if (!style.solvers.empty()) return look_of(std::move(solvers), std::move(style));
+  std::vector<std::string> order;
+  for (const std::size_t i : best_first(deciding, judged.metrics))
+    order.push_back(deciding.observations.groups[i].name);
+  const auto is_among_first = [&](const results::Series& solver) {
+    return std::ranges::find(order, solver.label) - order.begin() < std::ssize(style.palette);
+  };
+  std::ranges::stable_partition(solvers, is_among_first);  // which has which colour is no matter of its place
+  Look look = look_of(std::move(solvers), std::move(style));
+  look.style.solvers = std::move(order);
+  return look;
+}
+
 About about_of(const StudyResults& study, const Metric& metric, std::string caption) {
   const auto [unit, factor] = drawn_unit(study, metric.unit);
   return {"", std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
@@ -463,16 +479,10 @@ std::vector<KindOfFigure> kinds_of_figures() {
 }
 
 std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
-  Look ordered = look;
-  const Judged& deciding = judged.metrics[judged.deciding];
-  if (look.style.solvers.empty()) {
-    for (const std::size_t i : best_first(deciding, judged.metrics))
-      ordered.style.solvers.push_back(deciding.observations.groups[i].name);
-  }
   std::vector<Figure> all;
-  if (drawn_solvers(judged.study, ordered).empty()) return all;
+  if (drawn_solvers(judged.study, look).empty()) return all;
   for (const KindOfFigure& kind : kinds_of_figures()) {
-    if (std::optional<Figure> figure = kind.of(judged, ordered)) {
+    if (std::optional<Figure> figure = kind.of(judged, look)) {
       figure->name = kind.name;
       all.push_back(std::move(*figure));
     }

@@ -25,10 +25,11 @@ struct Look {
   std::map<std::string, std::string> names;  // its short name
 };
 Look look_of(std::vector<results::Series> solvers, results::FigureStyle style);
+Look look_of(const compare::JudgedStudy& judged, results::FigureStyle style);  // solvers in the order of its table
 
 constexpr std::size_t most_pairs = 15;  // of more only those of the reference
 
-// Those of figures.inc for which the study has values; solvers in the order of its table, or as the look says.
+// Those of figures.inc for which the study has values.
 struct KindOfFigure {
   std::string name, meaning;
   std::optional<Figure> (*of)(const compare::JudgedStudy& judged, const Look& look);

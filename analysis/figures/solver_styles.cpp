@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -67,13 +68,15 @@ std::map<std::string, int> line_styles(const std::vector<Series>& solvers, Figur
     const std::size_t place = place_in(style.palette, style.colours.at(solver.label));
     give(solver, place, place + 1);
   }
-  for (const Series& solver : solvers) {
-    const auto own = std::ranges::find(own_places, solver.algorithm, [](const auto& place) { return place.first; });
-    if (own_colours < own_palette.size() || own == std::end(own_places)) continue;
-    const auto has_it = [&](const auto& other) { return other.second % hues == own->second; };
-    if (std::ranges::none_of(given, has_it)) give(solver, own->second, own->second + 1);
+  for (const std::size_t n : {std::min(own_colours, solvers.size()), solvers.size()}) {  // the first share no colour
+    for (const Series& solver : std::span(solvers).first(n)) {
+      const auto own = std::ranges::find(own_places, solver.algorithm, [](const auto& place) { return place.first; });
+      if (own_colours < own_palette.size() || own == std::end(own_places)) continue;
+      const auto has_it = [&](const auto& other) { return other.second % hues == own->second; };
+      if (std::ranges::none_of(given, has_it)) give(solver, own->second, own->second + 1);
+    }
+    for (const Series& solver : std::span(solvers).first(n)) give(solver, 0, own_colours);
   }
-  for (const Series& solver : solvers) give(solver, 0, own_colours);
   return styles;
 }
 

@@ -4,6 +4,7 @@ source "$(dirname "$0")/common.sh"
 
 # The tutorial's study keeps the promises of smallness.
 awk '/^```toml mine.toml/ { shown = 1; next } /^```/ { shown = 0 } shown' "$root/docs/tutorial.md" >mine.toml
+sed -i '0,/^\[\[solvers\]\]/s//&\ncolour = "#00FF00"/' mine.toml
 cp "$root/docs/examples/pso.py" mine.py
 succeeds run mine.toml --out mine
 quiet
@@ -23,6 +24,7 @@ if command -v gnuplot >/dev/null; then
   for figure in mine/figures/*.svg; do
     grep -qFf <(base64 -w0 "$figure") mine/report.html || fail "the page shows another $figure"
   done
+  grep -q '^colours.*#00FF00' mine/figures/style.gp || fail "a solver has not its colour"
   succeeds report mine/store.sqlite --figures error,differences --out few
   equal "chosen figures" "$(cd few/figures && echo *.svg)" "differences.svg error-shares.svg"
 fi

@@ -24,7 +24,10 @@ Names names_of(const std::vector<Figure>& figures) {
   return names;
 }
 
-std::vector<Figure> figures_of_study(const StudyResults& study) { return of_study(judge(study), look_of_study(study)); }
+std::vector<Figure> figures_of_study(const StudyResults& study) {
+  const JudgedStudy judged = judge(study);
+  return of_study(judged, look_of(judged, {}));
+}
 
 }  // namespace
 

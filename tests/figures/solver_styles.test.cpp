@@ -97,6 +97,12 @@ TEST_CASE("variants of a solver have other colours while there are any, then oth
     for (const auto& [colour, n] : users) CHECK(n <= 1 + static_cast<int>(solvers.size()) / 7);
     solvers.resize(8);
   }
+  std::set<std::string> of_first;  // seven; built-in solvers after them take no colour away
+  for (const char* name : {"bat", "newton", "nlopt", "differential_evolution"}) solvers.push_back({name, name});
+  FigureStyle style;
+  const auto styles = line_styles(solvers, style);
+  for (std::size_t i = 0; i < 7; ++i) of_first.insert(colour_of(styles.at(solvers[i].label), style));
+  CHECK(of_first.size() == 7);
 }
 
 TEST_CASE("solvers have the colours of a short palette in their order", "[figure]") {
