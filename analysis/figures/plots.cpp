@@ -386,7 +386,7 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
 }
 
 std::optional<Figure> bars(const About& about, const std::vector<std::string>& rows,
-                           const std::vector<BarPanel>& all_panels) {
+                           const std::vector<BarPanel>& all_panels, const std::vector<std::string>& key) {
   Figure figure{.name = about.name, .caption = about.caption};
   const auto panels = drawn_of(all_panels, 5, figure);
   if (rows.empty() || panels.empty()) return std::nullopt;
@@ -418,6 +418,10 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
         "0.6 noborder lc rgb colour_of(1)",
         left, p + 2));
   }
+  figure.legend = key.size();
+  for (std::size_t i = 0; i < key.size(); ++i)
+    figure.settings += fmt::format("set label {} at screen 0.5, screen up({}) center noenhanced\n",
+                                   gnuplot_text(key[i]), text_of(0.35 * static_cast<double>(key.size() - i)));
   figure.height_cm += 0.4;
   figure.settings += fmt::format("set tmargin at screen 1 - up(0.7)\nset xrange [0:{}]\nset xtics ({})\n{}",
                                  pitch * static_cast<double>(panels.size()), fmt::join(ticks, ", "),

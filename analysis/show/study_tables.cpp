@@ -228,6 +228,8 @@ std::optional<figures::Figure> studies_figure(const Table& studies) {
   for (const std::string& name : names)
     shared.resize(static_cast<std::size_t>(std::ranges::mismatch(shared, name).in1 - shared.begin()));
   std::vector<figures::BarPanel> panels;
+  std::set<std::string> marks;
+  bool has_empty = false;
   for (const std::string& name : names) panels.push_back({.label = name.substr(shared.find_last_of("-_ /") + 1)});
   for (const auto& row : studies.rows) {
     const auto share = [&](std::size_t c) { return std::get_if<Marked>(&row[c]); };
@@ -237,14 +239,15 @@ std::optional<figures::Figure> studies_figure(const Table& studies) {
       const Marked* const of_study = share(shares[i]);
       panels[i].shares.push_back(of_study ? of_study->value : figures::nowhere);
       panels[i].marks.push_back(of_study ? of_study->mark : "");
+      marks.insert(panels[i].marks.back());
+      has_empty |= of_study == nullptr;
     }
   }
-  return figures::bars({.name = "studies",
-                        .caption = "Share of targets solved (-: not in the study)." +
-                                   (others.empty() ? "" : " Without " + listed(others) + "."),
-                        .quantity = "solved",
-                        .unit = "%"},
-                       solvers, panels);
+  std::vector<std::string> key{meaning_of(marks, "the control, else the best"), has_empty ? "- not in the study" : "",
+                               others.empty() ? "" : "without " + listed(others)};
+  std::erase(key, "");
+  return figures::bars({.name = "studies", .caption = "Share of targets solved.", .quantity = "solved", .unit = "%"},
+                       solvers, panels, key);
 }
 
 Table without_intervals(Table studies) {

@@ -213,6 +213,7 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
   CHECK(std::get<Marked>(table.rows[1][1]).mark == "*");
   CHECK(std::get<Marked>(table.rows[1][2]).is_best);
   CHECK(std::holds_alternative<std::monostate>(table.rows[2][1]));
+  CHECK_FALSE(studies_figure(studies_table({of(20, 10)}, {"alone"})));
   const figures::Figure figure = studies_figure(table).value();
   CHECK(figure.data == "# row, share [%] of each study\n# A\n1 100 NaN\n# B\n2 50 100\n# C\n3 NaN 25\n");
   CHECK(contains(figure.settings, "set label 'two' at first 1.7"));  // without what both names share
