@@ -32,6 +32,7 @@ Answer answer_of(std::vector<compare::Judged> metrics, std::size_t deciding = 0)
 Answer answer_of(const compare::JudgedStudy& judged);
 
 // With names of solvers that fit a line (numerics::short_names).
+constexpr std::size_t longest_name = 24;  // in a table
 Answer with_short_names(Answer answer, std::size_t length);
 
 bool is_share(const compare::Judged& judged);

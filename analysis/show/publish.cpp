@@ -184,7 +184,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
         fmt::format("{}.{}{}{}\n% Keys of docs/references.bib\n", latex_text(methods_of(report.answer, report.study)),
                     keys.empty() ? "" : " Solvers and arm: \\cite{", fmt::join(keys, ","), keys.empty() ? "" : "}."));
   }
-  const Answer brief = with_short_names(report.answer, 24);
+  const Answer brief = with_short_names(report.answer, longest_name);
   for (const Table* table : tables) {
     if (table->name.empty()) continue;
     write_table(*table, for_article(*table, report, brief), folder / "tables", program);

@@ -14,7 +14,7 @@ using namespace compare;
 
 namespace {
 
-constexpr std::size_t most_rows = 20, longest_name = 24;
+constexpr std::size_t most_rows = 20;
 
 std::string table_of(const Answer& answer) {
   Table table = results_table(answer);
