@@ -213,7 +213,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
-      "Exit codes: 0 nothing is worse, 3 something is worse, perhaps by more than the margin, 4 with --strict something\n"
+      "Exit codes: 0 nothing is worse, 3 something is worse, perhaps by more than the margin, 4 with --strict something "
       "is not decided or not tested, 1 not compared: a mistake, or A and B differ in more than solvers.\n"
       "Times are shown and decide nothing.");
   command->callback([arguments, &invocation] {

@@ -121,8 +121,7 @@ void add_list(CLI::App& app, Invocation&) {
     std::string kind, name;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("list", "List solvers, arms, studies, paths, columns, metrics, figures or instruction sets");
+  CLI::App* command = app.add_subcommand("list", "List solvers, arms, studies, paths, columns, metrics or figures");
   const std::vector<std::string> kinds{"solvers", "robots",  "studies", "paths",
                                        "columns", "metrics", "figures", "instruction-sets"};
   command->add_option("KIND", arguments->kind, fmt::format("{}; default: these names", fmt::join(kinds, ", ")));

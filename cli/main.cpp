@@ -1,6 +1,7 @@
 // ikbench: which inverse-kinematics solver is better, and does a published claim hold?
 #include <fcntl.h>
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -8,12 +9,14 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "analysis/show/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
@@ -26,6 +29,22 @@ namespace ikbench::cli {
 #undef COMMAND
 }  // namespace ikbench::cli
 
+namespace {
+
+// Its lines are as wide as those of other texts.
+class Help : public CLI::Formatter {
+ public:
+  std::string make_option_desc(const CLI::Option* option) const override {
+    const std::size_t width = ikbench::cli::text_width() - get_column_width();
+    return fmt::format("{}", fmt::join(ikbench::show::broken(option->get_description(), width, width), "\n"));
+  }
+  std::string make_footer(const CLI::App* app) const override {
+    return ikbench::cli::wrapped(app->get_footer()) + '\n';
+  }
+};
+
+}  // namespace
+
 int main(int argc, char** argv) {
   namespace cli = ikbench::cli;
   using namespace ikbench::numerics;
@@ -34,13 +53,14 @@ int main(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   CLI::App app("Runs inverse-kinematics solvers on studies, stores every solve and says what the numbers mean.",
                "ikbench");
+  app.formatter(std::make_shared<Help>());
   app.footer(
       "Examples:\n"
       "  ikbench reproduce         repeats Slim et al. 2023: which of its claims hold?\n"
       "  ikbench run my.toml       compares the solvers of a study, and writes a report\n"
       "  ikbench stats my.csv      says which group of your own data is better\n"
       "  ikbench COMMAND --help    has more\n\n"
-      "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system,\n"
+      "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system, "
       "3 something is worse, 4 something is not decided (compare), 5 solves are missing (merge), 128 + a signal's number.");
   app.set_version_flag("--version", program_name());
   app.require_subcommand(1);

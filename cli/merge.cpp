@@ -60,7 +60,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
-      "A solve that two stores have must have the same bits in both. What is missing is counted; the exit code is\n"
+      "A solve that two stores have must have the same bits in both. What is missing is counted; the exit code is "
       "then 5. After a merge that was killed give the same command again.");
   command->callback([arguments, &invocation] {
     const fs::path out = store_in(arguments->out);

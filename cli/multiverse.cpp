@@ -94,7 +94,7 @@ void add_multiverse(CLI::App& app, Invocation&) {
       "  ikbench multiverse slim2023 --list\n"
       "  ikbench multiverse slim2023 --small --seeds 2 --out out/small\n"
       "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n\n"
-      "A reading is one choice for every question. Each solver is solved once for each of its own choices; claims are\n"
+      "A reading is one choice for every question. Each solver is solved once for each of its own choices; claims are "
       "judged in all combinations.");
   command->callback([arguments] {
     const papers::Paper& paper = papers::paper_named(arguments->paper);

@@ -54,6 +54,7 @@ cp .out all
 for command in $(sed -n '/^Subcommands/,/^$/s/^  \([a-z-]*\) .*/\1/p' all); do
   succeeds "$command" --help
   has "$out" "  ikbench $command "
+  [ "$(wc -L <.out)" -le 100 ] || fail "$command --help has a line of more than 100 columns"
   [ -z "$err" ] || fail "$command --help wrote to the standard error: $err"
   quiet
 done
