@@ -115,7 +115,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
     reported.additions = slim2023::sections(repeated, of_circle);
     reported.has_own_numbers = true;
     std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many
-                  [](const compare::Judged& each) { return each.observations.metric == "evaluations"; });
+                  [](const compare::JudgedMetric& each) { return each.observations.metric == "evaluations"; });
   }
   if (sentences.empty()) sentences = papers::rates_sentences(repeated);
   if (sentences.empty()) sentences = {papers::tally_words(claims)};

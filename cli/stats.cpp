@@ -42,9 +42,9 @@ std::string contents_of(const std::string& file) {
 }
 
 // "smaller is better, of quality larger"
-std::string direction_of(const std::vector<compare::Judged>& metrics) {
+std::string direction_of(const std::vector<compare::JudgedMetric>& metrics) {
   std::vector<std::string> larger;
-  for (const compare::Judged& metric : metrics) {
+  for (const compare::JudgedMetric& metric : metrics) {
     if (metric.observations.better == compare::Better::larger) larger.push_back(metric.observations.quantity);
   }
   if (larger.size() == metrics.size()) return "larger is better";
@@ -56,7 +56,7 @@ show::Report judged(const StatsArguments& arguments, results::FigureStyle& style
   const std::string text = contents_of(arguments.file), source = name_of_source(arguments.file);
   csv::Quantities quantities = arguments.are_summaries ? csv::read_summaries(text, source, arguments.csv)
                                                        : csv::read(text, source, arguments.csv);
-  std::vector<compare::Judged> metrics;
+  std::vector<compare::JudgedMetric> metrics;
   for (compare::Observations& each : quantities.observed) {
     const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, each);
     metrics.push_back(compare::judge(std::move(each), plan));

@@ -82,11 +82,11 @@ Observations observed_answers(const StudyResults& study, bool machine_decides) {
   return observed;
 }
 
-bool is_time(const Judged& judged) { return judged.observations.metric == metric_named("seconds").slug; }
+bool is_time(const JudgedMetric& judged) { return judged.observations.metric == metric_named("seconds").slug; }
 
 // Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where none was
 // missing or none is left.
-bool is_lost_for_sure(const Judged& judged) {
+bool is_lost_for_sure(const JudgedMetric& judged) {
   const Observations& observed = judged.observations;
   const Description &candidate = judged.described.front(), &baseline = judged.described.back();
   if (observed.metric == "answers")
@@ -98,7 +98,7 @@ bool is_lost_for_sure(const Judged& judged) {
 // A metric of which all values vanished, though there are answers.
 void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
   if (std::ranges::max(judged.metrics.back().observations.groups.front().values) == 0) return;
-  for (const Judged& metric : judged.metrics) {
+  for (const JudgedMetric& metric : judged.metrics) {
     const std::vector<Group>& groups = metric.observations.groups;
     if (groups.front().lost > 0 && groups.front().values.empty() && !groups.back().values.empty())
       throw std::invalid_argument(
@@ -139,14 +139,14 @@ Gate gate(StudyResults baseline, StudyResults candidate) {
 
 void decide(std::vector<Gate>& gates) {
   std::ptrdiff_t tests = 0;
-  const auto takes_significance = [](const Judged& judged) {  // equal values cannot be worse by chance
+  const auto takes_significance = [](const JudgedMetric& judged) {  // equal values cannot be worse by chance
     return !is_time(judged) && can_decide(judged.observations, judged.plan);
   };
   for (const Gate& gate : gates)
     tests += gate.are_same ? 0 : std::ranges::count_if(gate.judged.metrics, takes_significance);
   for (Gate& gate : gates) {
     JudgedStudy& study = gate.judged;
-    for (Judged& judged : study.metrics) {
+    for (JudgedMetric& judged : study.metrics) {
       judged = judge(std::move(judged.observations), judged.plan,
                      static_cast<std::size_t>(std::max<std::ptrdiff_t>(tests, 1)));
       const Observations& observed = judged.observations;
@@ -168,7 +168,7 @@ void decide(std::vector<Gate>& gates) {
       if (finding.verdict == Verdict::undecided && is_open) gate.not_decided.push_back(observed.quantity);
       if (finding.verdict == Verdict::not_tested && is_open) gate.not_tested.push_back(observed.quantity);
     }
-    for (Judged& judged : study.metrics) {
+    for (JudgedMetric& judged : study.metrics) {
       for (Group& group : judged.observations.groups) group.values = {};
     }
   }

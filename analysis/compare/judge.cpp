@@ -13,7 +13,7 @@ namespace ikbench::compare {
 namespace {
 
 // Of all findings that few values of a mean leave open.
-void add_doubt(Judged& judged) {
+void add_doubt(JudgedMetric& judged) {
   Doubt doubt{.kind = DoubtKind::few_decide_mean, .what = judged.observations.quantity};
   std::set<std::string> names;
   for (const Finding& finding : judged.findings) {
@@ -37,8 +37,8 @@ bool has_meaning(const Observations& observed) {
 
 }  // namespace
 
-Judged judge(Observations observations, const Plan& plan, std::size_t metrics) {
-  Judged judged{.observations = std::move(observations), .plan = plan};
+JudgedMetric judge(Observations observations, const Plan& plan, std::size_t metrics) {
+  JudgedMetric judged{.observations = std::move(observations), .plan = plan};
   const Observations& observed = judged.observations;
   for (const Group& group : observed.groups) judged.described.push_back(describe(group));
   judged.findings = compare(observed, plan, metrics);
@@ -47,7 +47,7 @@ Judged judge(Observations observations, const Plan& plan, std::size_t metrics) {
   return judged;
 }
 
-double average_of(const Judged& judged, std::size_t group) {
+double average_of(const JudgedMetric& judged, std::size_t group) {
   const Description& its = judged.described[group];
   const bool is_mean =
       judged.observations.scale == Scale::share || judged.plan.test == Plan::Test::means || std::isnan(its.median);
@@ -55,9 +55,9 @@ double average_of(const Judged& judged, std::size_t group) {
   return !is_told ? unknown : is_mean ? its.mean : its.median;
 }
 
-std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judged>& all) {
+std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vector<JudgedMetric>& all) {
   const auto evaluations =
-      std::ranges::find(all, "evaluations", [](const Judged& metric) { return metric.observations.metric; });
+      std::ranges::find(all, "evaluations", [](const JudgedMetric& metric) { return metric.observations.metric; });
   const auto cost = [&](const std::string& name) {
     if (evaluations == all.end()) return 0.0;
     const std::size_t group = place_of(evaluations->observations, name);
@@ -104,17 +104,17 @@ JudgedStudy observe_all(StudyResults study) {
 
 JudgedStudy judge(StudyResults study) {
   JudgedStudy judged = observe_all(std::move(study));
-  for (Judged& metric : judged.metrics) metric = judge(std::move(metric.observations), metric.plan);
+  for (JudgedMetric& metric : judged.metrics) metric = judge(std::move(metric.observations), metric.plan);
   return judged;
 }
 
-const Judged* judged_of(const JudgedStudy& judged, std::string_view column) {
+const JudgedMetric* judged_of(const JudgedStudy& judged, std::string_view column) {
   const auto found = std::ranges::find_if(
-      judged.metrics, [&](const Judged& each) { return each.observations.metric == metric_named(column).slug; });
+      judged.metrics, [&](const JudgedMetric& each) { return each.observations.metric == metric_named(column).slug; });
   return found == judged.metrics.end() ? nullptr : &*found;
 }
 
-const Finding* finding_of(const Judged& judged, std::string_view one, std::string_view other) {
+const Finding* finding_of(const JudgedMetric& judged, std::string_view one, std::string_view other) {
   const auto found = std::ranges::find_if(judged.findings, [&](const Finding& finding) {
     return (finding.first == one && finding.second == other) || (finding.first == other && finding.second == one);
   });

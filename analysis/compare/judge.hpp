@@ -11,8 +11,7 @@
 
 namespace ikbench::compare {
 
-// One metric.
-struct Judged {
+struct JudgedMetric {
   Observations observations;
   Plan plan;                           // by which it was judged
   std::vector<Description> described;  // one for each group
@@ -21,19 +20,20 @@ struct Judged {
 };
 
 // The doubts of the findings stand with those of the observations. So many metrics share the significance.
-Judged judge(Observations observed, const Plan& plan, std::size_t metrics = 1);
+JudgedMetric judge(Observations observed, const Plan& plan, std::size_t metrics = 1);
 
 // What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
 // median; NaN where values are lost.
-double average_of(const Judged& judged, std::size_t group);
+double average_of(const JudgedMetric& judged, std::size_t group);
 // Groups: the best, the others by value, of equal ones that with fewer evaluations (a metric of `all`), those that lost
 // values.
-std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judged>& all);
+std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vector<JudgedMetric>& all);
 
 struct JudgedStudy {
   StudyResults study;
-  std::vector<Judged> metrics;  // of reports, in the order of metrics.inc, if the study has them; and the deciding one.
-                                // Where any target is solved no other error: solved says which are small enough
+  std::vector<JudgedMetric>
+      metrics;                // of reports, in the order of metrics.inc, if the study has them; and the deciding one.
+                              // Where any target is solved no other error: solved says which are small enough
   std::size_t deciding = 0;   // metric of the headline: the plan's, else solved where any target is solved, else error
   std::vector<Doubt> doubts;  // of the whole study
 };
@@ -43,8 +43,8 @@ JudgedStudy observe_all(StudyResults study);
 JudgedStudy judge(StudyResults study);
 
 // Null if the study has no such metric, by its column.
-const Judged* judged_of(const JudgedStudy& judged, std::string_view column);
+const JudgedMetric* judged_of(const JudgedStudy& judged, std::string_view column);
 // Of two groups, in either order; null if they are no pair.
-const Finding* finding_of(const Judged& judged, std::string_view one, std::string_view other);
+const Finding* finding_of(const JudgedMetric& judged, std::string_view one, std::string_view other);
 
 }  // namespace ikbench::compare

@@ -48,7 +48,7 @@ std::string caption_of_boxes(std::string_view quantity, std::string_view observa
 
 // None where solvers solved different targets, and so their values do not compare.
 std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view column, const Look& look) {
-  const Judged* const of = judged_of(judged, column);
+  const JudgedMetric* const of = judged_of(judged, column);
   if (of == nullptr || of->observations.is_of_solved) return std::nullopt;
   const Metric& metric = metric_named(column);
   const About about =
@@ -58,7 +58,7 @@ std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view colum
 
 // Solvers whose values of a metric are not compared; all, where those of none are.
 std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_view column) {
-  const Judged* const metric = judged_of(judged, column);
+  const JudgedMetric* const metric = judged_of(judged, column);
   if (metric == nullptr) return judged.study.solvers;
   std::vector<std::string> without;
   for (const Group& group : metric->observations.groups) {
@@ -164,7 +164,7 @@ std::optional<Figure> solved_by_time(const JudgedStudy& judged, const Look& look
 }
 
 std::optional<Figure> differences(const JudgedStudy& judged, const Look& look) {
-  const Judged& metric = judged.metrics[judged.deciding];
+  const JudgedMetric& metric = judged.metrics[judged.deciding];
   return differences_of(metric, drawn_unit(judged.study, metric.observations.unit), drawn_solvers(judged.study, look),
                         look);
 }
@@ -194,7 +194,7 @@ Look look_of(std::vector<results::Series> solvers, results::FigureStyle style) {
 }
 
 Look look_of(const JudgedStudy& judged, results::FigureStyle style) {
-  const Judged& deciding = judged.metrics[judged.deciding];
+  const JudgedMetric& deciding = judged.metrics[judged.deciding];
   std::vector<results::Series> solvers = judged.study.entry.series;
   if (!style.solvers.empty()) return look_of(std::move(solvers), std::move(style));
   std::vector<std::string> order;
@@ -226,7 +226,7 @@ DrawnUnit drawn_unit(const StudyResults& study, std::string_view unit) {
   return {std::string(unit), 1};
 }
 
-std::vector<BoxRow> box_rows(const Judged& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
+std::vector<BoxRow> box_rows(const JudgedMetric& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
                              const Look& look) {
   std::vector<BoxRow> rows;
   for (const std::string& name : shown) {
@@ -252,10 +252,10 @@ std::vector<BoxRow> box_rows(const Judged& metric, const DrawnUnit& unit, const 
 
 std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
                                   const std::function<void(Dot&)>& add_printed) {
-  const Judged *const errors = judged_of(judged, error), *const motions = judged_of(judged, motion);
+  const JudgedMetric *const errors = judged_of(judged, error), *const motions = judged_of(judged, motion);
   if (errors == nullptr || motions == nullptr || motions->observations.is_of_solved) return std::nullopt;
   const std::string average = motions->plan.test == results::Plan::Test::means ? "mean" : "median";
-  const auto value = [](const Judged& metric, const std::string& solver) {
+  const auto value = [](const JudgedMetric& metric, const std::string& solver) {
     return average_of(metric, place_of(metric.observations, solver));
   };
   std::vector<Dot> dots;
@@ -274,8 +274,8 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
   return overview(about, average + " joint motion [deg]", dots);
 }
 
-std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
-                                     const Look& look) {
+std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit& unit,
+                                     const std::vector<std::string>& shown, const Look& look) {
   const Observations& observed = metric.observations;
   const auto place = [&](const std::string& name) { return std::ranges::find(shown, name) - shown.begin(); };
   const auto places = [&](const Finding& of_two) { return std::minmax({place(of_two.first), place(of_two.second)}); };
@@ -447,14 +447,14 @@ JointRows joint_rows(const StudyResults& study, const Look& look) {
   return all;
 }
 
-std::vector<Figure> of_file(const std::vector<Judged>& metrics, const Look& look) {
+std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look& look) {
   std::vector<Figure> all;
-  const Judged& first = metrics.front();
+  const JudgedMetric& first = metrics.front();
   std::vector<std::string> shown = look.style.solvers;
   if (shown.empty()) {
     for (const std::size_t i : best_first(first, metrics)) shown.push_back(first.observations.groups[i].name);
   }
-  for (const Judged& metric : metrics) {
+  for (const JudgedMetric& metric : metrics) {
     const Observations& observed = metric.observations;
     const bool has_values =
         std::ranges::any_of(observed.groups, [](const Group& group) { return !group.values.empty(); });

@@ -38,7 +38,7 @@ std::vector<KindOfFigure> kinds_of_figures();
 std::vector<Figure> of_study(const compare::JudgedStudy& judged, const Look& look);
 
 // Of a user's file: boxes of each metric that has values, and the differences of the first.
-std::vector<Figure> of_file(const std::vector<compare::Judged>& metrics, const Look& look);
+std::vector<Figure> of_file(const std::vector<compare::JudgedMetric>& metrics, const Look& look);
 
 // Of a metric, in the unit that figures have.
 About about_of(const compare::StudyResults& study, const compare::Metric& metric, std::string caption);
@@ -53,13 +53,13 @@ struct DrawnUnit {
 };
 DrawnUnit drawn_unit(const compare::StudyResults& study, std::string_view unit);
 // Of the groups of these names, in their order.
-std::vector<BoxRow> box_rows(const compare::Judged& metric, const DrawnUnit& unit,
+std::vector<BoxRow> box_rows(const compare::JudgedMetric& metric, const DrawnUnit& unit,
                              const std::vector<std::string>& shown, const Look& look);
 // Error against joint motion; `add_printed` adds what a paper printed.
 std::optional<Figure> overview_of(const compare::JudgedStudy& judged, const Look& look,
                                   const std::function<void(Dot&)>& add_printed);
 // Each pair that was tested; of more than 15 those of the first name alone. None where all values are equal.
-std::optional<Figure> differences_of(const compare::Judged& metric, const DrawnUnit& unit,
+std::optional<Figure> differences_of(const compare::JudgedMetric& metric, const DrawnUnit& unit,
                                      const std::vector<std::string>& shown, const Look& look);
 // Medians of all runs with their quartiles, or means.
 enum class Average { median, mean };

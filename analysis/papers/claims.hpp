@@ -71,6 +71,6 @@ Holds holds_of(const std::vector<Holds>& parts);
 compare::Observations deviations(compare::Observations observed);
 
 // Of the first, in the findings of either order.
-compare::Verdict verdict_between(const compare::Judged& judged, std::string_view first, std::string_view second);
+compare::Verdict verdict_between(const compare::JudgedMetric& judged, std::string_view first, std::string_view second);
 
 }  // namespace ikbench::papers

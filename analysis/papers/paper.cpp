@@ -133,7 +133,7 @@ PrintedRows printed_rows(const Paper& paper, const Metric& metric) {
   return paper.means.empty() ? PrintedRows() : printed_means(paper.name, paper.means, metric.column);
 }
 
-Description numbers_of(const Judged& judged, std::string_view solver) {
+Description numbers_of(const JudgedMetric& judged, std::string_view solver) {
   const std::size_t group = place_of(judged.observations, solver);
   return group == judged.described.size() || judged.observations.groups[group].lost > 0 ? Description()
                                                                                         : judged.described[group];
@@ -197,7 +197,7 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
   return sentences;
 }
 
-std::vector<show::Cell> beside(const Judged& judged, const std::string& solver, const PrintedRow* row) {
+std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& solver, const PrintedRow* row) {
   const Description ours = numbers_of(judged, solver);
   const bool is_time = judged.observations.unit == "s";
   const auto ranges =
@@ -225,7 +225,7 @@ void Explained::add(const show::Cell& cell) {
 
 Explained explained_by(const Repeated& repeated) {
   Explained count;
-  for (const Judged& judged : repeated.study.metrics) {
+  for (const JudgedMetric& judged : repeated.study.metrics) {
     const auto metric = std::ranges::find(metrics(), judged.observations.metric, &Metric::slug);
     for (const PrintedRow& row : printed_rows(repeated.paper, *metric)) {
       const std::vector<show::Cell> cells = beside(judged, row.solver, &row);
@@ -246,7 +246,7 @@ show::Table means_table(const Repeated& repeated) {
       .name = "means", .caption = fmt::format("Means of {}, here and as printed", runs), .columns = {{"solver"}}};
   Explained count;
   for (const std::string& solver : study.solvers) table.rows.push_back({solver});
-  for (const Judged& judged : repeated.study.metrics) {
+  for (const JudgedMetric& judged : repeated.study.metrics) {
     const Observations& observations = judged.observations;
     const auto metric = std::ranges::find(metrics(), observations.metric, &Metric::slug);
     const PrintedRows printed = printed_rows(repeated.paper, *metric);

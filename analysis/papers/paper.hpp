@@ -111,7 +111,7 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
 PrintedRows printed_rows(const Paper& paper, const compare::Metric& metric);
 
 // Of a solver; unknown where it is not among the judged, or values are lost.
-compare::Description numbers_of(const compare::Judged& judged, std::string_view solver);
+compare::Description numbers_of(const compare::JudgedMetric& judged, std::string_view solver);
 
 // A solver's share of solved targets on an arm. The interval is ours, as wide as that of the difference of the two
 // shares: it has the printed one where the two do not differ.
@@ -144,7 +144,7 @@ std::vector<Rate> rates_of(const Repeated& repeated, std::string_view solver);
 std::vector<std::string> rates_sentences(const Repeated& repeated);
 
 // A solver's statistics beside a printed row, with signs. Times are in ms and have no sign, for machines differ.
-std::vector<show::Cell> beside(const compare::Judged& judged, const std::string& solver, const PrintedRow* row);
+std::vector<show::Cell> beside(const compare::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
 constexpr double share_in_ranges = 0.92;  // of numbers of the same program
 constexpr std::string_view meaning_of_signs = "~ within the range of 92 % of studies with as many runs; x not";
 // How many of the printed numbers have the sign ~, of how many with a sign.

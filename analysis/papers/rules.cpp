@@ -41,20 +41,20 @@ bool is_rival(const std::string& name, const Claim& claim) {
 }
 
 // As its report judged it, so that a claim and the report cannot disagree. What a report does not have is judged alike.
-Judged judged_in(const JudgedStudy& study, const Metric& metric) {
-  const Judged* const reported = judged_of(study, metric.column);
+JudgedMetric judged_in(const JudgedStudy& study, const Metric& metric) {
+  const JudgedMetric* const reported = judged_of(study, metric.column);
   return reported ? *reported : judge(observe(study.study, metric), study.study.definition.plan);
 }
 
-Judged spread_of(const Judged& judged) {
-  Judged spread = judge(deviations(judged.observations), judged.plan);
+JudgedMetric spread_of(const JudgedMetric& judged) {
+  JudgedMetric spread = judge(deviations(judged.observations), judged.plan);
   for (std::size_t i = 0; i < spread.described.size(); ++i) spread.described[i].mean = judged.described[i].sd;
   return spread;
 }
 
 // Leaves the claim's solvers and their rivals. None if one of the former or all of the latter are missing, or some are
 // without observations.
-std::optional<Judged> about(const Claim& claim, Judged judged) {
+std::optional<JudgedMetric> about(const Claim& claim, JudgedMetric judged) {
   std::vector<Group>& groups = judged.observations.groups;
   for (std::size_t i = groups.size(); i-- > 0;) {
     if (has(claim.solvers, groups[i].name) || is_rival(groups[i].name, claim)) continue;
@@ -68,11 +68,11 @@ std::optional<Judged> about(const Claim& claim, Judged judged) {
 }
 
 // The claim's solvers and others, each from its study.
-std::optional<Judged> judged_here(const Claim& claim, const Repeated& repeated, const Metric& metric) {
+std::optional<JudgedMetric> judged_here(const Claim& claim, const Repeated& repeated, const Metric& metric) {
   const JudgedStudy* const own = study_of(claim, repeated, claim.from != From::others);
   const JudgedStudy* const others = study_of(claim, repeated, claim.from != From::solvers);
   if (own == nullptr || others == nullptr) return {};
-  Judged judged = judged_in(*own, metric);
+  JudgedMetric judged = judged_in(*own, metric);
   if (own != others) {  // no report has a finding of these pairs
     Observations& all = judged.observations;
     std::erase_if(all.groups, [&](const Group& group) { return !has(claim.solvers, group.name); });
@@ -89,24 +89,24 @@ std::optional<Judged> judged_here(const Claim& claim, const Repeated& repeated, 
   return about(claim, claim.of == Of::spread ? spread_of(judged) : judged);
 }
 
-double mean_of(const Judged& judged, std::string_view solver) {
+double mean_of(const JudgedMetric& judged, std::string_view solver) {
   return judged.described[place_of(judged.observations, solver)].mean;
 }
 
 // "at most 1e-06" where the study ends its solves there.
-std::string mean_words(const Judged& judged, const std::string& solver) {
+std::string mean_words(const JudgedMetric& judged, const std::string& solver) {
   const Group& group = judged.observations.groups[place_of(judged.observations, solver)];
   const double mean = mean_of(judged, solver);
   if (group.lost > 0) return "not known";
   return (group.at_most > 0 && mean <= group.at_most ? "at most " : "") + number_text(mean);
 }
-std::string with_unit(std::string words, const Judged& judged) {
+std::string with_unit(std::string words, const JudgedMetric& judged) {
   const std::string& unit = judged.observations.unit;
   return words + (unit.empty() ? "" : ' ' + unit);
 }
 
 // The others by their means, the smallest first.
-Names rivals_of(const Judged& judged, const Names& own) {
+Names rivals_of(const JudgedMetric& judged, const Names& own) {
   Names rivals;
   for (const Group& group : judged.observations.groups) {
     if (!has(own, group.name)) rivals.push_back(group.name);
@@ -134,7 +134,7 @@ JudgedClaims better_in_each_study(const Claim& claim, const Repeated& repeated) 
   Tally tally;
   Names arms;
   for (const JudgedStudy* on_arm : repeated.all()) {
-    const std::optional<Judged> judged = about(claim, judged_in(*on_arm, *claim.metrics.front()));
+    const std::optional<JudgedMetric> judged = about(claim, judged_in(*on_arm, *claim.metrics.front()));
     if (!judged) continue;
     const std::string best = rivals_of(*judged, {own}).back();  // read_claim takes shares alone
     tally.add(verdict_between(*judged, own, best));
@@ -156,7 +156,7 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
   std::vector<Holds> here;
   const Names same = same_there(claim, repeated);
   for (const Metric* metric : claim.metrics) {
-    const std::optional<Judged> ours = judged_here(claim, repeated, *metric);
+    const std::optional<JudgedMetric> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
     Names rivals = rivals_of(*ours, own), means;
     std::erase_if(rivals, [&](const std::string& rival) { return has(same, rival); });
@@ -180,11 +180,11 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
 }
 
 // Against each other solver: worse in some metric, or else better in some.
-Tally dominance(const std::vector<Judged>& metrics, const std::string& solver) {
+Tally dominance(const std::vector<JudgedMetric>& metrics, const std::string& solver) {
   Tally tally;
   for (const std::string& rival : rivals_of(metrics.front(), {solver})) {
     Tally of_metrics;
-    for (const Judged& judged : metrics) of_metrics.add(verdict_between(judged, solver, rival));
+    for (const JudgedMetric& judged : metrics) of_metrics.add(verdict_between(judged, solver, rival));
     tally.add(of_metrics.worse > 0                      ? Verdict::worse
               : of_metrics.better > 0                   ? Verdict::better
               : of_metrics.untested == of_metrics.all() ? Verdict::not_tested
@@ -195,9 +195,9 @@ Tally dominance(const std::vector<Judged>& metrics, const std::string& solver) {
 
 JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
   const std::string& solver = claim.solvers.front();
-  std::vector<Judged> here;
+  std::vector<JudgedMetric> here;
   for (const Metric* metric : claim.metrics) {
-    std::optional<Judged> ours = judged_here(claim, repeated, *metric);
+    std::optional<JudgedMetric> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
     here.push_back(std::move(*ours));
   }
@@ -212,7 +212,7 @@ JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
   std::vector<Holds> here;
   const double significance = repeated.study.study.definition.plan.significance;
   for (const Metric* metric : claim.metrics) {
-    const std::optional<Judged> ours = judged_here(claim, repeated, *metric);
+    const std::optional<JudgedMetric> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
     const auto test = anova(ours->observations);
     here.push_back(!test ? Holds::not_tested : test->p < significance ? Holds::holds : Holds::undecided);
@@ -302,7 +302,7 @@ Observations deviations(Observations observed) {
   return observed;
 }
 
-Verdict verdict_between(const Judged& judged, std::string_view first, std::string_view second) {
+Verdict verdict_between(const JudgedMetric& judged, std::string_view first, std::string_view second) {
   const Finding* const finding = finding_of(judged, first, second);
   if (finding == nullptr) return Verdict::not_tested;
   return finding->first == first ? finding->verdict : turned(finding->verdict);

@@ -20,7 +20,7 @@ namespace {
 
 void scale(double factor, auto&... values) { ((values *= factor), ...); }
 
-Judged in_unit(Judged judged, double factor, std::string unit) {
+JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
   Observations& observed = judged.observations;
   observed.unit = std::move(unit);
   scale(factor, observed.floor, observed.rounding, observed.absolute_margin);
@@ -44,7 +44,7 @@ Judged in_unit(Judged judged, double factor, std::string unit) {
 
 std::vector<Doubt> Answer::all_doubts() const {
   std::vector<Doubt> all = doubts;
-  for (const Judged& judged : metrics) {
+  for (const JudgedMetric& judged : metrics) {
     for (const Doubt& doubt : judged.observations.doubts) {
       const bool names_metric = doubt.kind == DoubtKind::few_decide_mean;
       const auto known = std::ranges::find_if(all, [&](const Doubt& other) {
@@ -62,10 +62,10 @@ std::vector<Doubt> Answer::all_doubts() const {
   return all;
 }
 
-Answer answer_of(std::vector<Judged> metrics, std::size_t deciding) {
+Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
   Answer answer{.metrics = std::move(metrics), .deciding = deciding};
   answer.order = best_first(answer.decisive(), answer.metrics);
-  for (Judged& judged : answer.metrics) {
+  for (JudgedMetric& judged : answer.metrics) {
     if (is_share(judged)) judged = in_unit(std::move(judged), 100, "%");
     std::map<std::string_view, std::size_t> places;
     for (const std::size_t i : best_first(judged, answer.metrics))
@@ -86,7 +86,7 @@ Answer answer_of(const JudgedStudy& judged) {
   all.doubts = judged.doubts;
   const bool are_runs = definition.is_chained() || (definition.points == 1 && !definition.draws_targets);
   all.noun = are_runs ? "runs" : "targets";
-  for (Judged& metric : all.metrics) {
+  for (JudgedMetric& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
     const Observations& observed = metric.observations;
@@ -101,7 +101,7 @@ Answer answer_of(const JudgedStudy& judged) {
 
 Answer with_short_names(Answer answer, std::size_t length) {
   std::set<std::string> names;
-  for (const Judged& judged : answer.metrics) {
+  for (const JudgedMetric& judged : answer.metrics) {
     for (const Group& group : judged.observations.groups) names.insert(group.name);
   }
   const auto short_of = numerics::short_names({names.begin(), names.end()}, length);
@@ -111,7 +111,7 @@ Answer with_short_names(Answer answer, std::size_t length) {
   const auto shorten_all = [&](std::vector<Doubt>& doubts) {
     for (Doubt& doubt : doubts) std::ranges::for_each(doubt.who, shorten);
   };
-  for (Judged& judged : answer.metrics) {
+  for (JudgedMetric& judged : answer.metrics) {
     for (Group& group : judged.observations.groups) shorten(group.name);
     for (Finding& finding : judged.findings) shorten(finding.first), shorten(finding.second);
     std::ranges::for_each(judged.headline.best, shorten);
@@ -123,6 +123,6 @@ Answer with_short_names(Answer answer, std::size_t length) {
   return answer;
 }
 
-bool is_share(const Judged& judged) { return judged.observations.scale == Scale::share; }
+bool is_share(const JudgedMetric& judged) { return judged.observations.scale == Scale::share; }
 
 }  // namespace ikbench::show

@@ -1,4 +1,4 @@
-// Judged metrics as readers see them: in their units, pairs of the best first, and of a pair the better one.
+// JudgedMetric metrics as readers see them: in their units, pairs of the best first, and of a pair the better one.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 namespace ikbench::show {
 
 struct Answer {
-  std::vector<compare::Judged> metrics;
+  std::vector<compare::JudgedMetric> metrics;
   std::size_t deciding = 0;            // metric of the headline
   std::vector<std::size_t> order;      // its groups, best first
   std::vector<compare::Doubt> doubts;  // of all
@@ -21,21 +21,21 @@ struct Answer {
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
 
-  const compare::Judged& decisive() const { return metrics[deciding]; }
+  const compare::JudgedMetric& decisive() const { return metrics[deciding]; }
   // Those of all and of each metric, each once; what several metrics have alike, as one.
   std::vector<compare::Doubt> all_doubts() const;
 };
 
 // Shares in percent; of studies times in ms, and errors in mm, but in cm where a paper's study is repeated. With a
 // control it is the second of each pair.
-Answer answer_of(std::vector<compare::Judged> metrics, std::size_t deciding = 0);
+Answer answer_of(std::vector<compare::JudgedMetric> metrics, std::size_t deciding = 0);
 Answer answer_of(const compare::JudgedStudy& judged);
 
 // With names of solvers that fit a line (numerics::short_names).
 constexpr std::size_t longest_name = 24;  // in a table
 Answer with_short_names(Answer answer, std::size_t length);
 
-bool is_share(const compare::Judged& judged);
+bool is_share(const compare::JudgedMetric& judged);
 
 std::string reference_of(const Answer& answer);  // the control, else the first of the table of results
 

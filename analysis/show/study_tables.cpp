@@ -41,7 +41,7 @@ Cell value_cell(const Group& group, double value) {
 }
 
 // Wilson's, of a share of observations that are solved or not.
-std::optional<Interval> interval_of(const Judged& judged, const Description& its) {
+std::optional<Interval> interval_of(const JudgedMetric& judged, const Description& its) {
   if (!is_share(judged) || judged.observations.trials > 1 || its.n == 0) return {};
   const Interval share = wilson(its.mean / 100, its.n, judged.plan.significance);
   return Interval{100 * share.low, 100 * share.high};
@@ -49,7 +49,8 @@ std::optional<Interval> interval_of(const Judged& judged, const Description& its
 
 // A solver's number, and the mark of its pair with the reference. Where the numbers of two are of other targets, the
 // finding of the pair stands in its place.
-Cell result_cell(const Answer& answer, const Judged& judged, const std::string& solver, const std::string& reference) {
+Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver,
+                 const std::string& reference) {
   const std::vector<Group>& groups = judged.observations.groups;
   const std::size_t i = place_of(judged.observations, solver);
   if (i == groups.size() || (groups[i].lost > 0 && !judged.observations.tells_incomplete)) return {};
@@ -94,21 +95,21 @@ std::string limit(double value, std::string_view unit) {
 }  // namespace
 
 std::string reference_of(const Answer& answer) {
-  const Judged& decisive = answer.decisive();
+  const JudgedMetric& decisive = answer.decisive();
   if (!decisive.plan.control.empty()) return decisive.plan.control;
   return decisive.observations.groups[answer.order[0]].name;
 }
 
 Table results_table(const Answer& answer) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
-  const Judged& decisive = answer.decisive();
+  const JudgedMetric& decisive = answer.decisive();
   for (const std::size_t i : answer.order) table.rows.push_back({decisive.observations.groups[i].name});
   const std::string reference = reference_of(answer);
   const bool are_means = decisive.plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
   bool has_numbers = false, has_quartiles = false, has_shares = false;
   std::set<std::string> kinds, marks;
-  const auto add = [&](const Judged& judged, const std::string& name) {
+  const auto add = [&](const JudgedMetric& judged, const std::string& name) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit});
     for (auto& row : table.rows) {
       row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), reference));
@@ -124,7 +125,7 @@ Table results_table(const Answer& answer) {
   const Observations& observed = decisive.observations;
   add(decisive, is_share(decisive) || observed.is_of_solved ? observed.quantity
                                                             : fmt::format("{} {}", average, observed.quantity));
-  for (const Judged& judged : answer.metrics) {
+  for (const JudgedMetric& judged : answer.metrics) {
     if (&judged != &decisive) add(judged, judged.observations.quantity);
   }
   std::string key =
@@ -135,7 +136,7 @@ Table results_table(const Answer& answer) {
                        numerics::counted(most.n, "values"));
   }
   if (!kinds.empty()) {
-    const bool are_common = std::ranges::any_of(answer.metrics, [](const Judged& judged) {
+    const bool are_common = std::ranges::any_of(answer.metrics, [](const JudgedMetric& judged) {
       return judged.observations.is_of_solved && judged.observations.is_paired;
     });
     key = fmt::format("{}: {}s; the other{}: {}, {}", reference, average, answer.order.size() == 2 ? "" : "s",
@@ -202,7 +203,7 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
 std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
   std::vector<std::string> found, parts;
   for (const Answer& answer : studies) {
-    const Judged& judged = answer.decisive();
+    const JudgedMetric& judged = answer.decisive();
     const std::string& control = judged.plan.control;
     const auto count = [&](Verdict verdict) { return std::ranges::count(judged.findings, verdict, &Finding::verdict); };
     const std::string whole = headline(answer), ends = judged.findings.empty() ? ";" : ":;";
@@ -278,7 +279,7 @@ std::string what_decides(const Answer& answer) {
 }
 
 std::string of_pairs(const Answer& answer) {
-  const Judged& judged = answer.decisive();
+  const JudgedMetric& judged = answer.decisive();
   const auto average = [&](const std::string& name) { return average_of(judged, place_of(judged.observations, name)); };
   const auto is_puzzling = [&](const Finding& finding) {  // the averages lie the other way
     const double none = finding.scale == Scale::ratio ? 1 : 0;
@@ -295,7 +296,7 @@ Table pairs_table(const Answer& answer) {
               .columns = columns_of(
                   {"metric", "first", "second", "estimate", "interval", "unit", "p", "A12", "test", "verdict"})};
   std::set<double> ends;
-  for (const Judged& judged : answer.metrics) {
+  for (const JudgedMetric& judged : answer.metrics) {
     for (const Finding& finding : judged.findings) {
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
       const std::string ahead = finding.estimate ? "" : amount_words(finding, judged);
@@ -327,8 +328,8 @@ Table descriptives_table(const Answer& answer) {
       .columns = columns_of({"metric", "solver", "n", "mean", "sd", "median", "lower quartile", "upper quartile",
                              "95 % quantile", "smallest", "largest", "interval", "unit", "lost"})};
   bool is_any_lost = false, is_any_share = false, is_any_of_solved = false;
-  const Judged& decisive = answer.decisive();
-  for (const Judged& judged : answer.metrics) {
+  const JudgedMetric& decisive = answer.decisive();
+  for (const JudgedMetric& judged : answer.metrics) {
     const Observations& observed = judged.observations;
     for (const std::size_t place : answer.order) {
       const std::size_t i = place_of(observed, decisive.observations.groups[place].name);
@@ -360,7 +361,7 @@ Table anova_table(const Answer& answer) {
   Table table{.name = "anova",
               .caption = "Do the solvers differ at all?",
               .columns = {{"metric"}, {"test"}, {"statistic"}, {"df"}, {"df within"}, {.name = "p", .is_p = true}}};
-  for (const Judged& judged : answer.metrics) {
+  for (const JudgedMetric& judged : answer.metrics) {
     const std::string& quantity = judged.observations.quantity;
     if (is_share(judged) || judged.plan.test != results::Plan::Test::means) continue;
     if (const auto of = compare::anova(judged.observations))
@@ -373,7 +374,7 @@ numerics::OrderedJson to_json(const Answer& answer) {
   constexpr std::array<const char*, 5> verdicts{"better", "worse", "same", "undecided", "not_tested"};
   numerics::OrderedJson findings = to_json(pairs_table(answer)), doubts = numerics::OrderedJson::array(), direction;
   std::size_t row = 0;
-  for (const Judged& judged : answer.metrics) {
+  for (const JudgedMetric& judged : answer.metrics) {
     direction[judged.observations.quantity] = judged.observations.better == Better::larger ? "larger" : "smaller";
     for (const Finding& finding : judged.findings)
       findings[row++]["verdict"] = verdicts[static_cast<std::size_t>(finding.verdict)];
@@ -435,7 +436,7 @@ std::string what_is_studied(const StudyResults& study) {
 std::string methods_of(const Answer& answer, const StudyResults& study) {
   const results::Definition& definition = study.definition;
   std::set<std::string> tests;
-  for (const Judged& judged : answer.metrics) {
+  for (const JudgedMetric& judged : answer.metrics) {
     for (const Finding& finding : judged.findings) {
       if (!finding.test.empty()) tests.insert(std::string(finding.test));
     }

@@ -18,11 +18,11 @@ namespace {
 
 constexpr std::size_t most_named = 6;  // solvers of a sentence
 
-bool counts(const Judged& judged) {  // 88 of 100
+bool counts(const JudgedMetric& judged) {  // 88 of 100
   return is_share(judged) && judged.observations.trials == 1;
 }
 
-const std::string& solver_name(const Judged& judged, std::size_t group) {
+const std::string& solver_name(const JudgedMetric& judged, std::size_t group) {
   return judged.observations.groups[group].name;
 }
 
@@ -33,7 +33,7 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 }
 
 // A group's number: "88", "0.42"; of the first also the whole or the unit: "100 of 100 targets", "0.017 mm".
-std::string number_of(const Answer& answer, const Judged& judged, std::size_t group, std::size_t first) {
+std::string number_of(const Answer& answer, const JudgedMetric& judged, std::size_t group, std::size_t first) {
   const bool is_first = group == first;
   const int n_of_first = judged.described[first].n;
   const Description& its = judged.described[group];
@@ -51,21 +51,21 @@ std::string number_of(const Answer& answer, const Judged& judged, std::size_t gr
 
 // "median error", "mean error", "solved"
 std::string quantity_of(const Answer& answer) {
-  const Judged& judged = answer.decisive();
+  const JudgedMetric& judged = answer.decisive();
   const bool is_mean = judged.plan.test == results::Plan::Test::means;
   return fmt::format("{}{}", is_share(judged) ? "" : is_mean ? "mean " : "median ", judged.observations.quantity);
 }
 
 // "DLS (solved 100 of 100 targets)", and those after it "PSO (88)".
 std::string with_number(const Answer& answer, const std::string& name, std::size_t first) {
-  const Judged& judged = answer.decisive();
+  const JudgedMetric& judged = answer.decisive();
   const std::size_t group = place_of(judged.observations, name);
   return fmt::format("{} ({}{})", name, group == first ? quantity_of(answer) + " " : "",
                      number_of(answer, judged, group, first));
 }
 
 // How many of the first in this order have its number.
-std::size_t equals_of(const Judged& judged, const std::vector<std::size_t>& order) {
+std::size_t equals_of(const JudgedMetric& judged, const std::vector<std::size_t>& order) {
   const auto differs = [&](std::size_t i) { return average_of(judged, i) != average_of(judged, order[0]); };
   return static_cast<std::size_t>(std::ranges::find_if(order, differs) - order.begin());
 }
@@ -73,7 +73,7 @@ std::size_t equals_of(const Judged& judged, const std::vector<std::size_t>& orde
 // "it solved 100 of 100 targets; PSO 88, mine 54"; with the first one's name "PSO solved 90 of 100 targets, mine 88".
 // Those that solved as many as the first stand together.
 std::string numbers_of(const Answer& answer, bool is_named) {
-  const Judged& judged = answer.decisive();
+  const JudgedMetric& judged = answer.decisive();
   const bool is_solved = judged.observations.metric == "solved";
   const std::vector<std::size_t>& order = answer.order;
   const std::size_t equals = is_solved ? equals_of(judged, order) : 1;
@@ -95,7 +95,7 @@ std::string numbers_of(const Answer& answer, bool is_named) {
   return text;
 }
 
-std::string all_of(const Judged& judged) {
+std::string all_of(const JudgedMetric& judged) {
   std::vector<std::string> names;
   for (const Group& group : judged.observations.groups) names.push_back(group.name);
   return names_of(names);
@@ -103,7 +103,7 @@ std::string all_of(const Judged& judged) {
 
 // Empty unless all solvers solved all targets.
 std::string all_solved(const Answer& answer) {
-  const Judged& judged = answer.decisive();
+  const JudgedMetric& judged = answer.decisive();
   if (judged.observations.metric != "solved") return {};
   if (!std::ranges::all_of(judged.described, [](const Description& its) { return its.mean == 100; })) return {};
   const int n = judged.described.front().n;
@@ -113,7 +113,7 @@ std::string all_solved(const Answer& answer) {
   return fmt::format("{}{} solved {}", all_of(judged), judged.described.size() == 2 ? " both" : "", what);
 }
 
-std::string usual(const Judged& judged) {
+std::string usual(const JudgedMetric& judged) {
   const Observations& observed = judged.observations;
   const Headline& head = judged.headline;
   const Description &its = judged.described[place_of(observed, head.usual)],
@@ -138,7 +138,7 @@ std::string usual(const Judged& judged) {
 }
 
 std::string against_control(const Answer& answer) {
-  const Judged& judged = answer.decisive();
+  const JudgedMetric& judged = answer.decisive();
   const std::size_t control = place_of(judged.observations, judged.plan.control);
   std::vector<std::string> verdicts, names;  // in the order of the table
   for (const Finding& finding : judged.findings) {
@@ -151,7 +151,7 @@ std::string against_control(const Answer& answer) {
 }
 
 std::string not_tested(const Answer& answer) {
-  const Judged& judged = answer.decisive();
+  const JudgedMetric& judged = answer.decisive();
   const Finding& finding = judged.findings.front();
   const std::string numbers = numbers_of(answer, true);
   const bool is_for_all =
@@ -166,7 +166,7 @@ std::string not_tested(const Answer& answer) {
 
 // Where no solver is best: those that none is shown to beat, and whom the one of them beats that beats most.
 std::string unbeaten(const Answer& answer) {
-  const Judged& judged = answer.decisive();
+  const JudgedMetric& judged = answer.decisive();
   std::map<std::string, std::map<std::string, Verdict>> verdicts;  // of one against another
   for (const Finding& finding : judged.findings) {
     verdicts[finding.first][finding.second] = finding.verdict;
@@ -230,7 +230,7 @@ std::string unbeaten(const Answer& answer) {
 }
 
 // Of a best one and another.
-std::vector<Finding> findings_of_best(const Judged& judged) {
+std::vector<Finding> findings_of_best(const JudgedMetric& judged) {
   std::vector<Finding> findings = judged.findings;
   std::erase_if(findings, [&](const Finding& finding) {
     const std::vector<std::string>& best = judged.headline.best;
@@ -240,7 +240,7 @@ std::vector<Finding> findings_of_best(const Judged& judged) {
 }
 
 // ", by less than 5 %", of all or of some that the best ones beat.
-std::string by_little(const Judged& judged) {
+std::string by_little(const JudgedMetric& judged) {
   std::set<std::string> who;
   bool are_all = true;
   for (const Finding& finding : findings_of_best(judged)) {
@@ -254,7 +254,7 @@ std::string by_little(const Judged& judged) {
 }
 
 // "(p < 0.0001)", of the pair with the largest; empty where a verdict has none.
-std::string most_p(const Judged& judged) {
+std::string most_p(const JudgedMetric& judged) {
   double most = 0;
   for (const Finding& finding : findings_of_best(judged)) most = std::max(most, finding.p.value_or(1));
   return most == 1
@@ -263,7 +263,7 @@ std::string most_p(const Judged& judged) {
 }
 
 std::string best(const Answer& answer) {
-  const Judged& judged = answer.decisive();
+  const JudgedMetric& judged = answer.decisive();
   const std::vector<std::size_t>& order = answer.order;
   std::vector<std::string> names, beaten;
   for (const std::size_t i : order)
@@ -287,7 +287,7 @@ std::string best(const Answer& answer) {
 }
 
 std::string sentence(const Answer& answer) {
-  const Judged& judged = answer.decisive();
+  const JudgedMetric& judged = answer.decisive();
   const Headline& head = judged.headline;
   if (!best_of(judged).empty()) return best(answer);
   if (!head.best.empty()) return unbeaten(answer);
@@ -322,7 +322,7 @@ std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::
   return told;
 }
 
-std::vector<std::string> best_of(const Judged& judged) {
+std::vector<std::string> best_of(const JudgedMetric& judged) {
   const std::vector<std::string>& best = judged.headline.best;
   const auto is_alike = [&](const Finding& finding) {  // or not of two best ones
     return std::ranges::count(best, finding.first) + std::ranges::count(best, finding.second) < 2 ||
@@ -333,21 +333,21 @@ std::vector<std::string> best_of(const Judged& judged) {
 
 std::string headline(const Answer& whole) {
   if (!whole.verdict.empty()) return whole.verdict;
-  const bool is_nothing_solved = std::ranges::any_of(whole.metrics, [&](const Judged& judged) {
+  const bool is_nothing_solved = std::ranges::any_of(whole.metrics, [&](const JudgedMetric& judged) {
     return &judged != &whole.decisive() && judged.observations.metric == "solved" &&
            std::ranges::all_of(judged.described, [](const Description& its) { return its.mean == 0; });
   });
   return (is_nothing_solved ? "No target was solved. " : "") + sentence(with_short_names(whole, 40)) + '.';
 }
 
-std::string margin_words(const Judged& judged) {
+std::string margin_words(const JudgedMetric& judged) {
   const auto [relative, absolute] = std::pair(judged.plan.margin, judged.observations.absolute_margin);
   const std::string words = with_unit(number_text(100 * relative), is_share(judged) ? "points" : "%");
   if (absolute == 0 || is_share(judged)) return words;
   return (relative == 0 ? "" : words + " or ") + with_unit(number_text(absolute), judged.observations.unit);
 }
 
-std::string verdict_words(const Finding& finding, const Judged& judged) {
+std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
   const std::string margin = margin_words(judged);
   if (finding.verdict == Verdict::same) return "same within " + margin;
   if (finding.verdict == Verdict::undecided && finding.are_all_equal) return fmt::format("same in all {}", finding.n);
@@ -379,19 +379,19 @@ std::string warning_of(const Doubt& doubt) {
   return text;
 }
 
-std::string unit_of(const Finding& finding, const Judged& judged) {
+std::string unit_of(const Finding& finding, const JudgedMetric& judged) {
   if (!finding.estimate) return "";
   return finding.scale == Scale::ratio ? "times" : finding.scale == Scale::share ? "points" : judged.observations.unit;
 }
 
-std::vector<double> ends_of(const Finding& finding, const Judged& judged) {
+std::vector<double> ends_of(const Finding& finding, const JudgedMetric& judged) {
   const double margin = judged.plan.margin;
   if (finding.scale == Scale::ratio) return {1, 1 + margin, 1 / (1 + margin)};
   const double end = is_share(judged) ? 100 * margin : judged.observations.absolute_margin;
   return {0, end, -end};
 }
 
-std::string amount_words(const Finding& finding, const Judged& judged) {
+std::string amount_words(const Finding& finding, const JudgedMetric& judged) {
   if (!finding.estimate) {
     const double ahead = finding.effect.value_or(0.5);
     const bool is_shown = finding.verdict == (ahead > 0.5 ? Verdict::better : Verdict::worse) && ahead != 0.5;
@@ -408,7 +408,7 @@ std::vector<std::vector<std::string>> pair_rows(const Answer& answer) {
   const bool has_two = answer.decisive().described.size() == 2;
   std::vector<std::vector<std::string>> rows;
   if (answer.decisive().findings.size() > most_pairs) return rows;
-  for (const Judged& judged : answer.metrics) {
+  for (const JudgedMetric& judged : answer.metrics) {
     const bool is_decisive = &judged == &answer.decisive();
     if (!has_two && (!is_decisive || std::ranges::all_of(judged.findings, &Finding::are_all_equal))) continue;
     for (const Finding& finding : judged.findings) {

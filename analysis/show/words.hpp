@@ -17,24 +17,24 @@ std::string names_of(const std::vector<std::string>& names, std::string_view las
 std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::string>& words,
                                                          const std::vector<std::string>& names);
 // Those that are best and alike; empty if there is none.
-std::vector<std::string> best_of(const compare::Judged& judged);
+std::vector<std::string> best_of(const compare::JudgedMetric& judged);
 // One sentence: "DLS is best: it solved 100 of 100 targets; PSO 88, mine 54."
 std::string headline(const Answer& answer);
 
 // "better", "same within 5 %", "not decided", "not tested: it takes 5 values"
-std::string verdict_words(const compare::Finding& finding, const compare::Judged& judged);
+std::string verdict_words(const compare::Finding& finding, const compare::JudgedMetric& judged);
 std::string warning_of(const compare::Doubt& doubt);  // a sentence
 // "times", "points", or the metric's unit.
-std::string unit_of(const compare::Finding& finding, const compare::Judged& judged);
+std::string unit_of(const compare::Finding& finding, const compare::JudgedMetric& judged);
 // "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict "better in 71 % of
 // comparisons"
-std::string amount_words(const compare::Finding& finding, const compare::Judged& judged);
+std::string amount_words(const compare::Finding& finding, const compare::JudgedMetric& judged);
 // Of each pair of the deciding metric, "DLS vs PSO", the verdict, the amount and p; of only two solvers those of
 // each metric that were tested. None of more than most_pairs, nor where all solvers are equal.
 std::vector<std::vector<std::string>> pair_rows(const Answer& answer);
 // No difference and the margin's ends, as the finding's numbers are.
-std::vector<double> ends_of(const compare::Finding& finding, const compare::Judged& judged);
+std::vector<double> ends_of(const compare::Finding& finding, const compare::JudgedMetric& judged);
 // "5 %", "5 points", "5 % or 0.1 mm"
-std::string margin_words(const compare::Judged& judged);
+std::string margin_words(const compare::JudgedMetric& judged);
 
 }  // namespace ikbench::show

@@ -57,7 +57,7 @@ Figures of_helix(const JudgedStudy& judged, const Look& look) {
       numbered(9, joints({.caption = "Joint angles along the path, first run of each solver. Dashed: limits."},
                          joint_rows(study, look))));
   for (const PaperMetric& metric : paper_metrics) {
-    const Judged* const values = judged_of(judged, metric.column);
+    const JudgedMetric* const values = judged_of(judged, metric.column);
     if (values == nullptr) continue;
     const Metric& drawn = metric_named(metric.column);
     About about = about_of(

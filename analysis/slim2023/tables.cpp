@@ -43,7 +43,7 @@ Table table_3(const Repeated& repeated) {
   }
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const Metric& metric = metric_named(column);
-    const Judged* const judged = judged_of(repeated.study, column);
+    const JudgedMetric* const judged = judged_of(repeated.study, column);
     if (judged == nullptr) continue;
     table.columns.push_back({std::string(name), std::string(metric.unit == "s" ? "ms" : metric.unit)});
     const PrintedRows printed = printed_rows(repeated.paper, metric);
@@ -59,7 +59,7 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
   std::vector<Table> tables;
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const std::string number = fmt::format("table-{}", anova);
-    const Judged* const judged = judged_of(repeated.study, column);
+    const JudgedMetric* const judged = judged_of(repeated.study, column);
     if (judged == nullptr) continue;
     Table& table = tables.emplace_back(
         Table{.name = number,

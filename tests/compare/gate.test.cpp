@@ -95,7 +95,8 @@ TEST_CASE("drawn targets are paired; another task or number of solves is refused
 TEST_CASE("times decide nothing, and those of other stores and of solves that are the same are not compared") {
   const Asked in_turns{.start = "initial", .runs = 5, .points = 20, .tolerance_cm = 0.1};
   const auto time_of = [](const Gate& gate) {
-    return std::ranges::find(gate.judged.metrics, "time", [](const Judged& each) { return each.observations.metric; })
+    return std::ranges::find(gate.judged.metrics, "time",
+                             [](const JudgedMetric& each) { return each.observations.metric; })
         ->findings.front();
   };
   const auto slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = 3 * solve.seconds; };
@@ -135,7 +136,7 @@ TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
   int red = 0;
   for (int i = 0; i < compares; ++i) {
     const Gate gate = gate_of(version(i), version(compares + i));
-    for (const Judged& judged : gate.judged.metrics) CHECK(judged.plan.significance == 0.05);  // p is adjusted
+    for (const JudgedMetric& judged : gate.judged.metrics) CHECK(judged.plan.significance == 0.05);  // p is adjusted
     red += !gate.worse.empty();
   }
   CHECK(red <= compares / 20);

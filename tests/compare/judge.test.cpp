@@ -2,15 +2,16 @@
 
 namespace {
 
-const Judged& metric(const JudgedStudy& of, std::string_view slug) {
-  const auto found = std::ranges::find(of.metrics, slug, [](const Judged& each) { return each.observations.metric; });
+const JudgedMetric& metric(const JudgedStudy& of, std::string_view slug) {
+  const auto found =
+      std::ranges::find(of.metrics, slug, [](const JudgedMetric& each) { return each.observations.metric; });
   REQUIRE(found != of.metrics.end());
   return *found;
 }
 
 std::string slugs(const JudgedStudy& of) {
   std::string all;
-  for (const Judged& each : of.metrics) all += each.observations.metric + " ";
+  for (const JudgedMetric& each : of.metrics) all += each.observations.metric + " ";
   return all;
 }
 
@@ -41,7 +42,7 @@ TEST_CASE("A better solver is named, and its findings are those of the table") {
   const JudgedStudy of = judge(study({.runs = 8}, [](SolveRecord& solve) {
     solve.position_error_cm = (solve.solver == "A" ? 1 : 10) + 0.01 * solve.run;
   }));
-  const Judged& error = metric(of, "error");
+  const JudgedMetric& error = metric(of, "error");
   CHECK(error.headline.best == std::vector<std::string>{"A"});
   REQUIRE(error.findings.size() == 1);
   CHECK(error.findings.front().verdict == Verdict::better);
@@ -66,13 +67,13 @@ TEST_CASE("The plan's test, level, margin and control reach the comparison") {
 
 TEST_CASE("Means that few values decide are told") {
   const Asked means{.runs = 8, .rest = R"(, "analysis": {"test": "means", "significance": 0.2})"};
-  const Judged error = metric(judge(study(means,
-                                          [](SolveRecord& solve) {
-                                            solve.position_error_cm = solve.solver == "A" ? 0.01 * solve.run
-                                                                      : solve.run == 1    ? 9
-                                                                                          : 1 + 0.01 * solve.run;
-                                          })),
-                              "error");
+  const JudgedMetric error = metric(judge(study(means,
+                                                [](SolveRecord& solve) {
+                                                  solve.position_error_cm = solve.solver == "A" ? 0.01 * solve.run
+                                                                            : solve.run == 1    ? 9
+                                                                                                : 1 + 0.01 * solve.run;
+                                                })),
+                                    "error");
   REQUIRE(has_doubt(error.observations.doubts, DoubtKind::few_decide_mean));
   CHECK(error.observations.doubts.front().who == std::vector<std::string>{"B"});
 }

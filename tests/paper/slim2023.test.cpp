@@ -55,7 +55,7 @@ TEST_CASE("the helix study comes out as the paper's Table 3 in the readings of t
     const StudyResults study = solved(seed);
     REQUIRE(study.solves.size() == 6 * 20 * 20);
     for (const auto& [metric, range] : ranges) {
-      const Judged judged = judge(observe(study, metric_named(metric)), study.definition.plan);
+      const JudgedMetric judged = judge(observe(study, metric_named(metric)), study.definition.plan);
       std::map<std::string, double> means;
       for (std::size_t i = 0; i < judged.described.size(); ++i) {
         const std::string& solver = judged.observations.groups[i].name;

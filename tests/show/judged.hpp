@@ -50,7 +50,7 @@ inline compare::Observations numbers(std::string metric, std::string quantity, s
   return of;
 }
 
-inline compare::Judged judged(compare::Observations of, const compare::Plan& plan = {}) {
+inline compare::JudgedMetric judged(compare::Observations of, const compare::Plan& plan = {}) {
   return compare::judge(std::move(of), plan);
 }
 

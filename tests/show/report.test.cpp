@@ -71,7 +71,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
       if (std::holds_alternative<std::monostate>(row[c])) continue;
       if (marked && marked->to_reference) {
         const auto of = std::ranges::find(report.answer.metrics, metric,
-                                          [](const compare::Judged& each) { return each.observations.quantity; });
+                                          [](const compare::JudgedMetric& each) { return each.observations.quantity; });
         const compare::Finding finding = compare::better_first(*finding_of(*of, solver, "DLS"), "DLS");
         CHECK(marked->value == finding.estimate);
         CHECK((marked->mark == "*") == (finding.verdict == compare::Verdict::worse));

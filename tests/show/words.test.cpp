@@ -30,7 +30,7 @@ std::vector<double> two_modes(double first, int lower, double second) {
 
 std::string table_of_verdicts(const Answer& answer) {
   std::string text;
-  for (const compare::Judged& judged : answer.metrics) {
+  for (const compare::JudgedMetric& judged : answer.metrics) {
     for (const compare::Finding& finding : judged.findings)
       text += fmt::format("  {} vs {}: {}; {}\n", finding.first, finding.second, verdict_words(finding, judged),
                           amount_words(finding, judged));
@@ -43,7 +43,7 @@ std::string table_of_verdicts(const Answer& answer) {
 TEST_CASE("what is better where most values are equal says how often", "[show]") {
   std::vector<double> at_tolerance(60, 0.01), some = at_tolerance;
   for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
-  const compare::Judged error = judged(errors({{"A", at_tolerance}, {"B", some}}));
+  const compare::JudgedMetric error = judged(errors({{"A", at_tolerance}, {"B", some}}));
   CHECK(verdict_words(error.findings.front(), error) == "better");
   CHECK(amount_words(error.findings.front(), error) == "better in 62.5 % of comparisons");
 }
@@ -51,18 +51,19 @@ TEST_CASE("what is better where most values are equal says how often", "[show]")
 TEST_CASE("an end of an interval that p excludes says so", "[show]") {
   Observations unpaired = shares({{"A", solved(0)}, {"B", solved(33, 200)}});
   unpaired.is_paired = false;
-  const compare::Judged error = of(unpaired).metrics[0];
+  const compare::JudgedMetric error = of(unpaired).metrics[0];
   CHECK(amount_words(error.findings.front(), error) == "16.5 points (above 0 to 22.3)");
   std::vector<double> less = values_around(1, 0.0001);
   for (double& value : less) value *= 0.9999;
-  const compare::Judged little = of(errors({{"A", less}, {"B", values_around(1, 0.00001)}}), {.margin = 0}).metrics[0];
+  const compare::JudgedMetric little =
+      of(errors({{"A", less}, {"B", values_around(1, 0.00001)}}), {.margin = 0}).metrics[0];
   CHECK(verdict_words(little.findings.front(), little) == "better");
   CHECK(amount_words(little.findings.front(), little) == "0.9999 times (0.9999 to 0.9999)");
 }
 
 TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
   const auto metric = [](const char* name) {
-    compare::Judged of = judged(numbers(name, name, "", {{"A", {1, 2, 3}}, {"B", {5}}}));
+    compare::JudgedMetric of = judged(numbers(name, name, "", {{"A", {1, 2, 3}}, {"B", {5}}}));
     of.observations.doubts.push_back({.kind = compare::DoubtKind::few_decide_mean, .who = {"A"}, .what = name});
     return of;
   };
