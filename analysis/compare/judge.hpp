@@ -31,9 +31,9 @@ std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vecto
 
 struct JudgedStudy {
   StudyResults study;
-  std::vector<JudgedMetric>
-      metrics;                // of reports, in the order of metrics.inc, if the study has them; and the deciding one.
-                              // Where any target is solved no other error: solved says which are small enough
+  // Those of reports, in the order of metrics.inc, if the study has them; and the deciding one. Where any target is
+  // solved no other error: solved says which are small enough.
+  std::vector<JudgedMetric> metrics;
   std::size_t deciding = 0;   // metric of the headline: the plan's, else solved where any target is solved, else error
   std::vector<Doubt> doubts;  // of the whole study
 };
