@@ -54,7 +54,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   show::Table table = show::studies_table(studies, told);
   const FigureStyle style = styled(FigureStyle(), {solvers.begin(), solvers.end()}, report);
   const std::filesystem::path folder = out;
-  const auto figure = show::studies_figure(table);
+  const auto figure = show::studies_figure(table, studies);
   if (figure) draw(*figure, folder / "figures", {.style = style});
   const auto unit = &show::Column::unit;
   constexpr std::size_t most_across = 6, most_with_intervals = 3;

@@ -43,9 +43,9 @@ std::string reference_of(const Answer& answer);  // the control, else the first 
 Table results_table(const Answer& answer);  // a row a solver
 // Solvers by studies: of each study its deciding column, in the order of the first. Each study is judged alone.
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names);
-// "a and b: DLS is best; c: Not decided." What the headline of each begins with.
+// "a and b: DLS is best.\nc: Not decided." What the headline of each begins with.
 std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names);
-std::optional<figures::Figure> studies_figure(const Table& studies);  // bars of its shares
+std::optional<figures::Figure> studies_figure(const Table& studies, const std::vector<Answer>& answers);  // its shares
 Table without_intervals(Table studies);
 Table with_a_row_a_study(const Table& studies);  // of one unit, without intervals
 Table pairs_table(const Answer& answer);

@@ -213,10 +213,10 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
                                       count(Verdict::worse)));
   }
   for (const auto& [what, where] : by_word(found, names)) parts.push_back(fmt::format("{}: {}", where, what));
-  return fmt::format("{}.", fmt::join(parts, "; "));
+  return fmt::format("{}.", fmt::join(parts, ".\n"));
 }
 
-std::optional<figures::Figure> studies_figure(const Table& studies) {
+std::optional<figures::Figure> studies_figure(const Table& studies, const std::vector<Answer>& answers) {
   std::vector<std::size_t> shares;
   std::vector<std::string> names, others, solvers;
   for (std::size_t c = 1; c < studies.columns.size(); ++c) {
@@ -244,7 +244,11 @@ std::optional<figures::Figure> studies_figure(const Table& studies) {
       has_empty |= of_study == nullptr;
     }
   }
-  std::vector<std::string> key{meaning_of(marks, "the control, else the best"), has_empty ? "- not in the study" : "",
+  const auto has_control = [](const Answer& answer) { return !answer.decisive().plan.control.empty(); };
+  const char* const reference = std::ranges::none_of(answers, has_control)  ? "the best"
+                                : std::ranges::all_of(answers, has_control) ? "the control"
+                                                                            : "the control, else the best";
+  std::vector<std::string> key{meaning_of(marks, reference), has_empty ? "- not in the study" : "",
                                others.empty() ? "" : "without " + listed(others)};
   std::erase(key, "");
   return figures::bars({.name = "studies", .caption = "Share of targets solved.", .quantity = "solved", .unit = "%"},

@@ -205,16 +205,16 @@ TEST_CASE("a report of three solvers is short", "[show]") {
 
 TEST_CASE("of several studies each is a column, solvers in the order of the first", "[show]") {
   const auto of = [](int a, int b) { return answer_of({judged(shares({{"A", solved(a)}, {"B", solved(b)}}))}); };
-  const Table table = studies_table({of(20, 10), answer_of({judged(shares({{"B", solved(20)}, {"C", solved(5)}}))})},
-                                    {"on-one", "on-two"});
+  const std::vector answers{of(20, 10), answer_of({judged(shares({{"B", solved(20)}, {"C", solved(5)}}))})};
+  const Table table = studies_table(answers, {"on-one", "on-two"});
   CHECK(table.columns[2].name == "on-two");
   CHECK(table.rows.size() == 3);
   CHECK(std::get<std::string>(table.rows[0][0]) == "A");
   CHECK(std::get<Marked>(table.rows[1][1]).mark == "*");
   CHECK(std::get<Marked>(table.rows[1][2]).is_best);
   CHECK(std::holds_alternative<std::monostate>(table.rows[2][1]));
-  CHECK_FALSE(studies_figure(studies_table({of(20, 10)}, {"alone"})));
-  const figures::Figure figure = studies_figure(table).value();
+  CHECK_FALSE(studies_figure(studies_table({answers[0]}, {"alone"}), answers));
+  const figures::Figure figure = studies_figure(table, answers).value();
   CHECK(figure.data == "# row, share [%] of each study\n# A\n1 100 NaN\n# B\n2 50 100\n# C\n3 NaN 25\n");
   CHECK(contains(figure.settings, "set label 'two' at first 1.7"));  // without what both names share
   CHECK(contains(figure.settings, "set label '-' at first 0, first 3"));
