@@ -1,4 +1,4 @@
-// JudgedMetric metrics as readers see them: in their units, pairs of the best first, and of a pair the better one.
+// Judged metrics as readers see them: in their units, pairs of the best first, and of a pair the better one.
 #pragma once
 
 #include <cstddef>

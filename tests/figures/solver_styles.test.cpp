@@ -98,7 +98,7 @@ TEST_CASE("variants of a solver have other colours while there are any, then oth
     solvers.resize(8);
   }
   std::set<std::string> of_first;  // seven; built-in solvers after them take no colour away
-  for (const char* name : {"bat", "newton", "nlopt", "differential_evolution"}) solvers.push_back({name, name});
+  for (const char* name : {"bat", "newton", "nlopt", "differential_evolution"}) solvers.push_back({"", name, name});
   FigureStyle style;
   const auto styles = line_styles(solvers, style);
   for (std::size_t i = 0; i < 7; ++i) of_first.insert(colour_of(styles.at(solvers[i].label), style));
