@@ -137,6 +137,9 @@ struct Definition : StudyData {
   int out_of_reach = 0;                 // targets that no configuration reaches
   std::string arm;                      // JSON, as robots/robot.hpp reads it
   std::string task;                     // JSON: the first configuration, and how targets are drawn
+
+  // What is compared is a run, else a target.
+  bool compares_runs() const { return is_chained() || (points == 1 && !draws_targets); }
 };
 
 // Members that the text lacks keep their defaults. Throws std::invalid_argument if it is no JSON object, or with the

@@ -46,7 +46,7 @@ struct Design {
 
 Design design_of(const StudyResults& study, bool of_run) {
   const bool is_drawn = study.definition.draws_targets;
-  const bool are_runs = of_run || study.definition.is_chained() || study.definition.points == 1;
+  const bool are_runs = of_run || study.definition.compares_runs();
   return {.are_runs = are_runs,
           .is_paired = is_drawn || !are_runs,
           .solves = are_runs   ? study.definition.points

@@ -40,8 +40,8 @@ bool have_same_solves(Solves solves, Solves others);
 // Of all that concerns more than one metric.
 std::vector<Doubt> doubts_of(const StudyResults& study);
 
-// One observation is a run, the mean of its targets, where solves are chained or there is one target; else a target,
-// the mean of its runs, or of drawn targets its one solve. Of times it is the median.
+// One observation is a run, the mean of its targets, where solves are chained or all runs have one target; else a
+// target, the mean of its runs, or of drawn targets its one solve. Of times it is the median.
 Observations observe(const StudyResults& study, const Metric& metric);
 
 }  // namespace ikbench::compare

@@ -34,11 +34,11 @@ CurveRow row_at(double x, const std::vector<double>& values, Average average) {
 }
 
 std::string observation_of(const StudyResults& study, const Metric& metric) {
+  const results::Definition& definition = study.definition;
   const std::string_view average = metric.kind == Kind::time ? "median" : "mean";
-  if (study.definition.is_chained()) return fmt::format("the {} of a run", average);
-  return study.definition.runs > 1 && !study.definition.draws_targets
-             ? fmt::format("a target, the {} of its runs", average)
-             : "a target";
+  if (definition.compares_runs()) return definition.points == 1 ? "a run" : fmt::format("the {} of a run", average);
+  const bool is_solved_again = definition.runs > 1 && !definition.draws_targets;
+  return is_solved_again ? fmt::format("a target, the {} of its runs", average) : "a target";
 }
 
 std::string caption_of_boxes(std::string_view quantity, std::string_view observation) {

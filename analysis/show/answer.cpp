@@ -81,11 +81,9 @@ Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
 }
 
 Answer answer_of(const JudgedStudy& judged) {
-  const results::Definition& definition = judged.study.definition;
   Answer all = answer_of(judged.metrics, judged.deciding);
   all.doubts = judged.doubts;
-  const bool are_runs = definition.is_chained() || (definition.points == 1 && !definition.draws_targets);
-  all.noun = are_runs ? "runs" : "targets";
+  all.noun = judged.study.definition.compares_runs() ? "runs" : "targets";
   for (JudgedMetric& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);

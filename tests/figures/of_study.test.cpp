@@ -39,6 +39,14 @@ TEST_CASE("a path has curves by point, the path and the joints", "[of_study]") {
   const ScratchFolder folder;
   CHECK(drawn_as_svg(figures, folder.path) == "");
   CHECK(contains(figures[1].caption, "a dot is the mean of a run"));
+  const auto caption_of = [](const Asked& other) {
+    const std::vector<Figure> all = figures_of_study(study(other, differ));
+    return std::ranges::find(all, "error-boxes", &Figure::name)->caption;
+  };
+  CHECK(contains(caption_of({.start = "initial"}), "a dot is a target, the mean of its runs;"));
+  CHECK(contains(caption_of({.start = "initial", .runs = 1}), "a dot is a target;"));
+  CHECK(contains(caption_of({.start = "initial", .points = 1}), "a dot is a run;"));
+  CHECK(contains(caption_of({.start = "initial", .targets = "drawn", .points = 1}), "a dot is a target;"));
   CHECK(contains(figures[2].caption, "a dot is the median of a run"));
   const CurveRow row = by_point(asked, "position_error_cm", look_of_study(asked), Average::median).at(0).rows.at(0);
   CHECK(row.x == 1);
