@@ -284,7 +284,7 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
     return finding.verdict == Verdict::not_tested || places(finding).second == std::ssize(shown);
   });
   std::string only;
-  if (findings.size() > most_pairs && metric.plan.control.empty()) {
+  if (findings.size() > most_drawn_pairs && metric.plan.control.empty()) {
     std::erase_if(findings, [&](const Finding& finding) { return places(finding).first != 0; });
     only = fmt::format(" Only the pairs of {}.", shown.front());
   }

@@ -27,7 +27,7 @@ struct Look {
 Look look_of(std::vector<results::Series> solvers, results::FigureStyle style);
 Look look_of(const compare::JudgedStudy& judged, results::FigureStyle style);  // solvers in the order of its table
 
-constexpr std::size_t most_pairs = 15;  // of more only those of the reference
+constexpr std::size_t most_drawn_pairs = 15;  // of more only those of the reference
 
 // Those of figures.inc for which the study has values.
 struct KindOfFigure {

@@ -79,7 +79,7 @@ std::vector<Kind*> all_in(std::vector<Blocks>& sections) {
 
 // Leaves readers the pairs that were tested, if any, and of many those of the reference.
 void keep_telling(Table& pairs, const Answer& answer) {
-  const bool are_many = answer.decisive().findings.size() > figures::most_pairs;
+  const bool are_many = answer.decisive().findings.size() > figures::most_drawn_pairs;
   const std::string reference = reference_of(answer);
   const auto is_untested = [](const std::vector<Cell>& row) { return std::holds_alternative<std::monostate>(row[6]); };
   if (std::ranges::all_of(pairs.rows, is_untested)) return;
