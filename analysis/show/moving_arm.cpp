@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "analysis/figures/of_study.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
 #include "numerics/json.hpp"
@@ -49,21 +50,21 @@ Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
 Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm) {
   const std::span<const SolveRecord> solves = study.first_run_of(solver);
   if (solves.empty()) return nullptr;
-  const bool in_mm = study.definition.published.empty();  // as in tables
+  const auto [unit, factor] = figures::drawn_unit(study, "cm");
   Json steps = Json::array();
   const SolveRecord* before = nullptr;
   for (const SolveRecord& solve : solves.first(std::min(solves.size(), most_points))) {
     Json step{{"point", solve.point},
               {"target", rounded(solve.target_position_m)},
               {"answer", rounded(solve.answer_rad)},
-              {"error", (in_mm ? 10 : 1) * solve.position_error_cm},
+              {"error", factor * solve.position_error_cm},
               {"variation_deg", solve.variation_deg},
               {"outside", joints_outside(solve, arm)}};
     if (!before || before->answer_rad != solve.start_rad) step["start"] = rounded(solve.start_rad);
     steps.push_back(std::move(step));
     before = &solve;
   }
-  return {{"name", one_line(solver)}, {"unit", in_mm ? "mm" : "cm"}, {"steps", std::move(steps)}};
+  return {{"name", one_line(solver)}, {"unit", unit}, {"steps", std::move(steps)}};
 }
 
 Json drawn(const robots::Frame& frame) {
