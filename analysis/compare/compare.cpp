@@ -370,8 +370,8 @@ Finding better_first(Finding finding, std::string_view control, bool is_second_a
   std::swap(finding.first, finding.second);
   const auto turn = [&](double value) { return finding.scale == Scale::ratio ? 1 / value : 0 - value; };
   if (finding.estimate) finding.estimate = turn(*finding.estimate);
-  if (const auto of = finding.interval)
-    finding.interval = Interval{turn(of->high), turn(of->low), of->excludes_high, of->excludes_low};
+  if (const auto ends = finding.interval)
+    finding.interval = Interval{turn(ends->high), turn(ends->low), ends->excludes_high, ends->excludes_low};
   if (finding.effect) finding.effect = 1 - *finding.effect;
   finding.verdict = turned(finding.verdict);
   return finding;

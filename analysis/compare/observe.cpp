@@ -180,16 +180,16 @@ auto is_timed(Timing how) {
 // Who was slowed, and by what. No solver, but a doubt: of all.
 std::vector<Doubt> doubts_of_load(const StudyResults& study) {
   Doubts doubts;
-  const auto of = [](const char* what) { return Doubt{.kind = DoubtKind::times_not_comparable, .what = what}; };
-  add(doubts, study, of("solved in parallel"), is_timed(Timing::parallel));
-  add(doubts, study, of("a debug build"), is_timed(Timing::debug_build));
+  const auto doubt_of = [](const char* what) { return Doubt{.kind = DoubtKind::times_not_comparable, .what = what}; };
+  add(doubts, study, doubt_of("solved in parallel"), is_timed(Timing::parallel));
+  add(doubts, study, doubt_of("a debug build"), is_timed(Timing::debug_build));
   // Machines differ if their processors do, or both name and start: one that starts again keeps its name, and
   // containers on it have their own.
   const auto differ = [&](const char* fact) { return facts_of(study, fact).size() > 1; };
-  if (differ("cpu") || (differ("host") && differ("boot"))) doubts.push_back(of("several machines"));
+  if (differ("cpu") || (differ("host") && differ("boot"))) doubts.push_back(doubt_of("several machines"));
   for (Doubt& doubt : doubts) doubt.who.clear();
   if (!doubts.empty()) return {doubts.front()};
-  add_counts(doubts, study, of("the machine was busy"), [&](const std::string& solver) {
+  add_counts(doubts, study, doubt_of("the machine was busy"), [&](const std::string& solver) {
     const auto disturbed = std::ranges::count_if(study.of(solver), &Solve::was_disturbed);
     const auto clean = std::ranges::count_if(study.of(solver), is_timed(Timing::clean));
     return std::pair(disturbed > 1 && 10 * disturbed > clean ? disturbed : 0, clean);
@@ -205,7 +205,7 @@ std::vector<std::string> measured_apart(const StudyResults& study) {
     for (const Solve& solve : study.of(solver)) sessions.insert(solve.session);
     if (!sessions.empty()) solvers_of[sessions].push_back(solver);
   }
-  const auto size = [](const auto& of) { return of.second.size(); };
+  const auto size = [](const auto& entry) { return entry.second.size(); };
   if (!solvers_of.empty()) solvers_of.erase(std::ranges::max_element(solvers_of, {}, size));
   std::vector<std::string> apart;
   for (const auto& [sessions, solvers] : solvers_of) apart.insert(apart.end(), solvers.begin(), solvers.end());

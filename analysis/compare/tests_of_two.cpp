@@ -297,9 +297,9 @@ Tested rank_test(Values first, Values second, double alpha) {
     }
     return from;
   };
-  if (const auto of = tested.interval)
-    tested.interval = Interval{reached(of->low, first_rising.front() - second_rising.back()),
-                               reached(of->high, first_rising.back() - second_rising.front())};
+  if (const auto interval = tested.interval)
+    tested.interval = Interval{reached(interval->low, first_rising.front() - second_rising.back()),
+                               reached(interval->high, first_rising.back() - second_rising.front())};
   tested.p = std::max(brunner_munzel(first_rising, second_rising), mann_whitney(first, second));
   tested.direction = sign_of(a12(first, second) - 0.5);
   return tested;

@@ -48,12 +48,13 @@ std::string caption_of_boxes(std::string_view quantity, std::string_view observa
 
 // None where solvers solved different targets, and so their values do not compare.
 std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view column, const Look& look) {
-  const JudgedMetric* const of = judged_of(judged, column);
-  if (of == nullptr || of->observations.is_of_solved) return std::nullopt;
+  const JudgedMetric* const values = judged_of(judged, column);
+  if (values == nullptr || values->observations.is_of_solved) return std::nullopt;
   const Metric& metric = metric_named(column);
   const About about =
       about_of(judged.study, metric, caption_of_boxes(metric.name, observation_of(judged.study, metric)));
-  return boxes(about, box_rows(*of, drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
+  return boxes(about,
+               box_rows(*values, drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
 }
 
 // Solvers whose values of a metric are not compared; all, where those of none are.

@@ -368,8 +368,8 @@ Table anova_table(const Answer& answer) {
   for (const JudgedMetric& judged : answer.metrics) {
     const std::string& quantity = judged.observations.quantity;
     if (is_share(judged) || judged.plan.test != results::Plan::Test::means) continue;
-    if (const auto of = compare::anova(judged.observations))
-      table.rows.push_back({quantity, "ANOVA (F)", of->statistic, count(of->df), count(of->df_within), of->p});
+    if (const auto test = compare::anova(judged.observations))
+      table.rows.push_back({quantity, "ANOVA (F)", test->statistic, count(test->df), count(test->df_within), test->p});
   }
   return table;
 }

@@ -55,8 +55,8 @@ struct Readable {
 };
 
 bool excludes_end(const Cell& cell) {
-  const auto* of = std::get_if<compare::Interval>(&cell);
-  return of && (of->excludes_low || of->excludes_high);
+  const auto* interval = std::get_if<compare::Interval>(&cell);
+  return interval && (interval->excludes_low || interval->excludes_high);
 }
 
 // Of which kinds the cells of a column are: what files of numbers have columns for.
@@ -142,7 +142,7 @@ std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const
   Json value;
   if (const auto* text = std::get_if<std::string>(&cell)) value = *text;
   if (const auto* count = std::get_if<std::int64_t>(&cell)) value = *count;
-  if (const auto* of = std::get_if<double>(&cell)) value = number(*of);
+  if (const auto* plain = std::get_if<double>(&cell)) value = number(*plain);
   if (printed) value = number(printed->ours);
   if (marked && !marked->to_reference) value = number(marked->value);
   std::vector<std::pair<std::string_view, Json>> all;
@@ -184,14 +184,16 @@ std::string latex_cell(const Cell& cell, const Column& column) {
   const Readable read{latex_number, column, "$\\le$ ", "--"};
   if (std::holds_alternative<std::string>(cell) || std::holds_alternative<Printed>(cell))
     return latex_text(std::visit(read, cell));
-  if (const auto* of = std::get_if<Marked>(&cell)) {
-    std::string text = read(Marked{.value = of->value, .is_bound = of->is_bound, .to_reference = of->to_reference});
-    if (of->is_best) text = fmt::format("\\textbf{{{}}}", text);
-    if (of->interval) {
-      const std::string whole = read(Marked{.value = of->value, .interval = of->interval});
+  if (const auto* marked = std::get_if<Marked>(&cell)) {
+    std::string text =
+        read(Marked{.value = marked->value, .is_bound = marked->is_bound, .to_reference = marked->to_reference});
+    if (marked->is_best) text = fmt::format("\\textbf{{{}}}", text);
+    if (marked->interval) {
+      const std::string whole = read(Marked{.value = marked->value, .interval = marked->interval});
       text += fmt::format(" & {{\\scriptsize {}}}", whole.substr(whole.find('(')));
     }
-    return text + (of->mark.empty() ? "" : fmt::format("\\rlap{{\\,{}}}", latex_text(of->mark)));  // digits align
+    return text +
+           (marked->mark.empty() ? "" : fmt::format("\\rlap{{\\,{}}}", latex_text(marked->mark)));  // digits align
   }
   if (const auto* p = std::get_if<double>(&cell); p && column.is_p && *p < 0.0001) return "$<$ 0.0001";
   return std::visit(read, cell);
@@ -324,11 +326,12 @@ std::string to_html(const Table& whole) {
   const std::vector<Kinds> kinds = kinds_of(table);
   const Rows rows = readable(table, html_text);
   const auto cell_of = [&](std::size_t r, std::size_t c) {  // digits align, without the mark
-    const auto* const of = r == 0 ? nullptr : std::get_if<Marked>(&table.rows[r - 1][c]);
+    const auto* const marked = r == 0 ? nullptr : std::get_if<Marked>(&table.rows[r - 1][c]);
     std::string text = rows[r][c];
-    if (of && !of->mark.empty())
-      text.replace(text.size() - of->mark.size() - 1, std::string::npos, fmt::format("<i>{}</i>", html_text(of->mark)));
-    return of && of->is_best ? fmt::format("<b>{}</b>", text) : text;
+    if (marked && !marked->mark.empty())
+      text.replace(text.size() - marked->mark.size() - 1, std::string::npos,
+                   fmt::format("<i>{}</i>", html_text(marked->mark)));
+    return marked && marked->is_best ? fmt::format("<b>{}</b>", text) : text;
   };
   const auto line = [&](std::size_t r, std::string_view tag) {
     const std::vector<std::string>& row = rows[r];

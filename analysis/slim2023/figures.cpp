@@ -69,8 +69,8 @@ Figures of_helix(const JudgedStudy& judged, const Look& look) {
         box_rows(*values, drawn_unit(study, values->observations.unit), drawn_solvers(study, look), look);
     const papers::PrintedRows printed = metric.column == time ? papers::PrintedRows() : in_print(metric.column);
     for (BoxRow& row : boxed) {
-      if (const auto* const of = papers::row_of(printed, row.label))
-        row.printed = {of->numbers.smallest, of->numbers.median, of->numbers.largest};
+      if (const auto* const its = papers::row_of(printed, row.label))
+        row.printed = {its->numbers.smallest, its->numbers.median, its->numbers.largest};
     }
     figures.push_back(numbered(metric.boxes, boxes(about, boxed)));
   }
