@@ -46,7 +46,7 @@ using JudgedClaims = std::vector<JudgedClaim>;
 
 struct Rule {
   std::string_view name;
-  JudgedClaims (*judge)(const Claim& claim, const Repeated& repeated);
+  JudgedClaims (*verdict)(const Claim& claim, const Repeated& repeated);
   bool is_of_metrics = true;
 };
 // better: its solvers are better than the others in each metric. ahead: its solver is better than each other in some
