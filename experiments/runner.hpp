@@ -55,9 +55,9 @@ bool moves_arm(const results::SolveRecord& solve, Start start);
 // Solves one target by one solver; the record has every number that a study would have.
 results::SolveRecord solve_once(const Study& study, const SolverEntry& entry, const robots::Pose& target);
 
-// A check that computes errors, joint motion and status of a study's solves again, from arm, target, start and answer
-// of each, which come by solver, run and point. It throws std::invalid_argument, with the solve's place, where they
-// differ, or where an arm jumped between two solves of a chain; recheck_of throws it if there is no arm.
+// A check (recheck.cpp) that computes errors, joint motion and status of a study's solves again, from arm, target,
+// start and answer of each, which come by solver, run and point. It throws std::invalid_argument, with the solve's
+// place, where they differ, or where an arm jumped between two solves of a chain; recheck_of throws it without an arm.
 results::TakeSolve recheck_of(const results::StoredStudy& study);
 
 }  // namespace ikbench::experiments

@@ -34,7 +34,7 @@ struct Doubt {
   std::string what = {};              // why, in a few words: "solved in parallel"
 };
 
-// A line: "times of mine are not compared: the machine was busy in 100 of 100 solves".
+// A line (doubt.cpp): "times of mine are not compared: the machine was busy in 100 of 100 solves".
 std::string words_of(const Doubt& doubt);
 
 enum class Better { smaller, larger };

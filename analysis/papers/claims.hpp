@@ -1,4 +1,4 @@
-// The claims of a paper, each with a verdict, a number and why, and the rules that judge them.
+// The claims of a paper, each with a verdict, a number and why, and the rules that judge them (rules.cpp).
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// A paper is data: the file of its name here, and its printed tables (results/published), with their digits.
+// A paper is data: the file of its name here, and its printed tables (results/published; read in published.cpp).
 #pragma once
 
 #include <array>

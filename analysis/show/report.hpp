@@ -1,4 +1,4 @@
-// The report of a study: sections of blocks, written as a page, as Markdown and as files.
+// The report of a study: its sections of blocks (sections.cpp), as a page, as Markdown (both page.cpp) and as files.
 #pragma once
 
 #include <filesystem>
@@ -55,20 +55,20 @@ struct Written {
 Written publish(const Report& report, const std::filesystem::path& folder, const figures::RenderOptions& options,
                 const std::string& program = {});
 
-// The last screen of `run`, `report`, `compare` and `stats`: the headline, the table of results, pairs, warnings; where
-// `page` is, if it is not empty. Pairs are those of the metric of the headline, up to most_pairs (words.hpp); where
-// there are only two groups, those of every metric.
+// The last screen of `run`, `report`, `compare` and `stats` (screen.cpp): the headline, the table of results, pairs,
+// warnings; where `page` is, if it is not empty. Pairs are those of the metric of the headline, up to most_pairs
+// (words.hpp); where there are only two groups, those of every metric.
 std::string screen(const Answer& answer, const std::string& page = {});
 
-// Of the page's moving arm. JSON, safe inside a script element: the arm, and targets, starts and answers of each
-// solver's first run with the joints outside their limits (at most 200 points of 24 solvers, in the given order of
-// labels). nullopt if the definition does not describe the arm or nothing is solved.
+// Of the page's moving arm (moving_arm.cpp). JSON, safe inside a script element: the arm, and targets, starts and
+// answers of each solver's first run with the joints outside their limits (at most 200 points of 24 solvers, in the
+// given order of labels). nullopt if the definition does not describe the arm or nothing is solved.
 std::optional<std::string> moving_arm(const compare::StudyResults& study, const std::vector<std::string>& order);
 
 // Name and meaning of each figure that some report has, whose files begin with it.
 std::vector<std::pair<std::string, std::string>> all_figures();
 
-// The installed three.js and its OrbitControls; nullopt if they are not installed.
+// The installed three.js and its OrbitControls (moving_arm.cpp); nullopt if they are not installed.
 std::optional<std::string> drawing_library();
 
 }  // namespace ikbench::show
