@@ -98,7 +98,7 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
 
 // "mine is worse than PSO: in solved and error. Not decided: joint motion."
 std::string verdict_of(const Gate& gate) {
-  const std::vector<std::string>& solvers = gate.judged.study.solvers;
+  const std::vector<std::string>& solvers = gate.judged.study.labels;
   const bool is_worse = !gate.worse.empty();
   const bool is_apart = gate.judged.metrics.front().findings.front().why == Why::apart;
   std::vector<std::string> parts;
@@ -123,7 +123,7 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
   int solves = 0;
   for (const Gate& gate : all) {
     if (!gate.are_same) continue;
-    names.push_back(gate.label.empty() ? show::listed(gate.judged.study.solvers) : gate.label);
+    names.push_back(gate.label.empty() ? show::listed(gate.judged.study.labels) : gate.label);
     solves += gate.judged.metrics.back().described.front().n;
   }
   if (names.empty()) return "";
@@ -149,7 +149,7 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
   numerics::OrderedJson json;
   std::vector<std::string> sentences;
   for (const Gate& gate : all) {
-    const std::string& label = gate.label.empty() ? gate.judged.study.solvers.front() : gate.label;
+    const std::string& label = gate.label.empty() ? gate.judged.study.labels.front() : gate.label;
     numerics::OrderedJson of = show::to_json(answer_of(gate));
     for (const char* rows : {"groups", "tests", "findings"}) {
       for (auto& row : of[rows]) row["label"] = label;

@@ -43,7 +43,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     names.push_back(entry.name);
     arms.push_back(judged.study.definition.robot);
     folders.push_back(std::filesystem::path(file).parent_path().filename());
-    solvers.insert(judged.study.solvers.begin(), judged.study.solvers.end());
+    solvers.insert(judged.study.labels.begin(), judged.study.labels.end());
     studies.push_back(show::answer_of(judged));
   }
   const auto tell_apart = [](const std::vector<std::string>& all) {

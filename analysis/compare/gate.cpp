@@ -28,16 +28,15 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
       {a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance, "tolerances"}};
   for (const auto& [differ, what] : differences) {
     if (differ)
-      throw std::invalid_argument(
-          fmt::format("not compared: {} has other {} than before", other.solvers.front(), what));
+      throw std::invalid_argument(fmt::format("not compared: {} has other {} than before", other.labels.front(), what));
   }
 }
 
 // Of both stores, as solvers of one study. Takes their solves.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both) {
-  const std::string label = both.solvers.front();
-  both.solvers = {label + " now", label + " before"};
-  both.entry.series = {{.label = both.solvers.front()}, {.label = both.solvers.back()}};
+  const std::string label = both.labels.front();
+  both.labels = {label + " now", label + " before"};
+  both.entry.series = {{.label = both.labels.front()}, {.label = both.labels.back()}};
   both.drawn = {};
   const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
   for (Session& session : std::exchange(baseline.sessions, {})) {
@@ -62,7 +61,7 @@ std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyRes
   const auto add = [&](const char* unit, auto ours, auto theirs) {
     if (ours == theirs) return;
     doubts.push_back({.kind = DoubtKind::budgets_differ,
-                      .who = both.solvers,
+                      .who = both.labels,
                       .what = fmt::format("budgets differ: {} and {} {} a solve", ours, theirs, unit)});
   };
   add("iterations", a.iterations, b.iterations);
@@ -74,7 +73,7 @@ std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyRes
 // Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
 Observations observed_answers(const StudyResults& study, bool machine_decides) {
   Observations observed{.metric = "answers", .quantity = "answered", .better = Better::larger, .scale = Scale::share};
-  for (const std::string& solver : study.solvers) {
+  for (const std::string& solver : study.labels) {
     Group& group = observed.groups.emplace_back(Group{.name = solver});
     for (const Solve& solve : study.of(solver))
       group.values.push_back(gave_answer(solve) || (machine_decides && solve.status == results::Status::over_budget));
@@ -110,7 +109,7 @@ void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
 }  // namespace
 
 Gate gate(StudyResults study, const std::string& label) {
-  const std::string candidate = study.solvers.front(), baseline = study.solvers.back();
+  const std::string candidate = study.labels.front(), baseline = study.labels.back();
   const Solves ours = study.of(candidate), theirs = study.of(baseline);
   const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
   if (theirs.empty() || !std::ranges::equal(ours, theirs, {}, place, place))
@@ -130,7 +129,7 @@ Gate gate(StudyResults study, const std::string& label) {
 
 Gate gate(StudyResults baseline, StudyResults candidate) {
   refuse_other_task(baseline, candidate);
-  const std::string label = candidate.solvers.front();
+  const std::string label = candidate.labels.front();
   Gate both = gate(study_of_both(baseline, std::move(candidate)), label);
   refuse_vanished(both.judged, label);
   std::ranges::move(doubts_of_limits(baseline, both.judged.study), std::back_inserter(both.judged.doubts));

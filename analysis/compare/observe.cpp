@@ -154,7 +154,7 @@ void add(Doubts& doubts, Doubt doubt) {
 // Adds a doubt of all solvers with a count, which stands before of how many.
 template <class Counted>
 void add_counts(Doubts& doubts, const StudyResults& study, Doubt doubt, Counted counted) {
-  for (const std::string& solver : study.solvers) {
+  for (const std::string& solver : study.labels) {
     const auto [count, of] = counted(solver);
     if (count <= 0) continue;
     doubt.who.push_back(solver);
@@ -200,7 +200,7 @@ std::vector<Doubt> doubts_of_load(const StudyResults& study) {
 // Those that were solved in other sessions than most.
 std::vector<std::string> measured_apart(const StudyResults& study) {
   std::map<std::set<int>, std::vector<std::string>> solvers_of;
-  for (const std::string& solver : study.solvers) {
+  for (const std::string& solver : study.labels) {
     std::set<int> sessions;
     for (const Solve& solve : study.of(solver)) sessions.insert(solve.session);
     if (!sessions.empty()) solvers_of[sessions].push_back(solver);
@@ -214,7 +214,7 @@ std::vector<std::string> measured_apart(const StudyResults& study) {
 
 // Those whose solves are another's, so that only the machine can make their times differ; the control is none.
 std::vector<std::string> copies_of_others(const StudyResults& study) {
-  std::vector<std::string> copies, originals, solvers = study.solvers;
+  std::vector<std::string> copies, originals, solvers = study.labels;
   const auto is_control = [&](const std::string& each) { return each == study.definition.plan.control; };
   std::stable_partition(solvers.begin(), solvers.end(), is_control);
   for (const std::string& solver : solvers) {
@@ -231,7 +231,7 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   if (!doubts.empty() && doubts.front().who.empty()) return doubts;
   constexpr std::size_t fewest_turns = 5;  // at being first: fewer leave a drift of the machine in the times
   const auto takes_turns = [&](const auto& solver) { return runs_of(study.of(solver)).size() >= fewest_turns; };
-  if (study.solvers.size() > 1 && std::ranges::none_of(study.solvers, takes_turns))
+  if (study.labels.size() > 1 && std::ranges::none_of(study.labels, takes_turns))
     return {{.kind = DoubtKind::times_not_comparable, .what = "one solver after the other"}};
   const auto add_of = [&](std::vector<std::string> who, const char* what) {  // one reason is enough
     for (const Doubt& told : doubts)
@@ -240,11 +240,11 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   };
   add_of(measured_apart(study), "measured in another session");
   add_of(copies_of_others(study), "all solves are another's, bit for bit");
-  std::vector<std::string> programs = study.solvers;
+  std::vector<std::string> programs = study.labels;
   std::erase_if(programs, [&](const std::string& solver) {
     return std::ranges::none_of(study.of(solver), is_timed(Timing::process));
   });
-  if (programs.size() < study.solvers.size()) add_of(std::move(programs), "messages are in them");
+  if (programs.size() < study.labels.size()) add_of(std::move(programs), "messages are in them");
   return doubts;
 }
 
@@ -257,7 +257,7 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
   if (!measured_apart(study).empty()) doubts.push_back({.what = "measured in different sessions"});
   for (Doubt& doubt : doubts) {
     doubt.kind = DoubtKind::seconds_decide;
-    if (doubt.who.empty()) doubt.who = study.solvers;
+    if (doubt.who.empty()) doubt.who = study.labels;
     std::erase_if(doubt.who,
                   [&](const std::string& solver) { return std::ranges::none_of(study.of(solver), is_ended); });
   }
@@ -277,7 +277,7 @@ void add_of_budgets(Doubts& doubts, const StudyResults& study) {
   if (study.definition.stop.seconds > 0) return;
   std::string fewest, most;
   double few = std::numeric_limits<double>::infinity(), many = 0;
-  for (const std::string& solver : study.solvers) {
+  for (const std::string& solver : study.labels) {
     double evaluations = 0, limited = 0, uncounted = 0;
     const Solves all = study.of(solver);
     for (const Solve& solve : all) {
@@ -317,7 +317,7 @@ void add_of_plan(Doubts& doubts, const StudyResults& study) {
 void add_of_repeats(Doubts& doubts, const StudyResults& study) {
   if (design_of(study, false).is_paired) return;
   std::map<std::size_t, std::vector<std::string>> repeating;  // solvers, by their number of runs
-  for (const std::string& solver : study.solvers) {
+  for (const std::string& solver : study.labels) {
     if (repeats_itself(study, solver)) repeating[complete_runs_of(study, solver).size()].push_back(solver);
   }
   for (const auto& [runs, who] : repeating)
@@ -368,7 +368,7 @@ Observations observe(const StudyResults& study, const Metric& metric) {
                         .is_of_solved = is_of_solved(study, metric),
                         .trials = design.solves};
   std::vector<Group>& groups = observed.groups;
-  for (const std::string& solver : study.solvers) groups.push_back(group_of(study, metric, design, solver));
+  for (const std::string& solver : study.labels) groups.push_back(group_of(study, metric, design, solver));
   const auto has_same_blocks = [&](const Group& group) { return group.blocks == groups.front().blocks; };
   if (std::ranges::all_of(groups, has_same_blocks)) {
     for (Group& group : groups) group.blocks.clear();

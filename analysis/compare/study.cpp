@@ -55,7 +55,7 @@ struct Adder {
     if (record.run < 1 || record.point < 1)
       throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
                                               study.entry.name, record.solver, record.run, record.point));
-    const auto solver = static_cast<int>(std::ranges::find(study.solvers, record.solver) - study.solvers.begin());
+    const auto solver = static_cast<int>(std::ranges::find(study.labels, record.solver) - study.labels.begin());
     const bool is_first = study.solves.empty() || study.solves.back().solver != solver;
     if (!record.trace_cm.empty() && study.drawn.size() >= most_traces)
       throw std::invalid_argument(fmt::format("study '{}' has too many solves with a trace; expected at most {}",
@@ -98,7 +98,7 @@ void refuse_other_targets(const StudyResults& study) {
   for (const Solve& solve : study.solves) {
     const Solve& here = *first.try_emplace(place(solve), &solve).first->second;
     if (here.target == solve.target && (here.start == solve.start || is_own(solve))) continue;
-    const auto label = [&](const Solve& its) { return study.solvers[static_cast<std::size_t>(its.solver)]; };
+    const auto label = [&](const Solve& its) { return study.labels[static_cast<std::size_t>(its.solver)]; };
     throw std::invalid_argument(fmt::format(
         "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
         "another folder",
@@ -108,7 +108,7 @@ void refuse_other_targets(const StudyResults& study) {
 }
 
 Solves StudyResults::of(std::string_view solver) const {
-  const auto here = std::ranges::find(solvers, solver) - solvers.begin();
+  const auto here = std::ranges::find(labels, solver) - labels.begin();
   return {std::ranges::lower_bound(solves, here, {}, &Solve::solver),
           std::ranges::upper_bound(solves, here, {}, &Solve::solver)};
 }
@@ -138,7 +138,7 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
   for (const Series& series : entry.series) {
     if (series.label.empty())
       throw std::invalid_argument(fmt::format("study '{}' has a solver without a label; expected one", entry.name));
-    study.solvers.push_back(series.label);
+    study.labels.push_back(series.label);
   }
   study.solves.reserve(static_cast<std::size_t>(all));
   Adder adder{study};
@@ -151,7 +151,7 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
   study.sessions = store.sessions();
   std::erase_if(study.sessions, [&](const Session& session) { return !used.contains(session.id); });
   std::string& control = study.definition.plan.control;
-  if (std::ranges::count(study.solvers, control) == 0) control.clear();
+  if (std::ranges::count(study.labels, control) == 0) control.clear();
   refuse_other_targets(study);
   for (const Series& series : entry.series) {
     if (std::ssize(study.of(series.label)) >= std::int64_t{study.definition.runs} * study.definition.points) continue;

@@ -21,7 +21,7 @@ namespace ikbench::compare {
 // What judging needs of a solve; the columns of results/columns.inc have the same names.
 struct Solve {
   int run = 1, point = 1;
-  int solver = 0;  // its place in StudyResults::solvers
+  int solver = 0;  // its place in StudyResults::labels
   int session = 0;
   results::Status status = results::Status::ok;
   results::StopReason stop_reason = results::StopReason::iterations;
@@ -41,7 +41,7 @@ using Solves = std::span<const Solve>;
 struct StudyResults {
   results::StoredStudy entry;               // name, definition as JSON, series
   results::Definition definition;           // the same, read; a control that is no solver is empty
-  std::vector<std::string> solvers;         // labels, in the order of the study
+  std::vector<std::string> labels;          // of its solvers, in the order of the study
   std::vector<Solve> solves;                // by solver, run and point; only current ones
   std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace
   std::vector<results::Session> sessions;   // that made them

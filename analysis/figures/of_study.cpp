@@ -60,7 +60,7 @@ std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view colum
 // Solvers whose values of a metric are not compared; all, where those of none are.
 std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_view column) {
   const JudgedMetric* const metric = judged_of(judged, column);
-  if (metric == nullptr) return judged.study.solvers;
+  if (metric == nullptr) return judged.study.labels;
   std::vector<std::string> without;
   for (const Group& group : metric->observations.groups) {
     if (group.is_apart) without.push_back(group.name);
@@ -216,7 +216,7 @@ About about_of(const StudyResults& study, const Metric& metric, std::string capt
 }
 
 std::vector<std::string> drawn_solvers(const StudyResults& study, const Look& look) {
-  std::vector<std::string> shown = look.style.solvers.empty() ? study.solvers : look.style.solvers;
+  std::vector<std::string> shown = look.style.solvers.empty() ? study.labels : look.style.solvers;
   std::erase_if(shown, [&](const std::string& solver) { return study.of(solver).empty(); });
   return shown;
 }

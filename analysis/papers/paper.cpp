@@ -245,7 +245,7 @@ show::Table means_table(const Repeated& repeated) {
   show::Table table{
       .name = "means", .caption = fmt::format("Means of {}, here and as printed", runs), .columns = {{"solver"}}};
   Explained count;
-  for (const std::string& solver : study.solvers) table.rows.push_back({solver});
+  for (const std::string& solver : study.labels) table.rows.push_back({solver});
   for (const JudgedMetric& judged : repeated.study.metrics) {
     const Observations& observations = judged.observations;
     const auto metric = std::ranges::find(metrics(), observations.metric, &Metric::slug);
@@ -253,7 +253,7 @@ show::Table means_table(const Repeated& repeated) {
     if (printed.empty() || metric->unit == "s") continue;  // of another machine
     table.columns.push_back({observations.quantity, observations.unit});
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
-      table.rows[i].push_back(beside(judged, study.solvers[i], row_of(printed, study.solvers[i])).front());
+      table.rows[i].push_back(beside(judged, study.labels[i], row_of(printed, study.labels[i])).front());
       count.add(table.rows[i].back());
     }
   }

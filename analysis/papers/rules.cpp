@@ -121,7 +121,7 @@ Names same_there(const Claim& claim, const Repeated& repeated) {
   if (claim.from != From::others || study_of(claim, repeated) == nullptr) return same;
   const std::span<const Solve> ours = study_of(claim, repeated, false)->study.of(claim.solvers.front());
   const StudyResults& there = study_of(claim, repeated)->study;
-  for (const std::string& rival : there.solvers) {
+  for (const std::string& rival : there.labels) {
     if (is_rival(rival, claim) && have_same_solves(ours, there.of(rival))) same.push_back(name_of_rival(rival, claim));
   }
   return same;

@@ -456,7 +456,7 @@ std::string methods_of(const Answer& answer, const StudyResults& study) {
   };
   std::string text = fmt::format(
       "{} had {}{} ({}; search: {}) with the arm {}; each solve started {} and ended at {}; the machine was {}.",
-      listed(study.solvers), study.solvers.size() > 1 ? "the same " : "", targets, with_blanks(definition.path),
+      listed(study.labels), study.labels.size() > 1 ? "the same " : "", targets, with_blanks(definition.path),
       with_blanks(name_of(definition.search)), definition.robot,
       definition.is_chained() ? "at the last answer"
                               : "from its " + with_blanks(name_of(definition.start)) + " position",

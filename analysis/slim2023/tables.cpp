@@ -31,7 +31,7 @@ std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& ano
 }  // namespace
 
 Table table_3(const Repeated& repeated) {
-  const std::vector<std::string>& solvers = repeated.study.study.solvers;
+  const std::vector<std::string>& solvers = repeated.study.study.labels;
   Table table{.name = "table-3",
               .caption = "Table 3: statistics of the runs",
               .columns = {{"solver"}, {"statistic"}},
@@ -92,7 +92,7 @@ std::optional<Table> table_7(const Repeated& repeated) {
               .notes = {"Each solve counts, also one that does not reach the tolerance."}};
   for (const Statistic& statistic : statistics) table.columns.push_back({std::string(statistic.column), "ms"});
   table.columns.push_back({"median iterations"});
-  for (const std::string& solver : study.solvers) {
+  for (const std::string& solver : study.labels) {
     std::int64_t reached = 0, in_time = 0;  // wherever the joints are
     Group ms, iterations;
     for (const Solve& solve : study.of(solver)) {
@@ -122,7 +122,7 @@ std::optional<Table> table_8(const Repeated& repeated) {
     table.columns.push_back({fmt::format("theta {}", joint), "deg"});
   table.columns.push_back({"position error", "cm"});
   std::size_t agreeing = 0;
-  for (const SolveRecord& solve : study.first_run_of(study.solvers.front())) {
+  for (const SolveRecord& solve : study.first_run_of(study.labels.front())) {
     auto& row = table.rows.emplace_back(std::vector<Cell>{std::int64_t{solve.point}});
     for (std::size_t c = 1; c <= angles + 1; ++c) {
       const bool is_angle = c <= angles;

@@ -189,7 +189,7 @@ TEST_CASE("two labels of one study are compared as two versions are") {
     solve.evaluations = solve.solver == "B" ? 300 + solve.point : 100 + solve.point;
   };
   const Gate gate = gate_of(of_100, slower);
-  CHECK(gate.judged.study.solvers == Names{"B", "A"});
+  CHECK(gate.judged.study.labels == Names{"B", "A"});
   CHECK(gate.worse == Names{"evaluations"});
 }
 

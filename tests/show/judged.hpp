@@ -71,7 +71,7 @@ inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
   definition.seed = 1;
   definition.draws_targets = true;
   definition.stop = {.iterations = 100, .tolerance = 0.0001, .evaluations = 4000};
-  study.solvers = {mine, "PSO", "DLS"};
+  study.labels = {mine, "PSO", "DLS"};
   study.sessions = {{.id = 1, .environment = {{"cpu", "a processor"}, {"os", "Linux"}, {"version", "2.0"}}}};
 
   all.metrics.push_back(judged(shares({{mine, solved(6)}, {"PSO", solved(13)}, {"DLS", solved(20)}})));

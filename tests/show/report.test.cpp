@@ -325,10 +325,10 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
       {"joint": "turns", "offset_deg": 0, "d_m": 0, "a_m": 1, "alpha_deg": 0, "limits_deg": [-90, 90]},
       {"joint": "turns", "offset_deg": 0, "d_m": 0, "a_m": 1, "alpha_deg": 0, "limits_deg": [-90, 90]}],
       "base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}, "tool": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}})";
-  study.solvers = {"</script>", "B"};
+  study.labels = {"</script>", "B"};
   study.definition.runs = 2;
   study.definition.points = 1;
-  for (const std::string& solver : study.solvers) {
+  for (const std::string& solver : study.labels) {
     for (const int run : {1, 2}) {
       results::SolveRecord solve{.solver = solver, .run = run};
       solve.target_position_m = {1, 1, 0};
@@ -339,7 +339,7 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
       study.drawn.push_back(solve);
     }
   }
-  const auto scene = moving_arm(study, study.solvers);
+  const auto scene = moving_arm(study, study.labels);
   REQUIRE(scene);
   CHECK(scene->find('<') == std::string::npos);
   const auto json = numerics::parsed_json(*scene);
@@ -349,5 +349,5 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
   CHECK(json["solvers"][1]["steps"][0]["error"] == 1);
   CHECK(json["solvers"][1]["steps"][0]["outside"][0]["joint"] == 1);
   study.definition.arm.clear();
-  CHECK_FALSE(moving_arm(study, study.solvers));
+  CHECK_FALSE(moving_arm(study, study.labels));
 }
