@@ -26,7 +26,7 @@ void write_through(const std::filesystem::path& file, const Contents& contents);
 void write_folder(const std::filesystem::path& folder, const std::function<void(const std::filesystem::path&)>& fill);
 // Refuses a link in place of a report's tables/ or figures/: what it leads to belongs to somebody else.
 void refuse_links(const std::filesystem::path& folder);
-// Reads a regular file, where a link leads too; nothing if it cannot be read.
+// Reads a regular file, where a link leads too; nothing if it cannot be read. A user's own: numerics/inputs.hpp.
 std::optional<std::string> read_file(const std::filesystem::path& file);
 
 // A new folder .ikbench-XXXXXX inside another, for unfinished work; removed at the end, and what a killed process left
