@@ -214,14 +214,15 @@ std::vector<std::string> measured_apart(const StudyResults& study) {
 
 // Those whose solves are another's, so that only the machine can make their times differ; the control is none.
 std::vector<std::string> copies_of_others(const StudyResults& study) {
-  std::vector<std::string> copies, originals, solvers = study.labels;
+  std::vector<std::string> copies, solvers = study.labels;
+  std::vector<Solves> earlier;
   const auto is_control = [&](const std::string& each) { return each == study.definition.plan.control; };
   std::stable_partition(solvers.begin(), solvers.end(), is_control);
   for (const std::string& solver : solvers) {
-    const bool is_copy = !study.of(solver).empty() && std::ranges::any_of(originals, [&](const std::string& original) {
-      return have_same_solves(study.of(original), study.of(solver));
-    });
-    (is_copy ? copies : originals).push_back(solver);
+    const Solves all = study.of(solver);
+    const auto is_same = [&](Solves other) { return !all.empty() && have_same_solves(other, all); };
+    if (std::ranges::any_of(earlier, is_same)) copies.push_back(solver);
+    earlier.push_back(all);
   }
   return copies;
 }
