@@ -31,12 +31,6 @@ bool hangs_on_reading(const Claim& claim) {
          contains(metrics_of_readings, claim.metrics.front()->column);
 }
 
-// Of each pair alone, by Welch's t, at its part of the significance, as a report judges a pair of these solvers.
-Plan plan_of_pairs(const Plan& plan, std::size_t solvers) {
-  const auto k = static_cast<double>(solvers);
-  return {.test = Plan::Test::means, .significance = plan.significance / (k * (k - 1) / 2), .margin = plan.margin};
-}
-
 Verdict verdict_of(const Group& own, const Group& theirs, const Claim& claim, const Plan& plan) {
   const Metric& metric = *claim.metrics.front();
   Observations observed{.metric = std::string(metric.slug),
@@ -80,7 +74,10 @@ std::vector<Part> parts_of(const SolvedMultiverse& multiverse, const Claim& clai
     if (!contains(claim.solvers, solver)) rivals.push_back(place_of(solvers, solver));
   }
   if (contains(own, k) || contains(rivals, k)) return {};
-  const Plan of_pair = plan_of_pairs(plan, k);
+  // Of each pair alone, by Welch's t, at its part of the significance, as a report judges a pair of these solvers.
+  const Plan of_pair{.test = Plan::Test::means,
+                     .significance = plan.significance / (static_cast<double>(k * (k - 1)) / 2),
+                     .margin = plan.margin};
   std::vector<Part> parts;
   for (const OfStudy& study : multiverse.studies) {
     for (std::size_t seed = 0; seed < study.solvers[0][0].parts.size(); ++seed) {

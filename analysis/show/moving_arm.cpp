@@ -93,13 +93,6 @@ bool can_be_drawn(const StudyResults& study, std::size_t joints) {
   });
 }
 
-// "<" is escaped, so that no text ends the element.
-std::string json_in_page(const Json& json) {
-  std::string text = numerics::text_of(json);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
-  return text;
-}
-
 }  // namespace
 
 std::optional<std::string> moving_arm(const StudyResults& study, const std::vector<std::string>& order) {
@@ -113,7 +106,11 @@ std::optional<std::string> moving_arm(const StudyResults& study, const std::vect
   }
   if (solvers.empty()) return std::nullopt;
   const bool is_path = !study.definition.draws_targets;
-  return json_in_page({{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"solvers", std::move(solvers)}});
+  std::string text =
+      numerics::text_of(Json{{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"solvers", std::move(solvers)}});
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
+    text.replace(at, 1, "\\u003c");  // no text ends the element
+  return text;
 }
 
 std::optional<std::string> drawing_library() {

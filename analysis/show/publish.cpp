@@ -202,13 +202,9 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   leave_out_empty(sections, folder);
   results::write_file(folder / "report.md", to_markdown(sections, folder));
   const std::string& title = report.study.definition.title;
-  std::optional<std::string> arm;
-  if (is_of_study) {
-    std::vector<std::string> order;
-    for (const std::size_t i : report.answer.order)
-      order.push_back(report.answer.decisive().observations.groups[i].name);
-    arm = moving_arm(report.study, order);
-  }
+  std::vector<std::string> order;
+  for (const std::size_t i : report.answer.order) order.push_back(report.answer.decisive().observations.groups[i].name);
+  const std::optional<std::string> arm = moving_arm(report.study, order);
   const auto library = arm ? drawing_library() : std::nullopt;
   if (arm && !library)
     written.warnings.emplace_back("the page has no moving arm: three.js (libjs-three) is missing or cannot be read");
