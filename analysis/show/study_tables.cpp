@@ -207,8 +207,10 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
     const std::string& control = judged.plan.control;
     const auto count = [&](Verdict verdict) { return std::ranges::count(judged.findings, verdict, &Finding::verdict); };
     const std::string whole = headline(answer), ends = judged.findings.empty() ? ";" : ":;";
+    const auto has_end = [&](const Group& group) { return group.name.find_first_of(ends) != std::string::npos; };
+    const bool is_whole = std::ranges::any_of(judged.observations.groups, has_end);
     found.push_back(control.empty() || !best_of(judged).empty()
-                        ? whole.substr(0, std::min(whole.find_first_of(ends), whole.size() - 1))
+                        ? whole.substr(0, std::min(is_whole ? whole.npos : whole.find_first_of(ends), whole.size() - 1))
                         : fmt::format("against the control {}, {} better and {} worse", control, count(Verdict::better),
                                       count(Verdict::worse)));
   }

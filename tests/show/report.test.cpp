@@ -213,6 +213,9 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
   CHECK(std::get<Marked>(table.rows[1][1]).mark == "*");
   CHECK(std::get<Marked>(table.rows[1][2]).is_best);
   CHECK(std::holds_alternative<std::monostate>(table.rows[2][1]));
+  CHECK(found_in_studies({of(20, 5)}, {"one"}) == "one: A is better than B.");
+  const Answer with_colon = answer_of({judged(shares({{"I: A", solved(20)}, {"B", solved(5)}}))});
+  CHECK(contains(found_in_studies({with_colon}, {"one"}), "one: I: A is better than B: "));
   CHECK_FALSE(studies_figure(studies_table({answers[0]}, {"alone"}), answers));
   const figures::Figure figure = studies_figure(table, answers).value();
   CHECK(figure.data == "# row, share [%] of each study\n# A\n1 100 NaN\n# B\n2 50 100\n# C\n3 NaN 25\n");
