@@ -251,7 +251,7 @@ std::optional<figures::Figure> studies_figure(const Table& studies, const std::v
                                 : std::ranges::all_of(answers, has_control) ? "the control"
                                                                             : "the control, else the best";
   std::vector<std::string> key{meaning_of(marks, reference), has_empty ? "- not in the study" : "",
-                               others.empty() ? "" : "without " + listed(others)};
+                               others.empty() ? "" : "without " + names_of(others)};
   std::erase(key, "");
   return figures::bars({.name = "studies", .caption = "Share of targets solved.", .quantity = "solved", .unit = "%"},
                        solvers, panels, key);
