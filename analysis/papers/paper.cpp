@@ -165,6 +165,7 @@ std::vector<Rate> rates_of(const Repeated& repeated) {
         Rate& rate = rates.emplace_back(Rate{.arm = arm->second, .solver = solver});
         rate.is_picked = std::ranges::count(plan.picked, arm->first) > 0;
         rate.printed = printed.number(row, column) / 100;
+        rate.margin = study.definition.plan.margin;
         set_share(rate, study.of(solver), printed.number(row, "n"), plan.level);
       }
     }
@@ -185,10 +186,13 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
     if (rates.empty()) continue;
     std::vector<std::string> others;
     for (const Rate& rate : rates) {
-      if (!rate.is_as_printed())  // "Jaco2 31 % (printed 26.23)"
+      if (rate.is_other())  // "Jaco2 31 % (printed 26.23)"
         others.push_back(fmt::format("{} {:.1f} % (printed {:.2f})", rate.arm, 100 * *rate.share, 100 * rate.printed));
     }
-    const std::string count = fmt::format("on {} of {}", rates.size() - others.size(), rates.size());
+    const auto repeat = std::ranges::count_if(rates, &Rate::is_as_printed);
+    const auto open = std::ssize(rates) - repeat - std::ssize(others);
+    const std::string count =
+        fmt::format("on {}{} of {}", repeat, open > 0 ? fmt::format(" (not decided on {})", open) : "", rates.size());
     counts.push_back(counts.empty() ? fmt::format("{}'s printed rates repeat {} arms", solver, count)
                                     : fmt::format("{}'s {}", solver, count));
     if (!others.empty()) sentences.push_back(fmt::format("{} not on: {}.", solver, show::listed(others, ", ")));
@@ -280,13 +284,16 @@ show::Table rates_table(const Repeated& repeated, bool has_intervals) {
     row.emplace_back(show::Printed{100 * rate.share.value_or(unknown), fmt::format("{:.2f}", 100 * rate.printed),
                                    !rate.share            ? ""
                                    : rate.is_as_printed() ? "~"
-                                                          : "x"});
+                                   : rate.is_other()      ? "x"
+                                                          : "?"});
     if (!has_intervals) continue;
     const auto& [low, high, excludes_low, excludes_high] = rate.interval;
     row.push_back(rate.share ? show::Cell(fmt::format("{:.2f}-{:.2f}", 100 * low, 100 * high)) : show::Cell());
   }
   table.notes.push_back(fmt::format(
-      "~ the printed share is in the {:g} % interval of ours, by the targets of both; x it is not", 100 * plan.level));
+      "~ the printed share is in the {:g} % interval of ours, by the targets of both; x it is not; ? the interval is "
+      "wider than {:g} points to both sides",
+      100 * plan.level, 100 * repeated.study.study.definition.plan.margin));
   if (!plan.picked.empty())
     table.notes.emplace_back("* of several files or sides of the arm, that with the nearest shares");
   if (!plan.note.empty()) table.notes.push_back(plan.note);
@@ -302,8 +309,10 @@ std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
                       .estimate = minus_printed(*rate.share),
                       .low = minus_printed(rate.interval.low),
                       .high = minus_printed(rate.interval.high),
-                      .verdict = rate.is_as_printed() ? "as printed" : "not as printed",
-                      .style = rate.is_as_printed() ? 0 : 1});
+                      .verdict = rate.is_other()        ? "not as printed"
+                                 : rate.is_as_printed() ? "as printed"
+                                                        : "not decided",
+                      .style = rate.is_other() ? 1 : 0});
     }
   }
   return differences(

@@ -121,8 +121,10 @@ struct Rate {
   double printed = 0;
   std::optional<double> share = {};  // none: not solved here
   compare::Interval interval = {};
+  double margin = 0;  // of the study, which matters
 
-  bool is_as_printed() const { return interval.low <= printed && printed <= interval.high; }
+  bool is_other() const { return printed < interval.low || interval.high < printed; }
+  bool is_as_printed() const { return !is_other() && interval.high - interval.low <= 2 * margin; }  // else not decided
 };
 
 // A paper's study with its companions.

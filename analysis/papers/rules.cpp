@@ -253,7 +253,7 @@ JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   for (const auto& [solver, column] : repeated.paper.rates.columns) {
     std::vector<Holds> repeats;
     for (const Rate& rate : rates_of(repeated, solver))
-      repeats.push_back(always_or_on_average(rate.is_as_printed(), false));
+      repeats.push_back(rate.is_other() ? Holds::fails : rate.is_as_printed() ? Holds::holds : Holds::undecided);
     if (repeats.empty()) continue;
     JudgedClaim& result = judged.emplace_back(JudgedClaim{claim});
     result.id = fmt::format("{}-{}", claim.id, solver);

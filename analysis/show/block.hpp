@@ -18,7 +18,7 @@ namespace ikbench::show {
 struct Printed {
   double ours;
   std::string printed;
-  std::string sign = {};  // "~" or "x": whether ours can be it
+  std::string sign = {};  // "~", "x" or "?": whether ours can be it
 };
 // A number with a mark, "*", or its interval, or that is an upper bound; or what stands in its place: a ratio to the
 // reference of the column, or a difference from it, which files of numbers have in a column of their own.

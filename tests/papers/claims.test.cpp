@@ -136,14 +136,14 @@ TEST_CASE("an error is at rounding level within ten spacings of doubles", "[pape
 }
 
 TEST_CASE("a rate is as printed where the two shares do not differ, by the targets of both", "[papers]") {
-  const auto share = [](int kdl, const std::string& robot = "abb_irb120") {
+  const auto share = [](int kdl, const std::string& robot = "abb_irb120", int points = 1000) {
     return study_of({.name = "beeson2015",
                      .paper = "beeson2015",
                      .path = "random",
                      .robot = robot,
                      .solvers = {"KDL", "KDL-RR"},
                      .runs = 1,
-                     .points = 1000,
+                     .points = points,
                      .tolerance_cm = 0.001},
                     [=](SolveRecord& solve) {
                       const int solved = solve.solver == "KDL-RR" ? 985 : kdl;
@@ -170,6 +170,10 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
   CHECK(contains(text(both), "39.41 x"));
   CHECK(contains(text(both), "61.77 ~"));
   CHECK(rates_figure(both)->name == "printed");
+  const JudgedStudy few = share(10, "abb_irb120", 30);  // 33.3 % (19 to 51) and 100 % (89 to 100)
+  CHECK(holds(repeated(few), "rate-KDL") == Holds::undecided);
+  CHECK(holds(repeated(few), "rate-KDL-RR") == Holds::undecided);
+  CHECK(contains(text(repeated(few)), "39.41 ?"));
 }
 
 TEST_CASE("the tally of pairs and of parts", "[papers]") {
