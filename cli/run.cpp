@@ -68,7 +68,8 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
       "  ikbench run my.toml --sweep population=10,20,50 --sweep IK-BA.alpha=0.5,0.9,0.97\n"
-      "  ikbench run slim2023 --shard 3/12        a twelfth, then: ikbench merge out/slim2023 out/slim2023/shards\n\n"
+      "  ikbench run slim2023 --shard 3/12        a twelfth, then:\n"
+      "  ikbench merge out/slim2023 out/slim2023/shards\n\n"
       "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {

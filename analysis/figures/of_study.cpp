@@ -245,8 +245,10 @@ std::vector<BoxRow> box_rows(const JudgedMetric& metric, const DrawnUnit& unit, 
       row.box.back() = finite.empty() ? nowhere : std::ranges::max(finite);
       if (std::isinf(all.upper_quartile)) row.box.fill(nowhere);
     }
-    if (group->values.empty()) row.remark = "no answer";
-    if (group->lost > 0) row.remark += fmt::format("{}{} lost", row.remark.empty() ? "" : ", ", group->lost);
+    if (group->values.empty())
+      row.remark = "no answer";
+    else if (group->lost > 0)
+      row.remark += fmt::format("{}{} lost", row.remark.empty() ? "" : ", ", group->lost);
   }
   return rows;
 }
