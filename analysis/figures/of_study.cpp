@@ -204,7 +204,8 @@ Look look_of(const JudgedStudy& judged, results::FigureStyle style) {
   const auto is_among_first = [&](const results::Series& solver) {
     return std::ranges::find(order, solver.label) - order.begin() < std::ssize(style.palette);
   };
-  std::ranges::stable_partition(solvers, is_among_first);  // which has which colour is no matter of its place
+  // Which of them has which colour is no matter of its place.
+  std::stable_partition(solvers.begin(), solvers.end(), is_among_first);
   Look look = look_of(std::move(solvers), std::move(style));
   look.style.solvers = std::move(order);
   return look;
