@@ -116,7 +116,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
     }
     const std::string verdict(name_of(claim.holds));
     const bool is_new = std::exchange(last, verdict) != verdict;
-    rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 46), claim.number});
+    rows.push_back({is_new ? fmt::format("{:13}", verdict) : "", show::shortened(claim.sentence, 46), claim.number});
   }
   text += show::in_columns(rows, 2);
   if (!not_tested.empty())
