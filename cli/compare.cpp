@@ -137,11 +137,18 @@ show::Answer answer_of(const Gate& gate) {
   return answer;
 }
 
+// What all labels that differ have in common; empty if none does.
+std::string note_of(const std::vector<Gate>& all) {
+  if (std::ranges::all_of(all, &Gate::are_same)) return "";
+  return fmt::format("p and intervals are adjusted for all labels and metrics tested. Times {}decide nothing.",
+                     all.front().label.empty() ? "" : "of two sessions are not compared, and ");
+}
+
 std::string screen_of(const std::vector<Gate>& all) {
   std::string text;
-  for (const Gate& gate : all) text += gate.are_same ? "" : show::screen(answer_of(gate));
-  const std::string same = verdict_of_same(all);
-  return same.empty() ? text : text + wrapped(same) + '\n';
+  for (const Gate& gate : all) text += gate.are_same ? "" : show::screen(answer_of(gate)) + '\n';
+  for (const std::string& last : {note_of(all), verdict_of_same(all)}) text += last.empty() ? "" : wrapped(last) + '\n';
+  return text;
 }
 
 // That of a report, with the rows of all labels.
@@ -184,8 +191,8 @@ std::string markdown_of(const std::vector<Gate>& all) {
     for (const compare::Doubt& doubt : answer.all_doubts())
       text += show::markdown_text("! " + words_of(doubt)) + "\n\n";
   }
-  const std::string same = show::markdown_text(verdict_of_same(all));
-  return same.empty() ? text : fmt::format("{}**{}**\n", text, same);
+  const std::string note = show::markdown_text(note_of(all)), same = show::markdown_text(verdict_of_same(all));
+  return text + note + (same.empty() ? "\n" : fmt::format("{}**{}**\n", note.empty() ? "" : "\n\n", same));
 }
 
 }  // namespace

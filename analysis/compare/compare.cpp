@@ -276,16 +276,6 @@ Headline usually_better(const Observations& observed, const Plan& plan, const st
   return {.usual = winner, .other = loser, .is_median_worse = is_median_worse};
 }
 
-// Who is worse than another.
-std::set<std::string> losers_of(const std::vector<Finding>& findings) {
-  std::set<std::string> losers;
-  for (const Finding& finding : findings) {
-    if (is_difference(finding.verdict))
-      losers.insert(finding.verdict == Verdict::better ? finding.second : finding.first);
-  }
-  return losers;
-}
-
 // How many pairs data of this size can decide, before any p is known: those that cannot leave, the least able first.
 std::size_t testable(std::vector<Pair>& pairs, double significance) {
   std::vector<Pair*> family;
@@ -320,6 +310,15 @@ bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdi
 Verdict turned(Verdict verdict) {
   if (!is_difference(verdict)) return verdict;
   return verdict == Verdict::better ? Verdict::worse : Verdict::better;
+}
+
+std::set<std::string> losers_of(const std::vector<Finding>& findings) {
+  std::set<std::string> losers;
+  for (const Finding& finding : findings) {
+    if (is_difference(finding.verdict))
+      losers.insert(finding.verdict == Verdict::better ? finding.second : finding.first);
+  }
+  return losers;
 }
 
 bool can_decide(const Observations& observed, const Plan& plan) {

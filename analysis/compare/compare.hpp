@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,8 +62,8 @@ bool can_decide(const Observations& observed, const Plan& plan);
 
 // better or worse
 bool is_difference(Verdict verdict);
-// Of the second.
-Verdict turned(Verdict verdict);
+Verdict turned(Verdict verdict);                                   // of the second
+std::set<std::string> losers_of(const std::vector<Finding>& all);  // worse than another
 
 // A mean or median is worse than another by more than the margin.
 bool is_worse_than_margin(const Observations& observed, const Plan& plan, double one, double other);

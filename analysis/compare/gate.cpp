@@ -34,8 +34,7 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
 
 // Of both stores, as solvers of one study. Takes their solves.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both) {
-  const std::string label = both.labels.front();
-  both.labels = {label + " now", label + " before"};
+  both.labels = {"now", "before"};
   both.entry.series = {{.label = both.labels.front()}, {.label = both.labels.back()}};
   both.drawn = {};
   const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
@@ -132,6 +131,9 @@ Gate gate(StudyResults baseline, StudyResults candidate) {
   const std::string label = candidate.labels.front();
   Gate both = gate(study_of_both(baseline, std::move(candidate)), label);
   refuse_vanished(both.judged, label);
+  for (JudgedMetric& metric : both.judged.metrics)  // of two stores they never are
+    std::erase_if(metric.observations.doubts,
+                  [](const Doubt& doubt) { return doubt.kind == DoubtKind::times_not_comparable; });
   std::ranges::move(doubts_of_limits(baseline, both.judged.study), std::back_inserter(both.judged.doubts));
   return both;
 }

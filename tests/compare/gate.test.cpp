@@ -180,8 +180,7 @@ TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
   const Gate gate = gate_of(before, after);
   CHECK(gate.worse.empty());
   REQUIRE(gate.judged.doubts.size() == 1);
-  CHECK(words_of(gate.judged.doubts.front()) ==
-        "budgets differ: 3000 and 1000 evaluations a solve (mine now, mine before)");
+  CHECK(words_of(gate.judged.doubts.front()) == "budgets differ: 3000 and 1000 evaluations a solve (now, before)");
 }
 
 TEST_CASE("two labels of one study are compared as two versions are") {
