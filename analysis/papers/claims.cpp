@@ -35,9 +35,8 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
     if (!claim.section.empty()) remarks.push_back(claim.section + '.');
     if (!claim.in_readings.empty()) remarks.push_back(fmt::format("Of readings and seeds it {}.", claim.in_readings));
     if (!claim.evidence.empty()) remarks.push_back(claim.evidence);
-    const auto cell = [](std::string text) { return text.empty() ? show::Cell() : show::Cell(std::move(text)); };
-    table.rows.push_back({claim.sentence, std::string(name_of(claim.holds)), cell(claim.number),
-                          cell(fmt::format("{}", fmt::join(remarks, " ")))});
+    table.rows.push_back(
+        {claim.sentence, std::string(name_of(claim.holds)), claim.number, fmt::format("{}", fmt::join(remarks, " "))});
   }
   return table;
 }

@@ -169,8 +169,7 @@ std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& p
     }
   }
   if (!ones.empty()) return fmt::format("only where {}", fmt::join(ones, " and "));
-  return twos.empty() ? "in some, not by one or two answers alone"
-                      : fmt::format("only where {}", fmt::join(twos, ", and only where "));
+  return twos.empty() ? "with various answers" : fmt::format("only where {}", fmt::join(twos, ", and only where "));
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ std::vector<std::string> rates_sentences(const Repeated& repeated);
 // A solver's statistics beside a printed row, with signs. Times are in ms and have no sign, for machines differ.
 std::vector<show::Cell> beside(const compare::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
 constexpr double share_in_ranges = 0.92;  // of numbers of the same program
-constexpr std::string_view meaning_of_signs = "~ within the range of 92 % of studies with as many runs; x not";
+constexpr std::string_view meaning_of_signs = "~ as near as new runs of our program are in 92 % of cases; x not";
 // How many of the printed numbers have the sign ~, of how many with a sign.
 struct Explained {
   std::size_t explained = 0, all = 0;

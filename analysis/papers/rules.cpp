@@ -196,15 +196,18 @@ Tally dominance(const std::vector<JudgedMetric>& metrics, const std::string& sol
 JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
   const std::string& solver = claim.solvers.front();
   std::vector<JudgedMetric> here;
+  Names quantities;
   for (const Metric* metric : claim.metrics) {
     std::optional<JudgedMetric> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
+    quantities.push_back(ours->observations.quantity);
     here.push_back(std::move(*ours));
   }
   const Tally tally = dominance(here, solver);
   JudgedClaim result{claim};
   result.holds = holds_of(tally);
-  result.number = fmt::format("ahead of {} of {}", tally.better, tally.all());
+  result.number =
+      fmt::format("better in {} than {} of {}", show::listed(quantities, " or "), tally.better, tally.all());
   return {result};
 }
 

@@ -6,6 +6,7 @@
 
 #include "analysis/show/text.hpp"
 #include "analysis/slim2023/slim2023.hpp"
+#include "numerics/names.hpp"
 #include "numerics/units.hpp"
 #include "results/published.hpp"
 
@@ -168,6 +169,10 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   if (numbers.all > 0)
     all.front() += fmt::format("; were the programs the same, in about {:.0f}",
                                papers::share_in_ranges * static_cast<double>(numbers.all));
+  const auto open = std::ranges::count_if(
+      claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
+  if (numbers.all == 0 && open > 0)
+    all.front() += fmt::format("; so few runs leave {} open", numerics::counted(open, "claims"));
   all.front() += '.';
   if (!numbers.own_missed.empty())
     all.push_back(fmt::format("IK-BA's own mean {} {} not repeat.", show::listed(numbers.own_missed, " and mean "),

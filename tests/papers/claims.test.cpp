@@ -16,7 +16,7 @@ TEST_CASE("a study with the printed numbers has the verdicts of the printed numb
     CHECK(holds(of, id) == Holds::holds);
   }
   CHECK(explained_by(of).all == 60);
-  CHECK(means_table(of).notes[0].starts_with("12 of 12 repeat: ~ within"));
+  CHECK(means_table(of).notes[0].starts_with("12 of 12 repeat: ~ as near"));
   CHECK(holds(of, "real_arm") == Holds::not_tested);
   CHECK(holds(of, "circle") == Holds::not_tested);
   CHECK(claim_named(judged_claims(of), "accurate_inside_limits") == nullptr);  // a question needs its study
