@@ -93,7 +93,7 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
     std::optional<std::string> picture = read_file(workshop / file);
     if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
     if (picture->find(end, picture->size() - std::min(picture->size(), end.size() + 2)) == std::string::npos)
-      throw std::runtime_error(fmt::format("{} wrote only a part of '{}'; is the disk full?", gnuplot,
+      throw std::runtime_error(fmt::format("{} wrote only a part of '{}'; if the disk is full, make room", gnuplot,
                                            (workshop.parent_path() / file).string()));
     if (type == "pdf") remove_date(*picture);
     if (type == "svg") complete_svg(*picture, figure);
