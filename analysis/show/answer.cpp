@@ -63,7 +63,9 @@ std::vector<Doubt> Answer::all_doubts() const {
 }
 
 Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
-  Answer answer{.metrics = std::move(metrics), .deciding = deciding};
+  const auto decisive = metrics.begin() + static_cast<std::ptrdiff_t>(deciding);
+  std::rotate(metrics.begin(), decisive, decisive + 1);
+  Answer answer{.metrics = std::move(metrics)};
   answer.order = best_first(answer.decisive(), answer.metrics);
   for (JudgedMetric& judged : answer.metrics) {
     if (is_share(judged)) judged = in_unit(std::move(judged), 100, "%");

@@ -12,16 +12,15 @@
 namespace ikbench::show {
 
 struct Answer {
-  std::vector<compare::JudgedMetric> metrics;
-  std::size_t deciding = 0;            // metric of the headline
-  std::vector<std::size_t> order;      // its groups, best first
-  std::vector<compare::Doubt> doubts;  // of all
-  std::string noun = "values";         // what observations are
-  std::vector<std::string> notes;      // of the table of results
+  std::vector<compare::JudgedMetric> metrics;  // first that of the headline
+  std::vector<std::size_t> order;              // its groups, best first
+  std::vector<compare::Doubt> doubts;          // of all
+  std::string noun = "values";                 // what observations are
+  std::vector<std::string> notes;              // of the table of results
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
 
-  const compare::JudgedMetric& decisive() const { return metrics[deciding]; }
+  const compare::JudgedMetric& decisive() const { return metrics.front(); }
   // Those of all and of each metric, each once; what several metrics have alike, as one.
   std::vector<compare::Doubt> all_doubts() const;
 };

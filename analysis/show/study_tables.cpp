@@ -72,7 +72,6 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   const bool is_deciding = &judged == &answer.decisive();
   if (is_deciding && !is_share(judged) && !is_of_solved && !cell.is_bound && its.n > 1 && !std::isnan(its.median))
     cell.interval = Interval{its.lower_quartile, its.upper_quartile};
-  cell.is_best = is_deciding && std::ranges::count(judged.headline.best, solver) > 0;
   return cell;
 }
 
@@ -109,16 +108,21 @@ Table results_table(const Answer& answer) {
   const std::string average = are_means ? "mean" : "median";
   bool has_numbers = false, has_quartiles = false, has_shares = false;
   std::set<std::string> kinds, marks;
+  const std::set<std::string> losers = losers_of(decisive.findings);
+  const bool has_best = !losers.empty() && (decisive.plan.control.empty() || decisive.findings.size() == 1);
   const auto add = [&](const JudgedMetric& judged, const std::string& name) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit});
     for (auto& row : table.rows) {
       row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), reference));
-      has_numbers |= !is_share(judged) && !std::holds_alternative<std::monostate>(row.back());
-      const auto* const marked = std::get_if<Marked>(&row.back());
-      if (marked) marks.insert(marked->mark);
-      has_quartiles |= marked && marked->interval && !is_share(judged);
-      has_shares |= marked && marked->interval && is_share(judged);
-      if (marked && marked->to_reference)
+      auto* const marked = std::get_if<Marked>(&row.back());
+      if (!marked) continue;
+      has_numbers |= !is_share(judged);
+      marks.insert(marked->mark);
+      marked->is_best = has_best && &judged == &decisive && marked->mark != exclamation &&
+                        !losers.contains(std::get<std::string>(row[0]));
+      has_quartiles |= marked->interval && !is_share(judged);
+      has_shares |= marked->interval && is_share(judged);
+      if (marked->to_reference)
         kinds.insert(marked->to_reference == Scale::ratio ? "ratios to it" : "differences from it");
     }
   };
@@ -278,18 +282,19 @@ Table with_a_row_a_study(const Table& studies) {
 }
 
 std::string what_decides(const Answer& answer) {
-  if (answer.metrics.size() < 2) return "";
-  if (!answer.verdict.empty())
-    return "p and intervals are adjusted for all labels and metrics tested. Times decide nothing.";
+  if (answer.metrics.size() < 2 || !answer.verdict.empty()) return "";
   return fmt::format("Only {} decides; other metrics are exploratory.", answer.decisive().observations.quantity);
 }
 
 std::string of_pairs(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const auto average = [&](const std::string& name) { return average_of(judged, place_of(judged.observations, name)); };
-  const auto is_puzzling = [&](const Finding& finding) {  // the averages lie the other way
+  const auto is_puzzling = [&](const Finding& finding) {  // the averages lie otherwise
     const double none = finding.scale == Scale::ratio ? 1 : 0;
-    return finding.estimate && (*finding.estimate - none) * (average(finding.first) - average(finding.second)) < 0;
+    const double first = average(finding.first), second = average(finding.second);
+    return finding.estimate && ((*finding.estimate - none) * (first - second) < 0 ||
+                                (finding.verdict != Verdict::same && *finding.estimate != none &&
+                                 number_text(first) == number_text(second)));
   };
   if (std::ranges::none_of(judged.findings, is_puzzling)) return "";
   return fmt::format("{} are of pairs, not of medians.",
@@ -316,12 +321,12 @@ Table pairs_table(const Answer& answer) {
   table.columns[3].ends = table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[6].is_p = true;
   table.columns[6].ends = {answer.decisive().plan.significance};
-  std::vector<std::string> notes{what_decides(answer)};
-  if (answer.verdict.empty() || notes[0].empty())
-    notes.emplace_back(
-        "p is multiplied by the number of pairs tested of a metric, and intervals hold for all pairs at once.");
-  notes.push_back(of_pairs(answer));
-  notes.emplace_back("A12: share of comparisons in which the first is better.");
+  std::vector<std::string> notes{
+      what_decides(answer),
+      answer.verdict.empty()
+          ? "p is multiplied by the number of pairs tested of a metric, and intervals hold for all pairs at once."
+          : "",
+      of_pairs(answer), "A12: share of comparisons in which the first is better."};
   std::erase(notes, "");
   table.notes = {fmt::format("{}", fmt::join(notes, " "))};
   return table;

@@ -48,7 +48,7 @@ struct Readable {
     if (marked.to_reference == compare::Scale::difference && marked.value > 0) text.insert(0, "+");
     if (const auto& its = marked.interval) {
       const int wide = digits(its->high - its->low, 3);
-      text += fmt::format(" ({}{}{})", number(its->low, wide), dash, number(its->high, wide));
+      text += fmt::format(" ({}{}{})", number(its->low, wide), its->low < 0 ? " to " : dash, number(its->high, wide));
     }
     return text + (marked.mark.empty() ? "" : ' ' + marked.mark);
   }
@@ -192,8 +192,9 @@ std::string latex_cell(const Cell& cell, const Column& column) {
       const std::string whole = read(Marked{.value = marked->value, .interval = marked->interval});
       text += fmt::format(" & {{\\scriptsize {}}}", whole.substr(whole.find('(')));
     }
-    return text +
-           (marked->mark.empty() ? "" : fmt::format("\\rlap{{\\,{}}}", latex_text(marked->mark)));  // digits align
+    if (!marked->mark.empty())
+      text += fmt::format("\\rlap{{\\,\\scriptsize {}}}", latex_text(marked->mark));  // digits align
+    return text;
   }
   if (const auto* p = std::get_if<double>(&cell); p && column.is_p && *p < 0.0001) return "$<$ 0.0001";
   return std::visit(read, cell);

@@ -16,7 +16,7 @@ using namespace compare;
 
 namespace {
 
-constexpr std::size_t most_named = 6;  // solvers of a sentence
+constexpr std::size_t most_named = 4;  // solvers of a sentence
 
 bool counts(const JudgedMetric& judged) {  // 88 of 100
   return is_share(judged) && judged.observations.trials == 1;
@@ -198,14 +198,14 @@ std::string unbeaten(const Answer& answer) {
   }
   const std::string numbers = numbers_of(answer, true);
   const std::string untested = apart.empty() ? "" : "; not tested: " + names_of(apart);
-  const auto are_worse = [](const std::string& names, std::size_t count, const std::string& than) {
+  const auto are_worse = [](const std::string& names, std::ptrdiff_t count, const std::string& than) {
     return count == 0 ? "" : fmt::format("; {} {} worse than {}", names, count == 1 ? "is" : "are", than);
   };
   if (same.size() > 1) {
     const std::vector<std::string> worse = against(same.front(), Verdict::better);
     return fmt::format("{} are the same within {}{}: {}{}", names_of(same), margin_words(judged),
                        others.empty() ? "" : ", not decided against " + names_of(others), numbers,
-                       are_worse(names_of(worse), worse.size(), same.front()));
+                       are_worse(names_of(worse), std::ssize(worse), same.front()));
   }
   if (std::ranges::all_of(judged.findings, &Finding::are_all_equal))
     return fmt::format("{} are the {}: {} {}", all_of(judged), verdict_words(judged.findings.front(), judged),
@@ -217,15 +217,21 @@ std::string unbeaten(const Answer& answer) {
     for (std::string& name : names) name = with_number(answer, name, place_of(judged.observations, rest[0]));
     return names_of(names);
   };
-  const std::vector<std::string> worse = against(*leader, Verdict::better);
-  std::vector<std::string> open = against(*leader, Verdict::undecided);
-  std::erase_if(open, [&](const std::string& name) { return std::ranges::count(rest, name) > 0; });
-  std::string text = rest.size() == 1
-                         ? fmt::format("{} is better than {}", told(rest), told(worse))
-                         : "Not decided between " + told(rest) + are_worse(told(worse), worse.size(), *leader);
-  if (!open.empty())
-    text += rest.size() == 1 ? "; not decided against " + told(open)
-                             : fmt::format("; not decided between {} and {}", *leader, told(open));
+  if (rest.size() == 1) {
+    const std::vector<std::string> open = against(*leader, Verdict::undecided);
+    return fmt::format("{} is better than {}{}{}", told(rest), told(against(*leader, Verdict::better)),
+                       open.empty() ? "" : "; not decided against " + told(open), untested);
+  }
+  std::vector<std::string> losers, winners;
+  for (const std::size_t i : answer.order) {
+    const std::vector<std::string> better = against(solver_name(judged, i), Verdict::worse);
+    if (better.empty()) continue;
+    losers.push_back(with_number(answer, solver_name(judged, i), place_of(judged.observations, rest[0])));
+    winners.push_back(std::ranges::count(better, *leader) > 0 ? *leader : better.front());
+  }
+  std::string text = "Not decided between " + told(rest);
+  for (const auto& [winner, names] : by_word(winners, losers))
+    text += are_worse(names, std::ranges::count(winners, winner), winner);
   return text + untested;
 }
 
@@ -349,8 +355,10 @@ std::string margin_words(const JudgedMetric& judged) {
 
 std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
   const std::string margin = margin_words(judged);
-  if (finding.verdict == Verdict::same) return "same within " + margin;
-  if (finding.verdict == Verdict::undecided && finding.are_all_equal) return fmt::format("same in all {}", finding.n);
+  const bool is_same = finding.verdict == Verdict::same;
+  if (finding.are_all_equal && (is_same || finding.verdict == Verdict::undecided))
+    return fmt::format("same in all {}", finding.n);
+  if (is_same) return "same within " + margin;
   std::string words(compare::name_of(finding.verdict));
   if (finding.n == 0 && finding.why == Why::too_few) return words + ": no values";
   if (finding.is_within_margin) words += ", by less than " + margin;

@@ -250,7 +250,10 @@ TEST_CASE(
   const auto text = [](compare::Observations costs, results::Plan plan = {}, int last = 6) {
     costs.is_of_solved = costs.is_paired = true;
     const auto shown_of = shares({{"A", solved(6)}, {"B", solved(20)}, {"C", solved(last)}});
-    return to_text(results_table(answer_of({judged(shown_of, plan), judged(std::move(costs), plan)})));
+    const Table table = results_table(answer_of({judged(shown_of, plan), judged(std::move(costs), plan)}));
+    CHECK(std::get<Marked>(table.rows[0][1]).is_best == plan.control.empty());
+    CHECK(std::get<Marked>(table.rows[1][1]).is_best == (plan.control.empty() && last == 20));
+    return to_text(table);
   };
   compare::Observations costs = numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", c}});
   CHECK(text(costs) ==
@@ -267,6 +270,7 @@ TEST_CASE(
         "C        30 % (15-52)       3 times *\n"
         "A: medians; the others: ratios to it, on values that both solved. * worse and + better than A\n"
         "(adjusted p < 0.05). Brackets: 95 % intervals.\n");
+  text(costs, {}, 20);
   CHECK(contains(text(costs, {.control = "B"}), "A        30 % (15-52) *   0.33 times +\n"));
   const std::string by_means = text(costs, {.test = results::Plan::Test::means, .control = "A"});
   INFO(by_means);

@@ -68,7 +68,7 @@ TEST_CASE("readers see three digits, units, marks and small p-values", "[show]")
         "plain    1.5e-07 mm   0.0000    -            0.0005     -    ≤ 0.1\n"
         "mine\n");
   const std::string latex = to_latex(with_label("mine"));
-  CHECK(contains(latex, "mine & 0.123 & - & 0.333 to 2 & $<$ 0.0001 & 20 & 4200\\rlap{\\,{*}} \\\\"));
+  CHECK(contains(latex, "mine & 0.123 & - & 0.333 to 2 & $<$ 0.0001 & 20 & 4200\\rlap{\\,\\scriptsize {*}} \\\\"));
   CHECK(contains(latex, "plain & $1.5 \\times 10^{-7}$ & 0.0000 & - & 0.0005 & - & $\\le$ 0.1 \\\\"));
   CHECK(number_text(3715.4) == "3715");
   CHECK(digits_apart(5e-324, {0}) == 3);  // no double of full precision
@@ -99,7 +99,7 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
         "D        -                    -20 deg\n");
   CHECK(
       to_latex(table).find(
-          "A & 100 & {\\scriptsize (96--100)} & 339 deg \\\\\nB & 0.5 & {\\scriptsize (0.1--1.25)}\\rlap{\\,{*}} & 1.6 times\\rlap{\\,{*}} \\\\") !=
+          "A & 100 & {\\scriptsize (96--100)} & 339 deg \\\\\nB & 0.5 & {\\scriptsize (0.1--1.25)}\\rlap{\\,\\scriptsize {*}} & 1.6 times\\rlap{\\,\\scriptsize {*}} \\\\") !=
       std::string::npos);
 }
 

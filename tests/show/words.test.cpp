@@ -88,6 +88,8 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   add("two best, of errors", of(errors({{"A", c}, {"B", a}, {"C", b}, {"D", a}})));
   add("not decided between the first two",
       of(errors({{"A", a}, {"B", values_around(1.25, 0.5)}, {"C", values_around(1.55, 0.5)}})));
+  add("worse than another than the first",
+      of(errors({{"A", values_around(1, 2)}, {"B", values_around(1.2, 0.1)}, {"C", values_around(1.5, 0.1)}})));
   add("too few", of(errors({{"A", {1, 2, 3}}, {"B", {4, 5, 6}}})));
   add("without values", of(errors({{"A", {1, 2, 3}}, {"B", {}}})));
   add("by means, few decide", of(errors({{"A", heavy(1)}, {"B", b}}), {.test = results::Plan::Test::means}));
