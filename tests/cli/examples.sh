@@ -23,7 +23,6 @@ add descent.py '"python3", "descent.py"' python3 descent.py
 study examples "${entries[@]}"
 sed -i 's/^repeats = 1/&\nrobot = "ur5e"\nstart = "near"\nnear_deg = 10/; s/points = 8/points = 3/; s/^iterations = 8/iterations = 60\ntolerance_cm = 0.5/' examples.toml
 succeeds run examples.toml --no-report --out examples
-echo "examples: $(column examples/store.sqlite status pso.py | wc -l) solves each of ${#entries[@]}"
 for of in pso.py:1 search.cpp:1 descent.py:4 damped.m:4; do # the first two try at random
   label=${of%:*}
   [[ "${entries[*]}" != *$label* ]] || [ "$(column examples/store.sqlite status $label | grep -cx ok)" -ge ${of#*:} ] ||

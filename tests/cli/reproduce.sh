@@ -20,7 +20,6 @@ sed -n '/./,$p' .out >screen
 [ "$(wc -l <screen)" -le 40 ] && [ "$(wc -L <screen)" -le 100 ] || fail "not one screen: $(<screen)"
 equal "last line" "$(tail -n 1 screen)" "Report: whole/report.html"
 words=$(tr -s '[:space:]' '\n' <whole/report.md | grep -c '[[:alnum:]]')
-echo "$(wc -l <screen) lines of $(wc -L <screen) columns; $words words in report.md, $(find whole -type f | wc -l) files"
 [ "$words" -le 3500 ] || fail "report.md has $words words"
 for study in "${studies[@]}"; do
   equal "fingerprint of $study" "$(fingerprint whole/store.sqlite "$study")" "$(reference "$study")"

@@ -13,7 +13,6 @@ debug=0 # times of a debug build are not compared: two lines more, a picture les
 [ "$(wc -l <.out)" -le $((14 + 2 * debug)) ] && [ "$(wc -L <.out)" -le 100 ] || fail "not one screen: $out"
 equal "last line" "$(tail -n 1 .out)" "Report: mine/report.html"
 files=$(find mine -type f | wc -l) words=$(tr -s '[:space:]' '\n' <mine/report.md | grep -c '[[:alnum:]]')
-echo "$files files, $words words in report.md"
 [ "$files" -lt 50 ] || fail "$files files: $(find mine -type f)"
 [ "$words" -le 900 ] || fail "report.md has $words words"
 for file in report.html results.json solves.csv store.sqlite tables/{results,pairs,descriptives}.{csv,md,tex}; do
