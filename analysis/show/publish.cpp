@@ -192,6 +192,13 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   }
   std::ranges::move(files_of(figures, folder), std::back_inserter(files));
   std::ranges::sort(files);
+  for (const std::string& file : earlier) {
+    std::error_code error;
+    if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, error);
+    if (error)
+      throw std::invalid_argument(fmt::format("cannot remove '{}' of an earlier report: {}; choose another place",
+                                              (folder / file).string(), error.message()));
+  }
 
   Json json = to_json(report.answer);
   json["files"] = files;
@@ -210,10 +217,6 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
     written.warnings.emplace_back("the page has no moving arm: three.js (libjs-three) is missing or cannot be read");
   results::write_file(
       written.page, to_page(title.empty() ? report.study.entry.name : title, sections, arm, library, folder, program));
-  for (const std::string& file : earlier) {
-    std::error_code none;
-    if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, none);
-  }
   return written;
 }
 
