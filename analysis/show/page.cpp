@@ -140,7 +140,9 @@ struct MarkdownWriter {
   }
   std::string operator()(const figures::Figure& figure) const {
     const std::string caption = markdown_text(figure.caption);
-    return fmt::format("![{}](figures/{}.{})\n\n", caption, figure.name, types_of(figure, folder).front());
+    const std::vector<std::string> types = types_of(figure, folder);  // another report may just have removed them
+    return types.empty() ? caption + "\n\n"
+                         : fmt::format("![{}](figures/{}.{})\n\n", caption, figure.name, types.front());
   }
 };
 
