@@ -50,7 +50,7 @@ Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labe
   one.name = one.alternatives.front().set;  // "path.tool=eq27"
   one.name.resize(one.name.find('='));
   const std::string owner = one.name.substr(0, one.name.rfind('.'));
-  if (std::ranges::find(labels, owner) != labels.end()) one.solver = owner;
+  if (std::ranges::find(labels, owner) != labels.end()) one.label = owner;
   return one;
 }
 
@@ -128,7 +128,7 @@ struct Combinations {
   std::vector<Chosen> of(std::string_view owner, const Chosen& given) const {
     std::vector<Chosen> all{{}};
     for (std::size_t d = 0; d < dimensions.size(); ++d) {
-      if (dimensions[d].solver != owner) continue;
+      if (dimensions[d].label != owner) continue;
       std::vector<Chosen> larger;
       for (const Chosen& chosen : all) {
         const Chosen possible = alternatives(d, given, chosen);

@@ -35,7 +35,7 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
   throw std::invalid_argument(
       fmt::format("study {}, {}, run {}, point {}: {}; the solve was changed since it was stored: solve it again into "
                   "another folder",
-                  solve.study, solve.solver, solve.run, solve.point, what));
+                  solve.study, solve.label, solve.run, solve.point, what));
 }
 
 // The same number up to rounding, or no number twice. An arm from a URDF file was verified by its origins and axes, but
@@ -48,7 +48,7 @@ void expect(const char* column, const SolveRecord& solve, double stored, double 
 
 // Where a solve left the arm.
 struct Left {
-  std::string solver;
+  std::string label;
   int run = 0, point = 0;
   std::vector<double> arm_rad;
 };
@@ -77,7 +77,7 @@ void check(const Definition& study, const Robot& arm, const Left& before, bool i
   if (solve.target_position_m.size() != 3 || solve.reached_position_m.size() != 3 ||
       solve.target_rotation.size() != 9 || solve.start_rad.size() != joints || solve.answer_rad.size() != joints)
     refuse(solve, fmt::format("its target, start or answer is not that of an arm with {} joints", joints));
-  const bool is_next = before.solver == solve.solver && before.run == solve.run && before.point + 1 == solve.point;
+  const bool is_next = before.label == solve.label && before.run == solve.run && before.point + 1 == solve.point;
   if (study.is_chained() && is_next && before.arm_rad != solve.start_rad)
     refuse(solve, "it does not start where the solve before it left the arm");
   if (stays(solve.status) && solve.answer_rad != solve.start_rad)
@@ -129,8 +129,8 @@ TakeSolve recheck_of(const StoredStudy& study) {
         "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", study.name));
   return [definition, arm = std::make_shared<const Robot>(std::move(*stored)), ours = built_in(study),
           before = std::make_shared<Left>()](const SolveRecord& solve) {
-    check(definition, *arm, *before, ours.contains(solve.solver), solve);
-    *before = {solve.solver, solve.run, solve.point,
+    check(definition, *arm, *before, ours.contains(solve.label), solve);
+    *before = {solve.label, solve.run, solve.point,
                moves_arm(solve, definition.start) ? solve.answer_rad : solve.start_rad};
   };
 }

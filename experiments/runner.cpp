@@ -99,7 +99,7 @@ void check_stored(const SolveRecord& record, const Work& work, const Chained& ch
   throw std::invalid_argument(
       fmt::format("the stored solve of run {}, point {} by {} is not what the study makes next; the store was edited, "
                   "so choose another --out",
-                  record.run, record.point, record.solver));
+                  record.run, record.point, record.label));
 }
 
 // Notes which solves of each chain the store has; returns how many of them are in the shard.

@@ -151,7 +151,7 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
   SolveRecord record{
       .study = study_.name,
       .robot = arm_.name,
-      .solver = entry_.label,
+      .label = entry_.label,
       .series = key_,
       .run = run,
       .point = point,

@@ -20,7 +20,7 @@ struct Alternative {
 struct Dimension {
   std::string name;                       // what its alternatives set: "bounds", "IK-BA.acceptance"
   std::string section;                    // section of the paper's notes
-  std::string solver;                     // the label of its solver; empty: the study's
+  std::string label;                      // of its solver; empty: the study's
   std::vector<Alternative> alternatives;  // the first is the default
 };
 

@@ -85,7 +85,7 @@ void append_row(std::string& text, const SolveRecord& record, const Widths& widt
         throw std::invalid_argument(
             fmt::format("run {}, point {} of {} has {} numbers as {}, the first solve {}; read the "
                         "store instead",
-                        record.run, record.point, record.solver, value.size(), name, *width));
+                        record.run, record.point, record.label, value.size(), name, *width));
       for (const double element : value) {
         append(text, element);
         text += ',';

@@ -83,7 +83,7 @@ void add_record(Hash& hash, SolveRecord& record) {
 
 std::string fingerprint(std::vector<SolveRecord> records) {
   const auto place = [](const SolveRecord& record) {
-    return std::tie(record.solver, record.series, record.run, record.point);
+    return std::tie(record.label, record.series, record.run, record.point);
   };
   std::sort(records.begin(), records.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
   Hash hash;

@@ -52,7 +52,7 @@ std::vector<Row> rows_of(const SolveRecord& solve) {
   if (solve.improved_at.size() != solve.improved_to_cm.size() ||
       !std::ranges::all_of(solve.improved_at, [](double count) { return count >= 1 && std::isfinite(count); }))
     throw std::invalid_argument(
-        fmt::format("the course of run {}, point {} by '{}' is damaged", solve.run, solve.point, solve.solver));
+        fmt::format("the course of run {}, point {} by '{}' is damaged", solve.run, solve.point, solve.label));
   if (solve.improved_at.empty()) return {{1, solve.position_error_cm}};
   std::vector<Row> rows;
   for (std::size_t i = 0; i < solve.improved_at.size(); ++i) {
@@ -129,17 +129,17 @@ std::vector<std::string> write_iohprofiler(const StoredStudy& study, const PassS
   std::size_t dimension = 0;
   std::set<std::string> left_out;
   pass([&](const SolveRecord& solve) {
-    if (!has_rows(solve)) left_out.insert(solve.solver);
+    if (!has_rows(solve)) left_out.insert(solve.label);
   });
   pass([&](const SolveRecord& solve) {
-    if (left_out.contains(solve.solver)) return;
+    if (left_out.contains(solve.label)) return;
     if (solve.point > largest_id || solve.run > largest_id)
       throw std::invalid_argument(
           fmt::format("run {}, point {}: IOHprofiler's numbers end at {}; expected no more runs "
                       "and points",
                       solve.run, solve.point, largest_id));
     dimension = dimension_of(search, solve);
-    add_run(functions[solve.solver][solve.point], solve, dimension);
+    add_run(functions[solve.label][solve.point], solve, dimension);
   });
   if (functions.empty())
     throw std::invalid_argument(fmt::format(

@@ -85,7 +85,7 @@ void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs:
       differ.push_back(fmt::format("iif(theirs.{0} IS NOT ours.{0}, ' {0}', '')", column));
   });
   SQLite::Statement query(
-      sqlite, fmt::format("SELECT theirs.run, theirs.point, theirs.solver, {} AS others "
+      sqlite, fmt::format("SELECT theirs.run, theirs.point, theirs.label, {} AS others "
                           "FROM source.solves AS theirs JOIN main.solves AS ours USING (series, run, point) "
                           "WHERE others <> '' LIMIT 1",
                           fmt::join(differ, " || ")));

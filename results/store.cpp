@@ -45,17 +45,17 @@ std::string create_tables() {
 // For whoever asks the file without us.
 std::string create_views() {
   std::string columns = solve_columns();
-  columns.replace(columns.find("study, robot, solver,"), std::string_view("study, robot, solver,").size(),
-                  "studies.name AS study, robot, label AS solver,");
+  columns.replace(columns.find("study, robot, label,"), std::string_view("study, robot, label,").size(),
+                  "studies.name AS study, robot, series.label AS label,");
   return fmt::format(
       "CREATE VIEW current_solves AS SELECT {} FROM studies JOIN series ON series.study = studies.name "
       "JOIN solves ON solves.series = series.key "
       "WHERE run <= json_extract(definition, '$.runs') AND point <= json_extract(definition, '$.points');\n"
-      "CREATE VIEW run_means AS SELECT study, solver, run, count(*) AS solves, "
+      "CREATE VIEW run_means AS SELECT study, label, run, count(*) AS solves, "
       "avg(status = 'ok') AS solved, avg(position_error_cm) AS position_error_cm, "
       "avg(orientation_error) AS orientation_error, avg(variation_deg) AS variation_deg, avg(seconds) AS seconds, "
       "avg(iif(counted_by = 'nobody', NULL, evaluations)) AS evaluations "
-      "FROM current_solves GROUP BY study, solver, run;\n",
+      "FROM current_solves GROUP BY study, label, run;\n",
       columns);
 }
 
@@ -456,7 +456,7 @@ void Store::each_of_study(const StoredStudy& study, const Take& take) const {
     for (const Series& series : study.series) {
       SQLite::bind(query, series.key, definition.runs, definition.points);
       database_->read_solves(query, [&](SolveRecord& record) {
-        if (record.solver != series.label)
+        if (record.label != series.label)
           throw Damage(fmt::format("the label of {} is another in its solves", excerpt(series.label)));
         record.study = study.name;  // also if another study's name solved it first
         take(record);

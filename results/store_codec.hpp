@@ -21,7 +21,7 @@ struct Damage : std::runtime_error {
 // Text of the file for a sentence: in quotes, up to a NUL character, cut if it is long.
 std::string excerpt(std::string_view text);
 
-constexpr std::int64_t store_version = 2;
+constexpr std::int64_t store_version = 3;
 
 // The names of the columns, and of those columns with their SQL types, separated by commas.
 std::string solve_columns();

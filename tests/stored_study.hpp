@@ -17,8 +17,7 @@ inline StudyResults stored_study(results::StoredStudy entry, std::vector<results
   std::map<std::int64_t, std::int64_t> stored;
   for (const results::Session& session : sessions) stored[session.id] = store.begin_session(session.environment);
   for (results::SolveRecord& solve : solves) {
-    if (solve.series.empty())
-      solve.series = std::ranges::find(entry.series, solve.solver, &results::Series::label)->key;
+    if (solve.series.empty()) solve.series = std::ranges::find(entry.series, solve.label, &results::Series::label)->key;
     solve.series.insert(0, own);
     solve.session = stored[solve.session];
   }

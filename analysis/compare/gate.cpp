@@ -44,7 +44,7 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults both) {
   }
   both.solves.reserve(2 * both.solves.size());
   for (Solve solve : std::exchange(baseline.solves, {})) {
-    solve.solver = 1;
+    solve.label = 1;
     solve.session += before;
     both.solves.push_back(solve);
   }

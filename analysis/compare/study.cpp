@@ -54,9 +54,9 @@ struct Adder {
   void add(const SolveRecord& record) {
     if (record.run < 1 || record.point < 1)
       throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
-                                              study.entry.name, record.solver, record.run, record.point));
-    const auto solver = static_cast<int>(std::ranges::find(study.labels, record.solver) - study.labels.begin());
-    const bool is_first = study.solves.empty() || study.solves.back().solver != solver;
+                                              study.entry.name, record.label, record.run, record.point));
+    const auto solver = static_cast<int>(std::ranges::find(study.labels, record.label) - study.labels.begin());
+    const bool is_first = study.solves.empty() || study.solves.back().label != solver;
     if (!record.trace_cm.empty() && study.drawn.size() >= most_traces)
       throw std::invalid_argument(fmt::format("study '{}' has too many solves with a trace; expected at most {}",
                                               study.entry.name, most_traces));
@@ -65,7 +65,7 @@ struct Adder {
     if (!record.trace_cm.empty() || (record.run == first_run && drawn++ < most_drawn)) study.drawn.push_back(record);
     study.solves.push_back({.run = record.run,
                             .point = record.point,
-                            .solver = solver,
+                            .label = solver,
                             .session = static_cast<int>(record.session),
                             .status = record.status,
                             .stop_reason = record.stop_reason,
@@ -98,7 +98,7 @@ void refuse_other_targets(const StudyResults& study) {
   for (const Solve& solve : study.solves) {
     const Solve& here = *first.try_emplace(place(solve), &solve).first->second;
     if (here.target == solve.target && (here.start == solve.start || is_own(solve))) continue;
-    const auto label = [&](const Solve& its) { return study.labels[static_cast<std::size_t>(its.solver)]; };
+    const auto label = [&](const Solve& its) { return study.labels[static_cast<std::size_t>(its.label)]; };
     throw std::invalid_argument(fmt::format(
         "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
         "another folder",
@@ -109,14 +109,14 @@ void refuse_other_targets(const StudyResults& study) {
 
 Solves StudyResults::of(std::string_view solver) const {
   const auto here = std::ranges::find(labels, solver) - labels.begin();
-  return {std::ranges::lower_bound(solves, here, {}, &Solve::solver),
-          std::ranges::upper_bound(solves, here, {}, &Solve::solver)};
+  return {std::ranges::lower_bound(solves, here, {}, &Solve::label),
+          std::ranges::upper_bound(solves, here, {}, &Solve::label)};
 }
 
 std::span<const SolveRecord> StudyResults::first_run_of(std::string_view solver) const {
-  const auto first = std::ranges::find(drawn, solver, &SolveRecord::solver);
+  const auto first = std::ranges::find(drawn, solver, &SolveRecord::label);
   const auto end = std::find_if(
-      first, drawn.end(), [&](const SolveRecord& solve) { return solve.solver != solver || solve.run != first->run; });
+      first, drawn.end(), [&](const SolveRecord& solve) { return solve.label != solver || solve.run != first->run; });
   return {first, end};
 }
 

@@ -21,7 +21,7 @@ namespace ikbench::compare {
 // What judging needs of a solve; the columns of results/columns.inc have the same names.
 struct Solve {
   int run = 1, point = 1;
-  int solver = 0;  // its place in StudyResults::labels
+  int label = 0;  // its place in StudyResults::labels
   int session = 0;
   results::Status status = results::Status::ok;
   results::StopReason stop_reason = results::StopReason::iterations;

@@ -366,7 +366,7 @@ std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Aver
       std::vector<double> values;
       for (const SolveRecord& solve : study.drawn) {
         const std::vector<double>& trace = solve.trace_cm;
-        if (solve.solver != solver || trace.empty()) continue;
+        if (solve.label != solver || trace.empty()) continue;
         const double value = factor * trace[std::min(i, trace.size() - 1)];
         if (std::isfinite(value)) values.push_back(value);
       }

@@ -96,8 +96,8 @@ has "$out" '<title>wide false</title>'
 # has them so, and nowhere else.
 if grep -q 'id="motion-data"' plain/report.html; then
   outside=$("$program" export plain/store.sqlite | awk -F, '
-    NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next } { bits[$column["solver"]] = bits[$column["solver"]] ($column["limit_violation_deg"] > 0) }
-    END { for (solver in bits) print solver "=" bits[solver] }' | sort | paste -sd ' ')
+    NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next } { bits[$column["label"]] = bits[$column["label"]] ($column["limit_violation_deg"] > 0) }
+    END { for (label in bits) print label "=" bits[label] }' | sort | paste -sd ' ')
   has "$outside" 1
   probe plain motion
   expect motion "2 false true true Play Pause $outside"

@@ -32,5 +32,5 @@ done
 # A limit of wall time is as long as it says, also of a library's solver.
 succeeds run "$scripts/studies/limit.toml" --out limit --no-report
 sound limit/store.sqlite
-equal "solves that end too soon" "$(sqlite3 limit/store.sqlite "SELECT solver, stop_reason, seconds FROM solves
+equal "solves that end too soon" "$(sqlite3 limit/store.sqlite "SELECT label, stop_reason, seconds FROM solves
   WHERE stop_reason NOT IN ('time', 'finished') OR seconds < 0.05")" ""

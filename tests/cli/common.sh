@@ -102,11 +102,11 @@ study() {
   } >"$1.toml"
 }
 
-# column STORE NAME SOLVER: the values of a solver's rows.
+# column STORE NAME LABEL: the values of a solver's rows.
 column() {
-  "$program" export "$1" | awk -F, -v name="$2" -v solver="$3" '
+  "$program" export "$1" | awk -F, -v name="$2" -v label="$3" '
     NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
-    $column["solver"] == solver { print $column[name] }'
+    $column["label"] == label { print $column[name] }'
 }
 
 # counted: counts each line of the input.

@@ -5,11 +5,11 @@ import csv, json, os, re, sqlite3
 store = sqlite3.connect("made/store.sqlite")
 store.row_factory = sqlite3.Row
 rows = list(csv.DictReader(open("first.csv", newline="")))
-solves = {(solve["solver"], solve["point"], solve["run"]): solve
+solves = {(solve["label"], solve["point"], solve["run"]): solve
           for solve in store.execute("SELECT * FROM current_solves WHERE study = 'slim2023'")}
 assert len(solves) == len(rows) == 36
 for row in rows:
-    solve = solves[row["solver"], int(row["point"]), int(row["run"])]
+    solve = solves[row["label"], int(row["point"]), int(row["run"])]
     for name in ("position_error_cm", "claimed_error_cm", "variation_deg", "seconds"):
         assert solve[name] == float(row[name]), name
     assert json.loads(solve["answer_rad"]) == [float(row[f"answer_rad_{joint}"]) for joint in range(1, 8)]

@@ -94,7 +94,7 @@ succeeds run edited.toml --no-report --out parallel --jobs 2
 equal "answers of two at once" "$(column parallel/store.sqlite position_error_cm mine)" "$(column edited/store.sqlite position_error_cm mine)"
 sed -i 's/step \*= 0.8/step *= 0.7/' faulty.py
 succeeds run edited.toml --no-report --out edited
-equal "solves of the edited program" "$(sqlite3 edited/store.sqlite "SELECT count(*) FROM solves WHERE solver = 'mine'")" 32
+equal "solves of the edited program" "$(sqlite3 edited/store.sqlite "SELECT count(*) FROM solves WHERE label = 'mine'")" 32
 echo "package missing" >packages.txt
 needy=$(entry needy fine 'files = ["packages.txt"]' | sed 's/faulty.py/needy.py/')
 runs needy "$needy"

@@ -42,7 +42,7 @@ counts 18 90
 
 # Other bits and no store are refused; of several stores those before are there.
 cp -r drawn/7/shards/2-of-7 edited
-sqlite3 edited/store.sqlite "UPDATE solves SET evaluations = evaluations + 1 WHERE solver = 'bat'"
+sqlite3 edited/store.sqlite "UPDATE solves SET evaluations = evaluations + 1 WHERE label = 'bat'"
 refused "run 1, point 2" merge drawn/7 edited
 refused edited merge new drawn/7/shards/2-of-7 edited
 mkdir bad && echo text >bad/store.sqlite

@@ -4,7 +4,7 @@ labels = sys.stdin.read().split("\n")[:-1]
 rows = list(csv.DictReader(open("export.csv", newline="")))
 assert len(rows) == 6 * len(labels), len(rows)
 texts = {chr(39) + label if label[0] in "=+-@" else label for label in labels}
-assert {row["solver"] for row in rows} == texts, {row["solver"] for row in rows} ^ texts
+assert {row["label"] for row in rows} == texts, {row["label"] for row in rows} ^ texts
 assert {row["study"] for row in rows} == {sys.argv[1]}
 results = json.load(open(sys.argv[2] + "/results.json"))
 assert {row["solver"] for row in results["groups"]} == set(labels)

@@ -113,7 +113,7 @@ TEST_CASE("times decide nothing, and those of other stores and of solves that ar
   }
   const Gate one = gate_of(in_turns, [&](SolveRecord& solve) {
     solve.seconds = solve.cpu_seconds = 1e-5 * (100 * solve.run + solve.point);
-    if (solve.solver == "B") slow_and_other(solve);
+    if (solve.label == "B") slow_and_other(solve);
   });
   CHECK(time_of(one).verdict == Verdict::worse);
   CHECK(exit_code({one}, true) == 0);
@@ -125,7 +125,7 @@ TEST_CASE("a metric that vanished is refused, one that another solver lacks is n
                     StartsWith("not compared: mine lacks all evaluations"));
   CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
   const Gate of_two = gate_of(of_100, [&](SolveRecord& solve) {
-    if (solve.solver == "B") uncounted(solve);
+    if (solve.label == "B") uncounted(solve);
   });
   CHECK(of_two.not_tested == Names{"evaluations"});
   CHECK(exit_code({of_two}, false) == 0);
@@ -185,7 +185,7 @@ TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
 
 TEST_CASE("two labels of one study are compared as two versions are") {
   const auto slower = [](SolveRecord& solve) {
-    solve.evaluations = solve.solver == "B" ? 300 + solve.point : 100 + solve.point;
+    solve.evaluations = solve.label == "B" ? 300 + solve.point : 100 + solve.point;
   };
   const Gate gate = gate_of(of_100, slower);
   CHECK(gate.judged.study.labels == Names{"B", "A"});

@@ -40,7 +40,7 @@ TEST_CASE("A report has the metrics that a study has, and is decided by the plan
 
 TEST_CASE("A better solver is named, and its findings are those of the table") {
   const JudgedStudy of = judge(study({.runs = 8}, [](SolveRecord& solve) {
-    solve.position_error_cm = (solve.solver == "A" ? 1 : 10) + 0.01 * solve.run;
+    solve.position_error_cm = (solve.label == "A" ? 1 : 10) + 0.01 * solve.run;
   }));
   const JudgedMetric& error = metric(of, "error");
   CHECK(error.headline.best == std::vector<std::string>{"A"});
@@ -52,7 +52,7 @@ TEST_CASE("A better solver is named, and its findings are those of the table") {
 
 TEST_CASE("The plan's test, level, margin and control reach the comparison") {
   const auto errors = [](SolveRecord& solve) {
-    solve.position_error_cm = (solve.solver == "A" ? 1 : 1.5) + 0.01 * solve.run;
+    solve.position_error_cm = (solve.label == "A" ? 1 : 1.5) + 0.01 * solve.run;
   };
   const auto judged = [&](const std::string& plan) {
     return metric(judge(study({.runs = 8, .rest = R"(, "analysis": )" + plan}, errors, {"A", "B", "C"})), "error");
@@ -69,9 +69,9 @@ TEST_CASE("Means that few values decide are told") {
   const Asked means{.runs = 8, .rest = R"(, "analysis": {"test": "means", "significance": 0.2})"};
   const JudgedMetric error = metric(judge(study(means,
                                                 [](SolveRecord& solve) {
-                                                  solve.position_error_cm = solve.solver == "A" ? 0.01 * solve.run
-                                                                            : solve.run == 1    ? 9
-                                                                                                : 1 + 0.01 * solve.run;
+                                                  solve.position_error_cm = solve.label == "A" ? 0.01 * solve.run
+                                                                            : solve.run == 1   ? 9
+                                                                                               : 1 + 0.01 * solve.run;
                                                 })),
                                     "error");
   REQUIRE(has_doubt(error.observations.doubts, DoubtKind::few_decide_mean));

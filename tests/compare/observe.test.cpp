@@ -73,7 +73,7 @@ TEST_CASE("A chained run that lacks a point gives no observation, and a pair has
   const auto without = [](const Asked& asked) {
     std::vector<SolveRecord> solves = solves_of(asked, {"A", "B"}, number_errors);
     std::erase_if(solves,
-                  [](const SolveRecord& solve) { return solve.solver == "A" && solve.run == 2 && solve.point == 3; });
+                  [](const SolveRecord& solve) { return solve.label == "A" && solve.run == 2 && solve.point == 3; });
     return stored_study(entry_of(asked, {"A", "B"}), solves);
   };
   CHECK(group(observed(without(chained)), "A").values == Numbers{12.5, 32.5, 42.5, 52.5});
@@ -91,7 +91,7 @@ TEST_CASE("A chained run that lacks a point gives no observation, and a pair has
 
 TEST_CASE("A solver whose runs repeat each other bit for bit has one observation, times apart") {
   const auto as_one = [](SolveRecord& solve) {
-    if (solve.solver != "A") return;
+    if (solve.label != "A") return;
     solve.answer_rad[1] = 0;
     solve.seconds = 0.001 * solve.run;
   };
@@ -114,7 +114,7 @@ TEST_CASE("A solver whose runs repeat each other bit for bit has one observation
 
 TEST_CASE("Numbers that are not finite are lost; a solve without an answer has its error and no cost") {
   const auto fails = [](SolveRecord& solve) {
-    if (solve.solver != "A" || solve.run != 2 || solve.point > 3) return;
+    if (solve.label != "A" || solve.run != 2 || solve.point > 3) return;
     solve.status = solve.point == 1 ? Status::not_finite : Status::crashed;
     if (solve.point == 1) solve.position_error_cm = no_number;
   };
@@ -140,7 +140,7 @@ TEST_CASE("Numbers that are not finite are lost; a solve without an answer has i
 TEST_CASE("Errors at or below the tolerance count as it, before they are averaged") {
   const Asked asked{.start = "previous", .tolerance_cm = 1};
   const auto small = [](SolveRecord& solve) {
-    solve.position_error_cm = solve.solver == "A" && solve.point < 4 ? 0.1 * solve.run : 5;
+    solve.position_error_cm = solve.label == "A" && solve.point < 4 ? 0.1 * solve.run : 5;
   };
   const Observations of = observed(study(asked, small));
   CHECK(group(of, "A").values == Numbers(5, 2.0));
@@ -163,7 +163,7 @@ TEST_CASE("Solved is a share where there is a tolerance, and else has no value")
 
 TEST_CASE("Where targets have a tolerance, costs are of those that were solved, and blocks say which") {
   const auto misses = [](SolveRecord& solve) {
-    if (solve.run == 1 && solve.point == (solve.solver == "A" ? 1 : 2)) solve.status = Status::tolerance_missed;
+    if (solve.run == 1 && solve.point == (solve.label == "A" ? 1 : 2)) solve.status = Status::tolerance_missed;
     solve.variation_deg = 100 * solve.run + solve.point;
   };
   const auto moves = [&](Asked asked) {
@@ -189,7 +189,7 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
   CHECK(times(study(chained, as_made)).doubts.empty());
   for (const Timing timing : {Timing::parallel, Timing::debug_build}) {
     const Observations all = times(study(chained, [&](SolveRecord& solve) {
-      if (solve.solver == "A") solve.timing = timing;
+      if (solve.label == "A") solve.timing = timing;
     }));
     CHECK(apart(all) == "AB");
     REQUIRE(all.doubts.size() == 1);
@@ -208,7 +208,7 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
                  {.id = 1, .environment = {{"host", "a"}, {"boot", "2"}}})
             .empty());
   StudyResults disturbed = study(chained, [](SolveRecord& solve) {
-    if (solve.solver == "B" && solve.run < 3) solve.seconds = 2 * solve.cpu_seconds;
+    if (solve.label == "B" && solve.run < 3) solve.seconds = 2 * solve.cpu_seconds;
   });
   CHECK(apart(observed(disturbed)).empty());
   disturbed.definition.stop.seconds = 0.002;  // it ended B's
@@ -218,7 +218,7 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
   CHECK(busy.doubts.front().count == 8);
   CHECK(busy.doubts.front().of == 20);
   const Observations once = times(study(chained, [](SolveRecord& solve) {
-    if (solve.solver == "B" && solve.run == 1 && solve.point == 1) solve.seconds = 1;
+    if (solve.label == "B" && solve.run == 1 && solve.point == 1) solve.seconds = 1;
   }));
   CHECK(apart(once).empty());
   StudyResults twins =
@@ -227,7 +227,7 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
   twins.definition.plan.control = "B";
   CHECK(apart(times(twins)) == "ACC");
   CHECK(apart(observed(twins)).empty());
-  StudyResults later = study(chained, [](SolveRecord& solve) { solve.session = solve.solver == "B" ? 2 : 1; },
+  StudyResults later = study(chained, [](SolveRecord& solve) { solve.session = solve.label == "B" ? 2 : 1; },
                              {"A", "B", "CC"}, {{.id = 1}, {.id = 2}});
   CHECK(apart(times(later)) == "B");
   CHECK(apart(observed(later)).empty());
@@ -237,7 +237,7 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
   CHECK(apart(times(study({.runs = 4}, as_made, {"A"}))).empty());
   const auto in_process = [](const std::string& solvers) {
     return [solvers](SolveRecord& solve) {
-      if (solvers.find(solve.solver) != std::string::npos) solve.timing = Timing::process;
+      if (solvers.find(solve.label) != std::string::npos) solve.timing = Timing::process;
     };
   };
   CHECK(apart(times(study(chained, in_process("B")))) == "B");
@@ -248,7 +248,7 @@ TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is
   const auto counted = [](CountedBy by) {
     return observe(study(chained,
                          [by](SolveRecord& solve) {
-                           if (solve.solver == "B") solve.counted_by = by, solve.status = Status::not_finite;
+                           if (solve.label == "B") solve.counted_by = by, solve.status = Status::not_finite;
                          }),
                    metric_named("evaluations"));
   };
@@ -283,8 +283,8 @@ TEST_CASE("Orientation counts where a pose is searched, bends are of a run") {
 TEST_CASE("Answers that claim too much or lie outside limits are counted") {
   const StudyResults of = study(chained, [](SolveRecord& solve) {
     if (solve.run == 1 && solve.point == 1) solve.status = Status::claimed_but_wrong;
-    if (solve.run == 2 && solve.solver == "A") solve.limit_violation_deg = 3;
-    if (solve.run == 3 && solve.point == 1 && solve.solver == "A") solve.limit_violation_m = 3;
+    if (solve.run == 2 && solve.label == "A") solve.limit_violation_deg = 3;
+    if (solve.run == 3 && solve.point == 1 && solve.label == "A") solve.limit_violation_m = 3;
   });
   CHECK(doubt_of(of, DoubtKind::claimed_but_wrong)->count == 2);
   CHECK(doubt_of(of, DoubtKind::claimed_but_wrong)->of == 40);
@@ -298,7 +298,7 @@ TEST_CASE("Budgets differ where equal iterations are twice the evaluations") {
     return doubt_of(study(asked,
                           [&](SolveRecord& solve) {
                             solve.stop_reason = reason;
-                            if (solve.solver == "B") solve.evaluations = static_cast<std::int64_t>(100 * factor);
+                            if (solve.label == "B") solve.evaluations = static_cast<std::int64_t>(100 * factor);
                           }),
                     DoubtKind::budgets_differ);
   };

@@ -40,7 +40,7 @@ inline std::string definition(const Asked& asked) {
 
 inline SolveRecord solve_of(const Asked& asked, const std::string& solver, int run, int point) {
   const double target = asked.targets == "drawn" ? 100 * run + point : point;
-  return {.solver = solver,
+  return {.label = solver,
           .run = run,
           .point = point,
           .target_position_m = {target, 0, 0},

@@ -38,8 +38,8 @@ TEST_CASE("no solver's answer is held at half a turn from the start", "[endless]
       if (std::isfinite(arm.limits.lower[j])) continue;
       const auto at = static_cast<std::size_t>(j);
       const double moved = std::abs(solve.answer_rad[at] - solve.start_rad[at]);
-      held[solve.solver] += std::abs(moved - half) < 1e-9 ? 1 : 0;
-      beyond[solve.solver] += moved > half ? 1 : 0;
+      held[solve.label] += std::abs(moved - half) < 1e-9 ? 1 : 0;
+      beyond[solve.label] += moved > half ? 1 : 0;
     }
   });
   for (const SolverEntry& entry : study.solvers) {

@@ -111,7 +111,7 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
     std::vector<SolveRecord> solves = good;
     change(solves[4]);
     CHECK_THAT(refused_row(entry_of(study), solves),
-               ContainsSubstring(fmt::format("study {}, {}, run {}, point {}: ", study.name, solves[4].solver,
+               ContainsSubstring(fmt::format("study {}, {}, run {}, point {}: ", study.name, solves[4].label,
                                              solves[4].run, solves[4].point)) &&
                    ContainsSubstring(what));
   }

@@ -173,13 +173,13 @@ TEST_CASE("a study is solved without a store to the same numbers, the points of 
   for (const int jobs : {1, 2, 4}) {
     std::map<std::pair<std::string, int>, std::vector<SolveRecord>> taken;
     solve_study(study, jobs, [&](SolveRecord record) {
-      std::vector<SolveRecord>& of_run = taken[{record.solver, record.run}];
+      std::vector<SolveRecord>& of_run = taken[{record.label, record.run}];
       CHECK(record.point == static_cast<int>(of_run.size()) + 1);
       of_run.push_back(std::move(record));
     });
     std::vector<SolveRecord> ordered;
     for (const SolveRecord& record : stored) {
-      ordered.push_back(taken.at({record.solver, record.run}).at(static_cast<std::size_t>(record.point - 1)));
+      ordered.push_back(taken.at({record.label, record.run}).at(static_cast<std::size_t>(record.point - 1)));
     }
     CHECK(same_numbers(ordered, stored));
   }
@@ -190,7 +190,7 @@ TEST_CASE("solvers take turns at being first, run by run, also in a shard", "[ru
   study.runs = 4;
   std::vector<std::string> order;
   solve_study(study, 1, [&](const SolveRecord& record) {
-    if (record.point == 1) order.push_back(record.solver);
+    if (record.point == 1) order.push_back(record.label);
   });
   CHECK(order ==
         std::vector<std::string>{"IK-BA", "BA", "DE", "BA", "DE", "IK-BA", "DE", "IK-BA", "BA", "IK-BA", "BA", "DE"});
@@ -201,7 +201,7 @@ TEST_CASE("solvers take turns at being first, run by run, also in a shard", "[ru
   CHECK(scratch.store.solves("small").size() == 16);
   std::set<std::string> of_run_3;
   for (const SolveRecord& record : scratch.store.solves("small"))
-    if (record.run == 3) of_run_3.insert(record.solver);
+    if (record.run == 3) of_run_3.insert(record.label);
   CHECK(of_run_3 == std::set<std::string>{"BA"});
 }
 
@@ -291,9 +291,9 @@ TEST_CASE("a store that was edited is refused and says where", "[runner]") {
     return complaint<std::invalid_argument>([&] { run(small_study(), scratch.store, {}); });
   };
   for (const auto& [edit, part] : std::vector<std::pair<const char*, const char*>>{
-           {"DELETE FROM solves WHERE solver = 'BA' AND run = 2 AND point = 3", "run 2, point 4 by BA is not what"},
-           {"UPDATE solves SET run = 0 WHERE solver = 'BA' AND run = 2", "run 0, point 1 by BA is not what"},
-           {"UPDATE solves SET answer_rad = '[1]' WHERE solver = 'BA' AND run = 2 AND point = 1",
+           {"DELETE FROM solves WHERE label = 'BA' AND run = 2 AND point = 3", "run 2, point 4 by BA is not what"},
+           {"UPDATE solves SET run = 0 WHERE label = 'BA' AND run = 2", "run 0, point 1 by BA is not what"},
+           {"UPDATE solves SET answer_rad = '[1]' WHERE label = 'BA' AND run = 2 AND point = 1",
             "run 2, point 1 by BA is not what"}}) {
     const std::string message = complaint_after(edit);
     CAPTURE(edit, message);
@@ -321,7 +321,7 @@ TEST_CASE("the points of a run are chained: a solve starts where the one before 
   study.initial << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7;
   const std::vector<SolveRecord> records = solves_of(study);
   for (std::size_t i = 0; i < records.size(); ++i) {
-    INFO(records[i].solver << " run " << records[i].run << " point " << records[i].point);
+    INFO(records[i].label << " run " << records[i].run << " point " << records[i].point);
     if (records[i].point == 1) {
       CHECK(same(records[i].start_rad, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}));
     } else {
@@ -369,7 +369,7 @@ TEST_CASE("a solver's own population is the number of its candidates, and an opt
   ScratchStore scratch;
   run(study, scratch.store, {});
   for (const SolveRecord& record : scratch.store.solves("small")) {
-    CHECK(record.evaluations == (record.solver == "9 bats" ? 9 : 6) * (1 + study.stop.iterations));
+    CHECK(record.evaluations == (record.label == "9 bats" ? 9 : 6) * (1 + study.stop.iterations));
   }
   const std::vector<Series> series = scratch.store.study("small").series;
   CHECK_FALSE(nlohmann::json::parse(series[0].options).contains("population"));
@@ -385,7 +385,7 @@ TEST_CASE("where limits are enforced no solver takes any joint of the arm outsid
     study.wrist_branch = branch;
     const JointLimits limits = robot(study.robot).limits;
     for (const SolveRecord& record : solves_of(study)) {
-      INFO(record.solver);
+      INFO(record.label);
       CHECK(limits.violation(Eigen::VectorXd::Map(record.answer_rad.data(), 7)) < 1e-9);
       CHECK(record.limit_violation_deg == 0);
       CHECK((record.status == Status::ok || record.status == Status::refused));
@@ -478,7 +478,7 @@ TEST_CASE("the verified error of every solver is the one it claims", "[runner][s
     Study study = study_of_every_solver();
     study.search = search;
     for (const SolveRecord& record : solves_of(study)) {
-      INFO(record.solver);
+      INFO(record.label);
       CHECK(record.position_error_cm == Approx(record.claimed_error_cm).margin(1e-10).epsilon(0));
       CHECK(record.status != Status::claimed_but_wrong);
       CHECK(record.status != Status::not_finite);
@@ -498,7 +498,7 @@ TEST_CASE("every solver searches poses of an arm without a spherical wrist, and 
   const Robot arm = robot("ur5e");
   std::map<std::string, int> within;
   for (const SolveRecord& record : solves_of(study)) {
-    CAPTURE(record.solver, record.run, record.point);
+    CAPTURE(record.label, record.run, record.point);
     CHECK((record.status == Status::ok || record.status == Status::tolerance_missed ||
            record.status == Status::limit_violated));
     CHECK(record.position_error_cm == Approx(record.claimed_error_cm).margin(1e-10).epsilon(0));
@@ -507,7 +507,7 @@ TEST_CASE("every solver searches poses of an arm without a spherical wrist, and 
     const bool is_within = record.position_error_cm <= 1e-2 + 1e-7 && angle <= 0.1 * degree + 1e-9;
     CHECK((record.stop_reason == StopReason::tolerance) == is_within);
     if (record.status != Status::limit_violated) CHECK((record.status == Status::ok) == is_within);
-    within[record.solver] += is_within ? 1 : 0;
+    within[record.label] += is_within ? 1 : 0;
   }
   CHECK(within["damped_least_squares"] >= 15);  // of 20
   CHECK(within["random_search"] == 0);
@@ -530,7 +530,7 @@ TEST_CASE("an arm of five joints finds the axes that it can reach", "[runner][ax
     if (info.name == "trac_ik") study.solvers.push_back({"TRAC-IK", info.name, {}});
     if (info.name == "nlopt") study.solvers.push_back({"NLopt", info.name, {{"restarts", "random"}}});
   }
-  for (const SolveRecord& record : solves_of(study)) ok[record.solver] += record.status == Status::ok ? 1 : 0;
+  for (const SolveRecord& record : solves_of(study)) ok[record.label] += record.status == Status::ok ? 1 : 0;
   for (const SolverEntry& entry : study.solvers) {
     CAPTURE(entry.label);
     CHECK(ok[entry.label] == 50);
@@ -629,7 +629,7 @@ TEST_CASE("a target that is no number, or no place in the world, gives not_finit
       const std::vector<SolveRecord> records = solves_of(study);
       REQUIRE(records.size() == study.solvers.size() * 3);
       for (std::size_t i = 0; i < records.size(); i += 3) {
-        INFO(records[i].solver << " towards " << bad);
+        INFO(records[i].label << " towards " << bad);
         CHECK(records[i].status != Status::not_finite);
         CHECK(records[i + 1].status == Status::not_finite);
         CHECK(records[i + 1].stop_reason == StopReason::not_finite);
@@ -655,7 +655,7 @@ TEST_CASE("the trace has the best error after every iteration, and ends with the
   for (const SolveRecord& record : solves_of(study)) CHECK(record.trace_cm.empty());
   study.trace = Trace::best_error;
   for (const SolveRecord& record : solves_of(study)) {
-    INFO(record.solver);
+    INFO(record.label);
     CHECK((record.iterations == 5 || record.stop_reason == StopReason::finished));
     REQUIRE(record.trace_cm.size() == static_cast<std::size_t>(record.iterations));
     CHECK(std::is_sorted(record.trace_cm.rbegin(), record.trace_cm.rend()));  // never worse

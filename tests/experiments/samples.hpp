@@ -93,7 +93,7 @@ inline std::vector<results::SolveRecord> only(const std::string& solver,
                                               const std::vector<results::SolveRecord>& records) {
   std::vector<results::SolveRecord> chosen;
   for (const results::SolveRecord& record : records) {
-    if (record.solver == solver) chosen.push_back(record);
+    if (record.label == solver) chosen.push_back(record);
   }
   return chosen;
 }

@@ -12,7 +12,7 @@ const std::string planar_arm =
        "base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}, "tool": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}})";
 
 // Errors of A are 0.1, 0.2, ... [cm] by run, those of B ten times as large.
-void differ(SolveRecord& solve) { solve.position_error_cm = 0.1 * solve.run * (solve.solver == "A" ? 1 : 10); }
+void differ(SolveRecord& solve) { solve.position_error_cm = 0.1 * solve.run * (solve.label == "A" ? 1 : 10); }
 
 Look look_of_study(const StudyResults& study, results::FigureStyle style = {}) {
   return look_of(study.entry.series, std::move(style));
@@ -60,7 +60,7 @@ TEST_CASE("drawn targets with a tolerance have shares, and no number of solved o
       study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.01, .rest = planar_arm}, [](SolveRecord& solve) {
         differ(solve);
         solve.timing = results::Timing::parallel;
-        solve.status = solve.solver == "B" && solve.run == 1 ? Status::tolerance_missed : Status::ok;
+        solve.status = solve.label == "B" && solve.run == 1 ? Status::tolerance_missed : Status::ok;
       });
   const std::vector<Figure> figures = figures_of_study(asked);
   CHECK(names_of(figures) == Names{"error-shares", "solved-by-evaluations", "differences"});
@@ -72,9 +72,9 @@ TEST_CASE("drawn targets with a tolerance have shares, and no number of solved o
 TEST_CASE("solvers whose costs are not known or not comparable are left out of shares, by name", "[of_study]") {
   const StudyResults asked = study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.01},
                                    [](SolveRecord& solve) {
-                                     if (solve.solver == "A") solve.counted_by = CountedBy::nobody;
-                                     if (solve.solver == "B") solve.timing = results::Timing::process;
-                                     if (solve.solver == "C") solve.status = Status::tolerance_missed;
+                                     if (solve.label == "A") solve.counted_by = CountedBy::nobody;
+                                     if (solve.label == "B") solve.timing = results::Timing::process;
+                                     if (solve.label == "C") solve.status = Status::tolerance_missed;
                                    },
                                    {"A", "B", "C"});
   const std::vector<Figure> figures = figures_of_study(asked);
@@ -89,14 +89,14 @@ TEST_CASE("solvers whose costs are not known or not comparable are left out of s
 
 TEST_CASE("a difference is told as tables tell it: the better one first, in points or a ratio", "[of_study]") {
   const auto differences_of = [](const Asked& asked) {
-    const std::vector<Figure> figures =
-        figures_of_study(study(asked,
-                               [](SolveRecord& solve) {
-                                 differ(solve);
-                                 const bool fails = solve.solver == "B" && solve.run < 9;
-                                 solve.status = fails ? Status::tolerance_missed : Status::ok;
-                               },
-                               {"B", "A"}));
+    const std::vector<Figure> figures = figures_of_study(study(asked,
+                                                               [](SolveRecord& solve) {
+                                                                 differ(solve);
+                                                                 const bool fails = solve.label == "B" && solve.run < 9;
+                                                                 solve.status =
+                                                                     fails ? Status::tolerance_missed : Status::ok;
+                                                               },
+                                                               {"B", "A"}));
     return *std::ranges::find(figures, "differences", &Figure::name);
   };
   const Figure shares =
@@ -114,7 +114,7 @@ TEST_CASE("differences are those that were tested, in the order of the table; of
     const StudyResults asked = study(
         {.runs = 12},
         [&](SolveRecord& solve) {
-          const auto place = std::ranges::find(solvers, solve.solver) - solvers.begin();
+          const auto place = std::ranges::find(solvers, solve.label) - solvers.begin();
           solve.position_error_cm = (1 + 0.01 * solve.run) / static_cast<double>(1 + place);  // the last is the best
         },
         solvers);
@@ -132,7 +132,7 @@ TEST_CASE("differences are those that were tested, in the order of the table; of
 
 TEST_CASE("traces are curves by iteration; a solve that ended keeps its last error", "[of_study]") {
   const StudyResults traced = study({.runs = 2, .points = 1}, [](SolveRecord& solve) {
-    if (solve.solver == "A") solve.trace_cm = solve.run == 1 ? std::vector<double>{4, 2} : std::vector<double>{8, 8, 6};
+    if (solve.label == "A") solve.trace_cm = solve.run == 1 ? std::vector<double>{4, 2} : std::vector<double>{8, 8, 6};
   });
   const std::vector<Line> all = by_iteration(traced, look_of_study(traced), Average::median);
   REQUIRE(all.size() == 2);

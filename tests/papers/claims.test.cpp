@@ -24,7 +24,7 @@ TEST_CASE("a study with the printed numbers has the verdicts of the printed numb
 
 TEST_CASE("a claim fails where one is worse, and is not decided where none is shown to be", "[papers]") {
   const JudgedStudy worse = study_of({}, [](SolveRecord& solve) {
-    if (solve.solver != "IK-BA") return;
+    if (solve.label != "IK-BA") return;
     solve.position_error_cm *= 2000;
     solve.variation_deg *= 4;
   });
@@ -76,7 +76,7 @@ TEST_CASE("a claim about solvers of one study has the verdicts of its report", "
 
 TEST_CASE("an answer that is none decides nothing for its solver", "[papers]") {
   const JudgedStudy lost = study_of({}, [](SolveRecord& solve) {
-    if (solve.solver == "DE" && solve.run == 1) solve.position_error_cm = unknown;
+    if (solve.label == "DE" && solve.run == 1) solve.position_error_cm = unknown;
   });
   CHECK(holds(repeated(lost), "most_accurate") == Holds::undecided);
 }
@@ -84,8 +84,8 @@ TEST_CASE("an answer that is none decides nothing for its solver", "[papers]") {
 TEST_CASE("another solver's numbers come from a companion where the claim says so", "[papers]") {
   const JudgedStudy study = study_of({});
   const JudgedStudy bounds = study_of({.name = "slim2023-bounds"}, [](SolveRecord& solve) {
-    if (solve.solver == "PSO") solve.position_error_cm = 1e-6 * solve.run;  // and IK-BA is as it was
-    if (solve.solver == "IK-BA") solve.position_error_cm = 0.01;
+    if (solve.label == "PSO") solve.position_error_cm = 1e-6 * solve.run;  // and IK-BA is as it was
+    if (solve.label == "IK-BA") solve.position_error_cm = 0.01;
   });
   const Repeated of = repeated(study, {&bounds});
   CHECK(holds(of, "accurate_none_clamped") == Holds::fails);
@@ -99,7 +99,7 @@ TEST_CASE("what changes no bit has no effect, and what moves joints more has one
   const auto without = [&](double first, double second) {
     const JudgedStudy companion =
         study_of({.name = "slim2023-elongation", .solvers = {"IK-BA", "without the pull"}}, [&](SolveRecord& solve) {
-          const double factor = solve.solver == "IK-BA" ? first : second;
+          const double factor = solve.label == "IK-BA" ? first : second;
           solve.answer_rad = {0.1 * solve.point, 0.001 * solve.run, 0.01 * 'I'};
           if (factor != 1) solve.answer_rad[0] += 0.1;
           solve.variation_deg = factor * as_printed("IK-BA", "variation_deg", solve.run);
@@ -146,7 +146,7 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
                      .points = points,
                      .tolerance_cm = 0.001},
                     [=](SolveRecord& solve) {
-                      const int solved = solve.solver == "KDL-RR" ? 985 : kdl;
+                      const int solved = solve.label == "KDL-RR" ? 985 : kdl;
                       solve.status = solve.point <= solved ? results::Status::ok : results::Status::tolerance_missed;
                     });
   };

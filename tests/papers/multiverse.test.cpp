@@ -21,7 +21,7 @@ results::Dimension dimension(std::string name, std::string solver) {
   return {
       .name = name,
       .section = "",
-      .solver = std::move(solver),
+      .label = std::move(solver),
       .alternatives = {{.set = name + "=0", .where = name + " is 0"}, {.set = name + "=1", .where = name + " is 1"}}};
 }
 

@@ -13,7 +13,7 @@ const JudgedStudy& helix() {
 // IK-BA is beaten by DE.
 const JudgedStudy& all_joints() {
   static const JudgedStudy study = study_of({.name = "slim2023-all-joints"}, [](SolveRecord& solve) {
-    if (solve.solver == "DE") solve.position_error_cm = 1e-5 * solve.run;
+    if (solve.label == "DE") solve.position_error_cm = 1e-5 * solve.run;
   });
   return study;
 }

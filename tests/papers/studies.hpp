@@ -55,7 +55,7 @@ inline compare::JudgedStudy study_of(const Made& made, const Change& change = {}
     for (int run = 1; run <= made.runs; ++run) {
       for (int point = 1; point <= made.points; ++point) {
         const double seconds = as_printed(solver, "seconds", run) / 1000;
-        solves.push_back({.solver = solver,
+        solves.push_back({.label = solver,
                           .run = run,
                           .point = point,
                           .target_position_m = {0.1 * point, 0, 0},

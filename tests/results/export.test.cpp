@@ -3,13 +3,13 @@
 
 TEST_CASE("CSV has a row per solve and a column per joint", "[export]") {
   SolveRecord four_joints = sample_record("key-b", 2, 3);
-  four_joints.solver = "BA, \"literal\"";
+  four_joints.label = "BA, \"literal\"";
   four_joints.start_rad = four_joints.answer_rad = {0.5, 1, 1.5, 2};
   four_joints.position_error_cm = std::numeric_limits<double>::quiet_NaN();
   four_joints.seconds = std::numeric_limits<double>::infinity();
   std::istringstream csv(csv_of({sample_record(), four_joints}));
   for (const std::string line :
-       {"study,robot,solver,series,run,point,target_position_m_1,target_position_m_2,target_position_m_3,"
+       {"study,robot,label,series,run,point,target_position_m_1,target_position_m_2,target_position_m_3,"
         "target_rotation_1,target_rotation_2,target_rotation_3,target_rotation_4,target_rotation_5,target_rotation_6,"
         "target_rotation_7,target_rotation_8,target_rotation_9,start_rad_1,start_rad_2,start_rad_3,start_rad_4,"
         "start_rad_5,start_rad_6,start_rad_7,answer_rad_1,answer_rad_2,answer_rad_3,answer_rad_4,answer_rad_5,"

@@ -49,7 +49,7 @@ inline std::string to_csv(const Cells& cells) {
 inline results::SolveRecord sample_record(const std::string& series = "key-a", int run = 1, int point = 1) {
   return {.study = "table-3",
           .robot = "iiwa14",
-          .solver = series == "key-b" ? "BA" : "IK-BA",
+          .label = series == "key-b" ? "BA" : "IK-BA",
           .series = series,
           .run = run,
           .point = point,

@@ -78,16 +78,16 @@ TEST_CASE("any text comes back as it was", "[store]") {
         std::string("?1 :name %s {}"), std::string(1'000'000, 'x')}) {
     CAPTURE(text.substr(0, 40));
     SolveRecord record = sample_record();
-    record.study = record.robot = record.solver = record.series = text;
+    record.study = record.robot = record.label = record.series = text;
     CHECK(same(through_a_store(record), record));
 
     const ScratchFolder folder;
     Store store(folder.path / "a.ikb", Store::Mode::write);
     StoredStudy study = sample_study(text);
     study.series[0].key = study.series[0].algorithm = text;
-    study.series[0].label = record.solver = text.substr(0, 1000);
+    study.series[0].label = record.label = text.substr(0, 1000);
     store.save_study(study);
-    CHECK(store.study(text).series[0].label == record.solver);
+    CHECK(store.study(text).series[0].label == record.label);
     store.append({record});
     CHECK(store.solves(text).size() == 1);
     const auto id = store.begin_session({{text, text}});
@@ -140,7 +140,7 @@ TEST_CASE("solves of a study are those of its current series, runs and points, i
   store.save_study(study);
   const auto second = [](int run, int point) {
     SolveRecord record = sample_record("a", run, point);
-    record.solver = "second";
+    record.label = "second";
     return record;
   };
   store.append({second(1, 2), second(1, 1), sample_record("old", 1, 1)});
@@ -176,11 +176,10 @@ TEST_CASE("the views have the current solves under the present labels, and the m
     CHECK(store.number_of_solves(study) == 3);
   }
   SQLite::Database sqlite(file.string());
-  CHECK(
-      sqlite.execAndGet("SELECT group_concat(study || solver || run || point, ' ') FROM current_solves").getString() ==
-      "table-3now11 table-3now12 table-3now21");
+  CHECK(sqlite.execAndGet("SELECT group_concat(study || label || run || point, ' ') FROM current_solves").getString() ==
+        "table-3now11 table-3now12 table-3now21");
   CHECK(sqlite
-            .execAndGet("SELECT group_concat(study || solver || run || solves || ' ' || solved || ' ' || "
+            .execAndGet("SELECT group_concat(study || label || run || solves || ' ' || solved || ' ' || "
                         "position_error_cm || ' ' || ifnull(evaluations, '-')) FROM run_means")
             .getString() == "table-3now12 0.5 1.5 10000.0,table-3now21 0.0 0.0019 -");
 }
@@ -229,13 +228,13 @@ TEST_CASE("the file names its program and the version of its schema", "[store]")
   { const Store store(folder.path / "a.ikb", Store::Mode::write); }
   SQLite::Database sqlite((folder.path / "a.ikb").string());
   CHECK(sqlite.execAndGet("PRAGMA application_id").getInt64() == 0x494B424E);  // "IKBN"
-  CHECK(sqlite.execAndGet("PRAGMA user_version").getInt64() == 2);
+  CHECK(sqlite.execAndGet("PRAGMA user_version").getInt64() == 3);
   // The first 26: docs/reference/data.md.
   CHECK(sqlite
             .execAndGet("SELECT group_concat(name || ' ' || type) FROM (SELECT * FROM pragma_table_info('solves') "
                         "ORDER BY cid LIMIT 26)")
             .getString() ==
-        "study TEXT,robot TEXT,solver TEXT,series TEXT,run INTEGER,point INTEGER,target_position_m TEXT,"
+        "study TEXT,robot TEXT,label TEXT,series TEXT,run INTEGER,point INTEGER,target_position_m TEXT,"
         "target_rotation TEXT,start_rad TEXT,answer_rad TEXT,reached_position_m TEXT,position_error_cm "
         "REAL,claimed_error_cm REAL,"
         "orientation_error REAL,variation_deg REAL,largest_move_deg REAL,limit_violation_deg REAL,evaluations INTEGER,"

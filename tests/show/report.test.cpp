@@ -337,7 +337,7 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
   study.definition.points = 1;
   for (const std::string& solver : study.labels) {
     for (const int run : {1, 2}) {
-      results::SolveRecord solve{.solver = solver, .run = run};
+      results::SolveRecord solve{.label = solver, .run = run};
       solve.target_position_m = {1, 1, 0};
       solve.start_rad = {0, 0};
       solve.answer_rad = {0.5 * run, 2};
