@@ -59,9 +59,11 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const bool is_untested = group->is_apart || group->lost > 0 || (pair && finding.verdict == Verdict::not_tested);
   const bool is_of_solved = judged.observations.is_of_solved, is_reference = solver == reference;
-  const bool is_better = finding.verdict == Verdict::better && reference == judged.plan.control;
-  const std::string mark = is_untested ? exclamation : finding.verdict == Verdict::worse ? star : is_better ? plus : "";
-  if (is_of_solved && (is_reference ? group->is_apart : !finding.estimate)) return {};
+  const std::string mark = is_untested                          ? exclamation
+                           : finding.verdict == Verdict::worse  ? star
+                           : finding.verdict == Verdict::better ? plus
+                                                                : "";
+  if (is_of_solved && (is_reference ? group->is_apart : is_untested || !finding.estimate)) return {};
   if (is_of_solved && !is_reference)
     return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale};
   const Description& its = judged.described[i];
