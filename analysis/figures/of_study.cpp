@@ -125,7 +125,7 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
   const Metric& metric = metric_named(error);
   const auto [unit, factor] = drawn_unit(study, metric.unit);
   const double tolerance = factor * study.definition.stop.tolerance_cm();
-  if (tolerance == 0) return std::nullopt;
+  if (tolerance <= factor * metric.floor) return std::nullopt;  // no line where smaller errors are not told apart
   const About about =
       about_of(study, metric,
                fmt::format("Share of targets within a position error{}, up to 1000 times the tolerance (dashed).",
