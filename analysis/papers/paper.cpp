@@ -79,15 +79,6 @@ Rates read_rates(TomlReader reader) {
   return rates;
 }
 
-// Adds the share of the solves, if there are any.
-void set_share(Rate& rate, std::span<const Solve> solves, double n_printed, double level) {
-  if (solves.empty()) return;
-  const auto n = static_cast<double>(solves.size());
-  rate.share = static_cast<double>(std::ranges::count(solves, results::Status::ok, &Solve::status)) / n;
-  const Interval difference = newcombe(*rate.share, n, rate.printed, n_printed, 1 - level);
-  rate.interval = {std::max(0.0, rate.printed + difference.low), std::min(1.0, rate.printed + difference.high)};
-}
-
 }  // namespace
 
 const std::vector<Paper>& papers() {
@@ -152,42 +143,42 @@ const JudgedStudy* Repeated::part(std::string_view part) const {
   return nullptr;
 }
 
-std::vector<Rate> rates_of(const Repeated& repeated) {
+std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated) {
   const Rates& plan = repeated.paper.rates;
-  std::vector<Rate> rates;
-  const results::CsvTable printed = results::published::table(repeated.paper.name, plan.table);
-  for (std::size_t row = 0; row < printed.rows(); ++row) {
+  std::map<std::string, std::vector<Rate>> rates;
+  const results::CsvTable table = results::published::table(repeated.paper.name, plan.table);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
     for (const JudgedStudy* judged : repeated.all()) {
       const StudyResults& study = judged->study;
       const auto arm = plan.rows.find(study.definition.robot);
-      if (arm == plan.rows.end() || printed.cell(row, printed.column("arm")) != arm->second) continue;
+      if (arm == plan.rows.end() || table.cell(row, table.column("arm")) != arm->second) continue;
       for (const auto& [solver, column] : plan.columns) {
-        Rate& rate = rates.emplace_back(Rate{.arm = arm->second, .solver = solver});
-        rate.is_picked = std::ranges::count(plan.picked, arm->first) > 0;
-        rate.printed = printed.number(row, column) / 100;
-        rate.margin = study.definition.plan.margin;
-        set_share(rate, study.of(solver), printed.number(row, "n"), plan.level);
+        const Solves solves = study.of(solver);
+        if (solves.empty()) continue;
+        const auto n = static_cast<double>(solves.size());
+        const double share = static_cast<double>(std::ranges::count(solves, results::Status::ok, &Solve::status)) / n;
+        const double printed = table.number(row, column) / 100;
+        const Interval difference = newcombe(share, n, printed, table.number(row, "n"), 1 - plan.level);
+        rates[solver].push_back(
+            {.arm = arm->second,
+             .is_picked = std::ranges::count(plan.picked, arm->first) > 0,
+             .printed = printed,
+             .share = share,
+             .interval = {std::max(0.0, printed + difference.low), std::min(1.0, printed + difference.high)},
+             .margin = study.definition.plan.margin});
       }
     }
   }
   return rates;
 }
 
-std::vector<Rate> rates_of(const Repeated& repeated, std::string_view solver) {
-  std::vector<Rate> rates = repeated.paper.rates.level > 0 ? rates_of(repeated) : std::vector<Rate>();
-  std::erase_if(rates, [&](const Rate& rate) { return rate.solver != solver || !rate.share; });
-  return rates;
-}
-
 std::vector<std::string> rates_sentences(const Repeated& repeated) {
   std::vector<std::string> counts, sentences;
-  for (const auto& [solver, column] : repeated.paper.rates.columns) {
-    const std::vector<Rate> rates = rates_of(repeated, solver);
-    if (rates.empty()) continue;
+  for (const auto& [solver, rates] : rates_of(repeated)) {
     std::vector<std::string> others;
     for (const Rate& rate : rates) {
       if (rate.is_other())  // "Jaco2 31 % (printed 26.23)"
-        others.push_back(fmt::format("{} {:.1f} % (printed {:.2f})", rate.arm, 100 * *rate.share, 100 * rate.printed));
+        others.push_back(fmt::format("{} {:.1f} % (printed {:.2f})", rate.arm, 100 * rate.share, 100 * rate.printed));
     }
     const auto repeat = std::ranges::count_if(rates, &Rate::is_as_printed);
     const auto open = std::ssize(rates) - repeat - std::ssize(others);
@@ -273,22 +264,20 @@ show::Table means_table(const Repeated& repeated) {
 show::Table rates_table(const Repeated& repeated, bool has_intervals) {
   const Rates& plan = repeated.paper.rates;
   show::Table table{.name = plan.table, .caption = "Solved targets, as printed and here", .columns = {{"arm"}}};
-  for (const auto& [solver, column] : plan.columns) {
+  for (const auto& [solver, rates] : rates_of(repeated)) {
     table.columns.push_back({solver, "%"});
     if (has_intervals) table.columns.push_back({solver + " interval"});
-  }
-  for (const Rate& rate : rates_of(repeated)) {
-    if (table.rows.empty() || table.rows.back().size() == table.columns.size())
-      table.rows.push_back({rate.arm + (rate.is_picked ? " *" : "")});
-    auto& row = table.rows.back();
-    row.emplace_back(show::Printed{100 * rate.share.value_or(unknown), fmt::format("{:.2f}", 100 * rate.printed),
-                                   !rate.share            ? ""
-                                   : rate.is_as_printed() ? "~"
-                                   : rate.is_other()      ? "x"
-                                                          : "?"});
-    if (!has_intervals) continue;
-    const auto& [low, high, excludes_low, excludes_high] = rate.interval;
-    row.push_back(rate.share ? show::Cell(fmt::format("{:.2f}-{:.2f}", 100 * low, 100 * high)) : show::Cell());
+    table.rows.resize(rates.size());  // arms, in each solver's order
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+      const Rate& rate = rates[i];
+      if (table.rows[i].empty()) table.rows[i].emplace_back(rate.arm + (rate.is_picked ? " *" : ""));
+      table.rows[i].emplace_back(show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed),
+                                               rate.is_as_printed() ? "~"
+                                               : rate.is_other()    ? "x"
+                                                                    : "?"});
+      if (has_intervals)
+        table.rows[i].emplace_back(fmt::format("{:.2f}-{:.2f}", 100 * rate.interval.low, 100 * rate.interval.high));
+    }
   }
   table.notes.push_back(fmt::format(
       "~ the printed share is in the {:g} % interval of ours, by the targets of both; x it is not; ? the interval is "
@@ -302,11 +291,11 @@ show::Table rates_table(const Repeated& repeated, bool has_intervals) {
 
 std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
   std::vector<figures::IntervalRow> rows;
-  for (const auto& [solver, column] : repeated.paper.rates.columns) {
-    for (const Rate& rate : rates_of(repeated, solver)) {
+  for (const auto& [solver, rates] : rates_of(repeated)) {
+    for (const Rate& rate : rates) {
       const auto minus_printed = [&](double share) { return 100 * (share - rate.printed); };
       rows.push_back({.label = fmt::format("{}: {}", solver, rate.arm),
-                      .estimate = minus_printed(*rate.share),
+                      .estimate = minus_printed(rate.share),
                       .low = minus_printed(rate.interval.low),
                       .high = minus_printed(rate.interval.high),
                       .verdict = rate.is_other()        ? "not as printed"

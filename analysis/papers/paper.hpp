@@ -84,7 +84,7 @@ struct Claim {
 // A printed table of shares solved [%], a row an arm.
 struct Rates {
   std::string table = {}, note = {};
-  double level = 0;                                 // of intervals; 0: there is no such table
+  double level = 0;                                 // of intervals
   std::vector<std::string> picked = {};             // arms whose file or side was chosen by their shares
   std::map<std::string, std::string> rows = {};     // name of our arm to that in its column `arm`
   std::map<std::string, std::string> columns = {};  // solver to column
@@ -116,12 +116,11 @@ compare::Description numbers_of(const compare::JudgedMetric& judged, std::string
 // A solver's share of solved targets on an arm. The interval is ours, as wide as that of the difference of the two
 // shares: it has the printed one where the two do not differ.
 struct Rate {
-  std::string arm, solver;  // as printed
-  bool is_picked = false;
-  double printed = 0;
-  std::optional<double> share = {};  // none: not solved here
-  compare::Interval interval = {};
-  double margin = 0;  // of the study, which matters
+  std::string arm;  // as printed
+  bool is_picked;
+  double printed, share;
+  compare::Interval interval;
+  double margin;  // of the study, which matters
 
   bool is_other() const { return printed < interval.low || interval.high < printed; }
   bool is_as_printed() const { return !is_other() && interval.high - interval.low <= 2 * margin; }  // else not decided
@@ -138,10 +137,8 @@ struct Repeated {
   const compare::JudgedStudy* part(std::string_view part) const;
 };
 
-// Of the arms of all studies that the printed table has, in its order.
-std::vector<Rate> rates_of(const Repeated& repeated);
-// Of this solver, where it is solved here.
-std::vector<Rate> rates_of(const Repeated& repeated, std::string_view solver);
+// By solver, of the arms of all studies that the printed table has, in its order.
+std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated);
 // "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then who fails where; none if none is printed.
 std::vector<std::string> rates_sentences(const Repeated& repeated);
 

@@ -253,11 +253,10 @@ JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
 // A claim of each solver, over all arms.
 JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   JudgedClaims judged;
-  for (const auto& [solver, column] : repeated.paper.rates.columns) {
+  for (const auto& [solver, rates] : rates_of(repeated)) {
     std::vector<Holds> repeats;
-    for (const Rate& rate : rates_of(repeated, solver))
+    for (const Rate& rate : rates)
       repeats.push_back(rate.is_other() ? Holds::fails : rate.is_as_printed() ? Holds::holds : Holds::undecided);
-    if (repeats.empty()) continue;
     JudgedClaim& result = judged.emplace_back(JudgedClaim{claim});
     result.id = fmt::format("{}-{}", claim.id, solver);
     result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", solver));
