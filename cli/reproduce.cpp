@@ -93,8 +93,7 @@ papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper
 void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
             const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
   const FigureStyle style = styled(all.front().study.entry, arguments.report);
-  papers::Repeated repeated{.paper = paper, .study = all.front()};
-  for (std::size_t i = 1; i < all.size(); ++i) repeated.companions.push_back(&all[i]);
+  const papers::Repeated repeated{.paper = paper, .studies = all};
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.in_readings);
   show::Table means = papers::means_table(repeated), brief = means;
   if (means.rows.empty()) means = papers::rates_table(repeated), brief = papers::rates_table(repeated, false);
@@ -104,9 +103,9 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
       is_slim2023 ? figures::look_of(all.front().study.entry.series, style) : figures::look_of(all.front(), style);
   show::Report reported = show::report_of(
       all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look) : figures::of_study(all.front(), look));
-  for (const compare::JudgedStudy* const companion : repeated.companions) {
-    for (const compare::Doubt& doubt : show::answer_of(*companion).all_doubts())
-      reported.warnings.push_back(fmt::format("{}: {}.", companion->study.entry.name, words_of(doubt)));
+  for (const compare::JudgedStudy& companion : repeated.studies.subspan(1)) {
+    for (const compare::Doubt& doubt : show::answer_of(companion).all_doubts())
+      reported.warnings.push_back(fmt::format("{}: {}.", companion.study.entry.name, words_of(doubt)));
   }
   std::vector<figures::Figure> of_circle;
   std::vector<std::string> sentences;

@@ -130,17 +130,10 @@ Description numbers_of(const JudgedMetric& judged, std::string_view solver) {
                                                                                         : judged.described[group];
 }
 
-std::vector<const JudgedStudy*> Repeated::all() const {
-  std::vector<const JudgedStudy*> studies{&study};
-  studies.insert(studies.end(), companions.begin(), companions.end());
-  return studies;
-}
-
 const JudgedStudy* Repeated::part(std::string_view part) const {
-  for (const JudgedStudy* companion : companions) {
-    if (companion->study.entry.name == fmt::format("{}-{}", study.study.entry.name, part)) return companion;
-  }
-  return nullptr;
+  const std::string name = fmt::format("{}-{}", study().study.entry.name, part);
+  const auto found = std::ranges::find(studies, name, [](const JudgedStudy& each) { return each.study.entry.name; });
+  return found == studies.end() ? nullptr : &*found;
 }
 
 std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated) {
@@ -148,8 +141,7 @@ std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated) {
   std::map<std::string, std::vector<Rate>> rates;
   const results::CsvTable table = results::published::table(repeated.paper.name, plan.table);
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (const JudgedStudy* judged : repeated.all()) {
-      const StudyResults& study = judged->study;
+    for (const auto& [study, metrics, deciding, doubts] : repeated.studies) {
       const auto arm = plan.rows.find(study.definition.robot);
       if (arm == plan.rows.end() || table.cell(row, table.column("arm")) != arm->second) continue;
       for (const auto& [solver, column] : plan.columns) {
@@ -220,7 +212,7 @@ void Explained::add(const show::Cell& cell) {
 
 Explained explained_by(const Repeated& repeated) {
   Explained count;
-  for (const JudgedMetric& judged : repeated.study.metrics) {
+  for (const JudgedMetric& judged : repeated.study().metrics) {
     const auto metric = std::ranges::find(metrics(), judged.observations.metric, &Metric::slug);
     for (const PrintedRow& row : printed_rows(repeated.paper, *metric)) {
       const std::vector<show::Cell> cells = beside(judged, row.solver, &row);
@@ -235,13 +227,13 @@ Explained explained_by(const Repeated& repeated) {
 }
 
 show::Table means_table(const Repeated& repeated) {
-  const StudyResults& study = repeated.study.study;
+  const StudyResults& study = repeated.study().study;
   const std::string runs = numerics::counted(study.definition.runs, "runs");
   show::Table table{
       .name = "means", .caption = fmt::format("Means of {}, here and as printed", runs), .columns = {{"solver"}}};
   Explained count;
   for (const std::string& solver : study.labels) table.rows.push_back({solver});
-  for (const JudgedMetric& judged : repeated.study.metrics) {
+  for (const JudgedMetric& judged : repeated.study().metrics) {
     const Observations& observations = judged.observations;
     const auto metric = std::ranges::find(metrics(), observations.metric, &Metric::slug);
     const PrintedRows printed = printed_rows(repeated.paper, *metric);
@@ -282,7 +274,7 @@ show::Table rates_table(const Repeated& repeated, bool has_intervals) {
   table.notes.push_back(fmt::format(
       "~ the printed share is in the {:g} % interval of ours, by the targets of both; x it is not; ? the interval is "
       "wider than {:g} points to both sides",
-      100 * plan.level, 100 * repeated.study.study.definition.plan.margin));
+      100 * plan.level, 100 * repeated.study().study.definition.plan.margin));
   if (!plan.picked.empty())
     table.notes.emplace_back("* of several files or sides of the arm, that with the nearest shares");
   if (!plan.note.empty()) table.notes.push_back(plan.note);

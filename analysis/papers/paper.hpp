@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -129,10 +130,9 @@ struct Rate {
 // A paper's study with its companions.
 struct Repeated {
   const Paper& paper;
-  const compare::JudgedStudy& study;
-  std::vector<const compare::JudgedStudy*> companions = {};
+  std::span<const compare::JudgedStudy> studies;  // the first is the paper's own
 
-  std::vector<const compare::JudgedStudy*> all() const;
+  const compare::JudgedStudy& study() const { return studies.front(); }
   // The companion NAME-part; null if there is none.
   const compare::JudgedStudy* part(std::string_view part) const;
 };

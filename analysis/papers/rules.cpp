@@ -27,7 +27,7 @@ Holds always_or_on_average(bool always, bool on_average) {
 // The study that the claim is about; with a part, only where numbers are taken from it.
 const JudgedStudy* study_of(const Claim& claim, const Repeated& repeated, bool is_of_part = true) {
   const bool is_part = is_of_part && !claim.study.empty();
-  return is_part ? repeated.part(claim.study) : &repeated.study;
+  return is_part ? repeated.part(claim.study) : &repeated.study();
 }
 
 // A rival has the name of one of the claim's solvers only where it is another study's, and asked for.
@@ -133,12 +133,12 @@ JudgedClaims better_in_each_study(const Claim& claim, const Repeated& repeated) 
   JudgedClaim result{claim};
   Tally tally;
   Names arms;
-  for (const JudgedStudy* on_arm : repeated.all()) {
-    const std::optional<JudgedMetric> judged = about(claim, judged_in(*on_arm, *claim.metrics.front()));
+  for (const JudgedStudy& on_arm : repeated.studies) {
+    const std::optional<JudgedMetric> judged = about(claim, judged_in(on_arm, *claim.metrics.front()));
     if (!judged) continue;
     const std::string best = rivals_of(*judged, {own}).back();  // read_claim takes shares alone
     tally.add(verdict_between(*judged, own, best));
-    arms.push_back(fmt::format("{} {:.1f} to {:.1f} %", on_arm->study.definition.robot, 100 * mean_of(*judged, best),
+    arms.push_back(fmt::format("{} {:.1f} to {:.1f} %", on_arm.study.definition.robot, 100 * mean_of(*judged, best),
                                100 * mean_of(*judged, own)));
   }
   result.evidence = fmt::format("{} is not among the solvers.", own);
@@ -213,7 +213,7 @@ JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
 
 JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
   std::vector<Holds> here;
-  const double significance = repeated.study.study.definition.plan.significance;
+  const double significance = repeated.study().study.definition.plan.significance;
   for (const Metric* metric : claim.metrics) {
     const std::optional<JudgedMetric> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};

@@ -29,8 +29,8 @@ show::Table table_3(const papers::Repeated& repeated);
 // Tables 4 to 6: of error, variation and time.
 std::vector<show::Table> anova_tables(const papers::Repeated& repeated);
 // Of random targets and of the circle; none for other studies.
-std::optional<show::Table> table_7(const papers::Repeated& repeated);
-std::optional<show::Table> table_8(const papers::Repeated& repeated);
+std::optional<show::Table> table_7(const compare::StudyResults& study);
+std::optional<show::Table> table_8(const compare::StudyResults& study);
 
 // Does the paper's conclusion repeat, and how many of its numbers? On what does it depend that IK-BA is the most
 // accurate?

@@ -32,7 +32,7 @@ std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& ano
 }  // namespace
 
 Table table_3(const Repeated& repeated) {
-  const std::vector<std::string>& solvers = repeated.study.study.labels;
+  const std::vector<std::string>& solvers = repeated.study().study.labels;
   Table table{.name = "table-3",
               .caption = "Table 3: statistics of the runs",
               .columns = {{"solver"}, {"statistic"}},
@@ -44,7 +44,7 @@ Table table_3(const Repeated& repeated) {
   }
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const Metric& metric = metric_named(column);
-    const JudgedMetric* const judged = judged_of(repeated.study, column);
+    const JudgedMetric* const judged = judged_of(repeated.study(), column);
     if (judged == nullptr) continue;
     table.columns.push_back({std::string(name), std::string(metric.unit == "s" ? "ms" : metric.unit)});
     const PrintedRows printed = printed_rows(repeated.paper, metric);
@@ -60,7 +60,7 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
   std::vector<Table> tables;
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const std::string number = fmt::format("table-{}", anova);
-    const JudgedMetric* const judged = judged_of(repeated.study, column);
+    const JudgedMetric* const judged = judged_of(repeated.study(), column);
     if (judged == nullptr) continue;
     Table& table = tables.emplace_back(
         Table{.name = number,
@@ -81,10 +81,9 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
   return tables;
 }
 
-std::optional<Table> table_7(const Repeated& repeated) {
+std::optional<Table> table_7(const StudyResults& study) {
   constexpr double limit_ms = 50, verifier_rounding_cm = 1e-7;
-  const StudyResults& study = repeated.study.study;
-  const PrintedRows printed = printed_times(repeated.paper.name, "table-7");
+  const PrintedRows printed = printed_times("slim2023", "table-7");
   if (study.definition.path != "random" || study.solves.empty()) return {};
   const double tolerance = study.definition.stop.tolerance_cm();
   Table table{.name = "table-7",
@@ -111,9 +110,8 @@ std::optional<Table> table_7(const Repeated& repeated) {
   return table;
 }
 
-std::optional<Table> table_8(const Repeated& repeated) {
-  const StudyResults& study = repeated.study.study;
-  const results::CsvTable printed = results::published::table(repeated.paper.name, "table-8");
+std::optional<Table> table_8(const StudyResults& study) {
+  const results::CsvTable printed = results::published::table("slim2023", "table-8");
   if (study.definition.path != "circle" || study.solves.empty()) return {};
   Table table{.name = "table-8",
               .caption = "Table 8: joint angles and position error along the circle",
@@ -205,10 +203,9 @@ std::vector<show::Blocks> sections(const Repeated& repeated, const std::vector<f
   show::Blocks anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
   for (Table& table : anova_tables(repeated)) anovas.emplace_back(std::move(table));
   add("Tables 4 to 6", std::move(anovas));
-  for (const JudgedStudy* judged : repeated.all()) {
-    const Repeated part{.paper = repeated.paper, .study = *judged};
-    if (auto table = table_7(part)) times.emplace_back(std::move(*table));
-    if (auto table = table_8(part)) circle.emplace_back(std::move(*table));
+  for (const JudgedStudy& judged : repeated.studies) {
+    if (auto table = table_7(judged.study)) times.emplace_back(std::move(*table));
+    if (auto table = table_8(judged.study)) circle.emplace_back(std::move(*table));
   }
   add("Real time", std::move(times));
   add("The Dobot's circle", std::move(circle));

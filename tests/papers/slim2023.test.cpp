@@ -41,19 +41,19 @@ TEST_CASE("Tables 7 and 8 are of random targets and of the circle", "[papers]") 
         solve.position_error_cm = solve.point < 4 ? 0.5 : 0.05;
         solve.seconds = 0.001 * solve.point;
       });
-  const auto table = slim2023::table_7(repeated(times));
+  const auto table = slim2023::table_7(times.study);
   REQUIRE(table);
   CHECK(std::get<std::int64_t>(table->rows[0][2]) == 17);
   CHECK(ours(table->rows[0][7]) == 20);  // the slowest [ms]
   CHECK(printed(table->rows[0][7]) == "67.2");
-  CHECK_FALSE(slim2023::table_7(repeated(helix())));
+  CHECK_FALSE(slim2023::table_7(helix().study));
 
   constexpr double degree = 0.017453292519943295;
   const JudgedStudy circle =
       study_of({.name = "slim2023-dobot", .path = "circle", .solvers = {"IK-BA"}, .points = 1}, [](SolveRecord& solve) {
         solve.answer_rad = {34.84 * degree, 66.5 * degree, 49.6 * degree};
       });
-  const auto angles = slim2023::table_8(repeated(circle));
+  const auto angles = slim2023::table_8(circle.study);
   REQUIRE(angles);
   CHECK(angles->rows.size() == 1);
   CHECK(printed(angles->rows[0][5]) == "2.04e-14");

@@ -74,8 +74,12 @@ inline compare::JudgedStudy study_of(const Made& made, const Change& change = {}
   return compare::judge(compare::stored_study(entry, solves, {{.id = 1, .environment = {{"cpu", "one"}}}}));
 }
 
-inline Repeated repeated(const compare::JudgedStudy& study, std::vector<const compare::JudgedStudy*> companions = {}) {
-  return {.paper = paper_named(study.study.definition.published), .study = study, .companions = std::move(companions)};
+inline Repeated repeated(const compare::JudgedStudy& study,
+                         const std::vector<const compare::JudgedStudy*>& companions = {}) {
+  static std::deque<std::vector<compare::JudgedStudy>> kept;
+  std::vector<compare::JudgedStudy>& all = kept.emplace_back(std::vector{study});
+  for (const compare::JudgedStudy* companion : companions) all.push_back(*companion);
+  return {.paper = paper_named(study.study.definition.published), .studies = all};
 }
 
 inline JudgedClaim claim_of(const Repeated& of, std::string_view id) {
