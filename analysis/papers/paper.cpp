@@ -120,8 +120,9 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
   return paper;
 }
 
-PrintedRows printed_rows(const Paper& paper, const Metric& metric) {
-  return paper.means.empty() ? PrintedRows() : printed_means(paper.name, paper.means, metric.column);
+PrintedRows printed_rows(const Paper& paper, const JudgedMetric& judged) {
+  const auto metric = std::ranges::find(metrics(), judged.observations.metric, &Metric::slug);
+  return printed_means(paper.name, paper.means, metric->column);
 }
 
 Description numbers_of(const JudgedMetric& judged, std::string_view solver) {
@@ -213,8 +214,7 @@ void Explained::add(const show::Cell& cell) {
 Explained explained_by(const Repeated& repeated) {
   Explained count;
   for (const JudgedMetric& judged : repeated.study().metrics) {
-    const auto metric = std::ranges::find(metrics(), judged.observations.metric, &Metric::slug);
-    for (const PrintedRow& row : printed_rows(repeated.paper, *metric)) {
+    for (const PrintedRow& row : printed_rows(repeated.paper, judged)) {
       const std::vector<show::Cell> cells = beside(judged, row.solver, &row);
       for (const show::Cell& cell : cells) count.add(cell);
       const auto* const mean = std::get_if<show::Printed>(&cells.front());
@@ -234,11 +234,9 @@ show::Table means_table(const Repeated& repeated) {
   Explained count;
   for (const std::string& solver : study.labels) table.rows.push_back({solver});
   for (const JudgedMetric& judged : repeated.study().metrics) {
-    const Observations& observations = judged.observations;
-    const auto metric = std::ranges::find(metrics(), observations.metric, &Metric::slug);
-    const PrintedRows printed = printed_rows(repeated.paper, *metric);
-    if (printed.empty() || metric->unit == "s") continue;  // of another machine
-    table.columns.push_back({observations.quantity, observations.unit});
+    const PrintedRows printed = printed_rows(repeated.paper, judged);
+    if (printed.empty() || judged.observations.unit == "s") continue;  // of another machine
+    table.columns.push_back({judged.observations.quantity, judged.observations.unit});
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       table.rows[i].push_back(beside(judged, study.labels[i], row_of(printed, study.labels[i])).front());
       count.add(table.rows[i].back());

@@ -109,7 +109,7 @@ const Paper& paper_named(std::string_view name);
 Paper read_paper(std::string_view name, std::string_view toml, std::string_view source);
 
 // Of its table of means.
-PrintedRows printed_rows(const Paper& paper, const compare::Metric& metric);
+PrintedRows printed_rows(const Paper& paper, const compare::JudgedMetric& judged);
 
 // Of a solver; unknown where it is not among the judged, or values are lost.
 compare::Description numbers_of(const compare::JudgedMetric& judged, std::string_view solver);

@@ -47,7 +47,7 @@ Table table_3(const Repeated& repeated) {
     const JudgedMetric* const judged = judged_of(repeated.study(), column);
     if (judged == nullptr) continue;
     table.columns.push_back({std::string(name), std::string(metric.unit == "s" ? "ms" : metric.unit)});
-    const PrintedRows printed = printed_rows(repeated.paper, metric);
+    const PrintedRows printed = printed_rows(repeated.paper, *judged);
     for (std::size_t i = 0; i < solvers.size(); ++i) {
       const std::vector<Cell> cells = beside(*judged, solvers[i], row_of(printed, solvers[i]));
       for (std::size_t s = 0; s < cells.size(); ++s) table.rows[s * solvers.size() + i].push_back(cells[s]);
