@@ -56,15 +56,13 @@ double half_unit(std::string_view printed) {
   return parsed(fmt::format("0.5e-{}", decimals)) * parsed(fmt::format("1{}", printed.substr(e)));
 }
 
-bool agrees(double ours, std::string_view printed) {
-  constexpr double room = 1 + 1e-9;  // 2.5 printed as 2 is half a unit off, and doubles are not exact
-  return std::abs(ours - parsed(printed)) <= half_unit(printed) * room;
-}
-
 bool can_be(const compare::Interval& interval, std::string_view printed) {
-  const double number = parsed(printed), half = half_unit(printed);
+  constexpr double room = 1 + 1e-9;  // 2.5 printed as 2 is half a unit off, and doubles are not exact
+  const double number = parsed(printed), half = half_unit(printed) * room;
   return interval.low <= number + half && number - half <= interval.high;
 }
+
+bool agrees(double ours, std::string_view printed) { return can_be({ours, ours}, printed); }
 
 std::string in_thousandths(std::string_view printed) {
   const auto decimals = static_cast<int>(std::lround(-std::log10(2 * half_unit(printed))));

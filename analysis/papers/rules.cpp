@@ -20,10 +20,6 @@ using Names = std::vector<std::string>;
 
 bool has(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
-Holds always_or_on_average(bool always, bool on_average) {
-  return always ? Holds::holds : on_average ? Holds::in_part : Holds::fails;
-}
-
 // The study that the claim is about; with a part, only where numbers are taken from it.
 const JudgedStudy* study_of(const Claim& claim, const Repeated& repeated, bool is_of_part = true) {
   const bool is_part = is_of_part && !claim.study.empty();
@@ -100,10 +96,6 @@ std::string mean_words(const JudgedMetric& judged, const std::string& solver) {
   if (group.lost > 0) return "not known";
   return (group.at_most > 0 && mean <= group.at_most ? "at most " : "") + number_text(mean);
 }
-std::string with_unit(std::string words, const JudgedMetric& judged) {
-  const std::string& unit = judged.observations.unit;
-  return words + (unit.empty() ? "" : ' ' + unit);
-}
 
 // The others by their means, the smallest first.
 Names rivals_of(const JudgedMetric& judged, const Names& own) {
@@ -168,7 +160,8 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
     if (!rivals.empty()) here.push_back(holds_of(tally));
     if (!result.number.empty()) continue;
     for (const std::string& solver : own) means.push_back(mean_words(*ours, solver));
-    result.number = (claim.of == Of::spread ? "sd " : "") + with_unit(show::listed(means), *ours);
+    const std::string& unit = ours->observations.unit;
+    result.number = (claim.of == Of::spread ? "sd " : "") + show::listed(means) + (unit.empty() ? "" : ' ' + unit);
     if (rivals.empty()) continue;
     result.rival = fmt::format("{} {}", rivals[0], mean_words(*ours, rivals[0]));
     result.number += ", " + result.rival;
@@ -243,7 +236,7 @@ JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
   for (const Solve& solve : study.of(solver)) errors.push_back(solve.position_error_cm);
   const double most = 10 * std::numeric_limits<double>::epsilon() * farthest_cm;
   const double largest = *std::ranges::max_element(errors), mean = summarise(errors).mean;
-  result.holds = always_or_on_average(largest <= most, mean <= most);
+  result.holds = largest <= most ? Holds::holds : mean <= most ? Holds::in_part : Holds::fails;
   result.number = fmt::format("mean {} cm", number_text(mean));
   result.evidence = fmt::format("The largest is {} cm; ten times the spacing of doubles is {} cm there.",
                                 number_text(largest), number_text(most));
