@@ -186,26 +186,30 @@ std::int64_t in_order(std::int64_t bits) {
 }
 
 // Of all sums x_i + y_j, or only those with i <= j where y is x: the median, and the interval from the rank-th smallest
-// to the rank-th largest. The sums are not made: those up to a bound are counted, and the bound closes in.
+// to the rank-th largest. The sums are not made: those up to a bound are counted, and the bound closes in, from one
+// sum to another.
 Tested of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std::size_t rank) {
   std::ranges::sort(x);
   std::ranges::sort(y);
-  const auto count_to = [&](double bound) {
-    std::size_t count = 0, left = y.size();
-    for (const double value : x) {
-      while (left > 0 && value + y[left - 1] > bound) --left;
-      count += left;
-    }
-    const auto twice = [&](double value) { return value + value <= bound; };
-    return are_same ? (count + static_cast<std::size_t>(std::ranges::count_if(x, twice))) / 2 : count;
-  };
+  const auto place_of = [](double sum) { return in_order(std::bit_cast<std::int64_t>(sum)); };
   const auto smallest = [&](std::size_t at) {  // from 1
-    std::int64_t low = in_order(std::bit_cast<std::int64_t>(x.front() + y.front()));
-    std::int64_t high = in_order(std::bit_cast<std::int64_t>(x.back() + y.back()));
+    std::int64_t low = place_of(x.front() + y.front()), high = place_of(x.back() + y.back());
     while (low < high) {
-      const std::int64_t bound = std::midpoint(low, high);
-      const bool is_enough = count_to(std::bit_cast<double>(in_order(bound))) >= at;
-      (is_enough ? high : low) = is_enough ? bound : bound + 1;
+      const std::int64_t middle = std::midpoint(low, high);
+      const auto bound = std::bit_cast<double>(in_order(middle));
+      double below = x.front() + y.front(), above = x.back() + y.back();  // the sums beside the bound
+      std::size_t count = 0, left = y.size();
+      for (const double value : x) {
+        for (; left > 0 && value + y[left - 1] > bound; --left) above = std::min(above, value + y[left - 1]);
+        if (left > 0) below = std::max(below, value + y[left - 1]);
+        count += left;
+      }
+      const auto twice = [&](double value) { return value + value <= bound; };
+      if (are_same) count = (count + static_cast<std::size_t>(std::ranges::count_if(x, twice))) / 2;
+      if (count >= at)
+        high = std::min(middle, place_of(below));
+      else
+        low = std::max(middle + 1, place_of(above));
     }
     return std::bit_cast<double>(in_order(low)) + 0.0;  // 0, not -0
   };
