@@ -243,7 +243,7 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
   const auto most_of = [&](const Mean& mean) -> Index& { return most[layout.block ? mean.unit : 0]; };
   for (const Mean& mean : means) most_of(mean) = std::max(most_of(mean), mean.rows);
   observed.is_paired = layout.block.has_value();
-  observed.trials = static_cast<int>(std::ranges::max(most));
+  if (observed.scale == Scale::share) observed.trials = static_cast<int>(std::ranges::max(most));
   std::vector<std::size_t> groups_of(items.units), all(items.groups.size());  // complete ones of a block; of a group
   for (const std::string& name : items.groups) observed.groups.push_back({.name = name});
   for (const Mean& mean : means) {
@@ -267,6 +267,9 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
     Group& group = observed.groups[i];
     const std::size_t known = group.values.size();
     group.lost = static_cast<int>((layout.block ? items.units : all[i]) - known);
+    // Such as time-outs have no end that anybody knows, so they repeat nothing.
+    group.may_repeat = known > 1 && std::isfinite(group.values.front()) &&
+                       std::ranges::count(group.values, group.values.front()) == std::ssize(group.values);
     add(lost, group, group.lost, all[i]);
     add(without, group, std::ranges::count_if(group.values, [](double value) { return std::isinf(value); }), known);
   }
@@ -284,26 +287,19 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
   }
 }
 
-bool are_shares(const Items& items) {
-  const auto is_share = [](const Value& item) { return item.value == 0 || item.value == 1; };
-  const auto is_missing = [](const Value& item) { return std::isnan(item.value); };
-  const auto shares = std::ranges::count_if(items.values, is_share);
-  return shares > 0 && shares + std::ranges::count_if(items.values, is_missing) == std::ssize(items.values);
-}
-
 // Chooses shares, ratios or differences by all values.
 void settle(const Items& items, Observations& observed, std::vector<std::string>& notes) {
-  if (are_shares(items)) {
+  const auto count = [&](auto is_so) { return std::ranges::count_if(items.values, is_so, &Value::value); };
+  const auto shares = count([](double value) { return value == 0 || value == 1; });
+  const auto low = count([](double value) { return value <= 0; });
+  if (shares > 0 && shares + count([](double value) { return std::isnan(value); }) == std::ssize(items.values)) {
     observed.scale = Scale::share;
     notes.push_back(fmt::format("All values of {} are 0 or 1: shares are compared.", observed.quantity));
-    return;
+  } else if (low > 0) {
+    observed.scale = Scale::difference;
+    notes.push_back(fmt::format("{} of {} values of {} are 0 or below: differences are compared, not ratios.", low,
+                                items.values.size(), observed.quantity));
   }
-  observed.trials = 1;
-  const auto low = std::ranges::count_if(items.values, [](const Value& item) { return item.value <= 0; });
-  if (low == 0) return;
-  observed.scale = Scale::difference;
-  notes.push_back(fmt::format("{} of {} values of {} are 0 or below: differences are compared, not ratios.", low,
-                              items.values.size(), observed.quantity));
 }
 
 // The first column that has the same texts in all groups, and several: its rows look paired.
@@ -317,12 +313,6 @@ Column shared_by_groups(const Sheet& sheet, const Layout& layout, const Items& i
       return column;
   }
   return {};
-}
-
-// Such as time-outs have no end that anybody knows, so they repeat nothing.
-bool is_constant(const Group& group) {
-  return group.values.size() > 1 && std::isfinite(group.values.front()) &&
-         std::ranges::count(group.values, group.values.front()) == std::ssize(group.values);
 }
 
 }  // namespace
@@ -351,15 +341,14 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     if (std::ranges::count_if(titles, has_its_name) > 1) observed.quantity = titles[i], observed.unit.clear();
     refuse_mixed(sheet, layout, items);
     if (!layout.run) rows = shared_by_groups(sheet, layout, items);
-    observed.better = better_of(sheet, request, titles, titles[i], are_shares(items));
+    settle(items, observed, quantities.notes);
+    observed.better = better_of(sheet, request, titles, titles[i], observed.scale == Scale::share);
     for (const Value& each : items.values) {
       if (std::isinf(each.value) && (each.value < 0 || observed.better == Better::larger))
         sheet.refuse(each.row, layout.values[layout.label ? i : each.group],
                      "is no worst value: inf stands for no answer where smaller is better; else write NA");
     }
     fill(layout, items, observed);
-    settle(items, observed, quantities.notes);
-    for (Group& group : observed.groups) group.may_repeat = is_constant(group);
     quantities.observed.push_back(std::move(observed));
   }
   if (rows && !layout.block)
