@@ -35,8 +35,6 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
 // Of both stores, as solvers of one study. Takes their solves.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both) {
   both.labels = {"now", "before"};
-  both.entry.series = {{.label = both.labels.front()}, {.label = both.labels.back()}};
-  both.drawn = {};
   const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
   for (Session& session : std::exchange(baseline.sessions, {})) {
     session.id += before;
@@ -122,7 +120,7 @@ Gate gate(StudyResults study, const std::string& label) {
   const bool machine_decides = std::ranges::count(doubts, DoubtKind::seconds_decide, &Doubt::kind) > 0;
   judged.metrics.push_back(
       {.observations = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
-  judged.study.solves = {};  // observed, and large
+  judged.study.solves = {}, judged.study.drawn = {};  // observed, and large
   return gate;
 }
 
@@ -131,9 +129,9 @@ Gate gate(StudyResults baseline, StudyResults candidate) {
   const std::string label = candidate.labels.front();
   Gate both = gate(study_of_both(baseline, std::move(candidate)), label);
   refuse_vanished(both.judged, label);
-  for (JudgedMetric& metric : both.judged.metrics)  // of two stores they never are
-    std::erase_if(metric.observations.doubts,
-                  [](const Doubt& doubt) { return doubt.kind == DoubtKind::times_not_comparable; });
+  for (JudgedMetric& metric : both.judged.metrics) {
+    if (is_time(metric)) metric.observations.doubts = {};  // of two stores times are never comparable
+  }
   std::ranges::move(doubts_of_limits(baseline, both.judged.study), std::back_inserter(both.judged.doubts));
   return both;
 }

@@ -50,8 +50,7 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
   std::vector<JudgedClaim> all;
   for (const Claim& claim : repeated.paper.claims) {
     JudgedClaims found = claim.rule ? claim.rule->verdict(claim, repeated) : JudgedClaims();
-    const bool is_of_many = claim.sentence.find('{') != std::string::npos;
-    if (found.empty() && !claim.is_ours && !is_of_many) {
+    if (found.empty() && !claim.is_ours) {
       found.push_back({claim});
       found.back().evidence = claim.decides;
     }

@@ -25,7 +25,7 @@ struct JudgedClaim : Claim {
 };
 
 // In the order of the paper's file, with what each does in readings, by its id. A claim that the report cannot judge is
-// not tested; our own questions, and claims that are made of each solver, are left out instead.
+// not tested; our own questions are left out instead.
 std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
                                        const std::map<std::string, std::string>& in_readings = {});
 

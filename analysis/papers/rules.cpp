@@ -133,8 +133,7 @@ JudgedClaims better_in_each_study(const Claim& claim, const Repeated& repeated) 
     arms.push_back(fmt::format("{} {:.1f} to {:.1f} %", on_arm.study.definition.robot, 100 * mean_of(*judged, best),
                                100 * mean_of(*judged, own)));
   }
-  result.evidence = fmt::format("{} is not among the solvers.", own);
-  if (arms.empty()) return {result};
+  if (arms.empty()) return {};
   result.holds = holds_of(tally);
   result.number = fmt::format("on {} of {} arms", tally.better, tally.all());
   result.evidence = fmt::format("Shares solved: {}.", fmt::join(arms, ", "));
