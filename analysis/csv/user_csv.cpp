@@ -114,7 +114,6 @@ struct Items {
   std::vector<Value> values;  // by group and unit
   Index units = 0;
   std::size_t unlabelled = 0;
-  bool are_averaged = false;
 };
 
 // Texts are numbered in the order of their first row.
@@ -159,8 +158,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t
   const auto place = [](const Value& item) { return std::tuple(item.group, item.unit); };
   std::ranges::stable_sort(items.values, {}, place);
   const auto twice = std::ranges::adjacent_find(items.values, {}, place);
-  items.are_averaged = twice != items.values.end();
-  if (items.are_averaged && !layout.run)
+  if (twice != items.values.end() && !layout.run)
     sheet.refuse(
         std::next(twice)->row, *unit,
         fmt::format(
@@ -173,7 +171,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t
 // Rows of a mean differ in numbers alone: other text tells of several metrics or problems.
 void refuse_mixed(const Sheet& sheet, const Layout& layout, const Items& items) {
   for (std::size_t column = 0; column < sheet.titles().size(); ++column) {
-    if (!items.are_averaged || layout.has(column) || sheet.has_numbers(column)) continue;
+    if (!layout.run || layout.has(column) || sheet.has_numbers(column)) continue;
     std::unordered_set<std::string_view> different;
     for (const Value& each : items.values) different.insert(sheet.cell(each.row, column));
     if (different.size() == items.values.size()) continue;  // times of day and the like
