@@ -45,49 +45,43 @@ struct Bend {
   }
 };
 
-// Adds records to a study, which come by solver, run and point.
-struct Adder {
-  StudyResults& study;
-  int first_run = 1, drawn = 0;
-  Bend bend = {};
-
-  void add(const SolveRecord& record) {
-    if (record.run < 1 || record.point < 1)
-      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
-                                              study.entry.name, record.label, record.run, record.point));
-    const auto solver = static_cast<int>(std::ranges::find(study.labels, record.label) - study.labels.begin());
-    const bool is_first = study.solves.empty() || study.solves.back().label != solver;
-    if (!record.trace_cm.empty() && study.drawn.size() >= most_traces)
-      throw std::invalid_argument(fmt::format("study '{}' has too many solves with a trace; expected at most {}",
-                                              study.entry.name, most_traces));
-    if (is_first) first_run = record.run, drawn = 0;
-    if (is_first || study.solves.back().run != record.run) bend = {};
-    if (!record.trace_cm.empty() || (record.run == first_run && drawn++ < most_drawn)) study.drawn.push_back(record);
-    study.solves.push_back({.run = record.run,
-                            .point = record.point,
-                            .label = solver,
-                            .session = static_cast<int>(record.session),
-                            .status = record.status,
-                            .stop_reason = record.stop_reason,
-                            .timing = record.timing,
-                            .counted_by = record.counted_by,
-                            .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
-                            .was_disturbed = record.timing == Timing::clean && record.cpu_seconds > 0 &&
-                                             record.seconds > 1.1 * record.cpu_seconds,
-                            .position_error_cm = record.position_error_cm,
-                            .orientation_error = record.orientation_error,
-                            .variation_deg = record.variation_deg,
-                            .variation_m = record.variation_m,
-                            .largest_move_deg = record.largest_move_deg,
-                            .seconds = record.seconds,
-                            .bend_deg = bend.with(record.answer_rad),
-                            .evaluations = record.evaluations,
-                            .iterations = record.iterations,
-                            .target = hash_of({record.target_position_m, record.target_rotation}),
-                            .start = hash_of({record.start_rad}),
-                            .answer = hash_of({record.answer_rad})});
-  }
-};
+// Adds a record to a study; they come by solver, run and point. The bend is of its run until here.
+void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
+  if (record.run < 1 || record.point < 1)
+    throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
+                                            study.entry.name, record.label, record.run, record.point));
+  if (!record.trace_cm.empty() && study.drawn.size() >= most_traces)
+    throw std::invalid_argument(
+        fmt::format("study '{}' has too many solves with a trace; expected at most {}", study.entry.name, most_traces));
+  const Solves earlier = study.of(record.label);
+  const bool is_of_first_run = earlier.empty() || earlier.front().run == record.run;
+  if (earlier.empty() || earlier.back().run != record.run) bend = {};
+  if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < most_drawn)) study.drawn.push_back(record);
+  study.solves.push_back(
+      {.run = record.run,
+       .point = record.point,
+       .label = static_cast<int>(std::ranges::find(study.labels, record.label) - study.labels.begin()),
+       .session = static_cast<int>(record.session),
+       .status = record.status,
+       .stop_reason = record.stop_reason,
+       .timing = record.timing,
+       .counted_by = record.counted_by,
+       .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
+       .was_disturbed =
+           record.timing == Timing::clean && record.cpu_seconds > 0 && record.seconds > 1.1 * record.cpu_seconds,
+       .position_error_cm = record.position_error_cm,
+       .orientation_error = record.orientation_error,
+       .variation_deg = record.variation_deg,
+       .variation_m = record.variation_m,
+       .largest_move_deg = record.largest_move_deg,
+       .seconds = record.seconds,
+       .bend_deg = bend.with(record.answer_rad),
+       .evaluations = record.evaluations,
+       .iterations = record.iterations,
+       .target = hash_of({record.target_position_m, record.target_rotation}),
+       .start = hash_of({record.start_rad}),
+       .answer = hash_of({record.answer_rad})});
+}
 
 }  // namespace
 
@@ -141,10 +135,10 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
     study.labels.push_back(series.label);
   }
   study.solves.reserve(static_cast<std::size_t>(all));
-  Adder adder{study};
+  Bend bend;
   store.each_of_study(entry, [&](const SolveRecord& record) {
     if (also) also(record);
-    adder.add(record);
+    add(record, bend, study);
   });
   std::set<std::int64_t> used;
   for (const Solve& solve : study.solves) used.insert(solve.session);
