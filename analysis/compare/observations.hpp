@@ -51,7 +51,7 @@ struct Summary {
 };
 
 struct Group {
-  std::string name;
+  std::string name = {};
   std::vector<double> values = {};  // infinite: no answer, worse than any; where paired, in the order of the blocks
   std::vector<int> blocks = {};     // where paired: of each value, rising
   int lost = 0;                     // observations without a value: such a group is not compared

@@ -125,7 +125,7 @@ Group group_of(const StudyResults& study, const Metric& metric, const Design& de
     for (values.clear(); i < all.size() && all[i].block == block; ++i) values.push_back(all[i].value);
     const bool is_known = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
     const double value = !is_known                   ? unknown
-                         : metric.kind == Kind::time ? describe({.name = solver, .values = values}).median
+                         : metric.kind == Kind::time ? describe({.values = values}).median
                                                      : summarise(values).mean;
     if (std::ranges::any_of(values, [&](double each) { return each <= least; })) group.at_most = least;
     if (!std::isfinite(value)) {
