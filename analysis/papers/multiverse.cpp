@@ -81,13 +81,9 @@ std::vector<Part> parts_of(const SolvedMultiverse& multiverse, const Claim& clai
   std::vector<Part> parts;
   for (const OfStudy& study : multiverse.studies) {
     for (std::size_t seed = 0; seed < study.solvers[0][0].parts.size(); ++seed) {
-      std::map<std::pair<const ChosenSolver*, const ChosenSolver*>, Verdict> known;
       const auto verdict = [&](const ChosenSolver& one, const ChosenSolver& other) {
-        const auto [found, is_new] = known.try_emplace({&one, &other});
-        if (is_new)
-          found->second = verdict_of(multiverse.means[one.parts[seed]][metric],
-                                     multiverse.means[other.parts[seed]][metric], claim, of_pair);
-        return found->second;
+        return verdict_of(multiverse.means[one.parts[seed]][metric], multiverse.means[other.parts[seed]][metric], claim,
+                          of_pair);
       };
       OwnChoices chosen;
       for (std::size_t number = 0; !(chosen = combination(study, own, number)).empty(); ++number) {
