@@ -29,6 +29,19 @@ std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& ano
            {between + within, test.df + test.df_within, unknown, unknown, unknown}}};
 }
 
+std::string first_sentence(Holds conclusion, const Explained& numbers) {
+  const std::string_view words = conclusion == Holds::holds     ? "repeats in its conclusion, and in"
+                                 : conclusion == Holds::in_part ? "repeats in a part of its conclusion, and in"
+                                 : conclusion == Holds::fails   ? "does not repeat in its conclusion, but in"
+                                                              : "is not shown to repeat in its conclusion; it does in";
+  if (numbers.all == 0)  // too few runs for a range of any
+    return fmt::format("Slim et al. 2023 {}", words.substr(0, words.find("conclusion") + 10));
+  return fmt::format("Slim et al. 2023 {} {} of the {} statistics of error and joint motion in Table 3", words,
+                     numbers.explained, numbers.all);
+}
+
+bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds == Holds::holds; }
+
 }  // namespace
 
 Table table_3(const Repeated& repeated) {
@@ -140,23 +153,6 @@ std::optional<Table> table_8(const StudyResults& study) {
                   agreeing, table.rows.size() * angles)};
   return table;
 }
-
-namespace {
-
-std::string first_sentence(Holds conclusion, const Explained& numbers) {
-  const std::string_view words = conclusion == Holds::holds     ? "repeats in its conclusion, and in"
-                                 : conclusion == Holds::in_part ? "repeats in a part of its conclusion, and in"
-                                 : conclusion == Holds::fails   ? "does not repeat in its conclusion, but in"
-                                                              : "is not shown to repeat in its conclusion; it does in";
-  if (numbers.all == 0)  // too few runs for a range of any
-    return fmt::format("Slim et al. 2023 {}", words.substr(0, words.find("conclusion") + 10));
-  return fmt::format("Slim et al. 2023 {} {} of the {} statistics of error and joint motion in Table 3", words,
-                     numbers.explained, numbers.all);
-}
-
-bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds == Holds::holds; }
-
-}  // namespace
 
 std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const Explained& numbers) {
   const JudgedClaim *const best = claim_named(claims, "best_compromise"),
