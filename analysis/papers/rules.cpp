@@ -171,20 +171,6 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
   return {result};
 }
 
-// Against each other solver: worse in some metric, or else better in some.
-Tally dominance(const std::vector<JudgedMetric>& metrics, const std::string& solver) {
-  Tally tally;
-  for (const std::string& rival : rivals_of(metrics.front(), {solver})) {
-    Tally of_metrics;
-    for (const JudgedMetric& judged : metrics) of_metrics.add(verdict_between(judged, solver, rival));
-    tally.add(of_metrics.worse > 0                      ? Verdict::worse
-              : of_metrics.better > 0                   ? Verdict::better
-              : of_metrics.untested == of_metrics.all() ? Verdict::not_tested
-                                                        : Verdict::undecided);
-  }
-  return tally;
-}
-
 JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
   const std::string& solver = claim.solvers.front();
   std::vector<JudgedMetric> here;
@@ -195,7 +181,15 @@ JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
     quantities.push_back(ours->observations.quantity);
     here.push_back(std::move(*ours));
   }
-  const Tally tally = dominance(here, solver);
+  Tally tally;
+  for (const std::string& rival : rivals_of(here.front(), {solver})) {  // worse in some metric, or else better in some
+    Tally of_metrics;
+    for (const JudgedMetric& judged : here) of_metrics.add(verdict_between(judged, solver, rival));
+    tally.add(of_metrics.worse > 0                      ? Verdict::worse
+              : of_metrics.better > 0                   ? Verdict::better
+              : of_metrics.untested == of_metrics.all() ? Verdict::not_tested
+                                                        : Verdict::undecided);
+  }
   JudgedClaim result{claim};
   result.holds = holds_of(tally);
   result.number =
