@@ -29,15 +29,20 @@ std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& ano
            {between + within, test.df + test.df_within, unknown, unknown, unknown}}};
 }
 
-std::string first_sentence(Holds conclusion, const Explained& numbers) {
+std::string first_sentence(Holds conclusion, const Explained& numbers, const std::vector<JudgedClaim>& claims) {
   const std::string_view words = conclusion == Holds::holds     ? "repeats in its conclusion, and in"
                                  : conclusion == Holds::in_part ? "repeats in a part of its conclusion, and in"
                                  : conclusion == Holds::fails   ? "does not repeat in its conclusion, but in"
                                                               : "is not shown to repeat in its conclusion; it does in";
-  if (numbers.all == 0)  // too few runs for a range of any
-    return fmt::format("Slim et al. 2023 {}", words.substr(0, words.find("conclusion") + 10));
-  return fmt::format("Slim et al. 2023 {} {} of the {} statistics of error and joint motion in Table 3", words,
-                     numbers.explained, numbers.all);
+  if (numbers.all > 0)
+    return fmt::format(
+        "Slim et al. 2023 {} {} of the {} statistics of error and joint motion in Table 3; were the programs the same, "
+        "in about {:.0f}.",
+        words, numbers.explained, numbers.all, share_in_ranges * static_cast<double>(numbers.all));
+  const auto open = std::ranges::count_if(  // since too few runs give no range of any number
+      claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
+  return fmt::format("Slim et al. 2023 {}{}.", words.substr(0, words.find("conclusion") + 10),
+                     open == 0 ? "" : fmt::format("; so few runs leave {} open", numerics::counted(open, "claims")));
 }
 
 bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds == Holds::holds; }
@@ -159,15 +164,7 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
                            *const accurate = claim_named(claims, "most_accurate"),
                            *const classical = claim_named(claims, "better_than_classical");
   if (best == nullptr || accurate == nullptr || accurate->number.empty()) return {};
-  std::vector<std::string> all{first_sentence(best->holds, numbers)};
-  if (numbers.all > 0)
-    all.front() += fmt::format("; were the programs the same, in about {:.0f}",
-                               papers::share_in_ranges * static_cast<double>(numbers.all));
-  const auto open = std::ranges::count_if(
-      claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
-  if (numbers.all == 0 && open > 0)
-    all.front() += fmt::format("; so few runs leave {} open", numerics::counted(open, "claims"));
-  all.front() += '.';
+  std::vector<std::string> all{first_sentence(best->holds, numbers, claims)};
   if (!numbers.own_missed.empty())
     all.push_back(fmt::format("IK-BA's own mean {} {} not repeat.", show::listed(numbers.own_missed, " and mean "),
                               numbers.own_missed.size() == 1 ? "does" : "do"));
