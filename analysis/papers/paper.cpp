@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "analysis/figures/plots.hpp"
@@ -125,12 +124,6 @@ PrintedRows printed_rows(const Paper& paper, const JudgedMetric& judged) {
   return printed_means(paper.name, paper.means, metric->column);
 }
 
-Description numbers_of(const JudgedMetric& judged, std::string_view solver) {
-  const std::size_t group = place_of(judged.observations, solver);
-  return group == judged.described.size() || judged.observations.groups[group].lost > 0 ? Description()
-                                                                                        : judged.described[group];
-}
-
 const JudgedStudy* Repeated::part(std::string_view part) const {
   const std::string name = fmt::format("{}-{}", study().study.entry.name, part);
   const auto found = std::ranges::find(studies, name, [](const JudgedStudy& each) { return each.study.entry.name; });
@@ -186,12 +179,11 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
 }
 
 std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& solver, const PrintedRow* row) {
-  const Description ours = numbers_of(judged, solver);
+  const std::size_t place = place_of(judged.observations, solver);
+  const Group group = place < judged.described.size() ? judged.observations.groups[place] : Group{.lost = 1};
+  const Description ours = group.lost > 0 ? Description() : judged.described[place];
   const bool is_time = judged.observations.unit == "s";
-  const auto ranges =
-      row && ours.n > 0 && !is_time
-          ? predicted_ranges(judged.observations.groups[place_of(judged.observations, solver)].values, row->numbers.n)
-          : std::nullopt;
+  const auto ranges = row && ours.n > 0 && !is_time ? predicted_ranges(group.values, row->numbers.n) : std::nullopt;
   std::vector<show::Cell> cells;
   for (std::size_t s = 0; s < statistics.size(); ++s) {
     const double number = ours.*statistics[s].of;

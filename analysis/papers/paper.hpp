@@ -9,11 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/compare/describe.hpp"
 #include "analysis/compare/judge.hpp"
 #include "analysis/figures/figure.hpp"
 #include "analysis/show/block.hpp"
-#include "results/csv.hpp"
 
 namespace ikbench::papers {
 
@@ -111,9 +109,6 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
 // Of its table of means.
 PrintedRows printed_rows(const Paper& paper, const compare::JudgedMetric& judged);
 
-// Of a solver; unknown where it is not among the judged, or values are lost.
-compare::Description numbers_of(const compare::JudgedMetric& judged, std::string_view solver);
-
 // A solver's share of solved targets on an arm. The interval is ours, as wide as that of the difference of the two
 // shares: it has the printed one where the two do not differ.
 struct Rate {
@@ -142,7 +137,8 @@ std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated);
 // "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then who fails where; none if none is printed.
 std::vector<std::string> rates_sentences(const Repeated& repeated);
 
-// A solver's statistics beside a printed row, with signs. Times are in ms and have no sign, for machines differ.
+// A solver's statistics beside a printed row, with signs; unknown where values are lost. Times are in ms and have no
+// sign, for machines differ.
 std::vector<show::Cell> beside(const compare::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
 constexpr double share_in_ranges = 0.92;  // of numbers of the same program
 constexpr std::string_view meaning_of_signs = "~ as near as new runs of our program are in 92 % of cases; x not";
