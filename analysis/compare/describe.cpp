@@ -43,9 +43,7 @@ std::optional<TestOfAll> anova(const Observations& observed) {
   };
   if (observed.groups.size() < 2 || observed.is_paired || !std::ranges::all_of(observed.groups, is_known)) return {};
   // Means less a common value keep the digits that many equal leading ones would cost.
-  const bool have_values =
-      std::ranges::none_of(observed.groups, [](const Group& group) { return group.summary.has_value(); });
-  const double shift = have_values ? observed.groups.front().values.front() : 0;
+  const double shift = observed.groups.front().summary ? 0 : observed.groups.front().values.front();
   std::vector<Summary> groups;
   double n = 0, sum = 0;
   for (const Group& group : observed.groups) {
