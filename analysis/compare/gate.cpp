@@ -7,8 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "numerics/names.hpp"
-
 namespace ikbench::compare {
 namespace {
 

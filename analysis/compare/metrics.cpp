@@ -1,10 +1,8 @@
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "analysis/compare/describe.hpp"
 #include "analysis/compare/observe.hpp"
-#include "analysis/compare/study.hpp"
 #include "numerics/names.hpp"
 #include "numerics/units.hpp"
 
