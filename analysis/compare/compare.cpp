@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -185,12 +184,6 @@ Tested examined(const Observations& observed, const Plan& plan, const Pair& pair
   return tested;
 }
 
-bool does_one_value_decide(const Group& group) {
-  std::vector<double> sizes = group.values;
-  for (double& size : sizes) size = std::abs(size);
-  return !sizes.empty() && std::ranges::max(sizes) > std::accumulate(sizes.begin(), sizes.end(), 0.0) / 2;
-}
-
 // The verdict of p, with an estimate and an interval that cannot refute it.
 void set_verdict(const Observations& observed, const Plan& plan, const Pair& pair, int direction, Finding& finding) {
   const double none = finding.scale == Scale::ratio ? 1 : 0;
@@ -303,6 +296,12 @@ std::size_t testable(std::vector<Pair>& pairs, double significance) {
 std::string_view name_of(Verdict verdict) {
   constexpr std::array<std::string_view, 5> names{"better", "worse", "same", "not decided", "not tested"};
   return names[static_cast<std::size_t>(verdict)];
+}
+
+bool does_one_value_decide(const Group& group) {
+  std::vector<double> sizes = group.values;
+  for (double& size : sizes) size = std::abs(size);
+  return !sizes.empty() && std::ranges::max(sizes) > std::accumulate(sizes.begin(), sizes.end(), 0.0) / 2;
 }
 
 bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }

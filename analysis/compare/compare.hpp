@@ -65,6 +65,8 @@ bool is_difference(Verdict verdict);
 Verdict turned(Verdict verdict);                                   // of the second
 std::set<std::string> losers_of(const std::vector<Finding>& all);  // worse than another
 
+bool does_one_value_decide(const Group& group);  // a mean: it is more than half of the sum of all sizes
+
 // A mean or median is worse than another by more than the margin.
 bool is_worse_than_margin(const Observations& observed, const Plan& plan, double one, double other);
 

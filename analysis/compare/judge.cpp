@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -15,16 +14,13 @@ namespace {
 // Of all findings that few values of a mean leave open.
 void add_doubt(JudgedMetric& judged) {
   Doubt doubt{.kind = DoubtKind::few_decide_mean, .what = judged.observations.quantity};
-  std::set<std::string> names;
-  for (const Finding& finding : judged.findings) {
-    if (finding.why == Why::few_decide) names.insert({finding.first, finding.second});
+  for (const Group& group : judged.observations.groups) {
+    const auto is_open = [&](const Finding& finding) {
+      return finding.why == Why::few_decide && (finding.first == group.name || finding.second == group.name);
+    };
+    if (does_one_value_decide(group) && std::ranges::any_of(judged.findings, is_open)) doubt.who.push_back(group.name);
   }
-  for (std::size_t i = 0; i < judged.described.size(); ++i) {
-    const Description& its = judged.described[i];
-    const std::string& name = judged.observations.groups[i].name;
-    if (names.contains(name) && 2 * its.largest > its.n * its.mean) doubt.who.push_back(name);
-  }
-  if (!names.empty()) judged.observations.doubts.push_back(std::move(doubt));
+  if (!doubt.who.empty()) judged.observations.doubts.push_back(std::move(doubt));
 }
 
 // Some observation has a value, and if this is no share one is not 0.
