@@ -56,7 +56,8 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
     }
     for (JudgedClaim& judged : found) {
       if (!claim.note.empty()) judged.evidence += (judged.evidence.empty() ? "" : " ") + claim.note;
-      if (const auto own = in_readings.find(judged.id); own != in_readings.end()) judged.in_readings = own->second;
+      if (const auto own = in_readings.find(judged.id); own != in_readings.end() && judged.holds != Holds::undecided)
+        judged.in_readings = own->second;
       all.push_back(std::move(judged));
     }
   }

@@ -186,7 +186,8 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
     };
     const std::int64_t hold = all(&Readings::holds), fail = all(&Readings::fails), open = all(&Readings::undecided);
     const std::string fails = where(multiverse, parts, &Readings::fails);
-    result.in_readings[claim.id] = fmt::format("holds in {} of {} and fails {}{}", hold, hold + fail + open,
+    result.in_readings[claim.id] = fmt::format("holds in {} of {}{} and fails {}{}", hold, hold + fail + open,
+                                               open == 0 ? "" : fmt::format(", is not decided in {}", open),
                                                fail == 0 ? "" : fmt::format("in {}, ", fail), fails);
     result.table.rows.push_back(
         {claim.sentence, hold, fail, open, fails, where(multiverse, parts, &Readings::undecided)});

@@ -159,7 +159,7 @@ std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated) {
 }
 
 std::vector<std::string> rates_sentences(const Repeated& repeated) {
-  std::vector<std::string> counts, sentences;
+  std::vector<std::string> counts, sentences, undecided;
   for (const auto& [solver, rates] : rates_of(repeated)) {
     std::vector<std::string> others;
     for (const Rate& rate : rates) {
@@ -168,12 +168,19 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
     }
     const auto repeat = std::ranges::count_if(rates, &Rate::is_as_printed);
     const auto open = std::ssize(rates) - repeat - std::ssize(others);
+    if (open == std::ssize(rates)) {
+      undecided.push_back(solver);
+      continue;
+    }
     const std::string count =
         fmt::format("on {}{} of {}", repeat, open > 0 ? fmt::format(" (not decided on {})", open) : "", rates.size());
     counts.push_back(counts.empty() ? fmt::format("{}'s printed rates repeat {} arms", solver, count)
                                     : fmt::format("{}'s {}", solver, count));
     if (!others.empty()) sentences.push_back(fmt::format("{} not on: {}.", solver, show::listed(others, ", ")));
   }
+  if (!undecided.empty())
+    sentences.push_back(
+        fmt::format("Too few targets to decide on any arm: the printed rates of {}.", show::listed(undecided)));
   if (!counts.empty()) sentences.insert(sentences.begin(), fmt::format("{}.", show::listed(counts, ", ")));
   return sentences;
 }

@@ -173,6 +173,8 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
   const JudgedStudy few = share(10, "abb_irb120", 30);  // 33.3 % (19 to 51) and 100 % (89 to 100)
   CHECK(holds(repeated(few), "rate-KDL") == Holds::undecided);
   CHECK(holds(repeated(few), "rate-KDL-RR") == Holds::undecided);
+  CHECK(rates_sentences(repeated(few)) ==
+        std::vector<std::string>{"Too few targets to decide on any arm: the printed rates of KDL and KDL-RR."});
   CHECK(contains(text(repeated(few)), "39.41 ?"));
 }
 
