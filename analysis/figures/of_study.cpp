@@ -239,13 +239,8 @@ std::vector<BoxRow> box_rows(const JudgedMetric& metric, const DrawnUnit& unit, 
     row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
     for (double& value : row.values) value *= unit.factor;
     for (double& value : row.box) value *= unit.factor;
-    if (std::isinf(all.largest)) {  // no whisker ends there, and no box
-      std::vector<double> finite = row.values;
-      std::erase_if(finite, [](double value) { return std::isinf(value); });
-      row.remark = fmt::format("no answer in {}", row.values.size() - finite.size());
-      row.box.back() = finite.empty() ? nowhere : std::ranges::max(finite);
-      if (std::isinf(all.upper_quartile)) row.box.fill(nowhere);
-    }
+    if (const auto infinite = std::ranges::count(row.values, INFINITY); infinite > 0)
+      row.remark = fmt::format("no answer in {}", infinite);
     if (group->values.empty())
       row.remark = "no answer";
     else if (group->lost > 0)

@@ -109,7 +109,7 @@ std::string gnuplot_text(std::string_view text) {
 std::string data_row(const std::vector<double>& values) {
   std::string row;
   for (const double value : values)
-    row += (row.empty() ? "" : " ") + (std::abs(value) <= 1e300 ? text_of(value) : "NaN");
+    row += (row.empty() ? "" : " ") + (std::isnan(value) ? "NaN" : text_of(std::clamp(value, -1e300, 1e300)));
   return row + '\n';
 }
 

@@ -14,7 +14,7 @@ namespace ikbench::figures {
 // style.gp's array `character`.
 std::string gnuplot_text(std::string_view text);
 
-// A line of a data file. "NaN" for what is not drawn: gnuplot works in doubles, with room for an axis around.
+// A line of a data file. "NaN" for what is not drawn; 1e300 for infinity: gnuplot needs room for an axis around.
 std::string data_row(const std::vector<double>& values);
 
 std::string plotted(const std::vector<std::string>& clauses);

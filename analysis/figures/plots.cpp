@@ -92,6 +92,8 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
   add_labelled_rows(figure, labels, has_printed ? 0.8 : 0.65);
   figure.settings += value_axis('x', all, about, Begins::around).settings;
   add_remarks(figure, remarks);
+  const auto has_no_answer = [](const BoxRow& row) { return std::isinf(row.box.back()); };
+  if (std::ranges::any_of(rows, has_no_answer)) figure.caption += " At the right edge: no answer.";
   if (is_thinned) figure.caption += fmt::format(" Of more than {0} values, {0} are drawn at even ranks.", most_values);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string box = fmt::format("data index 0 every ::{0}::{0} using", i), colour = colour_of(rows[i].style);
@@ -233,8 +235,7 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
       if (std::abs(value) <= 1e300 && (!are_ratios || value > 0)) all.push_back(value);
     }
     figure.data += fmt::format("# {}\n{}", one_line(row.label),
-                               data_row({static_cast<double>(i + 1), row.estimate, std::clamp(row.low, -1e300, 1e300),
-                                         std::clamp(row.high, -1e300, 1e300)}));
+                               data_row({static_cast<double>(i + 1), row.estimate, row.low, row.high}));
     const std::string line = fmt::format("data every ::{0}::{0} using", i), colour = colour_of(row.style);
     clauses.push_back(
         fmt::format("{} (place_x($3)):1:(place_x($4)-place_x($3)):(0) with vectors nohead lw 1.6 {}", line, colour));

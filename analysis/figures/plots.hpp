@@ -18,7 +18,7 @@ namespace ikbench::figures {
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 // Groups of values, a row each: a box of the quartiles, whiskers to the smallest and the largest, and the values; in
-// grey what a paper printed.
+// grey what a paper printed. What is infinite is at the edge.
 struct BoxRow {
   std::string label;
   int style = 1;

@@ -103,12 +103,13 @@ TEST_CASE("eight lines are drawn, their names in order and none above another", 
 TEST_CASE("a box has its five numbers, what is printed, and all values", "[plots]") {
   const Figure figure =
       *boxes(error_in("b"), {{.label = "A", .values = {3, 1}, .box = {1, 1.5, 2, 2.5, 3}, .printed = {0.5, 2, 4}},
-                             {.label = "B", .values = {7}, .box = {7, 7, 7, 7, 7}}});
+                             {.label = "B", .values = {7, INFINITY}, .box = {7, 7, 7, INFINITY, INFINITY}}});
   CHECK(figure.data ==
         "# row; smallest, lower quartile, median, upper quartile, largest; as printed: smallest, median, largest\n"
-        "# A\n1 1 1.5 2 2.5 3 0.5 2 4\n# B\n2 7 7 7 7 7 NaN NaN NaN\n"
+        "# A\n1 1 1.5 2 2.5 3 0.5 2 4\n# B\n2 7 7 7 1e+300 1e+300 NaN NaN NaN\n"
         "\n\n# values of A: value, height\n1 1.143606797749979\n3 1.067213595499958\n"
-        "\n\n# values of B: value, height\n7 2.143606797749979\n");
+        "\n\n# values of B: value, height\n7 2.143606797749979\n1e+300 2.067213595499958\n");
+  CHECK(figure.caption == "b At the right edge: no answer.");
   std::vector<double> many(1000);
   for (std::size_t i = 0; i < many.size(); ++i) many[i] = static_cast<double>(i);
   const Figure thinned = *boxes(error_in("b"), {{.label = "A", .values = many}});
