@@ -437,8 +437,12 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
   std::vector<std::string> clauses;
   std::vector<Named> names;
   figure.data = fmt::format("# a line a solver: {}; {}; both as printed\n", x_axis, about.axis());
+  std::vector<std::string> left_out;
   for (const Dot& dot : dots) {
-    if (std::isnan(dot.x + dot.y)) continue;
+    if (!std::isfinite(dot.x + dot.y)) {
+      left_out.push_back(dot.label);
+      continue;
+    }
     xs.insert(xs.end(), {dot.x, dot.printed_x});
     ys.insert(ys.end(), {dot.y, dot.printed_y});
     figure.data += fmt::format("# {}\n{}", one_line(dot.label), data_row({dot.x, dot.y, dot.printed_x, dot.printed_y}));
@@ -448,7 +452,8 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
     clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 {}", line, colour));
   }
   if (names.size() < 2) return std::nullopt;  // nothing to see it against
-  const Axis x = linear_axis('x', xs, x_axis, Begins::around), y = value_axis('y', ys, about, Begins::at_zero);
+  if (!left_out.empty()) figure.caption += fmt::format(" Without {}.", fmt::join(left_out, ", "));
+  const Axis x = linear_axis('x', xs, x_axis, Begins::at_zero), y = value_axis('y', ys, about, Begins::at_zero);
   figure.settings = x.settings + y.settings;
   clauses.insert(
       clauses.begin(),

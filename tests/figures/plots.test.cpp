@@ -129,6 +129,13 @@ TEST_CASE("shares rise at the costs of those that succeeded", "[plots]") {
   CHECK(figure.data == "# evaluations, share of all attempts [%]\n# A\n0 0\n2 50\n8 75\n1e+300 75\n");
 }
 
+TEST_CASE("the overview begins at 0 and says who is not in it", "[plots]") {
+  const Figure figure =
+      *overview(error_in("o"), "motion", {{"A", 1, 543, 7}, {"B", 2, 549, 88}, {"C", 3, 1, INFINITY}});
+  CHECK(figure.caption == "o Without C.");
+  CHECK(contains(figure.settings, "set xrange [0:"));
+}
+
 TEST_CASE("differences have their intervals, also open ones", "[plots]") {
   const Figure figure = *differences(error_in("d"), {{"A - B", 1, -2, INFINITY, "not decided"}, {"A - C"}}, false);
   CHECK(figure.data == "# row, difference, low, high\n# A - B\n1 1 -2 1e+300\n# A - C\n2 NaN NaN NaN\n");
