@@ -391,12 +391,13 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
   Figure figure{.name = about.name, .caption = about.caption};
   const auto panels = drawn_of(all_panels, 5, figure);
   if (rows.empty() || panels.empty()) return std::nullopt;
-  constexpr double pitch = 1.7;  // of panels; a bar of 100 % is 1
   std::vector<std::string> ticks, clauses;
   add_labelled_rows(figure, rows, 0.5);
   constexpr double header_cm = 2.2;
   if (figure.sides_cm + header_cm * static_cast<double>(panels.size()) > figure.width_cm)
     figure.width_cm = 17;  // two columns of a journal
+  const double panel_cm = (figure.width_cm - figure.sides_cm) / static_cast<double>(panels.size()),
+               pitch = 1 / std::max(0.6, 1 - 1.1 / panel_cm);  // of panels, where a bar of 100 % is 1, and its number
   figure.data = "# row, share [%] of each study\n";
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::vector<double> numbers{static_cast<double>(r + 1)};
@@ -436,8 +437,8 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
   std::vector<double> xs, ys;
   std::vector<std::string> clauses;
   std::vector<Named> names;
-  figure.data = fmt::format("# a line a solver: {}; {}; both as printed\n", x_axis, about.axis());
   std::vector<std::string> left_out;
+  figure.data = fmt::format("# a line a solver: {}; {}; both as printed\n", x_axis, about.axis());
   for (const Dot& dot : dots) {
     if (!std::isfinite(dot.x + dot.y)) {
       left_out.push_back(dot.label);
