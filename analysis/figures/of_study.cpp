@@ -244,7 +244,7 @@ std::vector<BoxRow> box_rows(const JudgedMetric& metric, const DrawnUnit& unit, 
     if (group->values.empty())
       row.remark = "no answer";
     else if (group->lost > 0)
-      row.remark += fmt::format("{}{} lost", row.remark.empty() ? "" : ", ", group->lost);
+      row.remark += fmt::format("{}{} missing", row.remark.empty() ? "" : ", ", group->lost);
   }
   return rows;
 }

@@ -25,7 +25,7 @@ struct BoxRow {
   std::vector<double> values = {};
   std::array<double, 5> box = {nowhere, nowhere, nowhere, nowhere, nowhere};  // smallest, quartiles, largest
   std::array<double, 3> printed = {nowhere, nowhere, nowhere};                // smallest, median, largest
-  std::string remark = {};                                                    // at the right: "3 lost"
+  std::string remark = {};                                                    // at the right: "3 missing"
 };
 std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& rows);
 

@@ -339,7 +339,7 @@ Table descriptives_table(const Answer& answer) {
       .name = "descriptives",
       .caption = "By metric and solver",
       .columns = columns_of({"metric", "solver", "n", "mean", "sd", "median", "lower quartile", "upper quartile",
-                             "95 % quantile", "smallest", "largest", "interval", "unit", "lost"})};
+                             "95 % quantile", "smallest", "largest", "interval", "unit", "missing"})};
   bool is_any_lost = false, is_any_share = false, is_any_of_solved = false;
   const JudgedMetric& decisive = answer.decisive();
   for (const JudgedMetric& judged : answer.metrics) {
@@ -366,7 +366,7 @@ Table descriptives_table(const Answer& answer) {
   table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun,
                              is_any_of_solved ? "; of costs, those solved" : "",
                              is_any_share ? " Interval: Wilson's." : "")};
-  if (is_any_lost) table.notes.emplace_back("lost: without a value; such a solver is not tested.");
+  if (is_any_lost) table.notes.emplace_back("missing: without a value; such a solver is not tested.");
   return table;
 }
 

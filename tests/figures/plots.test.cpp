@@ -62,7 +62,7 @@ TEST_CASE("every kind is drawn, and no label of a user is run or breaks the pict
 
 TEST_CASE("a figure without a mark is none", "[plots]") {
   const About about = error_in("a");
-  CHECK_FALSE(boxes(about, {{.label = "A", .remark = "3 lost"}}));
+  CHECK_FALSE(boxes(about, {{.label = "A", .remark = "3 missing"}}));
   CHECK_FALSE(curves(about, "point", {{.label = "A", .rows = {{1, nowhere}}}}));
   CHECK_FALSE(shares(about, "solved", {{"A", 1, {}, 4}, {"B", 2, {2001}, 4}}, 2));
   CHECK_FALSE(differences(about, {{.label = "A - B", .verdict = "not decided"}}, false));
