@@ -103,13 +103,14 @@ void leave_out_empty(std::vector<Blocks>& sections, const fs::path& folder) {
 }
 
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
-// warnings; a caption says of what. `brief` is what is shown, with short names.
-Table for_article(Table table, const Report& report, const Answer& brief) {
-  if (table.name == "results") table = results_table(brief);
-  if (table.name == "pairs") table = pairs_table(brief);
-  if (table.name == "descriptives") table = descriptives_table(brief);
+// warnings; a caption says of what. Names are as long as the table fits the text of two columns.
+Table for_article(Table table, const Report& report) {
   const bool are_pairs = table.name == "pairs";
+  const Answer brief = with_short_names(report.answer, are_pairs ? longest_name : 2 * longest_name);
+  if (table.name == "results") table = results_table(brief);
+  if (table.name == "descriptives") table = descriptives_table(brief);
   if (are_pairs) {
+    table = pairs_table(brief);
     const std::string& metric = report.answer.decisive().observations.quantity;
     std::erase_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) != metric; });
     table.caption += ": " + metric;
@@ -184,10 +185,9 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
         fmt::format("{}.{}{}{}\n% Keys of docs/references.bib\n", latex_text(methods_of(report.answer, report.study)),
                     keys.empty() ? "" : " Solvers and arm: \\cite{", fmt::join(keys, ","), keys.empty() ? "" : "}."));
   }
-  const Answer brief = with_short_names(report.answer, longest_name);
   for (const Table* table : tables) {
     if (table->name.empty()) continue;
-    write_table(*table, for_article(*table, report, brief), folder / "tables", program);
+    write_table(*table, for_article(*table, report), folder / "tables", program);
     for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table->name, type));
   }
   std::ranges::move(files_of(figures, folder), std::back_inserter(files));
