@@ -32,15 +32,11 @@ constexpr EmbeddedFile style_file[]{
 #include "style.inc"
 };
 
-std::filesystem::path picture_of(const Figure& figure, std::string_view type) {
-  return fmt::format("{}.{}", figure.name, type);
-}
-
 // Removes pictures of an earlier report; a link or a device in their place is not ours to remove.
 void remove_pictures(const Figure& figure, const std::filesystem::path& folder,
                      const std::vector<std::string>& but_not) {
   for (const std::string& type : results::picture_formats) {
-    const std::filesystem::path file = folder / picture_of(figure, type);
+    const std::filesystem::path file = folder / (figure.name + "." + type);
     std::error_code ignored;
     const bool is_own = std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored));
     if (is_own && std::ranges::count(but_not, type) == 0) std::filesystem::remove(file, ignored);
@@ -89,7 +85,7 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
   }
   for (const std::string& type : options.style.formats) {
     const std::string_view end = type == "svg" ? "</svg>" : type == "pdf" ? "%%EOF" : "IEND\xAE\x42\x60\x82";
-    const std::string file = picture_of(figure, type);
+    const std::string file = figure.name + "." + type;
     std::optional<std::string> picture = read_file(workshop / file);
     if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
     if (picture->find(end, picture->size() - std::min(picture->size(), end.size() + 2)) == std::string::npos)

@@ -186,7 +186,7 @@ Look look_of(std::vector<results::Series> solvers, results::FigureStyle style) {
   std::ranges::stable_sort(solvers, {}, [&](const results::Series& solver) {  // those that are not shown come last
     return std::ranges::find(style.solvers, solver.label) - style.solvers.begin();
   });
-  Look look{.style = std::move(style), .lines = {}};
+  Look look{.style = std::move(style)};
   look.lines = line_styles(solvers, look.style);
   std::vector<std::string> labels;
   for (const results::Series& solver : solvers) labels.push_back(solver.label);
@@ -404,10 +404,7 @@ Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, co
     if (metres.size() != 3) return Corner{nowhere, nowhere, nowhere};
     return Corner{metres[0] / centimetre, metres[1] / centimetre, metres[2] / centimetre};
   };
-  PathRows rows{.targets = {},
-                .reached_label = "reached by " + look.names.at(solver),
-                .style = look.lines.at(solver),
-                .is_closed = study.definition.path == "circle" && std::ssize(solves) == study.definition.points};
+  PathRows rows{.targets = {}, .reached_label = "reached by " + look.names.at(solver), .style = look.lines.at(solver)};
   const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
   const std::size_t every = std::max<std::size_t>(1, (solves.size() + arms - 1) / arms);
   for (std::size_t i = 0; i < solves.size(); ++i) {
@@ -419,6 +416,8 @@ Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, co
     if (i % every != 0 || !arm || q.size() != arm->joints() || !q.allFinite()) continue;
     rows.arms.emplace_back(fmt::format("arm at point {}", solve.point), corners_of(*arm, q));
   }
+  if (study.definition.path == "circle" && std::ssize(solves) == study.definition.points)
+    rows.targets.push_back(rows.targets.front()), rows.reached.push_back(rows.reached.front());
   return path({"", fmt::format("Targets, and what {} reached in its first run{}", solver, more)}, rows);
 }
 
@@ -455,9 +454,7 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
   }
   for (const JudgedMetric& metric : metrics) {
     const Observations& observed = metric.observations;
-    const bool has_values =
-        std::ranges::any_of(observed.groups, [](const Group& group) { return !group.values.empty(); });
-    if (!has_values || (observed.scale == Scale::share && observed.trials == 1)) continue;
+    if (observed.scale == Scale::share && observed.trials == 1) continue;
     const std::string number = all.empty() ? "" : fmt::format("-{}", all.size() + 1);
     const About about{"boxes" + number, caption_of_boxes(observed.quantity, "a value"), observed.quantity,
                       observed.unit};

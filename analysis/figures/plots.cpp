@@ -86,17 +86,7 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
       const double jitter = std::fmod(golden_ratio * static_cast<double>(k + 1), 1.0);
       values += data_row({sorted[n == sorted.size() ? k : k * (sorted.size() - 1) / (n - 1)], y + 0.02 + 0.2 * jitter});
     }
-  }
-  if (std::ranges::none_of(all, [](double value) { return std::isfinite(value); })) return std::nullopt;
-  figure.data += values;
-  add_labelled_rows(figure, labels, has_printed ? 0.8 : 0.65);
-  figure.settings += value_axis('x', all, about, Begins::around).settings;
-  add_remarks(figure, remarks);
-  const auto has_no_answer = [](const BoxRow& row) { return std::isinf(row.box.back()); };
-  if (std::ranges::any_of(rows, has_no_answer)) figure.caption += " At the right edge: no answer.";
-  if (is_thinned) figure.caption += fmt::format(" Of more than {0} values, {0} are drawn at even ranks.", most_values);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string box = fmt::format("data index 0 every ::{0}::{0} using", i), colour = colour_of(rows[i].style);
+    const std::string box = fmt::format("data index 0 every ::{0}::{0} using", i), colour = colour_of(row.style);
     clauses.push_back(
         fmt::format("data index {} using (place_x($1)):2 with points pt 6 ps 0.3 lw 0.7 {}", i + 1, colour));
     clauses.push_back(fmt::format(
@@ -106,6 +96,14 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
                     "fs solid 0.15 border lw 0.9 {}",
                     box, colour));
   }
+  if (std::ranges::none_of(all, [](double value) { return std::isfinite(value); })) return std::nullopt;
+  figure.data += values;
+  add_labelled_rows(figure, labels, has_printed ? 0.8 : 0.65);
+  figure.settings += value_axis('x', all, about, Begins::around).settings;
+  add_remarks(figure, remarks);
+  const auto has_no_answer = [](const BoxRow& row) { return std::isinf(row.box.back()); };
+  if (std::ranges::any_of(rows, has_no_answer)) figure.caption += " At the right edge: no answer.";
+  if (is_thinned) figure.caption += fmt::format(" Of more than {0} values, {0} are drawn at even ranks.", most_values);
   clauses.emplace_back(
       "data index 0 using (place_x($4)):($1-0.33):(0):(0.26) with vectors nohead lw 1.6 lc rgb '#000000'");
   if (has_printed) {
@@ -256,25 +254,21 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
 }
 
 Figure path(const About& about, const PathRows& rows) {
-  Figure figure{.name = about.name, .caption = about.caption};
-  figure.height_cm = 7;
-  std::array<std::vector<double>, 3> shown;
+  Figure figure{.name = about.name, .caption = about.caption, .height_cm = 7};
+  Corner low{}, high{};  // of what is seen, the base among it
   const auto see = [&](const std::vector<Corner>& corners) {
     for (const Corner& corner : corners) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!std::isnan(corner[axis])) shown[axis].push_back(corner[axis]);
+      for (std::size_t axis = 0; axis < 3; ++axis) {  // fmin and fmax pass over NaN
+        low[axis] = std::fmin(low[axis], corner[axis]);
+        high[axis] = std::fmax(high[axis], corner[axis]);
       }
     }
   };
   figure.data = "# target x, y, z; reached x, y, z [cm]\n";
-  const auto add_row = [&](std::size_t i) {
-    std::vector<double> row(rows.targets[i].begin(), rows.targets[i].end());
-    const Corner reached = i < rows.reached.size() ? rows.reached[i] : Corner{nowhere, nowhere, nowhere};
-    row.insert(row.end(), reached.begin(), reached.end());
-    figure.data += data_row(row);
-  };
-  for (std::size_t i = 0; i < rows.targets.size(); ++i) add_row(i);
-  if (rows.is_closed && !rows.targets.empty()) add_row(0);
+  for (std::size_t i = 0; i < rows.targets.size(); ++i) {
+    const Corner &target = rows.targets[i], &reached = rows.reached[i];
+    figure.data += data_row({target[0], target[1], target[2], reached[0], reached[1], reached[2]});
+  }
   see(rows.targets);
   std::vector<std::string> clauses;
   const auto add = [&](const std::string& label, const std::string& what) {
@@ -296,19 +290,15 @@ Figure path(const About& about, const PathRows& rows) {
   }
   add_legend(figure, clauses.size());
   // A cube, seen from the front, above and the left. A key of splot begins at the top.
-  double longest = 0;
-  for (const std::vector<double>& along : shown) {
-    if (!along.empty()) longest = std::max(longest, std::ranges::max(along) - std::ranges::min(along));
-  }
-  const double side = longest > 0 ? 1.1 * longest : 2;
+  double side = 0.1;
+  for (std::size_t axis = 0; axis < 3; ++axis) side = std::max(side, 1.1 * (high[axis] - low[axis]));
   figure.settings +=
       "set view equal xyz\nset view 65, 30, 1.3\nset origin 0, up(legend_rows_cm + 0.2)\n"
       "set size 1, 1 - up(legend_rows_cm + 0.2)\nset key at screen 0.5, screen up(legend_rows_cm + 0.1) top center\n"
       "set border 895 lw 0.5 lc rgb '#AAAAAA'\nset grid x y z vertical\n"
       "set xlabel offset 2.5, 0.2\nset xtics offset 0, 0\nset ylabel offset -2, 0\nset zlabel offset 1, 0 rotate\n";
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::vector<double>& along = shown[axis];
-    const double middle = along.empty() ? 0 : (std::ranges::max(along) + std::ranges::min(along)) / 2;
+    const double middle = (low[axis] + high[axis]) / 2;
     figure.settings += fmt::format(
         "set {0}range [{1}:{2}]\nset {0}tics {3} textcolor rgb '#000000'\nset {0}label '{0} [cm]'\n", "xyz"[axis],
         text_of(middle - side / 2), text_of(middle + side / 2), text_of(round_step_of(side, 4)));
@@ -338,15 +328,12 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
     const JointRow& row = rows[i];
     figure.data += fmt::format("{}# {}: point, angle of each joint [deg]\n", i == 0 ? "" : "\n\n", one_line(row.label));
     for (std::size_t point = 0; point < row.angles_deg.size(); ++point) {
-      std::vector<double> line{static_cast<double>(point + 1)};
-      for (std::size_t joint = 0; joint < columns.size(); ++joint) {
-        const double angle = joint < row.angles_deg[point].size() ? row.angles_deg[point][joint] : nowhere;
-        line.push_back(angle);
-        if (i >= drawn) continue;
+      figure.data += fmt::format("{} {}", point + 1, data_row(row.angles_deg[point]));
+      for (std::size_t joint = 0; i < drawn && joint < columns.size(); ++joint) {
+        const double angle = row.angles_deg[point][joint];
         if (!std::isnan(angle)) all.push_back(angle);
         is_outside = is_outside || angle < columns[joint].lower_deg || angle > columns[joint].upper_deg;
       }
-      figure.data += data_row(line);
     }
     if (row.angles_deg.empty()) figure.data += "NaN NaN\n";
     if (i >= drawn) continue;
@@ -393,8 +380,7 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
   if (rows.empty() || panels.empty()) return std::nullopt;
   std::vector<std::string> ticks, clauses;
   add_labelled_rows(figure, rows, 0.5);
-  constexpr double header_cm = 2.2;
-  if (figure.sides_cm + header_cm * static_cast<double>(panels.size()) > figure.width_cm)
+  if (figure.sides_cm + 2.2 * static_cast<double>(panels.size()) > figure.width_cm)
     figure.width_cm = 17;  // two columns of a journal
   const double panel_cm = (figure.width_cm - figure.sides_cm) / static_cast<double>(panels.size()),
                pitch = 1 / std::max(0.6, 1 - 1.1 / panel_cm);  // of panels, where a bar of 100 % is 1, and its number
@@ -425,9 +411,9 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
     figure.settings += fmt::format("set label {} at screen 0.5, screen up({}) center noenhanced\n",
                                    gnuplot_text(key[i]), text_of(0.35 * static_cast<double>(key.size() - i)));
   figure.height_cm += 0.4;
-  figure.settings += fmt::format("set tmargin at screen 1 - up(0.7)\nset xrange [0:{}]\nset xtics ({})\n{}",
-                                 pitch * static_cast<double>(panels.size()), fmt::join(ticks, ", "),
-                                 fmt::format("set xlabel {} noenhanced\n", gnuplot_text(about.axis())));
+  figure.settings +=
+      fmt::format("set tmargin at screen 1 - up(0.7)\nset xrange [0:{}]\nset xtics ({})\nset xlabel {} noenhanced\n",
+                  pitch * static_cast<double>(panels.size()), fmt::join(ticks, ", "), gnuplot_text(about.axis()));
   figure.plot = plotted(clauses);
   return figure;
 }

@@ -68,9 +68,8 @@ struct PathRows {
   std::vector<std::pair<std::string, std::vector<Corner>>> arms = {};  // label, and corners from the base to the tool
   std::string reached_label = "reached";
   int style = 1;  // of what was reached
-  bool is_closed = false;
 };
-// Targets as a path, if there are any, what was reached, and arms.
+// Targets as a path, if there are any, what was reached at each, and arms.
 Figure path(const About& about, const PathRows& rows);
 
 // A row of panels a solver, a panel a joint. Letters (a), (b), ... if there are several; rings where an angle is

@@ -141,14 +141,13 @@ TEST_CASE("differences have their intervals, also open ones", "[plots]") {
   CHECK(figure.data == "# row, difference, low, high\n# A - B\n1 1 -2 1e+300\n# A - C\n2 NaN NaN NaN\n");
 }
 
-TEST_CASE("a closed path ends where it begins, and the arm follows", "[plots]") {
+TEST_CASE("a path has its targets and what was reached, and the arm follows", "[plots]") {
   const Figure figure = path(error_in("p"), {.targets = {{1, 2, 3}, {4, 5, 6}},
-                                             .reached = {{1, 2, 2.5}},
-                                             .arms = {{"arm", {{0, 0, 0}, {1, 1, 1}}}},
-                                             .is_closed = true});
+                                             .reached = {{1, 2, 2.5}, {nowhere, nowhere, nowhere}},
+                                             .arms = {{"arm", {{0, 0, 0}, {1, 1, 1}}}}});
   CHECK(
       figure.data ==
-      "# target x, y, z; reached x, y, z [cm]\n1 2 3 1 2 2.5\n4 5 6 NaN NaN NaN\n1 2 3 1 2 2.5\n\n\n# arm: x, y, z [cm]\n0 0 0\n1 1 1\n");
+      "# target x, y, z; reached x, y, z [cm]\n1 2 3 1 2 2.5\n4 5 6 NaN NaN NaN\n\n\n# arm: x, y, z [cm]\n0 0 0\n1 1 1\n");
 }
 
 TEST_CASE("joints have a panel each, and angles outside the limits are told", "[plots]") {
