@@ -322,7 +322,7 @@ std::string to_latex(const Table& whole) {
 }
 
 std::string to_html(const Table& whole) {
-  constexpr std::size_t long_text = 20;  // breaks anywhere
+  constexpr std::size_t long_text = 28;  // breaks anywhere
   const Table table = for_readers(whole);
   const std::vector<Kinds> kinds = kinds_of(table);
   const Rows rows = readable(table, html_text);
