@@ -317,7 +317,8 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
   if (is_first || is_second)
     rows.insert(rows.begin(),
                 {.label = fmt::format("{} {} {}", is_first ? names.at(findings[0].first) : "…", are_ratios ? "/" : "-",
-                                      is_second ? names.at(findings[0].second) : "…")});
+                                      is_second ? names.at(findings[0].second) : "…"),
+                 .verdict = is_first ? "the first:" : ""});
   const std::string quantity = observed.metric == "solved" ? "share solved" : observed.quantity;
   const std::string what = are_ratios ? "ratio" : "difference";
   return differences(

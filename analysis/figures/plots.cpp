@@ -18,7 +18,7 @@ using namespace numerics;
 
 namespace {
 
-const std::string grey = colour_of(0), black = "lc rgb '#000000'";
+const std::string grey = colour_of(0);
 constexpr std::size_t most_rows = 60;     // of a figure, which fits a page
 constexpr std::size_t most_values = 200;  // drawn of a group
 constexpr std::size_t most_lines = 8;     // that can be told apart; the data file has all
@@ -111,7 +111,7 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
         "data index 0 using (place_x($7)):($1+0.34):(place_x($9)-place_x($7)):(0) with vectors nohead lw 1 {}", grey));
     clauses.push_back(
         fmt::format("data index 0 using (place_x($8)):($1+0.27):(0):(0.14) with vectors nohead lw 1.6 {}", grey));
-    clauses.push_back(fmt::format("keyentry with points pt 6 ps 0.3 lw 0.7 {} title 'here'", black));
+    clauses.emplace_back("keyentry with points pt 6 ps 0.3 lw 0.7 lc rgb '#000000' title 'here'");
     clauses.push_back(fmt::format("keyentry with lines lw 1 {} title 'printed: smallest, median, largest'", grey));
     add_legend(figure, 2);
   }
@@ -421,9 +421,8 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
 std::optional<Figure> overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots) {
   Figure figure{.name = about.name, .caption = about.caption};
   std::vector<double> xs, ys;
-  std::vector<std::string> clauses;
+  std::vector<std::string> clauses, left_out;
   std::vector<Named> names;
-  std::vector<std::string> left_out;
   figure.data = fmt::format("# a line a solver: {}; {}; both as printed\n", x_axis, about.axis());
   for (const Dot& dot : dots) {
     if (!std::isfinite(dot.x + dot.y)) {
