@@ -93,9 +93,9 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, co
   const Definition& definition = study.definition;
   const bool of_solved = is_of_solved(study, metric);
   const double least = tolerance_of(study, metric);
-  std::vector<Value> values;
   // Where the arm stayed is no error of a solver that never moved it.
-  if (metric.kind == Kind::error && std::ranges::none_of(study.of(solver), gave_answer)) return values;
+  const bool is_unknown = metric.kind == Kind::error && std::ranges::none_of(study.of(solver), gave_answer);
+  std::vector<Value> values;
   for (const Solves run : runs_of(study.of(solver))) {
     if (design.are_runs && !is_complete(study, run)) continue;
     if (metric.is_of_run) {
@@ -107,7 +107,7 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, co
       const int block = design.are_runs            ? solve.run
                         : definition.draws_targets ? (solve.run - 1) * definition.points + solve.point
                                                    : solve.point;
-      const double value = metric.value(solve, study);
+      const double value = is_unknown ? unknown : metric.value(solve, study);
       values.push_back({block, value < least ? least : value});
     }
   }

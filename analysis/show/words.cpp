@@ -360,7 +360,7 @@ std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
     return fmt::format("same in all {}", finding.n);
   if (is_same) return "same within " + margin;
   std::string words(compare::name_of(finding.verdict));
-  if (finding.n == 0 && finding.why == Why::too_few) return words + ": no values";
+  if (finding.n == 0 && finding.verdict == Verdict::not_tested) return words + ": no values";
   if (finding.is_within_margin) words += ", by less than " + margin;
   switch (finding.why) {
     case Why::tested:

@@ -124,6 +124,8 @@ TEST_CASE("Numbers that are not finite are lost; a solve without an answer has i
   CHECK(group(observed(of, "variation_deg"), "A").lost == 2);
   CHECK(group(observed(study(chained, fails)), "A").lost == 1);
   CHECK(group(observed(of), "B").lost == 0);
+  const auto never = study(drawn, [](SolveRecord& solve) { solve.status = Status::crashed; });
+  CHECK(group(observed(never), "B").lost == 20);  // where the arm stayed is no error of a solver that never moved it
   const auto doubt = doubt_of(of, DoubtKind::without_answer);
   REQUIRE(doubt);
   CHECK(doubt->count == 3);
