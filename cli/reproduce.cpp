@@ -96,7 +96,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   const papers::Repeated repeated{.paper = paper, .studies = all};
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.in_readings);
   show::Table means = papers::means_table(repeated), brief = means;
-  if (means.rows.empty()) means = papers::rates_table(repeated), brief = papers::rates_table(repeated, false);
+  if (means.rows.empty()) means = brief = papers::rates_table(repeated);
 
   const bool is_slim2023 = paper.name == "slim2023";
   const figures::Look look =

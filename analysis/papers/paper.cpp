@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "analysis/figures/plots.hpp"
@@ -163,10 +164,10 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
   for (const auto& [solver, rates] : rates_of(repeated)) {
     std::vector<std::string> others;
     for (const Rate& rate : rates) {
-      if (rate.is_other())  // "Jaco2 31 % (printed 26.23)"
+      if (rate.sign() == "x")  // "Jaco2 31 % (printed 26.23)"
         others.push_back(fmt::format("{} {:.1f} % (printed {:.2f})", rate.arm, 100 * rate.share, 100 * rate.printed));
     }
-    const auto repeat = std::ranges::count_if(rates, &Rate::is_as_printed);
+    const auto repeat = std::ranges::count(rates, "~", &Rate::sign);
     const auto open = std::ssize(rates) - repeat - std::ssize(others);
     if (open == std::ssize(rates)) {
       undecided.push_back(solver);
@@ -250,28 +251,29 @@ show::Table means_table(const Repeated& repeated) {
   return table;
 }
 
-show::Table rates_table(const Repeated& repeated, bool has_intervals) {
+show::Table rates_table(const Repeated& repeated) {
   const Rates& plan = repeated.paper.rates;
   show::Table table{.name = plan.table, .caption = "Solved targets, as printed and here", .columns = {{"arm"}}};
+  std::set<std::string_view> signs;
   for (const auto& [solver, rates] : rates_of(repeated)) {
     table.columns.push_back({solver, "%"});
-    if (has_intervals) table.columns.push_back({solver + " interval"});
     table.rows.resize(rates.size());  // arms, in each solver's order
     for (std::size_t i = 0; i < rates.size(); ++i) {
       const Rate& rate = rates[i];
       if (table.rows[i].empty()) table.rows[i].emplace_back(rate.arm + (rate.is_picked ? " *" : ""));
-      table.rows[i].emplace_back(show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed),
-                                               rate.is_as_printed() ? "~"
-                                               : rate.is_other()    ? "x"
-                                                                    : "?"});
-      if (has_intervals)
-        table.rows[i].emplace_back(fmt::format("{:.2f}-{:.2f}", 100 * rate.interval.low, 100 * rate.interval.high));
+      table.rows[i].emplace_back(
+          show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed), std::string(rate.sign())});
+      signs.insert(rate.sign());
     }
   }
-  table.notes.push_back(fmt::format(
-      "~ the printed share is in the {:g} % interval of ours, by the targets of both; x it is not; ? the interval is "
-      "wider than {:g} points to both sides",
-      100 * plan.level, 100 * repeated.study().study.definition.plan.margin));
+  std::vector<std::string> key;
+  if (signs.contains("~")) key.emplace_back("~ in it");
+  if (signs.contains("x")) key.emplace_back("x not in it");
+  if (signs.contains("?"))
+    key.push_back(fmt::format("? it is wider than {:g} points to both sides",
+                              100 * repeated.study().study.definition.plan.margin));
+  table.notes.push_back(fmt::format("Printed shares and the {:g} % interval of ours, by the targets of both: {}",
+                                    100 * plan.level, show::listed(key, ", ")));
   if (!plan.picked.empty())
     table.notes.emplace_back("* of several files or sides of the arm, that with the nearest shares");
   if (!plan.note.empty()) table.notes.push_back(plan.note);
@@ -287,10 +289,10 @@ std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
                       .estimate = minus_printed(rate.share),
                       .low = minus_printed(rate.interval.low),
                       .high = minus_printed(rate.interval.high),
-                      .verdict = rate.is_other()        ? "not as printed"
-                                 : rate.is_as_printed() ? "as printed"
-                                                        : "not decided",
-                      .style = rate.is_other() ? 1 : 0});
+                      .verdict = rate.sign() == "x"   ? "not as printed"
+                                 : rate.sign() == "~" ? "as printed"
+                                                      : "not decided",
+                      .style = rate.sign() == "x" ? 1 : 0});
     }
   }
   return differences(

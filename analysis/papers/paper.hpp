@@ -118,8 +118,11 @@ struct Rate {
   compare::Interval interval;
   double margin;  // of the study, which matters
 
-  bool is_other() const { return printed < interval.low || interval.high < printed; }
-  bool is_as_printed() const { return !is_other() && interval.high - interval.low <= 2 * margin; }  // else not decided
+  // "~": as printed; "x": not; "?": not decided, the interval is wider than the margin to both sides.
+  std::string_view sign() const {
+    if (printed < interval.low || interval.high < printed) return "x";
+    return interval.high - interval.low <= 2 * margin ? "~" : "?";
+  }
 };
 
 // A paper's study with its companions.
@@ -153,8 +156,8 @@ Explained explained_by(const Repeated& repeated);
 
 // Means beside the printed ones, a row a solver.
 show::Table means_table(const Repeated& repeated);
-// The same of shares solved; without rows if none is printed. The intervals make it too wide for a screen.
-show::Table rates_table(const Repeated& repeated, bool has_intervals = true);
+// The same of shares solved; without rows if none is printed.
+show::Table rates_table(const Repeated& repeated);
 // Ours minus the printed ones, with their intervals.
 std::optional<figures::Figure> rates_figure(const Repeated& repeated);
 

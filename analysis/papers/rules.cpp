@@ -242,7 +242,7 @@ JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   for (const auto& [solver, rates] : rates_of(repeated)) {
     std::vector<Holds> repeats;
     for (const Rate& rate : rates)
-      repeats.push_back(rate.is_other() ? Holds::fails : rate.is_as_printed() ? Holds::holds : Holds::undecided);
+      repeats.push_back(rate.sign() == "x" ? Holds::fails : rate.sign() == "~" ? Holds::holds : Holds::undecided);
     JudgedClaim& result = judged.emplace_back(JudgedClaim{claim});
     result.id = fmt::format("{}-{}", claim.id, solver);
     result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", solver));
