@@ -242,7 +242,7 @@ std::vector<BoxRow> box_rows(const JudgedMetric& metric, const DrawnUnit& unit, 
     if (const auto infinite = std::ranges::count(row.values, INFINITY); infinite > 0)
       row.remark = fmt::format("no answer in {}", infinite);
     if (group->values.empty())
-      row.remark = "no answer";
+      row.remark = "no value";
     else if (group->lost > 0)
       row.remark += fmt::format("{}{} missing", row.remark.empty() ? "" : ", ", group->lost);
   }
