@@ -136,10 +136,11 @@ Table results_table(const Answer& answer) {
   }
   std::string key =
       !has_numbers ? "" : fmt::format("{}s{}", are_means ? "Mean" : "Median", has_quartiles ? " (quartiles)" : "");
-  if (has_numbers && !answer.direction.empty()) {
+  if (!answer.direction.empty()) {
     const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n);
-    key += fmt::format(" of {}{}", least.n == most.n ? "" : fmt::format("{} to ", least.n),
-                       numerics::counted(most.n, "values"));
+    key = fmt::format("{} of {}{}; {}", has_numbers ? key : "Shares",
+                      least.n == most.n ? "" : fmt::format("{} to ", least.n), numerics::counted(most.n, "values"),
+                      answer.direction);
   }
   if (!kinds.empty()) {
     const bool are_common = std::ranges::any_of(answer.metrics, [](const JudgedMetric& judged) {
@@ -149,7 +150,6 @@ Table results_table(const Answer& answer) {
                       fmt::join(kinds, " or "),
                       are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun);
   }
-  if (!answer.direction.empty()) key += (key.empty() ? "" : "; ") + answer.direction;
   const std::string level = fmt::format(" (adjusted p < {})", number_text(decisive.plan.significance));
   std::vector<std::string> sentences{key, meaning_of(marks, reference + level)};
   if (has_shares)
@@ -309,8 +309,10 @@ Table pairs_table(const Answer& answer) {
               .columns = columns_of(
                   {"metric", "first", "second", "estimate", "interval", "unit", "p", "A12", "test", "verdict"})};
   std::set<double> ends;
+  bool has_p = false;
   for (const JudgedMetric& judged : answer.metrics) {
     for (const Finding& finding : judged.findings) {
+      has_p |= finding.p.has_value();
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
       const std::string ahead = finding.estimate ? "" : amount_words(finding, judged);
       table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
@@ -325,7 +327,7 @@ Table pairs_table(const Answer& answer) {
   table.columns[6].ends = {answer.decisive().plan.significance};
   std::vector<std::string> notes{
       what_decides(answer),
-      answer.verdict.empty()
+      answer.verdict.empty() && has_p
           ? "p is multiplied by the number of pairs tested of a metric, and intervals hold for all pairs at once."
           : "",
       of_pairs(answer), "A12: share of comparisons in which the first is better."};

@@ -421,8 +421,9 @@ std::vector<std::vector<std::string>> pair_rows(const Answer& answer) {
     if (!has_two && (!is_decisive || std::ranges::all_of(judged.findings, &Finding::are_all_equal))) continue;
     for (const Finding& finding : judged.findings) {
       if (!is_decisive && finding.verdict == Verdict::not_tested) continue;
-      rows.push_back({one_line(fmt::format("{}{} vs {}", has_two ? judged.observations.quantity + ": " : "",
-                                           finding.first, finding.second)),
+      rows.push_back({one_line(fmt::format(
+                          "{}{} vs {}", has_two && answer.metrics.size() > 1 ? judged.observations.quantity + ": " : "",
+                          finding.first, finding.second)),
                       verdict_words(finding, judged), amount_words(finding, judged),
                       finding.p ? p_sentence(*finding.p, {judged.plan.significance}) : ""});
     }
