@@ -47,31 +47,30 @@ std::optional<Interval> interval_of(const JudgedMetric& judged, const Descriptio
   return Interval{100 * share.low, 100 * share.high};
 }
 
-// A solver's number, and the mark of its pair with the reference. Where the numbers of two are of other targets, the
-// finding of the pair stands in its place.
+// A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
+// with the reference. Where the numbers of two are of other targets, the finding of the pair stands in its place.
 Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver,
                  const std::string& reference) {
   const std::vector<Group>& groups = judged.observations.groups;
   const std::size_t i = place_of(judged.observations, solver);
   if (i == groups.size() || (groups[i].lost > 0 && !judged.observations.tells_incomplete)) return {};
-  const Group* const group = &groups[i];
+  const Group& group = groups[i];
   const Finding* const pair = finding_of(judged, solver, reference);
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
-  const bool is_untested = group->is_apart || group->lost > 0 || (pair && finding.verdict == Verdict::not_tested);
-  const bool is_of_solved = judged.observations.is_of_solved, is_reference = solver == reference;
-  const std::string mark = is_untested                          ? exclamation
-                           : finding.verdict == Verdict::worse  ? star
-                           : finding.verdict == Verdict::better ? plus
-                                                                : "";
-  if (is_of_solved && (is_reference ? group->is_apart : is_untested || !finding.estimate)) return {};
-  if (is_of_solved && !is_reference)
+  const bool is_untested = group.is_apart || group.lost > 0 || (pair && finding.verdict == Verdict::not_tested);
+  const bool is_of_solved = judged.observations.is_of_solved, is_deciding = &judged == &answer.decisive();
+  const bool is_worse = is_deciding && judged.plan.control.empty() ? losers_of(judged.findings).contains(solver)
+                                                                   : finding.verdict == Verdict::worse;
+  const bool is_better = finding.verdict == Verdict::better;
+  const std::string mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : "";
+  if (is_of_solved && (solver == reference ? group.is_apart : is_untested || !finding.estimate)) return {};
+  if (is_of_solved && solver != reference)
     return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale};
   const Description& its = judged.described[i];
   const double value = average_of(judged, i);
   if (std::isnan(value)) return {};
-  Marked cell{.value = value, .mark = mark, .is_bound = group->at_most > 0 && value == group->at_most};
+  Marked cell{.value = value, .mark = mark, .is_bound = group.at_most > 0 && value == group.at_most};
   cell.interval = interval_of(judged, its);
-  const bool is_deciding = &judged == &answer.decisive();
   if (is_deciding && !is_share(judged) && !is_of_solved && !cell.is_bound && its.n > 1 && !std::isnan(its.median))
     cell.interval = Interval{its.lower_quartile, its.upper_quartile};
   return cell;
@@ -91,6 +90,15 @@ std::string with_blanks(std::string_view name) {
 
 std::string limit(double value, std::string_view unit) {
   return value > 0 ? fmt::format("{}{}", number_text(value), unit) : "";
+}
+
+// Whom the stars are about: without a control, those of the deciding metric need not be about the reference.
+std::string of_whom(const Answer& answer, const std::string& reference) {
+  std::set<std::string> others = losers_of(answer.decisive().findings);
+  for (const Finding& finding : answer.decisive().findings) {
+    if (finding.first == reference_of(answer) && finding.verdict == Verdict::better) others.erase(finding.second);
+  }
+  return answer.decisive().plan.control.empty() && !others.empty() ? "another solver" : reference;
 }
 
 }  // namespace
@@ -151,7 +159,7 @@ Table results_table(const Answer& answer) {
                       are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun);
   }
   const std::string level = fmt::format(" (adjusted p < {})", number_text(decisive.plan.significance));
-  std::vector<std::string> sentences{key, meaning_of(marks, reference + level)};
+  std::vector<std::string> sentences{key, meaning_of(marks, of_whom(answer, reference) + level)};
   if (has_shares)
     sentences.push_back(fmt::format("Brackets{}: {:.3g} % intervals", has_quartiles ? " of shares" : "",
                                     100 * (1 - decisive.plan.significance)));
@@ -181,7 +189,7 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
     if (marks.contains(star) || marks.contains(plus)) {
       referring.push_back(names[s]);
       references.push_back((studies[s].decisive().plan.control.empty() ? "" : "the control ") +
-                           reference_of(studies[s]));
+                           of_whom(studies[s], reference_of(studies[s])));
     }
     all_marks.merge(marks);
   }
@@ -252,11 +260,11 @@ std::optional<figures::Figure> studies_figure(const Table& studies, const std::v
       has_empty |= of_study == nullptr;
     }
   }
-  const auto has_control = [](const Answer& answer) { return !answer.decisive().plan.control.empty(); };
-  const char* const reference = std::ranges::none_of(answers, has_control)  ? "the best"
-                                : std::ranges::all_of(answers, has_control) ? "the control"
-                                                                            : "the control, else the best";
-  std::vector<std::string> key{meaning_of(marks, reference), has_empty ? "- not in the study" : "",
+  std::set<std::string> whom;
+  for (const Answer& answer : answers)
+    whom.insert(of_whom(answer, answer.decisive().plan.control.empty() ? "the best" : "the control"));
+  std::vector<std::string> key{meaning_of(marks, listed({whom.begin(), whom.end()}, " or ")),
+                               has_empty ? "- not in the study" : "",
                                others.empty() ? "" : "without " + names_of(others)};
   std::erase(key, "");
   return figures::bars({.name = "studies", .caption = "Share of targets solved.", .quantity = "solved", .unit = "%"},

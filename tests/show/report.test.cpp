@@ -279,6 +279,14 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   costs.groups[2].is_apart = true;
   costs.groups[0].values = {};
   CHECK(text(costs).find("A        30 % (15-52) *   -") != std::string::npos);  // it solved nothing that B did
+  // C is worse than B, and not shown to be worse than the first.
+  std::vector<double> wide(20, 1);
+  std::fill_n(wide.begin(), 9, 50);
+  const Answer second =
+      answer_of({judged(numbers("error", "error", "mm", {{"A", wide}, {"B", b}, {"C", values_around(6, 0.5)}}))});
+  CHECK(
+      contains(to_text(results_table(second)), "C        6 mm (4.7-7.7) *\nMedians (quartiles). * worse than another"));
+  CHECK(contains(studies_table({second}, {"one"}).notes[0], "* worse than another solver (one)"));
 }
 
 TEST_CASE("means that are not paired have a test of all solvers", "[show]") {
