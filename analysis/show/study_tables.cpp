@@ -116,13 +116,17 @@ Table results_table(const Answer& answer) {
   const std::string reference = reference_of(answer);
   const bool are_means = decisive.plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
-  bool has_numbers = false, has_quartiles = false, has_shares = false;
+  bool has_numbers = false, has_quartiles = false, has_shares = false, has_none = false;
   std::set<std::string> kinds, marks;
   const std::set<std::string> losers = losers_of(decisive.findings);
   const bool has_best = !losers.empty() && (decisive.plan.control.empty() || decisive.findings.size() == 1);
   const auto add = [&](const JudgedMetric& judged, const std::string& name) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit});
+    const bool has_costs =
+        judged.observations.is_of_solved && !std::isnan(average_of(judged, place_of(judged.observations, reference)));
     for (auto& row : table.rows) {
+      const Finding* const pair = finding_of(judged, std::get<std::string>(row[0]), reference);
+      has_none |= has_costs && pair && pair->n == 0 && pair->why == Why::too_few;
       row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), reference));
       auto* const marked = std::get_if<Marked>(&row.back());
       if (!marked) continue;
@@ -159,7 +163,8 @@ Table results_table(const Answer& answer) {
                       are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun);
   }
   const std::string level = fmt::format(" (adjusted p < {})", number_text(decisive.plan.significance));
-  std::vector<std::string> sentences{key, meaning_of(marks, of_whom(answer, reference) + level)};
+  std::vector<std::string> sentences{key, has_none ? "-: no solves to compare" : "",
+                                     meaning_of(marks, of_whom(answer, reference) + level)};
   if (has_shares)
     sentences.push_back(fmt::format("Brackets{}: {:.3g} % intervals", has_quartiles ? " of shares" : "",
                                     100 * (1 - decisive.plan.significance)));
