@@ -23,15 +23,13 @@ bool is_missing(std::string_view cell) {
          is_one_of(cell, {"", "-", "--", "na", "n/a", "#n/a", "nan", "-nan", "null", "none", "<na>"});
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 // "1,234,567"
 bool is_grouped(std::string_view whole, char mark) {
   whole.remove_prefix(whole.starts_with('-') || whole.starts_with('+') ? 1 : 0);
   const std::size_t first = whole.find(mark);
   if (first == 0 || first > 3 || whole.front() == '0' || (whole.size() - first) % 4 != 0) return false;
   for (std::size_t i = 0; i < whole.size(); ++i) {
-    if (i >= first && (i - first) % 4 == 0 ? whole[i] != mark : !is_digit(whole[i])) return false;
+    if (i >= first && (i - first) % 4 == 0 ? whole[i] != mark : whole[i] < '0' || whole[i] > '9') return false;
   }
   return true;
 }

@@ -329,16 +329,18 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   std::vector<std::string> titles;
   for (const std::size_t each : layout.values) titles.push_back(sheet.titles()[each]);
   if (!layout.label) titles = {"value"};
-  Column rows;
   for (std::size_t i = 0; i < titles.size(); ++i) {
     const Items items = items_of(sheet, layout, layout.label ? std::vector{layout.values[i]} : layout.values);
     Observations observed = quantity_of(titles[i]);
-    const auto has_its_name = [&](const std::string& title) {
-      return quantity_of(title).quantity == observed.quantity;
-    };
-    if (std::ranges::count_if(titles, has_its_name) > 1) observed.quantity = titles[i], observed.unit.clear();
+    const auto name_of = [](const std::string& title) { return quantity_of(title).quantity; };
+    if (std::ranges::count(titles, observed.quantity, name_of) > 1)
+      observed.quantity = titles[i], observed.unit.clear();
     refuse_mixed(sheet, layout, items);
-    if (!layout.run) rows = shared_by_groups(sheet, layout, items);
+    const Column rows = i > 0 || layout.run || layout.block ? Column() : shared_by_groups(sheet, layout, items);
+    if (rows)
+      quantities.notes.push_back(
+          fmt::format("Rows count as unrelated; if each was the same problem for all groups, add --block '{}'.",
+                      sheet.titles()[*rows]));
     settle(items, observed, quantities.notes);
     observed.better = better_of(sheet, request, titles, titles[i], observed.scale == Scale::share);
     for (const Value& each : items.values) {
@@ -349,11 +351,6 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     fill(layout, items, observed);
     quantities.observed.push_back(std::move(observed));
   }
-  if (rows && !layout.block)
-    quantities.notes.insert(
-        quantities.notes.begin(),
-        fmt::format("Rows count as unrelated; if each was the same problem for all groups, add --block '{}'.",
-                    sheet.titles()[*rows]));
   return quantities;
 }
 
