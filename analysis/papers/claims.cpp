@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 
 #include "analysis/show/text.hpp"
 #include "numerics/names.hpp"
@@ -18,12 +17,10 @@ namespace {
 
 constexpr std::array<std::string_view, 5> verdicts{"holds", "holds in part", "fails", "not decided", "not tested"};
 
-std::vector<JudgedClaim> grouped(const std::vector<JudgedClaim>& claims, bool are_ours) {
-  std::vector<JudgedClaim> group;
-  std::ranges::copy_if(claims, std::back_inserter(group),
-                       [=](const JudgedClaim& claim) { return claim.is_ours == are_ours; });
-  std::ranges::stable_sort(group, {}, &JudgedClaim::holds);
-  return group;
+std::vector<JudgedClaim> grouped(std::vector<JudgedClaim> claims, bool are_ours) {
+  std::erase_if(claims, [=](const JudgedClaim& claim) { return claim.is_ours != are_ours; });
+  std::ranges::stable_sort(claims, {}, &JudgedClaim::holds);
+  return claims;
 }
 
 show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) {
