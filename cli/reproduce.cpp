@@ -95,8 +95,8 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   const FigureStyle style = styled(all.front().study.entry, arguments.report);
   const papers::Repeated repeated{.paper = paper, .studies = all};
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.in_readings);
-  show::Table means = papers::means_table(repeated), brief = means;
-  if (means.rows.empty()) means = brief = papers::rates_table(repeated);
+  show::Table means = papers::means_table(repeated);
+  if (means.rows.empty()) means = papers::rates_table(repeated);
 
   const bool is_slim2023 = paper.name == "slim2023";
   const figures::Look look =
@@ -127,7 +127,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   if (!readings.in_readings.empty())
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
   announce(reported, folder, arguments.report, look.style,
-           fmt::format("{}{}\n", papers::screen(sentences, brief, claims),
+           fmt::format("{}{}\n", papers::screen(sentences, means, claims),
                        fingerprints_of(Store(store_in(folder), Store::Mode::read), all, studies_of(paper, {}))));
 }
 

@@ -126,7 +126,7 @@ Table results_table(const Answer& answer) {
         judged.observations.is_of_solved && !std::isnan(average_of(judged, place_of(judged.observations, reference)));
     for (auto& row : table.rows) {
       const Finding* const pair = finding_of(judged, std::get<std::string>(row[0]), reference);
-      has_none |= has_costs && pair && pair->n == 0 && pair->why == Why::too_few;
+      has_none |= has_costs && pair && pair->why == Why::too_few;
       row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), reference));
       auto* const marked = std::get_if<Marked>(&row.back());
       if (!marked) continue;
@@ -163,7 +163,7 @@ Table results_table(const Answer& answer) {
                       are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun);
   }
   const std::string level = fmt::format(" (adjusted p < {})", number_text(decisive.plan.significance));
-  std::vector<std::string> sentences{key, has_none ? "-: no solves to compare" : "",
+  std::vector<std::string> sentences{key, has_none ? "-: too few to compare" : "",
                                      meaning_of(marks, of_whom(answer, reference) + level)};
   if (has_shares)
     sentences.push_back(fmt::format("Brackets{}: {:.3g} % intervals", has_quartiles ? " of shares" : "",

@@ -279,7 +279,7 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   costs.groups[2].is_apart = true;
   costs.groups[0].values = {};
   CHECK(text(costs).find("A        30 % (15-52) *   -") != std::string::npos);  // it solved nothing that B did
-  CHECK(contains(text(costs), "-: no solves to compare"));
+  CHECK(contains(text(costs), "-: too few to compare"));
   // C is worse than B, and not shown to be worse than the first.
   std::vector<double> wide(20, 1);
   std::fill_n(wide.begin(), 9, 50);
