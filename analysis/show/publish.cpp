@@ -92,16 +92,6 @@ void keep_telling(Table& pairs, const Answer& answer) {
                                       are_many ? fmt::format("of {} ", reference) : ""));
 }
 
-// Figures that were not drawn, and sections that had nothing else.
-void leave_out_empty(std::vector<Blocks>& sections, const fs::path& folder) {
-  const auto is_empty = [&](const Block& block) {
-    const auto* const figure = std::get_if<figures::Figure>(&block);
-    return figure != nullptr && types_of(*figure, folder).empty();
-  };
-  for (Blocks& blocks : sections) std::erase_if(blocks, is_empty);
-  std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });
-}
-
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
 // warnings; a caption says of what. Names are as long as the table fits the text of two columns.
 Table for_article(Table table, const Report& report) {
@@ -206,7 +196,12 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   for (Table* table : tables) {
     if (table->name == "pairs") keep_telling(*table, report.answer);
   }
-  leave_out_empty(sections, folder);
+  const auto is_not_drawn = [&](const Block& block) {
+    const auto* const figure = std::get_if<figures::Figure>(&block);
+    return figure != nullptr && types_of(*figure, folder).empty();
+  };
+  for (Blocks& blocks : sections) std::erase_if(blocks, is_not_drawn);
+  std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });  // that had nothing else
   results::write_file(folder / "report.md", to_markdown(sections, folder));
   const std::string& title = report.study.definition.title;
   std::vector<std::string> order;

@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <sstream>
+#include <utility>
 
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
@@ -12,30 +11,20 @@ namespace ikbench::show {
 
 using namespace compare;
 
-namespace {
-
-constexpr std::size_t most_rows = 20;
-
-std::string table_of(const Answer& answer) {
+std::string screen(const Answer& whole, const std::string& page) {
+  const Answer answer = with_short_names(whole, longest_name);
+  std::string text = paragraph(headline(answer), "");
+  constexpr std::size_t most_rows = 20;
   Table table = results_table(answer);
   table.columns[0].name = "";
   const std::size_t all = table.rows.size();
   if (all > most_rows) table.rows.resize(most_rows - 1);
   const std::vector<std::string> notes = std::exchange(table.notes, {});
-  std::string text = to_text(table);
+  text += '\n' + to_text(table);
   if (all > most_rows) text += fmt::format("  and {} more solvers\n", all - most_rows + 1);
-  return notes.empty() ? text : text + paragraph(fmt::format("{}", fmt::join(notes, " ")), "");
-}
-
-}  // namespace
-
-std::string screen(const Answer& whole, const std::string& page) {
-  const Answer answer = with_short_names(whole, longest_name);
-  std::string text;
-  std::istringstream lines(headline(answer));
-  for (std::string line; std::getline(lines, line);) text += paragraph(line, "");
+  if (!notes.empty()) text += paragraph(fmt::format("{}", fmt::join(notes, " ")), "");
   const auto pairs = pair_rows(answer);
-  text += '\n' + table_of(answer) + in_columns(pairs);
+  text += in_columns(pairs);
   for (const std::string& note :
        {of_pairs(answer), answer.decisive().described.size() == 2 ? what_decides(answer) : ""})
     text += note.empty() || pairs.empty() ? "" : paragraph(note, "");

@@ -32,8 +32,6 @@ std::string meaning_of(const std::set<std::string>& marks, const std::string& re
   return listed(all, ", ");
 }
 
-std::int64_t count(double number) { return std::llround(number); }
-
 // A value of a group, which may only be an upper bound.
 Cell value_cell(const Group& group, double value) {
   if (std::isnan(value)) return {};
@@ -356,11 +354,10 @@ Table descriptives_table(const Answer& answer) {
       .columns = columns_of({"metric", "solver", "n", "mean", "sd", "median", "lower quartile", "upper quartile",
                              "95 % quantile", "smallest", "largest", "interval", "unit", "missing"})};
   bool is_any_lost = false, is_any_share = false, is_any_of_solved = false;
-  const JudgedMetric& decisive = answer.decisive();
   for (const JudgedMetric& judged : answer.metrics) {
     const Observations& observed = judged.observations;
     for (const std::size_t place : answer.order) {
-      const std::size_t i = place_of(observed, decisive.observations.groups[place].name);
+      const std::size_t i = place_of(observed, answer.decisive().observations.groups[place].name);
       if (i == observed.groups.size()) continue;
       const Description& its = judged.described[i];
       const Group& group = observed.groups[i];
@@ -390,10 +387,10 @@ Table anova_table(const Answer& answer) {
               .caption = "Do the solvers differ at all?",
               .columns = {{"metric"}, {"test"}, {"statistic"}, {"df"}, {"df within"}, {.name = "p", .is_p = true}}};
   for (const JudgedMetric& judged : answer.metrics) {
-    const std::string& quantity = judged.observations.quantity;
     if (is_share(judged) || judged.plan.test != results::Plan::Test::means) continue;
     if (const auto test = compare::anova(judged.observations))
-      table.rows.push_back({quantity, "ANOVA (F)", test->statistic, count(test->df), count(test->df_within), test->p});
+      table.rows.push_back({judged.observations.quantity, "ANOVA (F)", test->statistic, std::llround(test->df),
+                            std::llround(test->df_within), test->p});
   }
   return table;
 }

@@ -166,11 +166,6 @@ std::string member_name(const std::string& column, std::string_view member) {
   return column == "interval" ? std::string(member) : fmt::format("{} {}", column, member);
 }
 
-// The digits alone, without quotes of JSON.
-std::string csv_text(const Json& value) {
-  return value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
-}
-
 // -1.2e-05 as $-1.2 \times 10^{-5}$, which no escaping may touch.
 std::string latex_number(double value, int digits) {
   const std::string text = number_text(value, digits);
@@ -237,7 +232,8 @@ std::string to_csv(const Table& table) {
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      for (const auto& [member, value] : members(kinds[c], row[c])) cells.push_back(csv_text(value));
+      for (const auto& [member, value] : members(kinds[c], row[c]))
+        cells.push_back(value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump());
     }
     results::append_csv_row(text, cells);
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "analysis/show/text.hpp"
@@ -167,16 +166,11 @@ std::string not_tested(const Answer& answer) {
 // Where no solver is best: those that none is shown to beat, and whom the one of them beats that beats most.
 std::string unbeaten(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
-  std::map<std::string, std::map<std::string, Verdict>> verdicts;  // of one against another
-  for (const Finding& finding : judged.findings) {
-    verdicts[finding.first][finding.second] = finding.verdict;
-    verdicts[finding.second][finding.first] = turned(finding.verdict);
-  }
   const auto against = [&](const std::string& one, Verdict verdict) {  // the others, as the table has them
     std::vector<std::string> others;
-    for (const std::size_t i : answer.order) {
-      const auto found = verdicts[one].find(solver_name(judged, i));
-      if (found != verdicts[one].end() && found->second == verdict) others.push_back(found->first);
+    for (const Finding& finding : judged.findings) {
+      if (finding.first == one && finding.verdict == verdict) others.push_back(finding.second);
+      if (finding.second == one && turned(finding.verdict) == verdict) others.push_back(finding.first);
     }
     return others;
   };
@@ -364,7 +358,7 @@ std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
   if (finding.is_within_margin) words += ", by less than " + margin;
   switch (finding.why) {
     case Why::tested:
-      return words;
+      break;
     case Why::lost:
       return words + ": values are missing";
     case Why::apart:
