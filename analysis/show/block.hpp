@@ -28,7 +28,7 @@ struct Marked {
   bool is_bound = false;
   std::optional<compare::Interval> interval = {};
   std::optional<compare::Scale> to_reference = {};
-  bool is_best = false;
+  bool is_best = false;  // bold in LaTeX
 };
 // Readers see three digits, and "-" for an empty cell (std::monostate) and a number that is not finite.
 using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, Marked>;
@@ -60,8 +60,6 @@ std::string interval_text(const compare::Interval& interval, std::string (*numbe
 // intervals of which one excludes an end take a third, which says "low" or "high".
 std::string to_csv(const Table& table);
 std::string to_markdown(const Table& table);
-// Its notes, and what bold is, for where type is set.
-std::vector<std::string> typeset_notes(const Table& table);
 std::string to_latex(const Table& table);  // booktabs
 std::string to_html(const Table& table);
 std::string to_text(const Table& table);  // of a screen: units stand at the numbers

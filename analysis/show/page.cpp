@@ -67,8 +67,7 @@ struct PageWriter {
     std::string text = fmt::format(
         "<div class=\"card\"{}>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n{}</div>\n",
         id.empty() ? "" : fmt::format(" id=\"table-{}\"", id), html_text(table.caption), to_html(table));
-    for (const std::string& note : typeset_notes(table))
-      text += fmt::format("<p class=\"note\">{}</p>\n", html_text(note));
+    for (const std::string& note : table.notes) text += fmt::format("<p class=\"note\">{}</p>\n", html_text(note));
     const std::string file = "tables/" + table.name;
     if (!id.empty()) text += menu({{"CSV", file + ".csv"}, {"LaTeX", file + ".tex"}, {"Markdown", file + ".md"}});
     return text + "</div>\n";

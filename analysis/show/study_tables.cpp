@@ -57,17 +57,20 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const bool is_untested = group.is_apart || group.lost > 0 || (pair && finding.verdict == Verdict::not_tested);
   const bool is_of_solved = judged.observations.is_of_solved, is_deciding = &judged == &answer.decisive();
-  const bool is_worse = is_deciding && judged.plan.control.empty() ? losers_of(judged.findings).contains(solver)
-                                                                   : finding.verdict == Verdict::worse;
+  const bool is_of_all = is_deciding && judged.plan.control.empty();
+  const std::set<std::string> losers = is_of_all ? losers_of(judged.findings) : std::set<std::string>();
+  const bool is_worse = is_of_all ? losers.contains(solver) : finding.verdict == Verdict::worse;
   const bool is_better = finding.verdict == Verdict::better;
   const std::string mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : "";
+  const bool is_best = !losers.empty() && !is_worse && !is_untested;
   if (is_of_solved && (solver == reference ? group.is_apart : is_untested || !finding.estimate)) return {};
   if (is_of_solved && solver != reference)
-    return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale};
+    return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale, .is_best = is_best};
   const Description& its = judged.described[i];
   const double value = average_of(judged, i);
   if (std::isnan(value)) return {};
-  Marked cell{.value = value, .mark = mark, .is_bound = group.at_most > 0 && value == group.at_most};
+  const bool is_bound = group.at_most > 0 && value == group.at_most;
+  Marked cell{.value = value, .mark = mark, .is_bound = is_bound, .is_best = is_best};
   cell.interval = interval_of(judged, its);
   if (is_deciding && !is_share(judged) && !is_of_solved && !cell.is_bound && its.n > 1 && !std::isnan(its.median))
     cell.interval = Interval{its.lower_quartile, its.upper_quartile};
@@ -116,8 +119,6 @@ Table results_table(const Answer& answer) {
   const std::string average = are_means ? "mean" : "median";
   bool has_numbers = false, has_quartiles = false, has_shares = false, has_none = false;
   std::set<std::string> kinds, marks;
-  const std::set<std::string> losers = losers_of(decisive.findings);
-  const bool has_best = !losers.empty() && (decisive.plan.control.empty() || decisive.findings.size() == 1);
   const auto add = [&](const JudgedMetric& judged, const std::string& name) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit});
     const bool has_costs =
@@ -130,8 +131,6 @@ Table results_table(const Answer& answer) {
       if (!marked) continue;
       has_numbers |= !is_share(judged);
       marks.insert(marked->mark);
-      marked->is_best = has_best && &judged == &decisive && marked->mark != exclamation &&
-                        !losers.contains(std::get<std::string>(row[0]));
       has_quartiles |= marked->interval && !is_share(judged);
       has_shares |= marked->interval && is_share(judged);
       if (marked->to_reference)

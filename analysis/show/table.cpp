@@ -271,13 +271,6 @@ std::string to_markdown(const Table& whole) {
   return text;
 }
 
-std::vector<std::string> typeset_notes(const Table& table) {
-  std::vector<std::string> notes = table.notes;
-  if (std::ranges::any_of(kinds_of(table), &Kinds::best))
-    notes.emplace_back("Bold: no other solver is shown to be better.");
-  return notes;
-}
-
 std::string to_latex(const Table& whole) {
   Table table = for_readers(whole);
   for (Column& column : table.columns) column.unit_of_cells = latex_text(column.unit_of_cells);
@@ -299,7 +292,9 @@ std::string to_latex(const Table& whole) {
     }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
-  const std::string notes = latex_text(fmt::format("{}", fmt::join(typeset_notes(table), " ")));
+  if (std::ranges::any_of(kinds, &Kinds::best))
+    table.notes.emplace_back("Bold: no other solver is shown to be better.");
+  const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
   // A table shrinks to fit a column, to four fifths at the most; else it takes both, and shrinks down to the size of
   // \\scriptsize.
   return fmt::format(
@@ -328,7 +323,7 @@ std::string to_html(const Table& whole) {
     if (marked && !marked->mark.empty())
       text.replace(text.size() - marked->mark.size() - 1, std::string::npos,
                    fmt::format("<i>{}</i>", html_text(marked->mark)));
-    return marked && marked->is_best ? fmt::format("<b>{}</b>", text) : text;
+    return text;
   };
   const auto line = [&](std::size_t r, std::string_view tag) {
     const std::vector<std::string>& row = rows[r];
