@@ -160,11 +160,11 @@ Table results_table(const Answer& answer) {
                       are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun);
   }
   const std::string level = fmt::format(" (adjusted p < {})", number_text(decisive.plan.significance));
-  std::vector<std::string> sentences{key, has_none ? "-: too few to compare" : "",
-                                     meaning_of(marks, of_whom(answer, reference) + level)};
+  std::vector<std::string> sentences{key, meaning_of(marks, of_whom(answer, reference) + level)};
   if (has_shares)
     sentences.push_back(fmt::format("Brackets{}: {:.3g} % intervals", has_quartiles ? " of shares" : "",
                                     100 * (1 - decisive.plan.significance)));
+  if (has_none) sentences.emplace_back("-: too few to compare");
   std::erase(sentences, "");
   if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
   table.notes.insert(table.notes.end(), answer.notes.begin(), answer.notes.end());

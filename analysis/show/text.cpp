@@ -28,12 +28,12 @@ std::string replaced(std::string_view text, std::span<const Substitute> substitu
   return result;
 }
 
-// Whether a blank stands between a number and its unit, or at the sign of "p < 0.05", which stay on one line.
+// Whether the words beside a blank stay on one line: a number and its unit, "* worse", "p < 0.05".
 bool is_inseparable(std::string_view text, std::size_t blank) {
   constexpr std::array<std::string_view, 5> units{"%", "cm", "mm", "deg", "ms"};
   if (blank == 0 || blank >= text.size()) return false;
   const std::string_view before = text.substr(0, blank), after = text.substr(blank + 1);
-  if (before.back() == '<' || after.starts_with('<')) return true;
+  if (before.back() == '<' || before.back() == '*' || after.starts_with('<')) return true;
   return before.back() >= '0' && before.back() <= '9' &&
          std::ranges::any_of(units, [&](std::string_view unit) { return after.starts_with(unit); });
 }
