@@ -93,10 +93,10 @@ void keep_telling(Table& pairs, const Answer& answer) {
 }
 
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
-// warnings; a caption says of what. Names are as long as the table fits the text of two columns.
+// warnings; a caption says of what. Names of results, which are narrow, may be twice as long.
 Table for_article(Table table, const Report& report) {
   const bool are_pairs = table.name == "pairs";
-  const Answer brief = with_short_names(report.answer, are_pairs ? longest_name : 2 * longest_name);
+  const Answer brief = with_short_names(report.answer, table.name == "results" ? 2 * longest_name : longest_name);
   if (table.name == "results") table = results_table(brief);
   if (table.name == "descriptives") table = descriptives_table(brief);
   if (are_pairs) {
