@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "analysis/papers/claims.hpp"
+#include "analysis/show/words.hpp"
 #include "analysis/slim2023/slim2023.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -98,15 +99,21 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   show::Table means = papers::means_table(repeated);
   if (means.rows.empty()) means = papers::rates_table(repeated);
 
-  const bool is_slim2023 = paper.name == "slim2023";
+  const bool is_slim2023 = paper.name == "slim2023", has_arms = !paper.rates.rows.empty();
   const figures::Look look =
       is_slim2023 ? figures::look_of(all.front().study.entry.series, style) : figures::look_of(all.front(), style);
-  show::Report reported = show::report_of(
-      all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look) : figures::of_study(all.front(), look));
+  show::Report reported = show::report_of(all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look)
+                                                       : has_arms  ? std::vector<figures::Figure>()
+                                                                   : figures::of_study(all.front(), look));
+  std::vector<std::string> doubts, whose;
   for (const compare::JudgedStudy& companion : repeated.studies.subspan(1)) {
-    for (const compare::Doubt& doubt : show::answer_of(companion).all_doubts())
-      reported.warnings.push_back(fmt::format("{}: {}.", companion.study.entry.name, words_of(doubt)));
+    for (const compare::Doubt& doubt : show::answer_of(companion).all_doubts()) {
+      doubts.push_back(words_of(doubt));
+      whose.push_back(companion.study.entry.name);
+    }
   }
+  for (const auto& [doubt, names] : show::by_word(doubts, whose))
+    reported.warnings.push_back(fmt::format("{}: {}.", names, doubt));
   std::vector<figures::Figure> of_circle;
   std::vector<std::string> sentences;
   if (is_slim2023) {
@@ -121,6 +128,11 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   if (sentences.empty()) sentences = papers::rates_sentences(repeated);
   if (sentences.empty()) sentences = {papers::tally_words(claims)};
   reported.first = papers::beginning(paper, sentences, means);
+  if (has_arms) {
+    const std::string& arm = paper.rates.rows.at(all.front().study.definition.robot);
+    reported.first.emplace_back(fmt::format("Of {} alone: the arm that moves, who is better, and the set-up.", arm));
+    reported.has_own_numbers = true;
+  }
   if (const auto figure = papers::rates_figure(repeated))
     reported.additions.push_back({show::Heading{"Ours and the printed"}, *figure});
   reported.claims = papers::claims_section(claims);

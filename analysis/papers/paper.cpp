@@ -1,6 +1,7 @@
 #include "analysis/papers/paper.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -267,13 +268,13 @@ show::Table rates_table(const Repeated& repeated) {
     }
   }
   std::vector<std::string> key;
-  if (signs.contains("~")) key.emplace_back("~ in it");
-  if (signs.contains("x")) key.emplace_back("x not in it");
+  if (signs.contains("~")) key.emplace_back("~ it contains 0");
+  if (signs.contains("x")) key.emplace_back("x it does not");
   if (signs.contains("?"))
     key.push_back(fmt::format("? it is wider than {:g} points to both sides",
                               100 * repeated.study().study.definition.plan.margin));
-  table.notes.push_back(fmt::format("Printed shares and the {:g} % interval of ours, by the targets of both: {}",
-                                    100 * plan.level, show::listed(key, ", ")));
+  table.notes.push_back(
+      fmt::format("{:g} % interval of ours minus the printed: {}", 100 * plan.level, fmt::join(key, "; ")));
   if (!plan.picked.empty())
     table.notes.emplace_back("* of several files or sides of the arm, that with the nearest shares");
   if (!plan.note.empty()) table.notes.push_back(plan.note);
