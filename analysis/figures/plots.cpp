@@ -21,7 +21,7 @@ namespace {
 const std::string grey = colour_of(0);
 constexpr std::size_t most_rows = 60;     // of a figure, which fits a page
 constexpr std::size_t most_values = 200;  // drawn of a group
-constexpr std::size_t most_lines = 8;     // that can be told apart; the data file has all
+constexpr std::size_t most_lines = 7;     // that can be told apart; the data file has all
 constexpr std::size_t most_bands = 3;     // more would cover each other
 
 // The first rows; the picture says how many, the caption whose are left out.

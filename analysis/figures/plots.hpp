@@ -29,7 +29,7 @@ struct BoxRow {
 };
 std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& rows);
 
-// Of lines (curves, shares, joints) the first eight are drawn; the data file has all, the caption whose are left out.
+// Of lines (curves, shares, joints) the first seven are drawn; the data file has all, the caption whose are left out.
 
 // Curves of y by x with the band from low to high, the quartiles.
 struct CurveRow {
