@@ -309,8 +309,8 @@ std::string of_pairs(const Answer& answer) {
                                  number_text(first) == number_text(second)));
   };
   if (std::ranges::none_of(judged.findings, is_puzzling)) return "";
-  return fmt::format("{} are of pairs, not of medians.",
-                     judged.observations.scale == Scale::ratio ? "Ratios" : "Differences");
+  return fmt::format("{} are of single {}, not of medians.",
+                     judged.observations.scale == Scale::ratio ? "Ratios" : "Differences", answer.noun);
 }
 
 Table pairs_table(const Answer& answer) {
