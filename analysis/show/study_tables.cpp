@@ -210,9 +210,8 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
       meaning_of(all_marks, listed(told, " or ")), has_empty ? "-: not in the study or without a value" : "",
       "Each study is judged alone"};
   std::erase(sentences, "");
-  table.notes = {
-      fmt::format("{}.", fmt::join(sentences, ". ")),
-      are_shares ? "Brackets: intervals at each study's level." : "Brackets: intervals of shares, else quartiles."};
+  table.notes = {fmt::format("{}.", fmt::join(sentences, ". ")),
+                 are_shares ? "Brackets: intervals." : "Brackets: intervals of shares, else quartiles."};
   return table;
 }
 
