@@ -279,6 +279,7 @@ std::string to_latex(const Table& whole) {
   const std::vector<Kinds> kinds = kinds_of(table);  // spreads have a column of their own, so that the numbers align
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     letters += kinds[c].long_texts ? "p{5cm}" : kinds[c].texts ? "l" : kinds[c].spreads ? "r@{ }l" : "r";
+    if (kinds[c].marks) letters += "@{\\hspace{14pt}}";  // room for them
     const std::string name = latex_text(head(table.columns[c]));
     heads.push_back(kinds[c].spreads ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
   }
