@@ -255,7 +255,7 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
              .what = layout.block ? "blocks incomplete"
                      : layout.run ? "runs incomplete"
                                   : "values missing"};
-  Doubt without{.kind = DoubtKind::without_answer, .what = "values, by ranks larger than any"};
+  Doubt without{.kind = DoubtKind::without_answer, .what = "values, counted as largest"};
   const auto add = [](Doubt& doubt, const Group& group, auto count, std::size_t of) {
     if (count == 0) return;
     doubt.who.push_back(group.name);

@@ -254,7 +254,7 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(!finding(near).is_within_margin);
   CHECK(!finding(near, {}, "1").is_within_margin);
   const Observations observed = observations(with_infinite(0, 3), rows);
-  CHECK(words_of(observed.doubts.front()) == "no answer in 3 of 10 values, by ranks larger than any (B)");
+  CHECK(words_of(observed.doubts.front()) == "no answer in 3 of 10 values, counted as largest (B)");
   CHECK(compare::compare(observed, {.test = Plan::Test::means}).front().why == Why::lost);
   CHECK(std::isinf(describe(observed.groups[1]).mean));
   CHECK(describe(observed.groups[1]).median == 11);
