@@ -105,9 +105,11 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   show::Report reported = show::report_of(all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look)
                                                        : has_arms  ? std::vector<figures::Figure>()
                                                                    : figures::of_study(all.front(), look));
+  const std::vector<compare::Doubt> own = reported.answer.all_doubts();
   std::vector<std::string> doubts, whose;
   for (const compare::JudgedStudy& companion : repeated.studies.subspan(1)) {
     for (const compare::Doubt& doubt : show::answer_of(companion).all_doubts()) {
+      if (std::ranges::count(own, words_of(doubt), [](const auto& each) { return words_of(each); }) > 0) continue;
       doubts.push_back(words_of(doubt));
       whose.push_back(companion.study.entry.name);
     }

@@ -164,7 +164,7 @@ std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& p
     }
   }
   if (!ones.empty()) return fmt::format("only where {}", fmt::join(ones, " and "));
-  return twos.empty() ? "with various answers" : fmt::format("only where {}", fmt::join(twos, ", and only where "));
+  return twos.empty() ? "" : fmt::format("only where {}", fmt::join(twos, ", and only where "));
 }
 
 }  // namespace
@@ -186,9 +186,10 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
     };
     const std::int64_t hold = all(&Readings::holds), fail = all(&Readings::fails), open = all(&Readings::undecided);
     const std::string fails = where(multiverse, parts, &Readings::fails);
-    result.in_readings[claim.id] = fmt::format("holds in {} of {}{} and fails {}{}", hold, hold + fail + open,
-                                               open == 0 ? "" : fmt::format(", is not decided in {}", open),
-                                               fail == 0 ? "" : fmt::format("in {}, ", fail), fails);
+    result.in_readings[claim.id] =
+        fmt::format("holds in {} of {}{} and fails {}{}{}", hold, hold + fail + open,
+                    open == 0 ? "" : fmt::format(", is not decided in {}", open),
+                    fail == 0 ? "" : fmt::format("in {}", fail), fail == 0 || fails.empty() ? "" : ", ", fails);
     result.table.rows.push_back(
         {claim.sentence, hold, fail, open, fails, where(multiverse, parts, &Readings::undecided)});
   }

@@ -254,7 +254,10 @@ show::Table means_table(const Repeated& repeated) {
 
 show::Table rates_table(const Repeated& repeated) {
   const Rates& plan = repeated.paper.rates;
-  show::Table table{.name = plan.table, .caption = "Solved targets, as printed and here", .columns = {{"arm"}}};
+  show::Table table{.name = plan.table,
+                    .caption = fmt::format("Solved of {} targets an arm, here and as printed",
+                                           repeated.study().study.definition.runs),
+                    .columns = {{"arm"}}};
   std::set<std::string_view> signs;
   for (const auto& [solver, rates] : rates_of(repeated)) {
     table.columns.push_back({solver, "%"});
@@ -276,7 +279,7 @@ show::Table rates_table(const Repeated& repeated) {
   table.notes.push_back(
       fmt::format("{:g} % interval of ours minus the printed: {}", 100 * plan.level, fmt::join(key, "; ")));
   if (!plan.picked.empty())
-    table.notes.emplace_back("* of several files or sides of the arm, that with the nearest shares");
+    table.notes.emplace_back("* of several files or sides of the arm, that with the nearest shares.");
   if (!plan.note.empty()) table.notes.push_back(plan.note);
   return table;
 }

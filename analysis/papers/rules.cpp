@@ -124,19 +124,15 @@ JudgedClaims better_in_each_study(const Claim& claim, const Repeated& repeated) 
   const std::string& own = claim.solvers.front();
   JudgedClaim result{claim};
   Tally tally;
-  Names arms;
   for (const JudgedStudy& on_arm : repeated.studies) {
     const std::optional<JudgedMetric> judged = about(claim, judged_in(on_arm, *claim.metrics.front()));
     if (!judged) continue;
     const std::string best = rivals_of(*judged, {own}).back();  // read_claim takes shares alone
     tally.add(verdict_between(*judged, own, best));
-    arms.push_back(fmt::format("{} {:.1f} to {:.1f} %", on_arm.study.definition.robot, 100 * mean_of(*judged, best),
-                               100 * mean_of(*judged, own)));
   }
-  if (arms.empty()) return {};
+  if (tally.all() == 0) return {};
   result.holds = holds_of(tally);
-  result.number = fmt::format("on {} of {} arms", tally.better, tally.all());
-  result.evidence = fmt::format("Shares solved: {}.", fmt::join(arms, ", "));
+  if (tally.better + tally.worse > 0) result.number = fmt::format("on {} of {} arms", tally.better, tally.all());
   return {result};
 }
 
@@ -247,7 +243,8 @@ JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
     result.id = fmt::format("{}-{}", claim.id, solver);
     result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", solver));
     result.holds = holds_of(repeats);
-    result.number = fmt::format("on {} of {} arms", std::ranges::count(repeats, Holds::holds), repeats.size());
+    if (result.holds != Holds::undecided)
+      result.number = fmt::format("on {} of {} arms", std::ranges::count(repeats, Holds::holds), repeats.size());
   }
   return judged;
 }

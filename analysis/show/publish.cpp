@@ -88,7 +88,7 @@ void keep_telling(Table& pairs, const Answer& answer) {
     return is_untested(row) || (are_many && !is_of_it);
   });
   if (taken > 0)
-    pairs.notes.push_back(fmt::format("Here are the pairs {}that were tested; the CSV has all.",
+    pairs.notes.push_back(fmt::format("Here are the pairs {}that were tested; pairs.csv has all.",
                                       are_many ? fmt::format("of {} ", reference) : ""));
 }
 
@@ -116,9 +116,10 @@ Table for_article(Table table, const Report& report) {
   }
   const std::string& name = report.study.entry.name;
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
-  if (!report.study.entry.series.empty())
+  const bool has_arms = table.columns[0].name == "arm";  // each a study
+  if (!report.study.entry.series.empty() && !has_arms)
     table.caption += fmt::format(". {}. A solve ends at {}.", what_is_studied(report.study), stops_of(report.study));
-  else if (!name.empty())
+  else if (!name.empty() && !has_arms)
     table.caption += fmt::format(" of {}", name);
   return table;
 }
