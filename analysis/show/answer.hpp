@@ -49,7 +49,7 @@ Table without_intervals(Table studies);
 Table with_a_row_a_study(const Table& studies);  // of one unit, without intervals
 Table pairs_table(const Answer& answer);
 std::string what_decides(const Answer& answer);  // what a verdict on another metric is worth; empty if there is none
-std::string of_pairs(const Answer& answer);      // what estimates are of; empty unless averages lie another way
+std::string of_pairs(const Answer& answer);  // what estimates are of, where they are not those of the averages shown
 Table descriptives_table(const Answer& answer);
 Table anova_table(const Answer& answer);
 

@@ -58,9 +58,11 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   const bool is_untested = group.is_apart || group.lost > 0 || (pair && finding.verdict == Verdict::not_tested);
   const bool is_of_solved = judged.observations.is_of_solved, is_deciding = &judged == &answer.decisive();
   const bool is_of_all = is_deciding && judged.plan.control.empty();
+  // Within the margin only what a headline tells is marked, so not in a gate, nor of other metrics.
+  const bool matters = !finding.is_within_margin || (is_deciding && answer.verdict.empty());
   const std::set<std::string> losers = is_of_all ? losers_of(judged.findings) : std::set<std::string>();
-  const bool is_worse = is_of_all ? losers.contains(solver) : finding.verdict == Verdict::worse;
-  const bool is_better = finding.verdict == Verdict::better;
+  const bool is_worse = is_of_all ? losers.contains(solver) : matters && finding.verdict == Verdict::worse;
+  const bool is_better = matters && finding.verdict == Verdict::better;
   const std::string mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : "";
   const bool is_best = !losers.empty() && !is_worse && !is_untested;
   if (is_of_solved && (solver == reference ? group.is_apart : is_untested || !finding.estimate)) return {};
@@ -263,7 +265,8 @@ std::optional<figures::Figure> studies_figure(const Table& studies, const std::v
   }
   std::set<std::string> whom;
   for (const Answer& answer : answers)
-    whom.insert(of_whom(answer, answer.decisive().plan.control.empty() ? "the best" : "the control"));
+    if (is_share(answer.decisive()))
+      whom.insert(of_whom(answer, answer.decisive().plan.control.empty() ? "the best" : "the control"));
   std::vector<std::string> key{meaning_of(marks, listed({whom.begin(), whom.end()}, " or ")),
                                has_empty ? "- not in the study" : "",
                                others.empty() ? "" : "without " + names_of(others)};
@@ -299,17 +302,11 @@ std::string what_decides(const Answer& answer) {
 
 std::string of_pairs(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
-  const auto average = [&](const std::string& name) { return average_of(judged, place_of(judged.observations, name)); };
-  const auto is_puzzling = [&](const Finding& finding) {  // the averages lie otherwise
-    const double none = finding.scale == Scale::ratio ? 1 : 0;
-    const double first = average(finding.first), second = average(finding.second);
-    return finding.estimate && ((*finding.estimate - none) * (first - second) < 0 ||
-                                (finding.verdict != Verdict::same && *finding.estimate != none &&
-                                 number_text(first) == number_text(second)));
-  };
-  if (std::ranges::none_of(judged.findings, is_puzzling)) return "";
-  return fmt::format("{} are of single {}, not of medians.",
-                     judged.observations.scale == Scale::ratio ? "Ratios" : "Differences", answer.noun);
+  const auto told =
+      std::ranges::find_if(judged.findings, [](const Finding& each) { return each.estimate.has_value(); });
+  if (is_share(judged) || judged.plan.test == results::Plan::Test::means || told == judged.findings.end()) return "";
+  return fmt::format("{} are of single {}, not of medians.", told->scale == Scale::ratio ? "Ratios" : "Differences",
+                     answer.noun);
 }
 
 Table pairs_table(const Answer& answer) {

@@ -263,6 +263,10 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
         "C        30 % (15-52) *   1.01 times\n"
         "B: medians; the others: ratios to it, on values that both solved. * worse and + better than B\n"
         "(adjusted p < 0.05). Brackets: 95 % intervals.\n");
+  std::vector<double> near = b;
+  for (double& value : near) value *= 1.02;
+  CHECK(contains(text(numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", near}})),
+                 "C        30 % (15-52) *   1.02 times\n"));  // shown, p < 0.05, and less than 5 %
   CHECK(text(costs, {.control = "A"}) ==
         "solver   solved             motion\n"
         "B        100 % (84-100) +   3 times *\n"
