@@ -294,7 +294,7 @@ std::string to_latex(const Table& whole) {
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
   if (std::ranges::any_of(kinds, &Kinds::best))
-    table.notes.emplace_back("Bold: no other solver is shown to be better.");
+    table.notes.emplace_back("Bold, of what decides: not shown to be worse, where others are.");
   const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
   // A table shrinks to fit a column, to four fifths at the most; else it takes both, and shrinks down to the size of
   // \\scriptsize.
