@@ -101,10 +101,10 @@ struct Two {
                is_one_value_of_b = b.size() == 1 || pair.b.may_repeat;
     const std::size_t runs = is_one_value_of_a ? b.size() : a.size();
     for (std::size_t i = 0; i < runs; ++i) {  // by block; or from the one value of a group
-      const double one = a[is_one_value_of_a ? 0 : i], other = b[is_one_value_of_b ? 0 : i];
-      differences.push_back(one - other);
-      sizes.push_back(std::abs(one - other));
-      largest = std::max({largest, std::abs(one), std::abs(other)});
+      const double x = a[is_one_value_of_a ? 0 : i], y = b[is_one_value_of_b ? 0 : i];
+      differences.push_back(x - y);
+      sizes.push_back(std::abs(x - y));
+      largest = std::max({largest, std::abs(x), std::abs(y)});
     }
     remove_rounding(sizes, rounding_of_doubles * largest);
     for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = std::copysign(sizes[i + 1], differences[i]);

@@ -67,11 +67,8 @@ std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vecto
     const Group& group = judged.observations.groups[i];
     const bool is_best = std::ranges::count(judged.headline.best, group.name) > 0;
     const double place = judged.observations.better == Better::larger ? -value : value;
-    return std::isnan(value) ? std::tuple(3, 0.0, 0.0)
-                             : std::tuple(group.lost > 0 ? 2
-                                          : is_best      ? 0
-                                                         : 1,
-                                          place, cost(group.name));
+    const int rank = group.lost > 0 ? 2 : is_best ? 0 : 1;
+    return std::isnan(value) ? std::tuple(3, 0.0, 0.0) : std::tuple(rank, place, cost(group.name));
   });
   return order;
 }

@@ -155,11 +155,11 @@ void add(Doubts& doubts, Doubt doubt) {
 template <class Counted>
 void add_counts(Doubts& doubts, const StudyResults& study, Doubt doubt, Counted counted) {
   for (const std::string& solver : study.labels) {
-    const auto [count, of] = counted(solver);
+    const auto [count, total] = counted(solver);
     if (count <= 0) continue;
     doubt.who.push_back(solver);
     doubt.count += static_cast<double>(count);
-    doubt.of += static_cast<double>(of);
+    doubt.of += static_cast<double>(total);
   }
   add(doubts, std::move(doubt));
 }
@@ -216,7 +216,7 @@ std::vector<std::string> measured_apart(const StudyResults& study) {
 std::vector<std::string> copies_of_others(const StudyResults& study) {
   std::vector<std::string> copies, solvers = study.labels;
   std::vector<Solves> earlier;
-  const auto is_control = [&](const std::string& each) { return each == study.definition.plan.control; };
+  const auto is_control = [&](const std::string& solver) { return solver == study.definition.plan.control; };
   std::stable_partition(solvers.begin(), solvers.end(), is_control);
   for (const std::string& solver : solvers) {
     const Solves all = study.of(solver);

@@ -362,11 +362,11 @@ Interval wilson(double share, double n, double alpha) {
   return {share == 0 ? 0 : centre - half, share == 1 ? 1 : centre + half};
 }
 
-Interval newcombe(double share, double m, double other, double n, double alpha, double phi) {
-  const Interval one = wilson(share, m, alpha), two = wilson(other, n, alpha);
+Interval newcombe(double first, double m, double second, double n, double alpha, double phi) {
+  const Interval of_first = wilson(first, m, alpha), of_second = wilson(second, n, alpha);
   const auto reach = [phi](double a, double b) { return std::sqrt(std::max(0.0, a * a - 2 * phi * a * b + b * b)); };
-  return {share - other - reach(share - one.low, two.high - other),
-          share - other + reach(one.high - share, other - two.low)};
+  return {first - second - reach(first - of_first.low, of_second.high - second),
+          first - second + reach(of_first.high - first, second - of_second.low)};
 }
 
 Tested fisher(Values first, Values second, double alpha) {

@@ -72,7 +72,7 @@ Tested sign_test(Values differences, double alpha);
 // JASA 22 (1927) 209; `share` may be a mean of shares.
 Interval wilson(double share, double n, double alpha);
 // Statistics in Medicine 17 (1998) 873, method 10; for correlated shares 2635, method 10.
-Interval newcombe(double share, double m, double other, double n, double alpha, double correlation = 0);
+Interval newcombe(double first, double m, double second, double n, double alpha, double correlation = 0);
 // Of values 0 and 1. All tables no more probable than this one (Fisher, Statistical Methods for Research Workers, 5th
 // ed. 1934, section 21.02); Newcombe's interval.
 Tested fisher(Values first, Values second, double alpha);
