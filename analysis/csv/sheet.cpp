@@ -111,8 +111,8 @@ void Sheet::choose(std::string_view condition) {
 }
 
 std::string_view Sheet::cell(std::size_t row, std::size_t column) const {
-  const std::size_t own = table_.header.size();
-  return column < own ? trimmed(table_.cell(row, column)) : joined_[column - own][row];
+  const std::size_t in_file = table_.header.size();
+  return column < in_file ? trimmed(table_.cell(row, column)) : joined_[column - in_file][row];
 }
 
 std::size_t Sheet::column(std::string_view name) const {
@@ -175,7 +175,7 @@ char Sheet::decimal_of(std::size_t column) const {
     }
     return '\0';
   };
-  if (const char own = mark_in(column); own != '\0' || !doubtful) return own == '\0' ? '.' : own;
+  if (const char mark = mark_in(column); mark != '\0' || !doubtful) return mark == '\0' ? '.' : mark;
   std::set<char> marks;  // of all columns
   for (std::size_t i = 0; i < table_.header.size(); ++i) {
     if (has_numbers(i)) marks.insert(mark_in(i));

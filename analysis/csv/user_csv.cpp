@@ -122,10 +122,10 @@ Index number_of(std::string_view text, std::unordered_map<std::string_view, Inde
 }
 
 // Refuses a row that repeats another in all but this text.
-void refuse_other_text(const Sheet& sheet, Index row, Index other, std::size_t column) {
-  const std::string_view text = sheet.cell(row, column);
-  if (sheet.cell(other, column) == text) return;
-  sheet.refuse(other, column,
+void refuse_other_text(const Sheet& sheet, Index first, Index row, std::size_t column) {
+  const std::string_view text = sheet.cell(first, column);
+  if (sheet.cell(row, column) == text) return;
+  sheet.refuse(row, column,
                fmt::format("repeats no row with {}: choose rows with --where '{}={}', or compare within --block '{}'",
                            in_quotes(text), sheet.titles()[column], numerics::front(text, 60), sheet.titles()[column]));
 }
@@ -141,14 +141,14 @@ Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t
       const std::string_view name = layout.label ? sheet.cell(row, *layout.label) : sheet.titles()[column];
       items.unlabelled += name.empty();
       if (name.empty()) continue;
-      const std::string_view own = unit ? sheet.cell(row, *unit) : "";
-      if (own.empty() && (layout.block || layout.run)) sheet.refuse(row, *unit, "is no name");
+      const std::string_view unit_name = unit ? sheet.cell(row, *unit) : "";
+      if (unit_name.empty() && (layout.block || layout.run)) sheet.refuse(row, *unit, "is no name");
       const Index group = number_of(name, groups);
       if (group == items.groups.size()) items.groups.emplace_back(name);
       if (group == most_groups)
         sheet.refuse(fmt::format("more than {} groups, the last {}; is --label right?", most_groups, in_quotes(name)));
       items.values.push_back({.group = group,
-                              .unit = own.empty() ? first_without_run + row : number_of(own, units),
+                              .unit = unit_name.empty() ? first_without_run + row : number_of(unit_name, units),
                               .row = row,
                               .value = sheet.number(row, column)});
     }
@@ -173,12 +173,12 @@ void refuse_mixed(const Sheet& sheet, const Layout& layout, const Items& items) 
   for (std::size_t column = 0; column < sheet.titles().size(); ++column) {
     if (!layout.run || layout.has(column) || sheet.has_numbers(column)) continue;
     std::unordered_set<std::string_view> different;
-    for (const Value& each : items.values) different.insert(sheet.cell(each.row, column));
+    for (const Value& item : items.values) different.insert(sheet.cell(item.row, column));
     if (different.size() == items.values.size()) continue;  // times of day and the like
     for (std::size_t i = 1; i < items.values.size(); ++i) {
-      const Value &before = items.values[i - 1], &each = items.values[i];
-      if (before.group == each.group && before.unit == each.unit)
-        refuse_other_text(sheet, before.row, each.row, column);
+      const Value &before = items.values[i - 1], &item = items.values[i];
+      if (before.group == item.group && before.unit == item.unit)
+        refuse_other_text(sheet, before.row, item.row, column);
     }
   }
 }
@@ -187,15 +187,15 @@ void refuse_mixed(const Sheet& sheet, const Layout& layout, const Items& items) 
 Better better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles,
                  const std::string& title, bool are_shares) {
   std::string_view said;
-  for (const std::string_view each : request.better) {
-    const std::size_t equals = each.rfind('=');
+  for (const std::string_view option : request.better) {
+    const std::size_t equals = option.rfind('=');
     const bool is_of_all = equals == std::string_view::npos;
-    const std::string_view way = is_of_all ? each : each.substr(equals + 1), column = each.substr(0, equals);
+    const std::string_view way = is_of_all ? option : option.substr(equals + 1), column = option.substr(0, equals);
     if (way != "smaller" && way != "larger")
-      sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(each)));
+      sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(option)));
     if (!is_of_all && std::ranges::count(titles, column) == 0)
-      sheet.refuse(
-          fmt::format("--better {}: {}", in_quotes(each), numerics::unknown_name("column of values", column, titles)));
+      sheet.refuse(fmt::format("--better {}: {}", in_quotes(option),
+                               numerics::unknown_name("column of values", column, titles)));
     if (is_of_all ? said.empty() : column == title) said = way;
   }
   const std::string names = lower_case(fmt::format("{} {}", title, fmt::join(request.where, " ")));
@@ -256,10 +256,10 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
                      : layout.run ? "runs incomplete"
                                   : "values missing"};
   Doubt without{.kind = DoubtKind::without_answer, .what = "values, counted as largest"};
-  const auto add = [](Doubt& doubt, const Group& group, auto count, std::size_t of) {
+  const auto add = [](Doubt& doubt, const Group& group, auto count, std::size_t total) {
     if (count == 0) return;
     doubt.who.push_back(group.name);
-    doubt.count += static_cast<double>(count), doubt.of += static_cast<double>(of);
+    doubt.count += static_cast<double>(count), doubt.of += static_cast<double>(total);
   };
   for (std::size_t i = 0; i < observed.groups.size(); ++i) {
     Group& group = observed.groups[i];
@@ -305,7 +305,7 @@ Column shared_by_groups(const Sheet& sheet, const Layout& layout, const Items& i
   for (std::size_t column = 0; column < sheet.titles().size() && items.groups.size() > 1; ++column) {
     if (layout.has(column)) continue;
     std::vector<std::vector<std::string_view>> texts(items.groups.size());
-    for (const Value& each : items.values) texts[each.group].push_back(sheet.cell(each.row, column));
+    for (const Value& item : items.values) texts[item.group].push_back(sheet.cell(item.row, column));
     for (std::vector<std::string_view>& of_group : texts) std::ranges::sort(of_group);
     if (texts.front().front() != texts.front().back() && std::ranges::count(texts, texts.front()) == std::ssize(texts))
       return column;
@@ -319,7 +319,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   Sheet sheet(text, source, request.decimal);
   if (sheet.column_like({"stop_reason"}) && sheet.column_like({"series"}))
     sheet.refuse("solves of a study, which a CSV does not say all of; `ikbench report` judges its store");
-  for (const std::string& each : request.where) sheet.choose(each);
+  for (const std::string& condition : request.where) sheet.choose(condition);
   const Layout layout = layout_of(sheet, request);
   if (const Column metric = sheet.column_like(metric_names);
       metric && !layout.has(*metric) && !sheet.has_numbers(*metric)) {
@@ -327,7 +327,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   }
   Quantities quantities;
   std::vector<std::string> titles;
-  for (const std::size_t each : layout.values) titles.push_back(sheet.titles()[each]);
+  for (const std::size_t column : layout.values) titles.push_back(sheet.titles()[column]);
   if (!layout.label) titles = {"value"};
   for (std::size_t i = 0; i < titles.size(); ++i) {
     const Items items = items_of(sheet, layout, layout.label ? std::vector{layout.values[i]} : layout.values);
@@ -343,9 +343,9 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
                       sheet.titles()[*rows]));
     settle(items, observed, quantities.notes);
     observed.better = better_of(sheet, request, titles, titles[i], observed.scale == Scale::share);
-    for (const Value& each : items.values) {
-      if (std::isinf(each.value) && (each.value < 0 || observed.better == Better::larger))
-        sheet.refuse(each.row, layout.values[layout.label ? i : each.group],
+    for (const Value& item : items.values) {
+      if (std::isinf(item.value) && (item.value < 0 || observed.better == Better::larger))
+        sheet.refuse(item.row, layout.values[layout.label ? i : item.group],
                      "is no worst value: inf stands for no answer where smaller is better; else write NA");
     }
     fill(layout, items, observed);
@@ -356,7 +356,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
 
 Quantities read_summaries(std::string_view text, std::string_view source, const Request& request) {
   Sheet sheet(text, source, request.decimal);
-  for (const std::string& each : request.where) sheet.choose(each);
+  for (const std::string& condition : request.where) sheet.choose(condition);
   const auto column = [&](const Words& names) {
     const Column found = sheet.column_like(names);
     if (!found) sheet.refuse(fmt::format("no column {}; expected name, n, mean and sd", *names.begin()));
