@@ -46,15 +46,16 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
                                        const std::map<std::string, std::string>& in_readings) {
   std::vector<JudgedClaim> all;
   for (const Claim& claim : repeated.paper.claims) {
-    JudgedClaims found = claim.rule ? claim.rule->verdict(claim, repeated) : JudgedClaims();
-    if (found.empty() && !claim.is_ours) {
-      found.push_back({claim});
-      found.back().evidence = claim.decides;
+    JudgedClaims parts = claim.rule ? claim.rule->verdict(claim, repeated) : JudgedClaims();
+    if (parts.empty() && !claim.is_ours) {
+      parts.push_back({claim});
+      parts.back().evidence = claim.decides;
     }
-    for (JudgedClaim& judged : found) {
+    for (JudgedClaim& judged : parts) {
       if (!claim.note.empty()) judged.evidence += (judged.evidence.empty() ? "" : " ") + claim.note;
-      if (const auto own = in_readings.find(judged.id); own != in_readings.end() && judged.holds != Holds::undecided)
-        judged.in_readings = own->second;
+      if (const auto reading = in_readings.find(judged.id);
+          reading != in_readings.end() && judged.holds != Holds::undecided)
+        judged.in_readings = reading->second;
       all.push_back(std::move(judged));
     }
   }

@@ -40,8 +40,7 @@ show::Blocks claims_section(const std::vector<JudgedClaim>& claims);
 std::string screen(const std::vector<std::string>& sentences, const show::Table& table,
                    const std::vector<JudgedClaim>& claims);
 
-// What a rule finds; none if the report has nothing to judge; several if the sentence is about each solver and arm:
-// "{solver} on the {arm}".
+// What a rule finds; none if the report has nothing to judge; several if the sentence is about each "{solver}".
 using JudgedClaims = std::vector<JudgedClaim>;
 
 struct Rule {

@@ -108,7 +108,7 @@ std::vector<Part> parts_of(const SolvedMultiverse& multiverse, const Claim& clai
 }
 
 bool has_any(const Chosen& chosen, const Chosen& answers) {
-  return std::ranges::any_of(answers, [&](const Choice& each) { return contains(chosen, each); });
+  return std::ranges::any_of(answers, [&](const Choice& answer) { return contains(chosen, answer); });
 }
 
 struct Readings {
@@ -154,8 +154,8 @@ std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& p
     return multiverse.dimensions[answer.dimension].alternatives[answer.alternative].where;
   };
   Names ones, twos;
-  for (const Choice& one : answers) {
-    if (!happens(parts, outcome, {one})) ones.push_back(name_of(one));
+  for (const Choice& answer : answers) {
+    if (!happens(parts, outcome, {answer})) ones.push_back(name_of(answer));
   }
   for (std::size_t i = 0; i < answers.size() && ones.empty(); ++i) {
     for (std::size_t j = i + 1; j < answers.size(); ++j) {
