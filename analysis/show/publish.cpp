@@ -41,9 +41,9 @@ std::vector<std::string> files_of_earlier(const fs::path& folder) {
   const Json json = text ? numerics::parsed_ordered_json(*text) : Json();
   std::vector<std::string> files;
   if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) return files;
-  for (const Json& each : json["files"]) {
-    if (!each.is_string()) continue;
-    const fs::path file(each.get<std::string>());
+  for (const Json& entry : json["files"]) {
+    if (!entry.is_string()) continue;
+    const fs::path file(entry.get<std::string>());
     const std::string stem = file.stem();
     const std::string_view name(stem.data(), stem.find_last_not_of("0123456789") + 1);
     if (is_own(file.parent_path(), name) &&

@@ -183,7 +183,7 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
     table.columns.push_back({.name = names[s], .unit = of_study.columns[1].unit});
     quantities.push_back(of_study.columns[1].name);
     for (const std::vector<Cell>& of_solver : of_study.rows) {
-      const auto name_of = [](const std::vector<Cell>& each) { return std::get<std::string>(each[0]); };
+      const auto name_of = [](const std::vector<Cell>& cells) { return std::get<std::string>(cells[0]); };
       auto row = std::ranges::find(table.rows, name_of(of_solver), name_of);
       if (row == table.rows.end()) row = table.rows.insert(row, {of_solver[0]});
       row->resize(s + 1);
@@ -218,7 +218,7 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
 }
 
 std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
-  std::vector<std::string> found, parts;
+  std::vector<std::string> verdicts, parts;
   for (const Answer& answer : studies) {
     const JudgedMetric& judged = answer.decisive();
     const std::string& control = judged.plan.control;
@@ -226,12 +226,13 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
     const std::string whole = headline(answer), ends = judged.findings.empty() ? ";" : ":;";
     const auto has_end = [&](const Group& group) { return group.name.find_first_of(ends) != std::string::npos; };
     const bool is_whole = std::ranges::any_of(judged.observations.groups, has_end);
-    found.push_back(control.empty() || !best_of(judged).empty()
-                        ? whole.substr(0, std::min(is_whole ? whole.npos : whole.find_first_of(ends), whole.size() - 1))
-                        : fmt::format("against the control {}, {} better and {} worse", control, count(Verdict::better),
-                                      count(Verdict::worse)));
+    verdicts.push_back(
+        control.empty() || !best_of(judged).empty()
+            ? whole.substr(0, std::min(is_whole ? whole.npos : whole.find_first_of(ends), whole.size() - 1))
+            : fmt::format("against the control {}, {} better and {} worse", control, count(Verdict::better),
+                          count(Verdict::worse)));
   }
-  for (const auto& [what, where] : by_word(found, names)) parts.push_back(fmt::format("{}: {}", where, what));
+  for (const auto& [what, where] : by_word(verdicts, names)) parts.push_back(fmt::format("{}: {}", where, what));
   return fmt::format("{}.", fmt::join(parts, ".\n"));
 }
 
@@ -490,9 +491,9 @@ Table options_table(const StudyResults& study) {
   for (const results::Series& series : study.entry.series) {
     std::vector<std::string> options;
     const auto json = numerics::parsed_ordered_json(series.options);
-    for (auto each = json.begin(); json.is_object() && each != json.end(); ++each)
-      options.push_back(
-          fmt::format("{} = {}", each.key(), each->is_string() ? each->get<std::string>() : numerics::text_of(*each)));
+    for (auto option = json.begin(); json.is_object() && option != json.end(); ++option)
+      options.push_back(fmt::format("{} = {}", option.key(),
+                                    option->is_string() ? option->get<std::string>() : numerics::text_of(*option)));
     table.rows.push_back({series.label, with_blanks(series.algorithm), fmt::format("{}", fmt::join(options, ", "))});
   }
   return table;

@@ -115,10 +115,10 @@ std::string all_solved(const Answer& answer) {
 std::string usual(const JudgedMetric& judged) {
   const Observations& observed = judged.observations;
   const Headline& head = judged.headline;
-  const Description &its = judged.described[place_of(observed, head.usual)],
-                    &theirs = judged.described[place_of(observed, head.other)];
-  const auto two = [&](double one, double other) {
-    return fmt::format("{} and {}", number_text(one), with_unit(number_text(other), observed.unit));
+  const std::size_t i = place_of(observed, head.usual), j = place_of(observed, head.other);
+  const Description &its = judged.described[i], &theirs = judged.described[j];
+  const auto two = [&](double first, double second) {
+    return fmt::format("{} and {}", number_text(first), with_unit(number_text(second), observed.unit));
   };
   const auto [usually, not_so] =
       observed.better == Better::smaller ? std::pair("smaller", "larger") : std::pair("larger", "smaller");
@@ -129,7 +129,7 @@ std::string usual(const JudgedMetric& judged) {
     const double ahead = finding.first == head.usual ? *finding.effect : 1 - *finding.effect;
     how = ahead > 0.5 ? fmt::format("in {:.0f} % of comparisons", 100 * ahead) : "by ranks";
     but = fmt::format("median is {} ({})", not_so, medians);
-  } else if (2 * its.largest > its.n * its.mean || 2 * theirs.largest > theirs.n * theirs.mean) {
+  } else if (does_one_value_decide(observed.groups[i]) || does_one_value_decide(observed.groups[j])) {
     but += ": one value decides it";
   }
   return fmt::format("{} usually has {} {} than {} ({}), but its {}", head.usual, usually, observed.quantity,
@@ -166,11 +166,11 @@ std::string not_tested(const Answer& answer) {
 // Where no solver is best: those that none is shown to beat, and whom the one of them beats that beats most.
 std::string unbeaten(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
-  const auto against = [&](const std::string& one, Verdict verdict) {  // the others, as the table has them
+  const auto against = [&](const std::string& solver, Verdict verdict) {  // the others, as the table has them
     std::vector<std::string> others;
     for (const Finding& finding : judged.findings) {
-      if (finding.first == one && finding.verdict == verdict) others.push_back(finding.second);
-      if (finding.second == one && turned(finding.verdict) == verdict) others.push_back(finding.first);
+      if (finding.first == solver && finding.verdict == verdict) others.push_back(finding.second);
+      if (finding.second == solver && turned(finding.verdict) == verdict) others.push_back(finding.first);
     }
     return others;
   };
@@ -204,7 +204,7 @@ std::string unbeaten(const Answer& answer) {
   if (std::ranges::all_of(judged.findings, &Finding::are_all_equal))
     return fmt::format("{} are the {}: {} {}", all_of(judged), verdict_words(judged.findings.front(), judged),
                        quantity_of(answer), number_of(answer, judged, answer.order[0], answer.order[0]));
-  const auto beaten = [&](const std::string& one) { return against(one, Verdict::better).size(); };
+  const auto beaten = [&](const std::string& solver) { return against(solver, Verdict::better).size(); };
   const auto leader = std::ranges::max_element(rest, {}, beaten);
   if (rest.empty() || (rest.size() == 1 && beaten(*leader) == 0)) return "Not decided: " + numbers + untested;
   const auto told = [&](std::vector<std::string> names) {
@@ -268,12 +268,12 @@ std::string best(const Answer& answer) {
   std::vector<std::string> names, beaten;
   for (const std::size_t i : order)
     (names.size() < judged.headline.best.size() ? names : beaten).push_back(solver_name(judged, i));
-  const std::string other = beaten.size() <= 2 ? listed(beaten) : fmt::format("each of the {} others", beaten.size());
+  const std::string losers = beaten.size() <= 2 ? listed(beaten) : fmt::format("each of the {} others", beaten.size());
   const bool are_listed = judged.findings.size() <= most_pairs;
   const bool are_unequal = equals_of(judged, order) < names.size();
   std::string text = fmt::format("{} {}{}{}: {}", names_of(names),
                                  names.size() > 1    ? "are best"
-                                 : order.size() == 2 ? "is better than " + other
+                                 : order.size() == 2 ? "is better than " + losers
                                                      : "is best",
                                  are_unequal ? ", the same within " + margin_words(judged) : "", by_little(judged),
                                  numbers_of(answer, names.size() > 1));
@@ -282,7 +282,7 @@ std::string best(const Answer& answer) {
                         names.size() == 1   ? "It is"
                         : names.size() == 2 ? "Both are"
                                             : "Each is",
-                        other, are_listed ? "" : most_p(judged));
+                        losers, are_listed ? "" : most_p(judged));
   return text;
 }
 
@@ -313,9 +313,9 @@ std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::
                                                          const std::vector<std::string>& names) {
   std::vector<std::pair<std::string, std::vector<std::string>>> all;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    auto own = std::ranges::find(all, words[i], [](const auto& each) { return each.first; });
-    if (own == all.end()) own = all.insert(own, {words[i], {}});
-    own->second.push_back(names[i]);
+    auto entry = std::ranges::find(all, words[i], [](const auto& pair) { return pair.first; });
+    if (entry == all.end()) entry = all.insert(entry, {words[i], {}});
+    entry->second.push_back(names[i]);
   }
   std::vector<std::pair<std::string, std::string>> told;
   for (const auto& [word, where] : all) told.emplace_back(word, names_of(where));
