@@ -157,13 +157,13 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
   std::vector<std::string> sentences;
   for (const Gate& gate : all) {
     const std::string& label = gate.label.empty() ? gate.judged.study.labels.front() : gate.label;
-    numerics::OrderedJson of = show::to_json(answer_of(gate));
+    numerics::OrderedJson report = show::to_json(answer_of(gate));
     for (const char* rows : {"groups", "tests", "findings"}) {
-      for (auto& row : of[rows]) row["label"] = label;
+      for (auto& row : report[rows]) row["label"] = label;
     }
-    for (auto& doubt : of["doubts"]) doubt = label + ": " + doubt.get<std::string>();
+    for (auto& doubt : report["doubts"]) doubt = label + ": " + doubt.get<std::string>();
     if (!gate.are_same) sentences.push_back(verdict_of(gate));
-    for (const auto& [member, value] : of.items()) {
+    for (const auto& [member, value] : report.items()) {
       if (!value.is_array() || !json.contains(member))
         json[member] = value;
       else

@@ -98,8 +98,8 @@ Rows list_of(std::string_view kind) {
                       std::string(metric.name)});
   } else {
     rows = {{"NAME", "IN USE"}};
-    for (const InstructionSet each : instruction_sets())
-      rows.push_back({std::string(name_of(each)), each == instruction_set() ? "yes" : "no"});
+    for (const InstructionSet set : instruction_sets())
+      rows.push_back({std::string(name_of(set)), set == instruction_set() ? "yes" : "no"});
   }
   return rows;
 }

@@ -34,13 +34,13 @@ struct MultiverseArguments {
 std::string dimension_list(const Study& study, const std::vector<Dimension>& all,
                            const std::vector<Dimension>& varied) {
   Rows rows{{"ANSWER", "NOTES", "VARIED", "WHERE"}};
-  for (const Dimension& each : all) {
-    for (const Alternative& one : each.alternatives) {
-      const auto place = std::ranges::find(varied, each.name, &Dimension::name);
-      const bool is_varied = place != varied.end() && std::ranges::find(place->alternatives, one.set,
+  for (const Dimension& dimension : all) {
+    for (const Alternative& answer : dimension.alternatives) {
+      const auto place = std::ranges::find(varied, dimension.name, &Dimension::name);
+      const bool is_varied = place != varied.end() && std::ranges::find(place->alternatives, answer.set,
                                                                         &Alternative::set) != place->alternatives.end();
-      const bool is_default = &one == &each.alternatives.front();
-      rows.push_back({one.set, each.section, is_default ? "default" : is_varied ? "yes" : "no", one.where});
+      const bool is_default = &answer == &dimension.alternatives.front();
+      rows.push_back({answer.set, dimension.section, is_default ? "default" : is_varied ? "yes" : "no", answer.where});
     }
   }
   const Multiverse choices = choices_of(varied, labels_of(study));

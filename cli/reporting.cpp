@@ -347,8 +347,8 @@ papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::
     throw Cancelled();
   }
   papers::SolvedMultiverse multiverse{plan, {}};
-  for (const RunMeans& each : means)
-    multiverse.means.push_back({group_of(each.error_cm), group_of(each.variation_deg)});
+  for (const RunMeans& part : means)
+    multiverse.means.push_back({group_of(part.error_cm), group_of(part.variation_deg)});
   return multiverse;
 }
 

@@ -57,9 +57,9 @@ show::Report judged(const StatsArguments& arguments, results::FigureStyle& style
   csv::Quantities quantities = arguments.are_summaries ? csv::read_summaries(text, source, arguments.csv)
                                                        : csv::read(text, source, arguments.csv);
   std::vector<compare::JudgedMetric> metrics;
-  for (compare::Observations& each : quantities.observed) {
-    const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, each);
-    metrics.push_back(compare::judge(std::move(each), plan));
+  for (compare::Observations& observed : quantities.observed) {
+    const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, observed);
+    metrics.push_back(compare::judge(std::move(observed), plan));
   }
   show::Report reported;
   if (!arguments.out.empty()) {
