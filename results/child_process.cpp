@@ -73,10 +73,10 @@ int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem
           std::vector<std::string>& own_variables, pid_t group, const std::array<int, 3>& descriptors) {
   std::vector<char*> arguments, variables;
   for (std::string& word : words) arguments.push_back(word.data());
-  for (std::string& own : own_variables) variables.push_back(own.data());
+  for (std::string& assignment : own_variables) variables.push_back(assignment.data());
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string_view text = *variable, name = text.substr(0, text.find('=') + 1);
-    const auto is_same = [&](const std::string& own) { return own.starts_with(name); };
+    const auto is_same = [&](const std::string& assignment) { return assignment.starts_with(name); };
     if (std::ranges::none_of(own_variables, is_same)) variables.push_back(*variable);
   }
   arguments.push_back(nullptr);

@@ -146,14 +146,14 @@ std::optional<std::string> read_file(const fs::path& file) {
   return text.str();
 }
 
-TemporaryFolder::TemporaryFolder(const fs::path& parent, const fs::path& of) {
+TemporaryFolder::TemporaryFolder(const fs::path& parent, const fs::path& result) {
   const std::scoped_lock lock(temporary_mutex);
   std::error_code error;
   fs::create_directories(parent, error);
   remove_litter(parent);
   std::string name = (parent / scratch_name).string();
   if (!error && ::mkdtemp(name.data()) == nullptr) error = last_error();
-  if (error) refuse(fmt::format("'{}'", (of.empty() ? parent : of).string()), error.message(), error);
+  if (error) refuse(fmt::format("'{}'", (result.empty() ? parent : result).string()), error.message(), error);
   path_ = name;
   temporary_folders.insert(path_);
 }

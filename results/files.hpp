@@ -34,8 +34,8 @@ std::optional<std::string> read_file(const std::filesystem::path& file);
 class TemporaryFolder {
  public:
   // Throws std::invalid_argument, or std::runtime_error as above, with the system's reason and the place: the parent,
-  // or the file or folder that it is for.
-  explicit TemporaryFolder(const std::filesystem::path& parent, const std::filesystem::path& of = {});
+  // or the file or folder that becomes of it.
+  explicit TemporaryFolder(const std::filesystem::path& parent, const std::filesystem::path& result = {});
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;

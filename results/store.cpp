@@ -335,9 +335,9 @@ std::vector<StoredStudy> Store::studies() const {
 
 StoredStudy Store::study(const std::string& name) const {
   std::string names;
-  for (StoredStudy& each : studies()) {
-    if (name.empty() || each.name == name) return std::move(each);
-    names += (names.empty() ? "" : ", ") + each.name;
+  for (StoredStudy& study : studies()) {
+    if (name.empty() || study.name == name) return std::move(study);
+    names += (names.empty() ? "" : ", ") + study.name;
   }
   throw std::invalid_argument(
       names.empty() ? fmt::format("'{}' has no study; expected a store that `ikbench run` wrote", database_->name)
