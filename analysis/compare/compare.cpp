@@ -340,8 +340,7 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan, std
     Finding& finding = pair.finding;
     const bool are_logs = are_on_logs(observed, pair), is_tested = finding.why == Why::tested;
     finding.scale = observed.scale == Scale::ratio && !are_logs ? Scale::difference : observed.scale;
-    if (finding.why == Why::lost || finding.why == Why::apart || finding.why == Why::too_few) continue;
-    if (size_of(pair.a) * size_of(pair.b) == 0) continue;
+    if (!is_tested && finding.why != Why::fact) continue;
     const Tested tested = examined(observed, plan, pair, are_logs, alpha, finding);
     if (are_logs && observed.absolute_margin > 0) {
       Finding plain = finding;

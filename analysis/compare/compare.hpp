@@ -31,7 +31,7 @@ enum class Why {
 struct Finding {
   std::string first, second;
   Scale scale = Scale::difference;        // of estimate and interval; means have differences
-  std::optional<double> estimate = {};    // none if values are lost or too few, or if it would refute the verdict
+  std::optional<double> estimate = {};    // of what is tested or a fact; none if it would refute the verdict
   std::optional<Interval> interval = {};  // at 1 - significance / tested pairs; without 0 (ratios: 1) if p decides
   std::optional<double> p = {};           // times the tested pairs; below the significance it decides
   std::optional<double> effect = {};      // share of pairs or blocks in which the first is better, equal ones half
