@@ -27,7 +27,7 @@ constexpr std::size_t most_iterations = 200;  // drawn
 bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.definition.points > 1; }
 
 CurveRow row_at(double x, const std::vector<double>& values, Average average) {
-  const compare::Description all = describe({.name = "", .values = values});
+  const compare::Description all = describe({.values = values});
   if (average == Average::mean) return {.x = x, .y = all.mean};
   if (values.size() == 1) return {.x = x, .y = all.median};
   return {.x = x, .y = all.median, .low = all.lower_quartile, .high = all.upper_quartile};
