@@ -131,7 +131,7 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
                fmt::format("Share of targets within a position error{}, up to 1000 times the tolerance (dashed).",
                            study.definition.has_direction() ? ", whatever the orientation" : ""));
   return shares_of(study, about, "targets", {}, "", look, tolerance, [&, factor = factor](const Solve& solve) {
-    return factor * std::max(solve.position_error_cm, metric.floor);
+    return gave_answer(solve) ? factor * std::max(solve.position_error_cm, metric.floor) : nowhere;
   });
 }
 
@@ -338,6 +338,7 @@ std::vector<Line> by_point(const StudyResults& study, std::string_view column, c
   const double factor = drawn_unit(study, metric.unit).factor;
   std::vector<Line> all;
   for (const std::string& solver : drawn_solvers(study, look)) {
+    if (std::ranges::none_of(study.of(solver), gave_answer)) continue;
     std::map<int, std::vector<double>> values;
     for (const Solve& solve : study.of(solver)) {
       const double value = factor * metric.value(solve, study);
