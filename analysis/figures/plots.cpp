@@ -212,7 +212,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
   if (is_dashed)
     figure.settings += fmt::format(
         "set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n"
-        "set label 'tolerance' at {0}, graph 1 center offset 0, 0.3\n",
+        "set label 'tolerance' at {0}, graph 1 right offset 0, 0.3\n",
         text_of(dashed), grey);
   add_names(figure, ends);
   figure.plot = plotted(clauses);
