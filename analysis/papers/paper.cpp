@@ -229,9 +229,8 @@ Explained explained_by(const Repeated& repeated) {
 
 show::Table means_table(const Repeated& repeated) {
   const StudyResults& study = repeated.study().study;
-  const std::string runs = numerics::counted(study.definition.runs, "runs");
-  show::Table table{
-      .name = "means", .caption = fmt::format("Means of {}, here and as printed", runs), .columns = {{"solver"}}};
+  show::Table table{.name = "means", .columns = {{"solver"}}};
+  table.caption = fmt::format("Means of {}, here and as printed", numerics::counted(study.definition.runs, "runs"));
   Explained count;
   for (const std::string& solver : study.labels) table.rows.push_back({solver});
   for (const JudgedMetric& judged : repeated.study().metrics) {
@@ -246,9 +245,9 @@ show::Table means_table(const Repeated& repeated) {
   if (table.columns.size() == 1)
     table.rows.clear();
   else
-    table.notes.push_back(
-        count.all > 0 ? fmt::format("{} of {} repeat: {}", count.explained, count.all, meaning_of_signs)
-                      : fmt::format("{} are too few to say which numbers repeat, and leave claims open.", runs));
+    table.notes.push_back(count.all > 0
+                              ? fmt::format("{} of {} repeat: {}", count.explained, count.all, meaning_of_signs)
+                              : "Too few runs to say which numbers repeat; they leave claims open.");
   return table;
 }
 
@@ -272,7 +271,7 @@ show::Table rates_table(const Repeated& repeated) {
   }
   std::vector<std::string> key;
   if (signs.contains("~")) key.emplace_back("~ it contains 0");
-  if (signs.contains("x")) key.emplace_back("x it does not");
+  if (signs.contains("x")) key.emplace_back("x it excludes 0");
   if (signs.contains("?"))
     key.push_back(fmt::format("? it is wider than {:g} points to both sides",
                               100 * repeated.study().study.definition.plan.margin));
