@@ -249,7 +249,7 @@ std::optional<figures::Figure> studies_figure(const Table& studies, const std::v
   for (const std::string& name : names)
     shared.resize(static_cast<std::size_t>(std::ranges::mismatch(shared, name).in1 - shared.begin()));
   std::vector<figures::BarPanel> panels;
-  std::set<std::string> marks;
+  std::set<std::string> marks, whom;
   bool has_empty = false;
   for (const std::string& name : names) panels.push_back({.label = name.substr(shared.find_last_of("-_ /") + 1)});
   for (const auto& row : studies.rows) {
@@ -262,12 +262,11 @@ std::optional<figures::Figure> studies_figure(const Table& studies, const std::v
       panels[i].marks.push_back(of_study ? of_study->mark : "");
       marks.insert(panels[i].marks.back());
       has_empty |= of_study == nullptr;
+      const Answer& answer = answers[shares[i] - 1];
+      if (panels[i].marks.back() == star || panels[i].marks.back() == plus)
+        whom.insert(of_whom(answer, answer.decisive().plan.control.empty() ? "the best" : "the control"));
     }
   }
-  std::set<std::string> whom;
-  for (const Answer& answer : answers)
-    if (is_share(answer.decisive()))
-      whom.insert(of_whom(answer, answer.decisive().plan.control.empty() ? "the best" : "the control"));
   std::vector<std::string> key{meaning_of(marks, listed({whom.begin(), whom.end()}, " or ")),
                                has_empty ? "- not in the study" : "",
                                others.empty() ? "" : "without " + names_of(others)};

@@ -221,6 +221,12 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
   CHECK(figure.data == "# row, share [%] of each study\n# A\n1 100 NaN\n# B\n2 50 100\n# C\n3 NaN 25\n");
   CHECK(contains(figure.settings, "set label 'two' at first 1."));  // without what both names share
   CHECK(contains(figure.settings, "set label '-' at first 0, first 3"));
+  const std::vector more{
+      answers[0], answers[1],
+      answer_of({judged(numbers("error", "error", "mm", {{"A", values_around(1, 0.5)}, {"B", values_around(3, 0.5)}}),
+                        {.control = "B"})})};
+  CHECK(contains(studies_figure(studies_table(more, {"one", "two", "three"}), more)->settings,
+                 "'* worse than the best'"));
   CHECK(contains(figure.plot, "($3==$3?1."));  // no bar of C in the first, which gnuplot would draw back to 0
   const Table turned = with_a_row_a_study(table);
   CHECK(turned.columns[1].name == "A");
