@@ -147,12 +147,11 @@ Table results_table(const Answer& answer) {
   }
   std::string key =
       !has_numbers ? "" : fmt::format("{}s{}", are_means ? "Mean" : "Median", has_quartiles ? " (quartiles)" : "");
-  if (!answer.direction.empty()) {
-    const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n);
+  if (const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n);
+      most.n > 0 && !answer.direction.empty())
     key = fmt::format("{} of {}{}; {}", has_numbers ? key : "Shares",
                       least.n == most.n ? "" : fmt::format("{} to ", least.n), numerics::counted(most.n, "values"),
                       answer.direction);
-  }
   if (!kinds.empty()) {
     const bool are_common = std::ranges::any_of(answer.metrics, [](const JudgedMetric& judged) {
       return judged.observations.is_of_solved && judged.observations.is_paired;

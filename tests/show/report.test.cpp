@@ -249,6 +249,13 @@ TEST_CASE("a table says no more below it than it has", "[show]") {
   CHECK(descriptives_table(of_errors).notes[0].find("Wilson") == std::string::npos);
   CHECK(descriptives_table(of_shares).notes[0].find("Wilson") != std::string::npos);
   CHECK(anova_table(of_errors).notes.empty());
+  Answer of_none = of(numbers("value", "value", "", {{"A", {}}, {"B", {}}}));
+  of_none.direction = "smaller is better";
+  CHECK(results_table(of_none).notes.empty());
+  const compare::Observations alike =
+      numbers("value", "value", "", {{"A", values_around(1, 0.5)}, {"B", values_around(1.0001, 0.6)}});
+  CHECK(of_pairs(of(alike)) == "Ratios are of single values, not of medians.");
+  CHECK(of_pairs(answer_of({judged(alike, {.test = results::Plan::Test::means})})).empty());
 }
 
 TEST_CASE("marks say who is worse or better than the reference, and stand at what the test was of", "[show]") {
