@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string_view>
@@ -229,14 +230,18 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
     const IntervalRow& row = rows[i];
     labels.push_back(row.label);
     verdicts.push_back(row.verdict);
-    for (const double value : {row.estimate, row.low, row.high}) {
-      if (std::abs(value) <= 1e300 && (!are_ratios || value > 0)) all.push_back(value);
-    }
+    const auto has_place = [&](double value) { return std::abs(value) <= 1e300 && (!are_ratios || value > 0); };
+    std::ranges::copy_if(std::array{row.estimate, row.low, row.high}, std::back_inserter(all), has_place);
+    if (has_place(row.estimate) && !has_place(row.low) && are_ratios)
+      all.push_back(row.estimate / 1.5);  // for the head
+    const char* const heads = has_place(row.low) ? (has_place(row.high) ? "nohead" : "head")
+                                                 : (has_place(row.high) ? "backhead" : "heads");  // beyond the axis
     figure.data += fmt::format("# {}\n{}", one_line(row.label),
                                data_row({static_cast<double>(i + 1), row.estimate, row.low, row.high}));
     const std::string line = fmt::format("data every ::{0}::{0} using", i), colour = colour_of(row.style);
     clauses.push_back(
-        fmt::format("{} (place_x($3)):1:(place_x($4)-place_x($3)):(0) with vectors nohead lw 1.6 {}", line, colour));
+        fmt::format("{} (place_x($3)):1:(place_x($4)-place_x($3)):(0) with vectors {} size screen 0.012,25 lw 1.6 {}",
+                    line, heads, colour));
     clauses.push_back(
         fmt::format("{} (place_x($2)):1 with points pt {} ps 0.6 lw 1.2 {}", line, row.style > 0 ? 7 : 6, colour));
   }
