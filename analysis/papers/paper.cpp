@@ -276,7 +276,7 @@ show::Table rates_table(const Repeated& repeated) {
     key.push_back(fmt::format("? it is wider than {:g} points to both sides",
                               100 * repeated.study().study.definition.plan.margin));
   table.notes.push_back(
-      fmt::format("{:g} % interval of ours minus the printed: {}", 100 * plan.level, fmt::join(key, "; ")));
+      fmt::format("{:g} % interval of ours minus the printed: {}.", 100 * plan.level, fmt::join(key, "; ")));
   if (!plan.picked.empty())
     table.notes.emplace_back("* of several files or sides of the arm, that with the nearest shares.");
   if (!plan.note.empty()) table.notes.push_back(plan.note);

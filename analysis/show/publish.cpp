@@ -87,9 +87,7 @@ void keep_telling(Table& pairs, const Answer& answer) {
     const bool is_of_it = std::get<std::string>(row[1]) == reference || std::get<std::string>(row[2]) == reference;
     return is_untested(row) || (are_many && !is_of_it);
   });
-  if (taken > 0)
-    pairs.notes.push_back(fmt::format("Here are the pairs {}that were tested; pairs.csv has all.",
-                                      are_many ? fmt::format("of {} ", reference) : ""));
+  if (taken > 0) pairs.notes.push_back(fmt::format("Only tested pairs{}.", are_many ? " of " + reference : ""));
 }
 
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
@@ -116,10 +114,10 @@ Table for_article(Table table, const Report& report) {
   }
   const std::string& name = report.study.entry.name;
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
-  const bool has_arms = table.columns[0].name == "arm";  // each a study
-  if (!report.study.entry.series.empty() && !has_arms)
+  const bool is_of_many = table.columns[0].name == "arm" || table.columns[0].name == "claim";  // studies
+  if (!report.study.entry.series.empty() && !is_of_many)
     table.caption += fmt::format(". {}. A solve ends at {}.", what_is_studied(report.study), stops_of(report.study));
-  else if (!name.empty() && !has_arms)
+  else if (!name.empty() && !is_of_many)
     table.caption += fmt::format(" of {}", name);
   return table;
 }
@@ -207,6 +205,8 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   const std::string& title = report.study.definition.title;
   std::vector<std::string> order;
   for (const std::size_t i : report.answer.order) order.push_back(report.answer.decisive().observations.groups[i].name);
+  const auto control = std::ranges::find(order, report.answer.decisive().plan.control);  // beside the first
+  if (control != order.end() && control != order.begin()) std::rotate(order.begin() + 1, control, control + 1);
   const std::optional<std::string> arm = moving_arm(report.study, order);
   const auto library = arm ? drawing_library() : std::nullopt;
   if (arm && !library)

@@ -20,7 +20,9 @@ std::vector<Blocks> sections_of(const Report& report) {
   if (report.first.empty()) {
     sections[0] = {Heading{headline(report.answer)}};
     if (is_of_study) sections[0].emplace_back(what_is_studied(report.study) + '.');
-    sections[0].emplace_back(results_table(report.answer));
+    Table results = results_table(report.answer);
+    for (const Doubt& doubt : report.answer.all_doubts()) results.notes.push_back(warning_of(doubt));
+    sections[0].emplace_back(std::move(results));
   }
   const auto add = [&](std::string heading, Blocks blocks) {
     const auto is_empty = [](const Block& block) {
@@ -41,7 +43,9 @@ std::vector<Blocks> sections_of(const Report& report) {
     add("All solvers at once", {anova_table(report.answer)});
   }
   Blocks warnings;
-  for (const Doubt& doubt : report.answer.all_doubts()) warnings.emplace_back(warning_of(doubt));
+  if (!report.first.empty()) {
+    for (const Doubt& doubt : report.answer.all_doubts()) warnings.emplace_back(warning_of(doubt));
+  }
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   add("Warnings", std::move(warnings));
   if (is_of_study)

@@ -314,10 +314,10 @@ Table pairs_table(const Answer& answer) {
               .columns = columns_of(
                   {"metric", "first", "second", "estimate", "interval", "unit", "p", "A12", "test", "verdict"})};
   std::set<double> ends;
-  bool has_p = false;
+  bool has_p = false, has_effect = false;
   for (const JudgedMetric& judged : answer.metrics) {
     for (const Finding& finding : judged.findings) {
-      has_p |= finding.p.has_value();
+      has_p |= finding.p.has_value(), has_effect |= finding.effect.has_value();
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
       const std::string ahead = finding.estimate ? "" : amount_words(finding, judged);
       table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
@@ -335,9 +335,9 @@ Table pairs_table(const Answer& answer) {
       answer.verdict.empty() && has_p
           ? "p is multiplied by the number of pairs tested of a metric, and intervals hold for all pairs at once."
           : "",
-      of_pairs(answer), "A12: share of comparisons in which the first is better."};
+      of_pairs(answer), has_effect ? "A12: share of comparisons in which the first is better." : ""};
   std::erase(notes, "");
-  table.notes = {fmt::format("{}", fmt::join(notes, " "))};
+  if (!notes.empty()) table.notes = {fmt::format("{}", fmt::join(notes, " "))};
   return table;
 }
 

@@ -169,7 +169,7 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
                                  "KDL-RR not on: Franka Emika Panda 98.5 % (printed 92.67)."});
   CHECK(contains(text(both), "39.41 x"));
   CHECK(contains(text(both), "61.77 ~"));
-  CHECK(contains(text(both), "minus the printed: ~ it contains 0; x it excludes 0\n"));
+  CHECK(contains(text(both), "minus the printed: ~ it contains 0; x it excludes 0.\n"));
   CHECK(rates_figure(both)->name == "printed");
   const JudgedStudy few = share(10, "abb_irb120", 30);  // 33.3 % (19 to 51) and 100 % (89 to 100)
   CHECK(holds(repeated(few), "rate-KDL") == Holds::undecided);
