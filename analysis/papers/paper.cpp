@@ -273,12 +273,11 @@ show::Table rates_table(const Repeated& repeated) {
   if (signs.contains("~")) key.emplace_back("~ it contains 0");
   if (signs.contains("x")) key.emplace_back("x it excludes 0");
   if (signs.contains("?"))
-    key.push_back(fmt::format("? it is wider than {:g} points to both sides",
-                              100 * repeated.study().study.definition.plan.margin));
+    key.push_back(fmt::format("? it is wider than {:g} points", 200 * repeated.study().study.definition.plan.margin));
   table.notes.push_back(
       fmt::format("{:g} % interval of ours minus the printed: {}.", 100 * plan.level, fmt::join(key, "; ")));
   if (!plan.picked.empty())
-    table.notes.emplace_back("* of several files or sides of the arm, that with the nearest shares.");
+    table.notes.emplace_back("* of several files or sides of the arm, the one nearest to the printed.");
   if (!plan.note.empty()) table.notes.push_back(plan.note);
   return table;
 }

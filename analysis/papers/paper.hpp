@@ -118,7 +118,7 @@ struct Rate {
   compare::Interval interval;
   double margin;  // of the study, which matters
 
-  // "~": as printed; "x": not; "?": not decided, the interval is wider than the margin to both sides.
+  // "~": as printed; "x": not; "?": not decided, the interval is wider than twice the margin.
   std::string_view sign() const {
     if (printed < interval.low || interval.high < printed) return "x";
     return interval.high - interval.low <= 2 * margin ? "~" : "?";

@@ -177,7 +177,7 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
   CHECK(rates_sentences(repeated(few)) ==
         std::vector<std::string>{"Too few targets to decide on any arm: the printed rates of KDL and KDL-RR."});
   CHECK(contains(text(repeated(few)), "39.41 ?"));
-  CHECK(contains(text(repeated(few)), "printed: ? it is wider than 5 points"));
+  CHECK(contains(text(repeated(few)), "printed: ? it is wider than 10 points"));
 }
 
 TEST_CASE("the tally of pairs and of parts", "[papers]") {
