@@ -175,9 +175,10 @@ Table results_table(const Answer& answer) {
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
   Table table{.name = "studies", .columns = {{"solver"}}};
   std::vector<std::string> quantities, references, referring, shown, told;
-  std::set<std::string> all_marks;
+  std::set<std::string> all_marks, levels;
   for (std::size_t s = 0; s < studies.size(); ++s) {
     const Table of_study = results_table(studies[s]);
+    levels.insert(fmt::format("{:.3g}", 100 * (1 - studies[s].decisive().plan.significance)));
     std::set<std::string> marks;
     table.columns.push_back({.name = names[s], .unit = of_study.columns[1].unit});
     quantities.push_back(of_study.columns[1].name);
@@ -212,7 +213,8 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
       "Each study is judged alone"};
   std::erase(sentences, "");
   table.notes = {fmt::format("{}.", fmt::join(sentences, ". ")),
-                 are_shares ? "Brackets: intervals." : "Brackets: intervals of shares, else quartiles."};
+                 are_shares ? fmt::format("Brackets: {} % intervals.", fmt::join(levels, " and "))
+                            : "Brackets: intervals of shares, else quartiles."};
   return table;
 }
 

@@ -182,7 +182,7 @@ std::string latex_cell(const Cell& cell, const Column& column) {
   if (const auto* marked = std::get_if<Marked>(&cell)) {
     std::string text =
         read(Marked{.value = marked->value, .is_bound = marked->is_bound, .to_reference = marked->to_reference});
-    if (marked->is_best) text = fmt::format("\\textbf{{{}}}", text);
+    if (marked->is_best) text = fmt::format("{{\\boldmath\\textbf{{{}}}}}", text);
     if (marked->interval) {
       const std::string whole = read(Marked{.value = marked->value, .interval = marked->interval});
       text += fmt::format(" & {{\\scriptsize {}}}", whole.substr(whole.find('(')));
@@ -293,8 +293,7 @@ std::string to_latex(const Table& whole) {
     }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
-  if (std::ranges::any_of(kinds, &Kinds::best))
-    table.notes.emplace_back("Bold, of what decides: not shown to be worse, where others are.");
+  if (std::ranges::any_of(kinds, &Kinds::best)) table.notes.emplace_back("Bold: not shown to be worse.");
   const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
   // A table shrinks to fit a column, to four fifths at the most; else it takes both, and shrinks down to the size of
   // \\scriptsize.
@@ -324,6 +323,8 @@ std::string to_html(const Table& whole) {
     if (marked && !marked->mark.empty())
       text.replace(text.size() - marked->mark.size() - 1, std::string::npos,
                    fmt::format("<i>{}</i>", html_text(marked->mark)));
+    if (c == 0)  // a long name may break after these
+      for (std::size_t at = 0; (at = text.find('_', at)) != std::string::npos;) text.insert(++at, "<wbr>");
     return text;
   };
   const auto line = [&](std::size_t r, std::string_view tag) {
