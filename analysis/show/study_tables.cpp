@@ -47,8 +47,9 @@ std::optional<Interval> interval_of(const JudgedMetric& judged, const Descriptio
 
 // A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
 // with the reference. Where the numbers of two are of other targets, the finding of the pair stands in its place.
+// `losers` are of the deciding metric.
 Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver,
-                 const std::string& reference) {
+                 const std::string& reference, const std::set<std::string>& losers) {
   const std::vector<Group>& groups = judged.observations.groups;
   const std::size_t i = place_of(judged.observations, solver);
   if (i == groups.size() || (groups[i].lost > 0 && !judged.observations.tells_incomplete)) return {};
@@ -60,11 +61,10 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   const bool is_of_all = is_deciding && judged.plan.control.empty();
   // Within the margin only what a headline tells is marked, so not in a gate, nor of other metrics.
   const bool matters = !finding.is_within_margin || (is_deciding && answer.verdict.empty());
-  const std::set<std::string> losers = is_of_all ? losers_of(judged.findings) : std::set<std::string>();
   const bool is_worse = is_of_all ? losers.contains(solver) : matters && finding.verdict == Verdict::worse;
   const bool is_better = matters && finding.verdict == Verdict::better;
   const std::string mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : "";
-  const bool is_best = !losers.empty() && !is_worse && !is_untested;
+  const bool is_best = is_of_all && !losers.empty() && !is_worse && !is_untested;
   if (is_of_solved && (solver == reference ? group.is_apart : is_untested || !finding.estimate)) return {};
   if (is_of_solved && solver != reference)
     return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale, .is_best = is_best};
@@ -121,6 +121,7 @@ Table results_table(const Answer& answer) {
   const std::string average = are_means ? "mean" : "median";
   bool has_numbers = false, has_quartiles = false, has_shares = false, has_none = false;
   std::set<std::string> kinds, marks;
+  const std::set<std::string> losers = losers_of(decisive.findings);
   const auto add = [&](const JudgedMetric& judged, const std::string& name) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit});
     const bool has_costs =
@@ -128,7 +129,7 @@ Table results_table(const Answer& answer) {
     for (auto& row : table.rows) {
       const Finding* const pair = finding_of(judged, std::get<std::string>(row[0]), reference);
       has_none |= has_costs && pair && pair->why == Why::too_few;
-      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), reference));
+      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), reference, losers));
       auto* const marked = std::get_if<Marked>(&row.back());
       if (!marked) continue;
       has_numbers |= !is_share(judged);
