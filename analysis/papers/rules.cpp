@@ -243,7 +243,7 @@ JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
     result.id = fmt::format("{}-{}", claim.id, solver);
     result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", solver));
     result.holds = holds_of(repeats);
-    if (result.holds != Holds::undecided)
+    if (std::ranges::count(repeats, Holds::undecided) < std::ssize(repeats))
       result.number = fmt::format("on {} of {} arms", std::ranges::count(repeats, Holds::holds), repeats.size());
   }
   return judged;

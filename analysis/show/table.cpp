@@ -293,7 +293,8 @@ std::string to_latex(const Table& whole) {
     }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
-  if (std::ranges::any_of(kinds, &Kinds::best)) table.notes.emplace_back("Bold: not shown to be worse.");
+  if (std::ranges::any_of(kinds, &Kinds::best))
+    table.notes.emplace_back("Bold: not shown to be worse, where another is.");
   const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
   // A table shrinks to fit a column, to four fifths at the most; else it takes both, and shrinks down to the size of
   // \\scriptsize.
