@@ -298,8 +298,10 @@ std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
     }
   }
   return differences(
-      {"printed", "Share solved minus the printed one, with its interval.", "ours minus printed", "points"}, rows,
-      false);
+      {"printed",
+       fmt::format("Share solved minus the printed one, with its {:g} % interval.", 100 * repeated.paper.rates.level),
+       "ours minus printed", "points"},
+      rows, false);
 }
 
 }  // namespace ikbench::papers

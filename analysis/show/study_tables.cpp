@@ -322,11 +322,11 @@ Table pairs_table(const Answer& answer) {
     for (const Finding& finding : judged.findings) {
       has_p |= finding.p.has_value(), has_effect |= finding.effect.has_value();
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
-      const std::string test(finding.test);
+      const auto text = [](const std::string& its) { return its.empty() ? Cell() : Cell(its); };
       const std::string ahead = finding.estimate ? "" : amount_words(finding, judged);
       table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
-                            cell(finding.interval), unit_of(finding, judged), cell(finding.p), cell(finding.effect),
-                            test.empty() ? Cell() : Cell(test),
+                            cell(finding.interval), text(unit_of(finding, judged)), cell(finding.p),
+                            cell(finding.effect), text(std::string(finding.test)),
                             verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead)});
       for (const double end : ends_of(finding, judged)) ends.insert(end);
     }
