@@ -32,8 +32,7 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
     if (!claim.section.empty()) remarks.push_back(claim.section + '.');
     if (!claim.in_readings.empty()) remarks.push_back(fmt::format("Of readings and seeds it {}.", claim.in_readings));
     if (!claim.evidence.empty()) remarks.push_back(claim.evidence);
-    table.rows.push_back({claim.sentence, std::string(name_of(claim.holds)),
-                          claim.number.empty() ? show::Cell() : show::Cell(claim.number),
+    table.rows.push_back({claim.sentence, std::string(name_of(claim.holds)), show::text_cell(claim.number),
                           fmt::format("{}", fmt::join(remarks, " "))});
   }
   return table;

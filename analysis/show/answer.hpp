@@ -39,7 +39,8 @@ bool is_share(const compare::JudgedMetric& judged);
 std::string reference_of(const Answer& answer);  // the control, else the first of the table of results
 
 // The tables of every report, in study_tables.cpp. Their numbers are those of the sentences and of results.json.
-Table results_table(const Answer& answer);  // a row a solver
+Table results_table(const Answer& answer);   // a row a solver
+Table warned_results(const Answer& answer);  // the same, with the warnings below it
 // Solvers by studies: of each study its deciding column, in the order of the first. Each study is judged alone.
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names);
 // "a and b: DLS is best.\nc: Not decided." What the headline of each begins with.

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct Marked {
 };
 // Readers see three digits, and "-" for an empty cell (std::monostate) and a number that is not finite.
 using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, Marked>;
+
+inline Cell text_cell(std::string text) { return text.empty() ? Cell() : Cell(std::move(text)); }
 
 struct Column {
   std::string name;

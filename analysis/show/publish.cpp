@@ -94,18 +94,15 @@ void keep_telling(Table& pairs, const Answer& answer) {
 // warnings; a caption says of what. Names of results, which are narrow, may be twice as long.
 Table for_article(Table table, const Report& report) {
   const bool are_pairs = table.name == "pairs";
-  const Answer brief = with_short_names(report.answer, table.name == "results" ? 2 * longest_name : longest_name);
-  if (table.name == "results") table = results_table(brief);
-  if (table.name == "descriptives") table = descriptives_table(brief);
+  if (table.name == "results") table = warned_results(with_short_names(report.answer, 2 * longest_name));
+  if (table.name == "descriptives") table = descriptives_table(with_short_names(report.answer, longest_name));
   if (are_pairs) {
+    const Answer brief = with_short_names(report.answer, longest_name);
     table = pairs_table(brief);
     const std::string& metric = report.answer.decisive().observations.quantity;
     std::erase_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) != metric; });
     table.caption += ": " + metric;
     keep_telling(table, brief);
-  }
-  if (table.name == "results") {
-    for (const compare::Doubt& doubt : brief.all_doubts()) table.notes.push_back(warning_of(doubt));
   }
   for (std::size_t c = 0; c < table.columns.size(); ++c) {  // writers leave out what is empty
     const bool is_told = are_pairs && c == 0;               // in the caption

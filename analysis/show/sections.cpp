@@ -20,9 +20,7 @@ std::vector<Blocks> sections_of(const Report& report) {
   if (report.first.empty()) {
     sections[0] = {Heading{headline(report.answer)}};
     if (is_of_study) sections[0].emplace_back(what_is_studied(report.study) + '.');
-    Table results = results_table(report.answer);
-    for (const Doubt& doubt : report.answer.all_doubts()) results.notes.push_back(warning_of(doubt));
-    sections[0].emplace_back(std::move(results));
+    sections[0].emplace_back(warned_results(report.answer));
   }
   const auto add = [&](std::string heading, Blocks blocks) {
     const auto is_empty = [](const Block& block) {

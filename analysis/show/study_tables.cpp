@@ -127,11 +127,14 @@ Table results_table(const Answer& answer) {
     const bool has_costs =
         judged.observations.is_of_solved && !std::isnan(average_of(judged, place_of(judged.observations, reference)));
     for (auto& row : table.rows) {
-      const Finding* const pair = finding_of(judged, std::get<std::string>(row[0]), reference);
-      has_none |= has_costs && pair && pair->why == Why::too_few;
-      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), reference, losers));
+      const std::string solver = std::get<std::string>(row[0]);
+      row.push_back(result_cell(answer, judged, solver, reference, losers));
       auto* const marked = std::get_if<Marked>(&row.back());
-      if (!marked) continue;
+      if (!marked) {
+        const Finding* const pair = has_costs && !has_none ? finding_of(judged, solver, reference) : nullptr;
+        has_none |= pair && pair->why == Why::too_few;
+        continue;
+      }
       has_numbers |= !is_share(judged);
       marks.insert(marked->mark);
       has_quartiles |= marked->interval && !is_share(judged);
@@ -170,6 +173,12 @@ Table results_table(const Answer& answer) {
   std::erase(sentences, "");
   if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
   table.notes.insert(table.notes.end(), answer.notes.begin(), answer.notes.end());
+  return table;
+}
+
+Table warned_results(const Answer& answer) {
+  Table table = results_table(answer);
+  for (const Doubt& doubt : answer.all_doubts()) table.notes.push_back(warning_of(doubt));
   return table;
 }
 
@@ -322,11 +331,10 @@ Table pairs_table(const Answer& answer) {
     for (const Finding& finding : judged.findings) {
       has_p |= finding.p.has_value(), has_effect |= finding.effect.has_value();
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
-      const auto text = [](const std::string& its) { return its.empty() ? Cell() : Cell(its); };
       const std::string ahead = finding.estimate ? "" : amount_words(finding, judged);
       table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
-                            cell(finding.interval), text(unit_of(finding, judged)), cell(finding.p),
-                            cell(finding.effect), text(std::string(finding.test)),
+                            cell(finding.interval), text_cell(unit_of(finding, judged)), cell(finding.p),
+                            cell(finding.effect), text_cell(std::string(finding.test)),
                             verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead)});
       for (const double end : ends_of(finding, judged)) ends.insert(end);
     }
