@@ -96,22 +96,31 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
   return all;
 }
 
+// "3 runs cannot decide it, it takes 4"
+std::string why_not_compared(const Gate& gate) {
+  const auto* const open = std::get_if<Open>(&gate.judged.metrics[gate.judged.deciding].findings.front().what);
+  if (open == nullptr || open->why != Open::Why::too_few || open->n == 0) return "the warnings say why";
+  return fmt::format("{} cannot decide it, it takes {}", numerics::counted(open->n, show::answer_of(gate.judged).noun),
+                     open->needed);
+}
+
 // "mine is worse than PSO: in solved and error. Not decided: joint motion."
 std::string verdict_of(const Gate& gate) {
   const std::vector<std::string>& solvers = gate.judged.study.labels;
-  const bool is_worse = !gate.worse.empty();
-  const bool is_apart = gate.judged.metrics.front().findings.front().why == Why::apart;
+  const std::string candidate = gate.label.empty() ? solvers.front() : gate.label,
+                    baseline = gate.label.empty() ? solvers.back() : "before";
+  if (!gate.is_compared)
+    return fmt::format("{} is not compared with {}: {}.", candidate, baseline, why_not_compared(gate));
+  const bool is_worse = !gate.worse.empty(), is_open = !gate.not_decided.empty() || !gate.not_tested.empty();
   std::vector<std::string> parts;
   if (is_worse) parts.push_back("in " + show::listed(gate.worse));
-  if (!gate.better.empty()) parts.push_back((is_worse || is_apart ? "better in " : "in ") + show::listed(gate.better));
-  std::string text =
-      fmt::format("{} is {} {}{}{}.", gate.label.empty() ? solvers.front() : gate.label,
-                  is_worse                    ? "worse than"
-                  : is_apart                  ? "not comparable with"
-                  : !gate.better.empty()      ? "better than"
-                  : !gate.not_decided.empty() ? "not shown to be worse than"
-                                              : "not worse than",
-                  gate.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ", show::listed(parts, ", "));
+  if (!gate.better.empty()) parts.push_back((is_worse ? "better in " : "in ") + show::listed(gate.better));
+  std::string text = fmt::format("{} is {} {}{}{}.", candidate,
+                                 is_worse               ? "worse than"
+                                 : !gate.better.empty() ? "better than"
+                                 : is_open              ? "not shown to be worse than"
+                                                        : "not worse than",
+                                 baseline, parts.empty() ? "" : ": ", show::listed(parts, ", "));
   if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));
   if (!gate.not_tested.empty()) text += fmt::format(" Not tested: {}.", show::listed(gate.not_tested));
   return text;
@@ -221,7 +230,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
       "Exit codes: 0 nothing is worse, 3 something is worse, perhaps by more than the margin, 4 with --strict something "
-      "is not decided or not tested, 1 not compared: a mistake, or A and B differ in more than solvers.\n"
+      "is not decided or not tested, 1 not compared: a mistake, A and B differ in more than solvers, or nothing could "
+      "be compared.\n"
       "Times are shown and decide nothing.");
   command->callback([arguments, &invocation] {
     const std::vector<Gate> all = compare_all(*arguments);

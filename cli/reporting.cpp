@@ -101,14 +101,10 @@ bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find
 
 // The door of these numbers: a run with an answer that is not finite is lost.
 compare::Group group_of(const std::vector<double>& runs) {
-  compare::Group group;
-  for (const double value : runs) {
-    if (std::isfinite(value))
-      group.values.push_back(value);
-    else
-      ++group.lost;
-  }
-  return group;
+  std::vector<double> finite = runs;
+  const auto lost = static_cast<int>(std::erase_if(finite, [](double value) { return !std::isfinite(value); }));
+  if (lost > 0) return {.sample = compare::Untold{.lost = lost, .values = std::move(finite)}};
+  return {.sample = compare::Measured{std::move(finite)}};
 }
 
 }  // namespace

@@ -2,231 +2,268 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
+#include <boost/math/distributions/normal.hpp>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "analysis/compare/describe.hpp"
+#include "analysis/compare/prepare.hpp"
 
 namespace ikbench::compare {
 namespace {
 
-// What design and plan choose, never the values.
-enum class Method { ranks, signed_ranks, sign, sign_and_ranks, paired_t, mcnemar, welch, fisher };
-enum Trait : unsigned { by_ranks = 1, by_t = 2, by_difference = 4, by_sign = 8 };
-constexpr std::array<std::pair<std::string_view, unsigned>, 8> methods{
-    {{"Brunner-Munzel and Mann-Whitney", by_ranks},
-     {"Wilcoxon's signed ranks", by_ranks | by_difference},
-     {"sign test", by_ranks | by_difference | by_sign},
-     {"sign test and Mann-Whitney", by_ranks | by_difference | by_sign},
-     {"paired t", by_t | by_difference},
-     {"McNemar's exact", by_difference},
-     {"Welch's t", by_t},
-     {"Fisher's exact", 0}}};
-bool is(Method method, Trait trait) { return (methods[static_cast<std::size_t>(method)].second & trait) != 0; }
+using Kind = Method::Kind;
 
-Method method_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
-  if (a.summary || b.summary) return Method::welch;
-  if (a.copies > 0 || b.copies > 0) return Method::sign;
-  if (observed.scale == Scale::share && observed.trials == 1)
-    return observed.is_paired ? Method::mcnemar : Method::fisher;
-  const bool by_means = observed.scale == Scale::share || plan.test == Plan::Test::means;
-  if (observed.is_paired) return by_means ? Method::paired_t : Method::signed_ranks;
-  if (by_means) return Method::welch;
-  return a.may_repeat != b.may_repeat ? Method::sign_and_ranks : Method::ranks;
+// In the order of the enum.
+constexpr std::array<std::string_view, 8> names_of_methods{"Brunner-Munzel and Mann-Whitney",
+                                                           "Wilcoxon's signed ranks",
+                                                           "sign test",
+                                                           "sign test and Mann-Whitney",
+                                                           "paired t",
+                                                           "McNemar's exact",
+                                                           "Welch's t",
+                                                           "Fisher's exact"};
+
+template <class Is>
+bool is_any(const Group& a, const Group& b) {
+  return std::holds_alternative<Is>(a.sample) || std::holds_alternative<Is>(b.sample);
+}
+
+// What design and plan choose, never the values.
+Kind kind_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
+  const auto may_repeat = [](const Group& group) {
+    const auto* const measured = std::get_if<Measured>(&group.sample);
+    return measured != nullptr && measured->may_repeat;
+  };
+  const bool is_share = observed.scale == Scale::share;
+  if (is_any<Summary>(a, b)) return Kind::welch;
+  if (is_any<Copies>(a, b)) return is_share ? Kind::paired_t : Kind::sign;
+  if (is_share && observed.trials == 1) return observed.is_paired ? Kind::mcnemar : Kind::fisher;
+  const bool by_means = is_share || observed.are_logs || plan.test == Plan::Test::means;
+  if (observed.is_paired) return by_means ? Kind::paired_t : Kind::signed_ranks;
+  if (by_means) return Kind::welch;
+  return may_repeat(a) != may_repeat(b) ? Kind::sign_and_ranks : Kind::ranks;
 }
 
 std::size_t size_of(const Group& group) {
-  return group.summary ? static_cast<std::size_t>(group.summary->n) : group.values.size();
+  if (const auto* const summary = std::get_if<Summary>(&group.sample)) return static_cast<std::size_t>(summary->n);
+  return values_of(group).size();
 }
 
 bool has_no_answer(const Group& group) {
-  return std::ranges::any_of(group.values, [](double value) { return std::isinf(value); });
+  return std::ranges::any_of(values_of(group), [](double value) { return std::isinf(value); });
 }
 
 struct Pair {
   Group a, b;  // of the blocks that both have
   Method method;
+  bool takes_logs = false;  // ranks of a ratio are of logarithms
+  bool is_fact = false;
   double smallest_p = 1;
-  Finding finding = {};
-};
-
-bool are_on_logs(const Observations& observed, const Pair& pair) {
-  return observed.scale == Scale::ratio && is(pair.method, by_ranks);
-}
-
-// Relative: smaller than a difference in the fifteenth digit, the last that every double can tell.
-constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon();
-
-// Makes values equal that lie within the rounding above the smallest of them: the metric's, or that of doubles.
-void remove_rounding(std::vector<double>& values, double rounding) {
-  std::vector<std::pair<double, double*>> order;  // pairs stay in the cache, which places alone would not
-  order.reserve(values.size());
-  for (double& value : values) order.emplace_back(value, &value);
-  std::ranges::sort(order, {}, &std::pair<double, double*>::first);
-  for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
-    const double least = order[first].first, most = least + std::max(rounding, rounding_of_doubles * std::abs(least));
-    for (; next < order.size() && order[next].first <= most; ++next) *order[next].second = least;
-  }
-}
-
-// The values of a pair as its test takes them. A group with a summary has none.
-struct Two {
-  std::vector<double> a, b, differences;
-  double no_answer = 0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
-  bool are_all_equal = false;
-
-  Two(const Observations& observed, const Pair& pair, bool are_logs) {
-    std::vector<double> all = pair.a.values;
-    all.insert(all.end(), pair.b.values.begin(), pair.b.values.end());
-    if (are_logs) {
-      for (double& value : all) value = std::max(value, observed.floor);
-    }
-    remove_rounding(all, observed.rounding);
-    if (are_logs) std::ranges::transform(all, all.begin(), [](double value) { return std::log(value); });
-    double most = std::max(observed.absolute_margin, are_logs ? 100.0 : 0.0);
-    for (const double value : all) most = std::isinf(value) ? most : std::max(most, std::abs(value));
-    for (double& value : all) {
-      if (std::isinf(value)) value = no_answer = most > 0 ? 1e4 * most : 1;
-    }
-    a.assign(all.begin(), all.begin() + std::ssize(pair.a.values));
-    b.assign(all.begin() + std::ssize(pair.a.values), all.end());
-    are_all_equal = !all.empty() && std::ranges::count(all, all.front()) == std::ssize(all);
-    if (!is(pair.method, by_difference)) return;
-    std::vector<double> sizes{0};
-    double largest = are_logs ? 1 : 0;
-    const bool is_one_value_of_a = a.size() == 1 || pair.a.may_repeat,
-               is_one_value_of_b = b.size() == 1 || pair.b.may_repeat;
-    const std::size_t runs = is_one_value_of_a ? b.size() : a.size();
-    for (std::size_t i = 0; i < runs; ++i) {  // by block; or from the one value of a group
-      const double x = a[is_one_value_of_a ? 0 : i], y = b[is_one_value_of_b ? 0 : i];
-      differences.push_back(x - y);
-      sizes.push_back(std::abs(x - y));
-      largest = std::max({largest, std::abs(x), std::abs(y)});
-    }
-    remove_rounding(sizes, rounding_of_doubles * largest);
-    for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = std::copysign(sizes[i + 1], differences[i]);
-    are_all_equal = std::ranges::count(differences, 0.0) == std::ssize(differences);
-  }
+  int n = 0;
+  std::optional<Open> open = {};
 };
 
 // The smallest that data of these sizes can give.
-double smallest_p(Method method, std::size_t m, std::size_t n) {
-  if (is(method, by_t)) return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
-  if (is(method, by_difference) && method != Method::sign_and_ranks) return smallest_p_paired(n);
+double smallest_p(Kind kind, std::size_t m, std::size_t n) {
+  if (kind == Kind::paired_t || kind == Kind::welch)
+    return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
+  if (kind == Kind::signed_ranks || kind == Kind::sign || kind == Kind::mcnemar) return smallest_p_paired(n);
   if (std::min(m, n) < 2) return 1;
-  if (method == Method::sign_and_ranks) return std::max(smallest_p_paired(std::max(m, n)), smallest_p_unpaired(m, n));
-  // The rarest table of Fisher's test is one, or of groups of one size two.
-  return smallest_p_unpaired(m, n) / (method == Method::fisher && m != n ? 2 : 1);
+  if (kind == Kind::sign_and_ranks) return std::max(smallest_p_paired(std::max(m, n)), smallest_p_unpaired(m, n));
+  // The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other,
+  // or the other way round.
+  return smallest_p_unpaired(m, n) / (kind == Kind::fisher && m != n ? 2 : 1);
 }
 
-Tested tested_by(Method method, const Two& two, const Summary& first, const Summary& second, double alpha) {
-  if (method == Method::ranks) return rank_test(two.a, two.b, alpha);
-  if (method == Method::signed_ranks) return signed_rank_test(two.differences, alpha);
-  if (is(method, by_sign)) {
-    Tested tested = sign_test(two.differences, alpha);
-    if (method == Method::sign_and_ranks) tested.p = std::max(tested.p, mann_whitney(two.a, two.b));
-    return tested;
+Outcome outcome_of(Kind kind, const Prepared& numbers, double alpha) {
+  switch (kind) {
+    case Kind::ranks:
+      return rank_test(numbers.first, numbers.second, alpha);
+    case Kind::signed_ranks:
+      return signed_rank_test(numbers.differences, alpha);
+    case Kind::sign:
+      return sign_test(numbers.differences, alpha);
+    case Kind::sign_and_ranks: {
+      Outcome outcome = sign_test(numbers.differences, alpha);
+      outcome.p = std::max(outcome.p, mann_whitney(numbers.first, numbers.second));
+      return outcome;
+    }
+    case Kind::paired_t:
+      return t_test(numbers.differences, alpha);
+    case Kind::mcnemar:
+      return mcnemar(numbers.first, numbers.second, alpha);
+    case Kind::fisher:
+      return fisher(numbers.first, numbers.second, alpha);
+    case Kind::welch:
+      return welch(numbers.of_first, numbers.of_second, alpha);
   }
-  if (method == Method::paired_t) return t_test(two.differences, alpha);
-  if (method == Method::mcnemar) return mcnemar(two.a, two.b, alpha);
-  return method == Method::fisher ? fisher(two.a, two.b, alpha) : welch(first, second, alpha);
+  return {};
 }
 
-// Tests a pair on one scale, whose numbers it returns, and says in the finding what does not depend on their unit.
-Tested examined(const Observations& observed, const Plan& plan, const Pair& pair, bool are_logs, double alpha,
-                Finding& finding) {
-  const Two two(observed, pair, are_logs);
-  const Summary first = pair.a.summary ? *pair.a.summary : summarise(two.a);
-  const Summary second = pair.b.summary ? *pair.b.summary : summarise(two.b);
-  const bool is_share = observed.scale == Scale::share, are_constant = first.sd == 0 && second.sd == 0;
-  finding.are_all_equal = two.are_all_equal;
-  Tested tested = tested_by(pair.method, two, first, second, alpha);
-  std::optional<Interval>& interval = tested.interval;
-  std::optional<double> share_larger;
-  if (is(pair.method, by_difference)) {
-    double twice = 0;
-    for (const double each : two.differences) twice += (each > 0) + (each >= 0);
-    share_larger = twice / 2 / static_cast<double>(two.differences.size());
-  } else if (!two.a.empty() && !two.b.empty()) {
-    share_larger = a12(two.a, two.b);
+// A pair on one scale: its numbers, what the test says of them, and whether a difference lies within the margin there.
+struct Trial {
+  Prepared numbers;
+  Outcome outcome;
+  bool is_small = false, is_small_in_means = false;
+  double margin = 0;
+};
+
+Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair, bool takes_logs, double alpha) {
+  Trial trial{.numbers = prepared(pair.a, pair.b, observed, pair.method, takes_logs), .outcome = {}};
+  const Prepared& numbers = trial.numbers;
+  const Summary &first = numbers.of_first, &second = numbers.of_second;
+  trial.outcome = outcome_of(pair.method.kind, numbers, alpha);
+  std::optional<Interval>& interval = trial.outcome.interval;
+  if (observed.scale == Scale::share) {
+    if (interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
+    if (first.sd == 0 && second.sd == 0 && numbers.are_all_equal && !interval)
+      interval = newcombe(first.mean, first.n, second.mean, second.n, alpha);
+  } else if (numbers.are_all_equal) {
+    interval.reset();
   }
-  if (share_larger) finding.effect = observed.better == Better::larger ? *share_larger : 1 - *share_larger;
-  if (is_share && interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
-  if (is_share && are_constant && finding.are_all_equal && !interval)
-    interval = newcombe(first.mean, first.n, second.mean, second.n, alpha);
-  if (!is_share && finding.are_all_equal) interval.reset();
-
-  const double relative = two.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(first.mean), std::abs(second.mean));
-  const double margin = is_share                      ? plan.margin
-                        : are_logs                    ? std::log1p(plan.margin)
-                        : are_on_logs(observed, pair) ? observed.absolute_margin
-                                                      : std::max(observed.absolute_margin, relative);
-  const auto lies_within = [margin](const Tested& each) {  // values without spread have their difference alone
-    const Interval held = each.interval.value_or(Interval{each.estimate, each.estimate});
-    return held.low >= -margin && held.high <= margin;
+  const double relative =
+      numbers.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(first.mean), std::abs(second.mean));
+  trial.margin = observed.scale == Scale::share    ? plan.margin
+                 : takes_logs || observed.are_logs ? std::log1p(plan.margin)
+                 : pair.takes_logs                 ? observed.absolute_margin
+                                                   : std::max(observed.absolute_margin, relative);
+  const auto lies_within = [&](const Outcome& outcome) {  // values without spread have their difference alone
+    const Interval held = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
+    return held.low >= -trial.margin && held.high <= trial.margin;
   };
-  // Equal values say nothing of failures that are rarer than so many can show.
-  const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : finding.are_all_equal;
-  const bool can_fail = are_equal && 1 - wilson(1, std::min(first.n, second.n), alpha).low > plan.margin;
-  const Method by_means = is(pair.method, by_difference) ? Method::paired_t : Method::welch;
-  finding.is_within_margin =
-      !can_fail && lies_within(tested) &&
-      (!is(pair.method, by_ranks) || lies_within(tested_by(by_means, two, first, second, alpha)));
-  const auto unbound = [&](double& value) {
-    if (two.no_answer > 0 && std::abs(value) > two.no_answer / 8)
-      value = std::copysign(std::numeric_limits<double>::infinity(), value);
-  };
-  unbound(tested.estimate);
-  if (interval) unbound(interval->low), unbound(interval->high);
-  return tested;
+  const Kind by_means = pair.method.is_by_difference() ? Kind::paired_t : Kind::welch;
+  trial.is_small = lies_within(trial.outcome);
+  trial.is_small_in_means =
+      trial.is_small && (!pair.method.is_by_ranks() || lies_within(outcome_of(by_means, numbers, alpha)));
+  trial.outcome.estimate = numbers.unbound(trial.outcome.estimate);
+  if (interval) interval->low = numbers.unbound(interval->low), interval->high = numbers.unbound(interval->high);
+  return trial;
 }
 
-// The verdict of p, with an estimate and an interval that cannot refute it.
-void set_verdict(const Observations& observed, const Plan& plan, const Pair& pair, int direction, Finding& finding) {
-  const double none = finding.scale == Scale::ratio ? 1 : 0;
-  std::optional<Interval>& interval = finding.interval;
-  if (*finding.p >= plan.significance) {
-    finding.verdict = finding.is_within_margin ? Verdict::same : Verdict::undecided;
+// Equal values say nothing of failures that are rarer than so many can show.
+bool can_fail(const Trial& trial, const Plan& plan, double alpha) {
+  const std::optional<Interval>& interval = trial.outcome.interval;
+  const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : trial.numbers.are_all_equal;
+  const double share = plan.margin > 0 ? plan.margin : Plan().margin;  // an absolute margin is none of shares
+  return are_equal && 1 - wilson(1, std::min(trial.numbers.of_first.n, trial.numbers.of_second.n), alpha).low > share;
+}
+
+double share_larger(const std::vector<double>& first, std::vector<double> second) {
+  std::ranges::sort(second);
+  double pairs = 0;
+  for (const double value : first)
+    pairs += static_cast<double>(std::ranges::lower_bound(second, value) - second.begin());
+  return pairs / (static_cast<double>(first.size()) * static_cast<double>(second.size()));
+}
+
+std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, const Prepared& numbers) {
+  if (observed.are_logs) return {};
+  double larger = 0, smaller = 0;
+  if (pair.method.is_by_difference()) {
+    const auto n = static_cast<double>(numbers.differences.size());
+    larger = static_cast<double>(std::ranges::count_if(numbers.differences, [](double each) { return each > 0; })) / n;
+    smaller = static_cast<double>(std::ranges::count_if(numbers.differences, [](double each) { return each < 0; })) / n;
+  } else {
+    if (numbers.first.empty() || numbers.second.empty()) return {};
+    larger = share_larger(numbers.first, numbers.second), smaller = share_larger(numbers.second, numbers.first);
+  }
+  return observed.better == Better::larger ? Effect{larger, smaller} : Effect{smaller, larger};
+}
+
+// About how many observations could decide what these did not, with a chance of 0.8: that the difference is as large
+// as here, by the root law of every test here; or that it lies within the margin, by that of the interval.
+int enough_of(const Trial& trial, double p, double alpha, int n) {
+  const boost::math::normal normal;
+  const auto z = [&](double tail) { return boost::math::quantile(boost::math::complement(normal, tail)); };
+  const double wanted = z(alpha / 2) + z(0.2);
+  double times = p < 1 ? std::pow(wanted / z(p / 2), 2) : std::numeric_limits<double>::infinity();
+  if (const auto& ends = trial.outcome.interval; ends && std::abs(trial.outcome.estimate) < trial.margin) {
+    const double half = (ends->high - ends->low) / 2, room = trial.margin - std::abs(trial.outcome.estimate);
+    times = std::min(times, std::pow(half / room * wanted / z(alpha / 2), 2));
+  }
+  const double all = std::ceil(static_cast<double>(n) * times);
+  return all > n && all < 1e6 ? static_cast<int>(all) : 0;
+}
+
+// The verdict of p, with an amount that cannot refute it.
+std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan& plan, const Pair& pair,
+                                        const Trial& trial, bool is_same, double tests) {
+  const Outcome& outcome = trial.outcome;
+  const bool are_ratios = pair.takes_logs || observed.are_logs;
+  const auto shown = [&](double value) { return are_ratios ? std::exp(value) : value; };
+  const double none = are_ratios ? 1 : 0;
+  Tested tested{.p = std::min(1.0, outcome.p * tests),
+                .effect = effect_of(observed, pair, trial.numbers),
+                .test = pair.method.name,
+                .n = pair.n};
+  std::optional<Interval> interval;
+  if (std::isfinite(outcome.estimate)) {
+    tested.amount = Amount{.value = shown(outcome.estimate)};
+    if (outcome.interval) interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
+  }
+  if (tested.p >= plan.significance) {
+    tested.verdict = is_same ? Verdict::same : trial.numbers.are_all_equal ? Verdict::equal : Verdict::undecided;
     if (interval) interval = Interval{std::min(none, interval->low), std::max(none, interval->high)};
     const bool has_width = interval && interval->low < interval->high;
-    if (finding.verdict == Verdict::undecided && !has_width) interval.reset();  // most values are equal, but not all
-    return;
+    if (!is_same && !has_width) interval.reset();  // most values are equal, but not all
+    if (tested.verdict == Verdict::undecided)
+      tested.enough = enough_of(trial, outcome.p, plan.significance / tests, pair.n);
+    if (tested.amount) tested.amount->interval = interval;
+    return tested;
   }
-  if (is(pair.method, by_t) && observed.scale != Scale::share &&
-      (does_one_value_decide(pair.a) || does_one_value_decide(pair.b))) {
-    finding.verdict = Verdict::undecided;
-    finding.why = Why::few_decide;
-    finding.is_within_margin = false;
-    finding.p.reset();
-    interval.reset();
-    return;
-  }
-  finding.verdict = (direction > 0) == (observed.better == Better::larger) ? Verdict::better : Verdict::worse;
-  if (finding.estimate && (*finding.estimate - none) * direction <= 0) {
-    finding.estimate.reset();
-    interval.reset();
-  }
-  if (!interval) return;
+  if (pair.method.is_by_t() && observed.scale != Scale::share && !observed.are_logs &&
+      (does_one_value_decide(pair.a) || does_one_value_decide(pair.b)))
+    return Open{.why = Open::Why::few_decide, .n = pair.n, .amount = tested.amount};
+  const int direction = outcome.direction;
+  tested.verdict = (direction > 0) == (observed.better == Better::larger) ? Verdict::better : Verdict::worse;
+  if (tested.amount && (tested.amount->value - none) * direction <= 0) tested.amount.reset();
+  tested.size = is_same ? Size::small : trial.is_small && tested.amount ? Size::usually_small : Size::matters;
+  if (!interval || !tested.amount) return tested;
   const double width = interval->high - interval->low, rounding = std::isinf(width) ? 0 : 1e-9 * width;  // of bisection
   if (direction > 0 && interval->low <= none + rounding) interval->low = none, interval->excludes_low = true;
   if (direction < 0 && interval->high >= none - rounding) interval->high = none, interval->excludes_high = true;
+  tested.amount->interval = interval;
+  return tested;
+}
+
+Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair, const Trial& trial) {
+  const double one = values_of(pair.a).front(), other = values_of(pair.b).front();
+  return {.verdict = is_worse_than_margin(observed, plan, one, other)   ? Verdict::worse
+                     : is_worse_than_margin(observed, plan, other, one) ? Verdict::better
+                                                                        : Verdict::same,
+          .amount = {.value = pair.takes_logs ? std::exp(trial.outcome.estimate) : trial.outcome.estimate}};
 }
 
 // Keeps the values of blocks that both have.
 void keep_common_blocks(Group& one, Group& other) {
-  const auto keep = [](Group& group, const std::vector<int>& blocks) {
+  auto *const a = std::get_if<Measured>(&one.sample), *const b = std::get_if<Measured>(&other.sample);
+  if (a == nullptr || b == nullptr || a->blocks == b->blocks) return;
+  const auto keep = [](Measured& group, const std::vector<int>& blocks) {
     std::vector<double> values;
     for (std::size_t i = 0; i < group.blocks.size(); ++i) {
       if (std::ranges::binary_search(blocks, group.blocks[i])) values.push_back(group.values[i]);
     }
     group.values = std::move(values);
   };
-  if (one.blocks == other.blocks) return;
-  keep(one, other.blocks);
-  keep(other, one.blocks);
+  keep(*a, b->blocks);
+  keep(*b, a->blocks);
+}
+
+std::optional<Open::Why> why_not(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
+  using Why = Untold::Why;
+  const auto is_so = [&](Why why) {
+    return std::ranges::any_of(std::array{untold(a), untold(b)},
+                               [=](const Untold* its) { return its != nullptr && its->why == why; });
+  };
+  const Kind kind = kind_of(observed, plan, a, b);
+  const bool is_by_t = kind == Kind::paired_t || kind == Kind::welch;
+  if (is_so(Why::lost) || (is_by_t && (has_no_answer(a) || has_no_answer(b)))) return Open::Why::lost;
+  if (is_so(Why::apart)) return Open::Why::apart;
+  if (is_so(Why::no_spread)) return Open::Why::no_spread;
+  if (is_so(Why::none)) return Open::Why::none;
+  return {};
 }
 
 // The pairs that the plan asks for.
@@ -235,22 +272,26 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
   for (auto a = observed.groups.begin(); a != observed.groups.end(); ++a) {
     for (auto b = a + 1; b != observed.groups.end(); ++b) {
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
-      Pair& pair = pairs.emplace_back(Pair{.a = *a, .b = *b, .method = method_of(observed, plan, *a, *b)});
+      const Kind kind = kind_of(observed, plan, *a, *b);
+      Pair& pair = pairs.emplace_back(
+          Pair{.a = *a, .b = *b, .method = {names_of_methods[static_cast<std::size_t>(kind)], kind}});
       keep_common_blocks(pair.a, pair.b);
-      Finding& finding = pair.finding = {.first = a->name, .second = b->name};
-      finding.n = static_cast<int>(std::min(size_of(pair.a), size_of(pair.b)));
-      if (a->copies > 0 && b->copies > 0) finding.why = Why::fact;
-      if (a->is_apart || b->is_apart) finding.why = Why::apart;
-      const bool has_infinite = has_no_answer(*a) || has_no_answer(*b);
-      if (a->lost > 0 || b->lost > 0 || (has_infinite && is(pair.method, by_t))) finding.why = Why::lost;
-      if (finding.why != Why::tested || finding.n == 0) continue;
-      pair.smallest_p = smallest_p(pair.method, size_of(pair.a), size_of(pair.b));
-      if (!is(pair.method, by_sign)) continue;
+      pair.takes_logs = observed.scale == Scale::ratio && pair.method.is_by_ranks();
+      const std::size_t m = size_of(pair.a), n = size_of(pair.b);
+      const bool has_copies = is_any<Copies>(*a, *b);
+      pair.is_fact = std::holds_alternative<Copies>(a->sample) && std::holds_alternative<Copies>(b->sample);
+      const std::size_t runs = has_copies ? std::max(m, n) : std::min(m, n);
+      pair.n = static_cast<int>(std::min(m, n) == 0 ? 0 : runs);
+      if (const auto why = why_not(observed, plan, *a, *b)) pair.open = Open{.why = *why, .n = pair.n};
+      if (pair.open || pair.is_fact || pair.n == 0) continue;
+      pair.smallest_p = has_copies ? smallest_p(kind, runs, runs) : smallest_p(kind, m, n);
+      if (!pair.method.is_by_sign()) continue;
       // Runs that differ from the value of the solver that repeats itself.
-      const std::vector<double> differences = Two(observed, pair, false).differences;
-      finding.n = static_cast<int>(std::ranges::count_if(differences, [](double each) { return each != 0; }));
-      const double least = smallest_p_paired(static_cast<std::size_t>(finding.n));
-      pair.smallest_p = pair.method == Method::sign ? least : std::max(least, pair.smallest_p);
+      const std::vector<double> differences =
+          prepared(pair.a, pair.b, observed, pair.method, pair.takes_logs).differences;
+      pair.n = static_cast<int>(std::ranges::count_if(differences, [](double each) { return each != 0; }));
+      const double least = smallest_p_paired(static_cast<std::size_t>(pair.n));
+      pair.smallest_p = kind == Kind::sign ? least : std::max(least, smallest_p(kind, m, n));
     }
   }
   return pairs;
@@ -263,8 +304,8 @@ Headline usually_better(const Observations& observed, const Plan& plan, const st
   keep_common_blocks(better, other);
   const auto is_worse = [&](double one, double two) { return is_worse_than_margin(observed, plan, one, two); };
   const Description its = describe(better), theirs = describe(other);
-  const bool is_median_worse =
-      is(method_of(observed, plan, better, other), by_ranks) && is_worse(its.median, theirs.median);
+  const Method method{"", kind_of(observed, plan, better, other)};
+  const bool is_median_worse = method.is_by_ranks() && is_worse(its.median, theirs.median);
   if (!is_median_worse && !is_worse(its.mean, theirs.mean)) return {};
   return {.usual = winner, .other = loser, .is_median_worse = is_median_worse};
 }
@@ -273,7 +314,7 @@ Headline usually_better(const Observations& observed, const Plan& plan, const st
 std::size_t testable(std::vector<Pair>& pairs, double significance) {
   std::vector<Pair*> family;
   for (Pair& pair : pairs) {
-    if (pair.finding.why == Why::tested) family.push_back(&pair);
+    if (!pair.open && !pair.is_fact) family.push_back(&pair);
   }
   while (!family.empty()) {
     const double level = significance / static_cast<double>(family.size());
@@ -281,10 +322,9 @@ std::size_t testable(std::vector<Pair>& pairs, double significance) {
     if (worst < level) break;
     std::erase_if(family, [&](Pair* pair) {
       if (pair->smallest_p < worst) return false;
-      pair->finding.why = Why::too_few;
       std::size_t n = 2;
-      while (smallest_p(pair->method, n, n) >= level) ++n;
-      pair->finding.needed = static_cast<int>(n);
+      while (smallest_p(pair->method.kind, n, n) >= level) ++n;
+      pair->open = Open{.why = Open::Why::too_few, .n = pair->n, .needed = static_cast<int>(n)};
       return true;
     });
   }
@@ -294,12 +334,43 @@ std::size_t testable(std::vector<Pair>& pairs, double significance) {
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  constexpr std::array<std::string_view, 5> names{"better", "worse", "same", "not decided", "not tested"};
+  constexpr std::array<std::string_view, 6> names{"better", "worse", "same", "equal", "not decided", "not tested"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
+Verdict verdict_of(const Finding& finding) {
+  if (const auto* const tested = std::get_if<Tested>(&finding.what)) return tested->verdict;
+  if (const auto* const fact = std::get_if<Fact>(&finding.what)) return fact->verdict;
+  return is_open(finding, Open::Why::few_decide) ? Verdict::undecided : Verdict::not_tested;
+}
+
+const Amount* amount_of(const Finding& finding) {
+  if (const auto* const fact = std::get_if<Fact>(&finding.what)) return &fact->amount;
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  const std::optional<Amount>& amount = tested ? tested->amount : std::get<Open>(finding.what).amount;
+  return amount ? &*amount : nullptr;
+}
+
+std::optional<double> p_of(const Finding& finding) {
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  return tested ? std::optional(tested->p) : std::nullopt;
+}
+
+bool is_open(const Finding& finding, Open::Why why) {
+  const auto* const open = std::get_if<Open>(&finding.what);
+  return open != nullptr && open->why == why;
+}
+
+bool are_equal(const Finding& finding) {
+  if (const auto* const fact = std::get_if<Fact>(&finding.what))
+    return fact->amount.value == (finding.scale == Scale::ratio ? 1 : 0);
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  return tested != nullptr && tested->effect && tested->effect->ahead == 0 && tested->effect->behind == 0;
+}
+
 bool does_one_value_decide(const Group& group) {
-  std::vector<double> sizes = group.values;
+  const std::span<const double> values = values_of(group);
+  std::vector<double> sizes(values.begin(), values.end());
   for (double& size : sizes) size = std::abs(size);
   return !sizes.empty() && std::ranges::max(sizes) > std::accumulate(sizes.begin(), sizes.end(), 0.0) / 2;
 }
@@ -314,8 +385,8 @@ Verdict turned(Verdict verdict) {
 std::set<std::string> losers_of(const std::vector<Finding>& findings) {
   std::set<std::string> losers;
   for (const Finding& finding : findings) {
-    if (is_difference(finding.verdict))
-      losers.insert(finding.verdict == Verdict::better ? finding.second : finding.first);
+    const Verdict verdict = verdict_of(finding);
+    if (is_difference(verdict)) losers.insert(verdict == Verdict::better ? finding.second : finding.first);
   }
   return losers;
 }
@@ -324,7 +395,8 @@ bool can_decide(const Observations& observed, const Plan& plan) {
   std::vector<Pair> pairs = pairs_of(observed, plan);
   testable(pairs, plan.significance);
   return std::ranges::any_of(pairs, [&](const Pair& pair) {
-    return pair.finding.why == Why::tested && !Two(observed, pair, are_on_logs(observed, pair)).are_all_equal;
+    return !pair.open && !pair.is_fact &&
+           !prepared(pair.a, pair.b, observed, pair.method, pair.takes_logs).are_all_equal;
   });
 }
 
@@ -336,42 +408,53 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan, std
   const double tests =
       shares * static_cast<double>(std::max<std::size_t>(1, testable(pairs, plan.significance / shares)));
   const double alpha = plan.significance / tests;
-  for (Pair& pair : pairs) {
-    Finding& finding = pair.finding;
-    const bool are_logs = are_on_logs(observed, pair), is_tested = finding.why == Why::tested;
-    finding.scale = observed.scale == Scale::ratio && !are_logs ? Scale::difference : observed.scale;
-    if (!is_tested && finding.why != Why::fact) continue;
-    const Tested tested = examined(observed, plan, pair, are_logs, alpha, finding);
-    if (are_logs && observed.absolute_margin > 0) {
-      Finding plain = finding;
-      examined(observed, plan, pair, false, alpha, plain);
-      finding.is_within_margin |= plain.is_within_margin;
-    }
-    const auto shown = [&](double value) { return are_logs ? std::exp(value) : value; };
-    if (std::isfinite(tested.estimate)) finding.estimate = shown(tested.estimate);
-    finding.is_within_margin &= is_tested;
-    if (!is_tested) continue;
-    finding.test = methods[static_cast<std::size_t>(pair.method)].first;
-    if (tested.interval && finding.estimate)
-      finding.interval = Interval{shown(tested.interval->low), shown(tested.interval->high)};
-    finding.p = std::min(1.0, tested.p * tests);
-    set_verdict(observed, plan, pair, tested.direction, finding);
-  }
   std::vector<Finding> findings;
-  for (Pair& pair : pairs) findings.push_back(std::move(pair.finding));
+  for (const Pair& pair : pairs) {
+    const bool are_ratios = pair.takes_logs || observed.are_logs;
+    Finding& finding = findings.emplace_back(
+        Finding{.first = pair.a.name,
+                .second = pair.b.name,
+                .scale = observed.scale == Scale::ratio && !are_ratios ? Scale::difference : observed.scale});
+    if (pair.open) {
+      finding.what = *pair.open;
+      continue;
+    }
+    const Trial trial = trial_of(observed, plan, pair, pair.takes_logs, alpha);
+    if (pair.is_fact) {
+      finding.what = fact_of(observed, plan, pair, trial);
+      continue;
+    }
+    bool is_same = trial.is_small_in_means && !can_fail(trial, plan, alpha);
+    if (pair.takes_logs && observed.absolute_margin > 0) {
+      const Trial plain = trial_of(observed, plan, pair, false, alpha);
+      is_same |= plain.is_small_in_means && !can_fail(plain, plan, alpha);
+    }
+    finding.what = judged(observed, plan, pair, trial, is_same, tests);
+  }
   return findings;
 }
 
 Finding better_first(Finding finding, std::string_view control, bool is_second_ahead) {
-  const bool is_behind = is_difference(finding.verdict) ? finding.verdict == Verdict::worse : is_second_ahead;
+  const Verdict verdict = verdict_of(finding);
+  const bool is_behind = is_difference(verdict) ? verdict == Verdict::worse : is_second_ahead;
   if (control.empty() ? !is_behind : finding.first != control) return finding;
   std::swap(finding.first, finding.second);
-  const auto turn = [&](double value) { return finding.scale == Scale::ratio ? 1 / value : 0 - value; };
-  if (finding.estimate) finding.estimate = turn(*finding.estimate);
-  if (const auto ends = finding.interval)
-    finding.interval = Interval{turn(ends->high), turn(ends->low), ends->excludes_high, ends->excludes_low};
-  if (finding.effect) finding.effect = 1 - *finding.effect;
-  finding.verdict = turned(finding.verdict);
+  const auto turn = [&](Amount& amount) {
+    const auto end = [&](double value) { return finding.scale == Scale::ratio ? 1 / value : 0 - value; };
+    amount.value = end(amount.value);
+    if (const auto ends = amount.interval)
+      amount.interval = Interval{end(ends->high), end(ends->low), ends->excludes_high, ends->excludes_low};
+  };
+  if (auto* const tested = std::get_if<Tested>(&finding.what)) {
+    tested->verdict = turned(tested->verdict);
+    if (tested->amount) turn(*tested->amount);
+    if (tested->effect) std::swap(tested->effect->ahead, tested->effect->behind);
+  } else if (auto* const fact = std::get_if<Fact>(&finding.what)) {
+    fact->verdict = turned(fact->verdict);
+    turn(fact->amount);
+  } else if (auto& amount = std::get<Open>(finding.what).amount) {
+    turn(*amount);
+  }
   return finding;
 }
 
@@ -390,8 +473,9 @@ Headline headline(const Observations& observed, const Plan& plan, const std::vec
   std::size_t known = 0;  // pairs of two unbeaten ones that were tested, and of one that beats a loser
   for (const Finding& finding : findings) {
     const bool is_first_best = !losers.contains(finding.first), is_second_best = !losers.contains(finding.second);
-    if (is_first_best && is_second_best) known += finding.verdict != Verdict::not_tested;
-    if (is_first_best == is_second_best || !is_difference(finding.verdict)) continue;
+    const Verdict verdict = verdict_of(finding);
+    if (is_first_best && is_second_best) known += verdict != Verdict::not_tested;
+    if (is_first_best == is_second_best || !is_difference(verdict)) continue;
     ++known;
     if (said.usual.empty())
       said = usually_better(observed, plan, is_first_best ? finding.first : finding.second,

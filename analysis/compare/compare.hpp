@@ -1,10 +1,12 @@
-// Which of two is better: a finding for each pair of groups, and those that are best.
+// Which of two is better: a finding for each pair of groups, and those that are best. When a number decides between
+// groups, it is judged here, whatever it is of: studies, files, gates, claims and readings have no other rule.
 #pragma once
 
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "analysis/compare/observations.hpp"
@@ -15,43 +17,81 @@ namespace ikbench::compare {
 
 using results::Plan;
 
-// Of the first. same: within the margin. undecided: p decides nothing. not_tested: for the reason of Why.
-enum class Verdict { better, worse, same, undecided, not_tested };
+// Of the first. same: within the margin. equal: no value differs, and so few do not exclude that rare ones do.
+// undecided: p decides nothing. not_tested: an open finding says why.
+enum class Verdict { better, worse, same, equal, undecided, not_tested };
 std::string_view name_of(Verdict verdict);
 
-enum class Why {
-  tested,
-  lost,        // a group has observations without a value
-  apart,       // a group was timed or counted otherwise, ended by the clock, or has no spread
-  fact,        // both solvers repeat themselves: no chance is in the difference
-  too_few,     // no data of this size could decide
-  few_decide,  // one value is more than half of a group's sum, so the means would show nothing better
+// A difference: larger than the margin for all that is known; within it as it is shown, but not in the means, so rare
+// values are far apart; within it.
+enum class Size { matters, usually_small, small };
+
+struct Amount {
+  double value = 0;
+  std::optional<Interval> interval = {};  // at 1 - significance / tested pairs; without 0 (ratios: 1) if p decides
+};
+
+// Shares of pairs or blocks in which the first is better, and worse.
+struct Effect {
+  double ahead = 0, behind = 0;
+  double a12() const { return (1 + ahead - behind) / 2; }
+};
+
+struct Tested {
+  Verdict verdict = Verdict::undecided;
+  Size size = Size::matters;
+  double p = 1;                       // times the tested pairs; below the significance it decides
+  std::optional<Amount> amount = {};  // none if it would refute the verdict
+  std::optional<Effect> effect = {};  // none of summaries and of logarithms
+  std::string_view test = {};
+  int n = 0;       // observations, or common blocks; of the smaller group; of a sign test runs
+                   // that differ
+  int enough = 0;  // of undecided: about how many could decide; 0: nobody knows
+};
+
+// Both solvers repeat themselves: no chance is in the difference.
+struct Fact {
+  Verdict verdict = Verdict::same;  // better and worse by more than the margin
+  Amount amount = {};
+};
+
+struct Open {
+  enum class Why {
+    too_few,    // no data of this size could decide
+    lost,       // a group has observations without a value
+    apart,      // a group was timed or counted otherwise, or ended by the clock
+    no_spread,  // a group is printed without one
+    none,       // a group solved nothing
+    few_decide  // one value is more than half of a group's sum, so the means would show nothing better
+  };
+  Why why = Why::too_few;
+  int n = 0;                          // observations of the smaller group, or common blocks
+  int needed = 0;                     // if too few: how many, in each group, could decide
+  std::optional<Amount> amount = {};  // of few that decide
 };
 
 struct Finding {
-  std::string first, second;
-  Scale scale = Scale::difference;        // of estimate and interval; means have differences
-  std::optional<double> estimate = {};    // of what is tested or a fact; none if it would refute the verdict
-  std::optional<Interval> interval = {};  // at 1 - significance / tested pairs; without 0 (ratios: 1) if p decides
-  std::optional<double> p = {};           // times the tested pairs; below the significance it decides
-  std::optional<double> effect = {};      // share of pairs or blocks in which the first is better, equal ones half
-  std::string_view test = {};
-  Verdict verdict = Verdict::not_tested;
-  bool is_within_margin = false;  // the same, or better by less than the margin
-  bool are_all_equal = false;
-  Why why = Why::tested;
-  int n = 0;       // observations, or common blocks; of the smaller group; of a sign test runs that differ
-  int needed = 0;  // if too few: how many, in each group, could decide
+  std::string first = {}, second = {};
+  Scale scale = Scale::difference;  // of the amount; means have differences
+  std::variant<Tested, Fact, Open> what = Open();
 };
 
-// What decides the test. Groups of which only means are known (printed summaries) have Welch's t. The one value of a
-// solver that repeats itself has no spread, so the other's runs are held against it by the sign test. A file of equal
-// values does not say whether they are copies: the larger p of that and Mann-Whitney's decides. A share of one
-// trial is 0 or 1: Fisher's exact test, in blocks McNemar's. A share of several trials goes by t, since its mean is
-// asked. All other numbers go by ranks, or by t where the plan says means; on a ratio scale ranks are of logarithms.
-// Blocks make them paired: signed ranks, the paired t. Nothing asks how the values are spread: a test chosen by the
-// values that it then judges is wrong more often than it says. A pair is decided at the significance divided by the
-// number of pairs that data of these sizes can decide at all.
+// What every finding has in common.
+Verdict verdict_of(const Finding& finding);       // few that decide leave it undecided
+const Amount* amount_of(const Finding& finding);  // null if there is none
+std::optional<double> p_of(const Finding& finding);
+bool is_open(const Finding& finding, Open::Why why);
+bool are_equal(const Finding& finding);  // no value differs
+
+// What decides the test. Groups of which only means are known (printed summaries) have Welch's t, and so have
+// logarithms. The one value of a solver that repeats itself has no spread, so the other's runs are held against it by
+// the sign test. A file of equal values does not say whether they are copies: the larger p of that and Mann-Whitney's
+// decides. A share of one trial is 0 or 1: Fisher's exact test, in blocks McNemar's. A share of several trials goes by
+// t, since its mean is asked, also against a solver that repeats itself. All other numbers go by ranks, or by t where
+// the plan says means; on a ratio scale ranks are of logarithms. Blocks make them paired: signed ranks, the paired t.
+// Nothing asks how the values are spread: a test chosen by the values that it then judges is wrong more often than it
+// says. A pair is decided at the significance divided by the number of pairs that data of these sizes can decide at
+// all.
 //
 // So many metrics share the significance. Throws std::invalid_argument if the control is no group. Paired groups have
 // one size without blocks, and ratios are of values above 0, or have a floor above it.
@@ -60,8 +100,7 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan, std
 // Before any p is known: data of this size can decide some pair, and its values are not all equal.
 bool can_decide(const Observations& observed, const Plan& plan);
 
-// better or worse
-bool is_difference(Verdict verdict);
+bool is_difference(Verdict verdict);                               // better or worse
 Verdict turned(Verdict verdict);                                   // of the second
 std::set<std::string> losers_of(const std::vector<Finding>& all);  // worse than another
 

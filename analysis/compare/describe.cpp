@@ -19,16 +19,15 @@ double quantile(const std::vector<double>& sorted, double share) {
 
 }  // namespace
 
-Description describe(const Group& group) {
-  if (group.summary) return {.n = group.summary->n, .mean = group.summary->mean, .sd = group.summary->sd};
-  if (group.values.empty()) return {};
-  const Summary summary = summarise(group.values);
-  std::vector<double> sorted = group.values;
+Description described(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  const Summary summary = summarise(values);
+  std::vector<double> sorted = values;
   std::ranges::sort(sorted);
   const bool is_finite = std::isfinite(sorted.back());
   return {.n = summary.n,
           .mean = is_finite ? summary.mean : sorted.back(),
-          .sd = summary.n > 1 && group.at_most == 0 && is_finite ? summary.sd : unknown,
+          .sd = summary.n > 1 && is_finite ? summary.sd : unknown,
           .median = quantile(sorted, 0.5),
           .lower_quartile = quantile(sorted, 0.25),
           .upper_quartile = quantile(sorted, 0.75),
@@ -37,19 +36,32 @@ Description describe(const Group& group) {
           .largest = sorted.back()};
 }
 
+Description describe(const Group& group) {
+  const auto* printed = std::get_if<Summary>(&group.sample);
+  if (untold(group) && untold(group)->printed) printed = &*untold(group)->printed;
+  if (printed) return {.n = printed->n, .mean = printed->mean, .sd = printed->sd};
+  const std::span<const double> values = values_of(group);
+  Description its = described({values.begin(), values.end()});
+  if (group.at_most > 0) its.sd = unknown;
+  return its;
+}
+
 std::optional<TestOfAll> anova(const Observations& observed) {
   const auto is_known = [](const Group& group) {
-    return group.copies == 0 && group.lost == 0 && !group.is_apart && (group.summary || !group.values.empty());
+    const auto* const measured = std::get_if<Measured>(&group.sample);
+    return std::holds_alternative<Summary>(group.sample) || (measured && !measured->values.empty());
   };
   if (observed.groups.size() < 2 || observed.is_paired || !std::ranges::all_of(observed.groups, is_known)) return {};
   // Means less a common value keep the digits that many equal leading ones would cost.
-  const double shift = observed.groups.front().summary ? 0 : observed.groups.front().values.front();
+  const std::span<const double> of_first = values_of(observed.groups.front());
+  const double shift = of_first.empty() ? 0 : of_first.front();
   std::vector<Summary> groups;
   double n = 0, sum = 0;
   for (const Group& group : observed.groups) {
-    std::vector<double> shifted = group.values;
+    std::vector<double> shifted(values_of(group).begin(), values_of(group).end());
     for (double& value : shifted) value -= shift;
-    groups.push_back(group.summary ? *group.summary : summarise(shifted));
+    const auto* const printed = std::get_if<Summary>(&group.sample);
+    groups.push_back(printed ? *printed : summarise(shifted));
     n += groups.back().n;
     sum += groups.back().n * groups.back().mean;
   }

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "analysis/compare/observations.hpp"
 
@@ -21,6 +22,7 @@ struct Description {
 };
 
 Description describe(const Group& group);
+Description described(const std::vector<double>& values);
 
 struct TestOfAll {
   double statistic = 0;

@@ -69,35 +69,46 @@ std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyRes
 Observations observed_answers(const StudyResults& study, bool machine_decides) {
   Observations observed{.metric = "answers", .quantity = "answered", .better = Better::larger, .scale = Scale::share};
   for (const std::string& solver : study.labels) {
-    Group& group = observed.groups.emplace_back(Group{.name = solver});
+    Measured answers;
     for (const Solve& solve : study.of(solver))
-      group.values.push_back(gave_answer(solve) || (machine_decides && solve.status == results::Status::over_budget));
+      answers.values.push_back(gave_answer(solve) || (machine_decides && solve.status == results::Status::over_budget));
+    observed.groups.push_back({.name = solver, .sample = std::move(answers)});
   }
   return observed;
 }
 
 bool is_time(const JudgedMetric& judged) { return judged.observations.metric == metric_named("seconds").slug; }
 
-// Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where none was
-// missing or none is left.
-bool is_lost_for_sure(const JudgedMetric& judged) {
-  const Observations& observed = judged.observations;
+bool is_of_answers(const JudgedMetric& judged) { return judged.observations.metric == "answers"; }
+
+// Without chance any loss of answers is a loss where none was missing or none is left.
+bool lost_answers_for_sure(const JudgedMetric& judged) {
   const Description &candidate = judged.described.front(), &baseline = judged.described.back();
-  if (observed.metric == "answers")
-    return candidate.mean < baseline.mean && (baseline.mean == 1 || candidate.mean == 0);
-  return judged.findings.front().why == Why::fact &&
-         is_worse_than_margin(observed, judged.plan, candidate.mean, baseline.mean);
+  return is_of_answers(judged) && candidate.mean < baseline.mean && (baseline.mean == 1 || candidate.mean == 0);
 }
 
 // A metric of which all values vanished, though there are answers.
 void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
-  if (std::ranges::max(judged.metrics.back().observations.groups.front().values) == 0) return;
+  if (std::ranges::max(values_of(judged.metrics.back().observations.groups.front())) == 0) return;
   for (const JudgedMetric& metric : judged.metrics) {
     const std::vector<Group>& groups = metric.observations.groups;
-    if (groups.front().lost > 0 && groups.front().values.empty() && !groups.back().values.empty())
+    if (lost_in(groups.front()) > 0 && values_of(groups.front()).empty() && !values_of(groups.back()).empty())
       throw std::invalid_argument(
           fmt::format("not compared: {} lacks all {}, which it had before; if that is meant, make a new baseline",
                       label, metric.observations.quantity));
+  }
+}
+
+// A solve that time ended did not fail by the machine if it had as many evaluations as the other version's needed.
+void tell_enough_time(StudyResults& study) {
+  const std::size_t half = study.solves.size() / 2;
+  const auto tell = [](Solve& late, const Solve& solved) {
+    late.had_enough_time = solved.status == results::Status::ok && late.counted_by == results::CountedBy::suite &&
+                           late.evaluations >= solved.evaluations;
+  };
+  for (std::size_t i = 0; i < half; ++i) {
+    tell(study.solves[i], study.solves[half + i]);
+    tell(study.solves[half + i], study.solves[i]);
   }
 }
 
@@ -113,6 +124,7 @@ Gate gate(StudyResults study, const std::string& label) {
         label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
   Gate gate{.label = label, .are_same = have_same_solves(ours, theirs)};
   study.definition.plan.control = baseline;  // shown second
+  tell_enough_time(study);
   JudgedStudy& judged = gate.judged = observe_all(std::move(study));
   const std::vector<Doubt>& doubts = judged.metrics[judged.deciding].observations.doubts;
   const bool machine_decides = std::ranges::count(doubts, DoubtKind::seconds_decide, &Doubt::kind) > 0;
@@ -142,37 +154,39 @@ void decide(std::vector<Gate>& gates) {
   for (const Gate& gate : gates)
     tests += gate.are_same ? 0 : std::ranges::count_if(gate.judged.metrics, takes_significance);
   for (Gate& gate : gates) {
-    JudgedStudy& study = gate.judged;
-    for (JudgedMetric& judged : study.metrics) {
+    gate.is_compared = gate.are_same;
+    for (JudgedMetric& judged : gate.judged.metrics) {
       judged = judge(std::move(judged.observations), judged.plan,
                      static_cast<std::size_t>(std::max<std::ptrdiff_t>(tests, 1)));
       const Observations& observed = judged.observations;
       Finding& finding = judged.findings.front();
-      if (is_lost_for_sure(judged)) {
-        finding.verdict = Verdict::worse;
-        finding.why = Why::fact;
-        finding.is_within_margin = false;
-        finding.p.reset();
-        finding.interval.reset();
-      }
-      const bool is_equal =
-          gate.are_same || (finding.are_all_equal &&
-                            (observed.is_paired || observed.scale != Scale::share || observed.metric == "answers"));
-      const bool is_open = !is_equal && finding.why != Why::fact;
-      const bool is_other = is_difference(finding.verdict) && !finding.is_within_margin;
+      if (lost_answers_for_sure(judged))
+        finding.what = Fact{Verdict::worse, {judged.described.front().mean - judged.described.back().mean}};
       if (is_time(judged)) continue;
-      if (is_other) (finding.verdict == Verdict::worse ? gate.worse : gate.better).push_back(observed.quantity);
-      if (finding.verdict == Verdict::undecided && is_open) gate.not_decided.push_back(observed.quantity);
-      if (finding.verdict == Verdict::not_tested && is_open) gate.not_tested.push_back(observed.quantity);
+      const Verdict verdict = verdict_of(finding);
+      const auto* const tested = std::get_if<Tested>(&finding.what);
+      // Equal shares of runs may be those of other targets.
+      const bool is_open = verdict == Verdict::undecided || verdict == Verdict::not_tested ||
+                           (verdict == Verdict::equal && !observed.is_paired && observed.scale == Scale::share &&
+                            !is_of_answers(judged));
+      const bool matters = is_difference(verdict) && !(tested && tested->size == Size::small);
+      if (matters) (verdict == Verdict::worse ? gate.worse : gate.better).push_back(observed.quantity);
+      if (is_open && !gate.are_same)
+        (verdict == Verdict::not_tested ? gate.not_tested : gate.not_decided).push_back(observed.quantity);
+      gate.is_compared |= !is_of_answers(judged) && verdict != Verdict::not_tested;
     }
-    for (JudgedMetric& judged : study.metrics) {
-      for (Group& group : judged.observations.groups) group.values = {};
+    gate.is_compared |= !gate.worse.empty();
+    for (JudgedMetric& judged : gate.judged.metrics) {
+      for (Group& group : judged.observations.groups) {
+        if (auto* const measured = std::get_if<Measured>(&group.sample)) measured->values = {};
+      }
     }
   }
 }
 
 int exit_code(const std::vector<Gate>& gates, bool is_strict) {
   if (std::ranges::any_of(gates, [](const Gate& gate) { return !gate.worse.empty(); })) return 3;
+  if (!std::ranges::all_of(gates, &Gate::is_compared)) return 1;
   const auto is_open = [](const Gate& gate) { return !gate.not_decided.empty() || !gate.not_tested.empty(); };
   return is_strict && std::ranges::any_of(gates, is_open) ? 4 : 0;
 }

@@ -14,7 +14,8 @@ struct Gate {
   // solves that gave an answer.
   JudgedStudy judged;
   std::vector<std::string> worse, better, not_decided, not_tested;  // quantities, but time, which depends on the load
-  bool are_same = false;  // all solves, bit for bit: then nothing is left to decide
+  bool are_same = false;    // all solves, bit for bit: then nothing is left to decide
+  bool is_compared = true;  // some quantity besides the share of answers was compared, or something is worse
 };
 
 // Of a study of two solvers, the candidate first; observed and not yet judged. Throws std::invalid_argument if they
@@ -27,7 +28,8 @@ Gate gate(StudyResults baseline, StudyResults candidate);
 // no more compares than it says.
 void decide(std::vector<Gate>& gates);
 
-// 3: something is worse; 4: something is not decided, and that counts; else 0. Of all labels together.
+// 3: something is worse; 1: of a label nothing was compared; 4: something is not decided, and that counts; else 0. Of
+// all labels together.
 int exit_code(const std::vector<Gate>& gates, bool is_strict);
 
 }  // namespace ikbench::compare

@@ -15,10 +15,10 @@ namespace {
 void add_doubt(JudgedMetric& judged) {
   Doubt doubt{.kind = DoubtKind::few_decide_mean, .what = judged.observations.quantity};
   for (const Group& group : judged.observations.groups) {
-    const auto is_open = [&](const Finding& finding) {
-      return finding.why == Why::few_decide && (finding.first == group.name || finding.second == group.name);
+    const auto concerns = [&](const Finding& finding) {
+      return is_open(finding, Open::Why::few_decide) && (finding.first == group.name || finding.second == group.name);
     };
-    if (does_one_value_decide(group) && std::ranges::any_of(judged.findings, is_open)) doubt.who.push_back(group.name);
+    if (does_one_value_decide(group) && std::ranges::any_of(judged.findings, concerns)) doubt.who.push_back(group.name);
   }
   if (!doubt.who.empty()) judged.observations.doubts.push_back(std::move(doubt));
 }
@@ -26,7 +26,7 @@ void add_doubt(JudgedMetric& judged) {
 // Some observation has a value, and if this is no share one is not 0.
 bool has_meaning(const Observations& observed) {
   return std::ranges::any_of(observed.groups, [&](const Group& group) {
-    return std::ranges::any_of(group.values,
+    return std::ranges::any_of(values_of(group),
                                [&](double value) { return value != 0 || observed.scale == Scale::share; });
   });
 }
@@ -47,7 +47,7 @@ double average_of(const JudgedMetric& judged, std::size_t group) {
   const Description& its = judged.described[group];
   const bool is_mean =
       judged.observations.scale == Scale::share || judged.plan.test == Plan::Test::means || std::isnan(its.median);
-  const bool is_told = judged.observations.tells_incomplete || judged.observations.groups[group].lost == 0;
+  const bool is_told = judged.observations.tells_incomplete || lost_in(judged.observations.groups[group]) == 0;
   return !is_told ? unknown : is_mean ? its.mean : its.median;
 }
 
@@ -67,7 +67,7 @@ std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vecto
     const Group& group = judged.observations.groups[i];
     const bool is_best = std::ranges::count(judged.headline.best, group.name) > 0;
     const double place = judged.observations.better == Better::larger ? -value : value;
-    const int rank = group.lost > 0 ? 2 : is_best ? 0 : 1;
+    const int rank = lost_in(group) > 0 ? 2 : is_best ? 0 : 1;
     return std::isnan(value) ? std::tuple(3, 0.0, 0.0) : std::tuple(rank, place, cost(group.name));
   });
   return order;

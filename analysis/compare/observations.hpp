@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace ikbench::compare {
@@ -43,24 +45,45 @@ enum class Better { smaller, larger };
 // the metric, whatever the values are.
 enum class Scale { ratio, difference, share };
 
-// A group as papers print it.
-struct Summary {
+// What is known of a group: one of these.
+struct Measured {
+  std::vector<double> values = {};  // infinite: no answer, worse than any
+  std::vector<int> blocks = {};     // where paired: of each value, rising; none where all groups have the same
+  bool may_repeat = false;          // all values are equal, and nobody knows whether the solver repeats itself
+};
+struct Copies {  // of one value, since the solver repeats itself
+  double value = 0;
+  int runs = 0;
+};
+struct Summary {  // as papers print it
   int n = 0;
   double mean = 0;
   double sd = 0;  // divided by n - 1
 };
+struct Untold {  // not compared; what there is can be described
+  enum class Why {
+    lost,       // observations have no value
+    apart,      // timed or counted otherwise, or ended by the clock
+    no_spread,  // a printed deviation of 0, which would decide everything
+    none        // nothing was solved, so nothing has a cost
+  };
+  Why why = Why::lost;
+  int lost = 0;  // observations without a value
+  std::vector<double> values = {};
+  std::optional<Summary> printed = {};
+};
+using Sample = std::variant<Measured, Copies, Summary, Untold>;
 
 struct Group {
   std::string name = {};
-  std::vector<double> values = {};  // infinite: no answer, worse than any; where paired, in the order of the blocks
-  std::vector<int> blocks = {};     // where paired: of each value, rising
-  int lost = 0;                     // observations without a value: such a group is not compared
-  bool is_apart = false;            // nor is one that was timed or counted otherwise
-  double at_most = 0;               // values at or below count as this, the tolerance; 0: none
-  bool may_repeat = false;          // all values are equal, and nobody knows whether the solver repeats itself
-  int copies = 0;                   // runs that all gave the one value, because the solver repeats itself
-  std::optional<Summary> summary = std::nullopt;  // in place of values
+  Sample sample = {};
+  double at_most = 0;  // values at or below count as this, the tolerance; 0: none
 };
+
+// All that a group has: of copies one, of a summary none.
+std::span<const double> values_of(const Group& group);
+const Untold* untold(const Group& group);  // null if it is compared
+int lost_in(const Group& group);           // observations without a value
 
 struct Observations {
   std::string metric;    // of files and anchors: "error"
@@ -74,6 +97,7 @@ struct Observations {
   bool is_paired = false;         // values of one block belong together; without blocks, values[i]
   bool tells_incomplete = false;  // tables have numbers of groups that lost values, though nothing is said of them
   bool is_of_solved = false;      // so each group has its own targets: numbers of two are comparable in findings alone
+  bool are_logs = false;          // values are logarithms, and their mean is compared: that of the ratio
   int trials = 1;                 // of shares: attempts in an observation; one makes it 0 or 1
   std::vector<Group> groups = {};
   std::vector<Doubt> doubts = {};

@@ -119,29 +119,40 @@ Group group_of(const StudyResults& study, const Metric& metric, const Design& de
   Group group{.name = solver};
   const double least = tolerance_of(study, metric);
   const std::vector<Value> all = values_of(study, metric, design, solver);
+  Measured measured;
+  int lost = 0;
   std::vector<double> values;
   for (std::size_t i = 0; i < all.size();) {
     const int block = all[i].block;
     for (values.clear(); i < all.size() && all[i].block == block; ++i) values.push_back(all[i].value);
     const bool is_known = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
     const double value = !is_known                   ? unknown
-                         : metric.kind == Kind::time ? describe({.values = values}).median
+                         : metric.kind == Kind::time ? described(values).median
                                                      : summarise(values).mean;
     if (std::ranges::any_of(values, [&](double each) { return each <= least; })) group.at_most = least;
     if (!std::isfinite(value)) {
-      ++group.lost;
+      ++lost;
       continue;
     }
-    group.values.push_back(value);
-    if (design.is_paired) group.blocks.push_back(block);
+    measured.values.push_back(value);
+    if (design.is_paired) measured.blocks.push_back(block);
   }
-  if (!design.is_paired && group.lost == 0 && group.values.size() > 1 &&
-      std::ranges::count(group.values, group.values.front()) == std::ssize(group.values) &&
-      repeats_itself(study, solver)) {
-    group.copies = static_cast<int>(group.values.size());
-    group.values.resize(1);
-  }
+  const bool are_equal = measured.values.size() > 1 &&
+                         std::ranges::count(measured.values, measured.values.front()) == std::ssize(measured.values);
+  if (lost > 0)
+    group.sample = Untold{.why = Untold::Why::lost, .lost = lost, .values = std::move(measured.values)};
+  else if (!design.is_paired && are_equal && repeats_itself(study, solver))
+    group.sample = Copies{measured.values.front(), static_cast<int>(measured.values.size())};
+  else
+    group.sample = std::move(measured);
   return group;
+}
+
+// A group that lost values stays so: the stronger reason.
+void leave_apart(Group& group) {
+  if (untold(group)) return;
+  const std::span<const double> values = compare::values_of(group);
+  group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
 }
 
 using Doubts = std::vector<Doubt>;
@@ -253,7 +264,9 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
 std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
   const double limit = study.definition.stop.seconds;
   if (limit == 0) return {};
-  const auto is_ended = [&](const Solve& solve) { return solve.seconds >= 0.9 * limit; };  // programs stop before it
+  const auto is_ended = [=](const Solve& solve) {  // programs stop before it
+    return solve.seconds >= 0.9 * limit && !solve.had_enough_time;
+  };
   std::vector<Doubt> doubts = doubts_of_load(study);
   if (!measured_apart(study).empty()) doubts.push_back({.what = "measured in different sessions"});
   for (Doubt& doubt : doubts) {
@@ -370,15 +383,20 @@ Observations observe(const StudyResults& study, const Metric& metric) {
                         .trials = design.solves};
   std::vector<Group>& groups = observed.groups;
   for (const std::string& solver : study.labels) groups.push_back(group_of(study, metric, design, solver));
-  const auto has_same_blocks = [&](const Group& group) { return group.blocks == groups.front().blocks; };
-  if (std::ranges::all_of(groups, has_same_blocks)) {
-    for (Group& group : groups) group.blocks.clear();
-  }
   observed.doubts = metric.kind == Kind::time ? doubts_of_times(study) : doubts_of_clock(study);
   if (metric.column == "evaluations") add_of_evaluations(observed.doubts, study);
   for (const Doubt& doubt : observed.doubts) {
-    for (Group& group : groups)
-      group.is_apart |= doubt.who.empty() || std::ranges::find(doubt.who, group.name) != doubt.who.end();
+    for (Group& group : groups) {
+      if (doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0) leave_apart(group);
+    }
+  }
+  std::vector<Measured*> compared;
+  for (Group& group : groups) {
+    if (auto* const measured = std::get_if<Measured>(&group.sample)) compared.push_back(measured);
+  }
+  const auto has_same_blocks = [&](const Measured* group) { return group->blocks == compared.front()->blocks; };
+  if (std::ranges::all_of(compared, has_same_blocks)) {
+    for (Measured* const group : compared) group->blocks.clear();
   }
   return observed;
 }

@@ -28,17 +28,17 @@ int sign_of(double value) { return (value > 0) - (value < 0); }
 double critical_z(double alpha) { return bm::quantile(bm::complement(bm::normal(), alpha / 2)); }
 
 // Student's t of an estimate with this standard error. Without one, p is the smallest that permutations give.
-Tested t_of(double estimate, double error, double df, double smallest_p, double alpha) {
-  Tested tested{.estimate = estimate, .direction = sign_of(estimate)};
+Outcome t_of(double estimate, double error, double df, double smallest_p, double alpha) {
+  Outcome outcome{.estimate = estimate, .direction = sign_of(estimate)};
   if (error == 0) {
-    tested.p = estimate == 0 ? 1 : smallest_p;
-    return tested;
+    outcome.p = estimate == 0 ? 1 : smallest_p;
+    return outcome;
   }
   const StudentsT t(df);
-  tested.p = 2 * bm::cdf(bm::complement(t, std::abs(estimate) / error));
+  outcome.p = 2 * bm::cdf(bm::complement(t, std::abs(estimate) / error));
   const double half = bm::quantile(bm::complement(t, alpha / 2)) * error;
-  tested.interval = Interval{estimate - half, estimate + half};
-  return tested;
+  outcome.interval = Interval{estimate - half, estimate + half};
+  return outcome;
 }
 
 // Satterthwaite's degrees of freedom of a sum of two estimated variances; a single value has none.
@@ -188,7 +188,7 @@ std::int64_t in_order(std::int64_t bits) {
 // Of all sums x_i + y_j, or only those with i <= j where y is x: the median, and the interval from the rank-th smallest
 // to the rank-th largest. The sums are not made: those up to a bound are counted, and the bound closes in, from one
 // sum to another.
-Tested of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std::size_t rank) {
+Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std::size_t rank) {
   std::ranges::sort(x);
   std::ranges::sort(y);
   const auto place_of = [](double sum) { return in_order(std::bit_cast<std::int64_t>(sum)); };
@@ -214,9 +214,9 @@ Tested of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std:
     return std::bit_cast<double>(in_order(low)) + 0.0;  // 0, not -0
   };
   const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
-  Tested tested{.estimate = (smallest((all + 1) / 2) + smallest(all / 2 + 1)) / 2};
-  if (rank >= 1 && rank <= all) tested.interval = Interval{smallest(rank), smallest(all + 1 - rank)};
-  return tested;
+  Outcome outcome{.estimate = (smallest((all + 1) / 2) + smallest(all / 2 + 1)) / 2};
+  if (rank >= 1 && rank <= all) outcome.interval = Interval{smallest(rank), smallest(all + 1 - rank)};
+  return outcome;
 }
 
 }  // namespace
@@ -284,14 +284,14 @@ double mann_whitney(Values first, Values second) {
   return two_sided<sum_of_some>(all, first.size(), rank_sum(all, first.size()));
 }
 
-Tested rank_test(Values first, Values second, double alpha) {
+Outcome rank_test(Values first, Values second, double alpha) {
   const std::size_t few = std::min(first.size(), second.size());
   const RankSum& sum = without_ties<sum_of_some>(first.size() + second.size(), few);
   const std::vector<double> first_rising = sorted(first), second_rising = sorted(second);
   std::vector<double> negative;
   for (const double value : second_rising) negative.push_back(-value);
   const std::size_t rank = sum.critical(number(few) * number(few + 1) / 2, alpha);
-  Tested tested = of_sums(first_rising, std::move(negative), false, rank);
+  Outcome outcome = of_sums(first_rising, std::move(negative), false, rank);
   // From an end of Mann-Whitney's, by bisection, as far as Brunner-Munzel reaches; more steps would lie within
   // rounding.
   const auto reached = [&](double from, double beyond) {
@@ -301,28 +301,28 @@ Tested rank_test(Values first, Values second, double alpha) {
     }
     return from;
   };
-  if (const auto interval = tested.interval)
-    tested.interval = Interval{reached(interval->low, first_rising.front() - second_rising.back()),
-                               reached(interval->high, first_rising.back() - second_rising.front())};
-  tested.p = std::max(brunner_munzel(first_rising, second_rising), mann_whitney(first, second));
-  tested.direction = sign_of(a12(first, second) - 0.5);
-  return tested;
+  if (const auto interval = outcome.interval)
+    outcome.interval = Interval{reached(interval->low, first_rising.front() - second_rising.back()),
+                                reached(interval->high, first_rising.back() - second_rising.front())};
+  outcome.p = std::max(brunner_munzel(first_rising, second_rising), mann_whitney(first, second));
+  outcome.direction = sign_of(a12(first, second) - 0.5);
+  return outcome;
 }
 
-Tested welch(const Summary& first, const Summary& second, double alpha) {
+Outcome welch(const Summary& first, const Summary& second, double alpha) {
   const double m = first.n, n = second.n;
   const double u = first.sd * first.sd / m, v = second.sd * second.sd / n;
   const double smallest = smallest_p_unpaired(static_cast<std::size_t>(first.n), static_cast<std::size_t>(second.n));
   return t_of(first.mean - second.mean, std::sqrt(u + v), df_of(u, m, v, n), smallest, alpha);
 }
 
-Tested signed_rank_test(Values differences, double alpha) {
+Outcome signed_rank_test(Values differences, double alpha) {
   std::vector<double> half(differences.begin(), differences.end()), sizes;
   for (double& difference : half) {
     if (difference != 0) sizes.push_back(std::abs(difference));
     difference /= 2;
   }
-  Tested tested = of_sums(half, half, true, without_ties<sum_of_any>(half.size(), 0).critical(0, alpha));
+  Outcome outcome = of_sums(half, half, true, without_ties<sum_of_any>(half.size(), 0).critical(0, alpha));
   const Ranks ranks = midranks(sizes);
   const double total = std::accumulate(ranks.ranks.begin(), ranks.ranks.end(), 0.0);
   double above = 0;
@@ -330,29 +330,29 @@ Tested signed_rank_test(Values differences, double alpha) {
   for (const double difference : differences) {
     if (difference != 0) above += difference > 0 ? *rank : 0, ++rank;
   }
-  tested.direction = sign_of(above - total / 2);
-  tested.p = two_sided<sum_of_any>(ranks, 0, std::min(above, total - above));
-  return tested;
+  outcome.direction = sign_of(above - total / 2);
+  outcome.p = two_sided<sum_of_any>(ranks, 0, std::min(above, total - above));
+  return outcome;
 }
 
-Tested t_test(Values differences, double alpha) {
+Outcome t_test(Values differences, double alpha) {
   const Summary summary = summarise(differences);
   const double n = summary.n;
   return t_of(summary.mean, summary.sd / std::sqrt(n), n - 1, smallest_p_paired(differences.size()), alpha);
 }
 
-Tested sign_test(Values differences, double alpha) {
+Outcome sign_test(Values differences, double alpha) {
   const std::vector<double> order = sorted(differences);
   const std::size_t n = order.size();
   const double above = number(std::ranges::count_if(order, [](double each) { return each > 0; }));
   const double below = number(std::ranges::count_if(order, [](double each) { return each < 0; }));
   std::size_t rank = 0;
   while (rank < n / 2 && bm::cdf(bm::binomial(number(n), 0.5), number(rank)) <= alpha / 2) ++rank;
-  Tested tested{.estimate = order[(n - 1) / 2] / 2 + order[n / 2] / 2,
-                .p = two_sided_binomial(above, above + below),
-                .direction = sign_of(above - below)};
-  if (rank > 0) tested.interval = Interval{order[rank - 1], order[n - rank]};
-  return tested;
+  Outcome outcome{.estimate = order[(n - 1) / 2] / 2 + order[n / 2] / 2,
+                  .p = two_sided_binomial(above, above + below),
+                  .direction = sign_of(above - below)};
+  if (rank > 0) outcome.interval = Interval{order[rank - 1], order[n - rank]};
+  return outcome;
 }
 
 Interval wilson(double share, double n, double alpha) {
@@ -369,7 +369,7 @@ Interval newcombe(double first, double m, double second, double n, double alpha,
           first - second + reach(of_first.high - first, second - of_second.low)};
 }
 
-Tested fisher(Values first, Values second, double alpha) {
+Outcome fisher(Values first, Values second, double alpha) {
   const double m = number(first.size()), n = number(second.size());
   const double seen = number(std::ranges::count(first, 1.0)), all = seen + number(std::ranges::count(second, 1.0));
   // Tables by the first's successes: weights relative to the one that was seen, each from its neighbour. Boost's
@@ -391,7 +391,7 @@ Tested fisher(Values first, Values second, double alpha) {
           .interval = newcombe(share, m, other, n, alpha)};
 }
 
-Tested mcnemar(Values first, Values second, double alpha) {
+Outcome mcnemar(Values first, Values second, double alpha) {
   const double n = number(first.size());
   double a = 0, b = 0, c = 0;  // both, the first alone, the second alone
   for (std::size_t i = 0; i < first.size(); ++i) {

@@ -18,7 +18,7 @@ struct Interval {
 };
 
 // Of first - second.
-struct Tested {
+struct Outcome {
   double estimate = 0;
   double p = 1;
   int direction = 0;                      // 1: the first is larger, -1: the second
@@ -52,20 +52,20 @@ double brunner_munzel(Values first, Values second, double shift = 0);
 double mann_whitney(Values first, Values second);
 // The larger p of the two, with Hodges and Lehmann's shift (Annals of Mathematical Statistics 34 (1963) 598). The
 // interval has the shifts that either test keeps, Mann-Whitney as if without ties.
-Tested rank_test(Values first, Values second, double alpha);
+Outcome rank_test(Values first, Values second, double alpha);
 // Biometrika 34 (1947) 28. Two constant groups have the p of the permutations, 2 / C(m + n, m).
-Tested welch(const Summary& first, const Summary& second, double alpha);
+Outcome welch(const Summary& first, const Summary& second, double alpha);
 
 // Numbers, paired: by the differences first - second.
 
 // Wilcoxon's signed ranks (Biometrics 1 (1945) 80), exact to n = 1000; differences of 0 have no rank. The estimate is
 // the median of all means of two differences.
-Tested signed_rank_test(Values differences, double alpha);
+Outcome signed_rank_test(Values differences, double alpha);
 // Student's t (Biometrika 6 (1908) 1). Equal differences have the p of the permutations, 2^(1 - n).
-Tested t_test(Values differences, double alpha);
+Outcome t_test(Values differences, double alpha);
 // The signs of the differences that are not 0 (Dixon and Mood, JASA 41 (1946) 557); the median, with the interval of
 // its order statistics.
-Tested sign_test(Values differences, double alpha);
+Outcome sign_test(Values differences, double alpha);
 
 // Shares.
 
@@ -75,8 +75,8 @@ Interval wilson(double share, double n, double alpha);
 Interval newcombe(double first, double m, double second, double n, double alpha, double correlation = 0);
 // Of values 0 and 1. All tables no more probable than this one (Fisher, Statistical Methods for Research Workers, 5th
 // ed. 1934, section 21.02); Newcombe's interval.
-Tested fisher(Values first, Values second, double alpha);
+Outcome fisher(Values first, Values second, double alpha);
 // The same of pairs, exact (Psychometrika 12 (1947) 153); Newcombe's interval with the corrected correlation.
-Tested mcnemar(Values first, Values second, double alpha);
+Outcome mcnemar(Values first, Values second, double alpha);
 
 }  // namespace ikbench::compare

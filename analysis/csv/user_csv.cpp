@@ -243,12 +243,12 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
   observed.is_paired = layout.block.has_value();
   if (observed.scale == Scale::share) observed.trials = static_cast<int>(std::ranges::max(most));
   std::vector<std::size_t> groups_of(items.units), all(items.groups.size());  // complete ones of a block; of a group
-  for (const std::string& name : items.groups) observed.groups.push_back({.name = name});
+  std::vector<Measured> measured(items.groups.size());
   for (const Mean& mean : means) {
     const auto value = static_cast<double>(mean.sum / mean.rows);
     ++all[mean.group];
     if (std::isnan(value) || mean.rows < most_of(mean)) continue;
-    observed.groups[mean.group].values.push_back(value);
+    measured[mean.group].values.push_back(value);
     if (layout.block) ++groups_of[mean.unit];
   }
   Doubt lost{.kind = DoubtKind::incomplete,
@@ -256,20 +256,26 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
                      : layout.run ? "runs incomplete"
                                   : "values missing"};
   Doubt without{.kind = DoubtKind::without_answer, .what = "values, counted as largest"};
-  const auto add = [](Doubt& doubt, const Group& group, auto count, std::size_t total) {
+  const auto add = [](Doubt& doubt, const std::string& group, auto count, std::size_t total) {
     if (count == 0) return;
-    doubt.who.push_back(group.name);
+    doubt.who.push_back(group);
     doubt.count += static_cast<double>(count), doubt.of += static_cast<double>(total);
   };
-  for (std::size_t i = 0; i < observed.groups.size(); ++i) {
-    Group& group = observed.groups[i];
-    const std::size_t known = group.values.size();
-    group.lost = static_cast<int>((layout.block ? items.units : all[i]) - known);
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const std::string& name = items.groups[i];
+    std::vector<double>& values = measured[i].values;
+    const std::size_t known = values.size();
+    const auto lacking = static_cast<int>((layout.block ? items.units : all[i]) - known);
     // Such as time-outs have no end that anybody knows, so they repeat nothing.
-    group.may_repeat = known > 1 && std::isfinite(group.values.front()) &&
-                       std::ranges::count(group.values, group.values.front()) == std::ssize(group.values);
-    add(lost, group, group.lost, all[i]);
-    add(without, group, std::ranges::count_if(group.values, [](double value) { return std::isinf(value); }), known);
+    measured[i].may_repeat =
+        known > 1 && std::isfinite(values.front()) && std::ranges::count(values, values.front()) == std::ssize(values);
+    add(lost, name, lacking, all[i]);
+    add(without, name, std::ranges::count_if(values, [](double value) { return std::isinf(value); }), known);
+    Group& group = observed.groups.emplace_back(Group{.name = name});
+    if (lacking > 0)
+      group.sample = Untold{.why = Untold::Why::lost, .lost = lacking, .values = std::move(values)};
+    else
+      group.sample = std::move(measured[i]);
   }
   if (layout.block) {
     const auto in_all = std::ranges::count(groups_of, items.groups.size());
@@ -387,7 +393,8 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
     const Summary summary{
         .n = static_cast<int>(size), .mean = number(mean, std::numeric_limits<double>::lowest()), .sd = number(sd, 0)};
     const bool is_constant = summary.sd == 0;  // or its spread was rounded away: it would decide everything
-    groups.push_back({.name = name, .is_apart = is_constant, .summary = summary});
+    groups.push_back({.name = name, .sample = summary});
+    if (is_constant) groups.back().sample = Untold{.why = Untold::Why::no_spread, .printed = summary};
     if (is_constant)
       observed.doubts.push_back(
           {.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
@@ -399,8 +406,8 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
 
 Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {
   const auto is_negative = [](const Group& group) {
-    return group.summary ? group.summary->mean < 0
-                         : std::ranges::any_of(group.values, [](double each) { return each < 0; });
+    const auto* const summary = std::get_if<Summary>(&group.sample);
+    return summary ? summary->mean < 0 : std::ranges::any_of(values_of(group), [](double each) { return each < 0; });
   };
   const bool is_share = observed.scale == Scale::share;
   const bool has_no_share = observed.scale == Scale::difference && std::ranges::any_of(observed.groups, is_negative);

@@ -27,7 +27,7 @@ constexpr std::size_t most_iterations = 200;  // drawn
 bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.definition.points > 1; }
 
 CurveRow row_at(double x, const std::vector<double>& values, Average average) {
-  const compare::Description all = describe({.values = values});
+  const compare::Description all = compare::described(values);
   if (average == Average::mean) return {.x = x, .y = all.mean};
   if (values.size() == 1) return {.x = x, .y = all.median};
   return {.x = x, .y = all.median, .low = all.lower_quartile, .high = all.upper_quartile};
@@ -63,7 +63,8 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
   if (metric == nullptr) return judged.study.labels;
   std::vector<std::string> without;
   for (const Group& group : metric->observations.groups) {
-    if (group.is_apart) without.push_back(group.name);
+    const auto* const its = untold(group);
+    if (its && (its->why == Untold::Why::apart || its->values.empty())) without.push_back(group.name);
   }
   return without;
 }
@@ -232,19 +233,20 @@ std::vector<BoxRow> box_rows(const JudgedMetric& metric, const DrawnUnit& unit, 
                              const Look& look) {
   std::vector<BoxRow> rows;
   for (const std::string& name : shown) {
-    const Group* const group = &metric.observations.groups[place_of(metric.observations, name)];
-    const compare::Description all = describe(*group);
-    BoxRow& row =
-        rows.emplace_back(BoxRow{.label = look.names.at(name), .style = look.lines.at(name), .values = group->values});
+    const Group& group = metric.observations.groups[place_of(metric.observations, name)];
+    const compare::Description all = describe(group);
+    const std::span<const double> values = values_of(group);
+    BoxRow& row = rows.emplace_back(
+        BoxRow{.label = look.names.at(name), .style = look.lines.at(name), .values = {values.begin(), values.end()}});
     row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
     for (double& value : row.values) value *= unit.factor;
     for (double& value : row.box) value *= unit.factor;
     if (const auto infinite = std::ranges::count(row.values, INFINITY); infinite > 0)
       row.remark = fmt::format("no answer in {}", infinite);
-    if (group->values.empty())
+    if (values.empty())
       row.remark = "no value";
-    else if (group->lost > 0)
-      row.remark += fmt::format("{}{} missing", row.remark.empty() ? "" : ", ", group->lost);
+    else if (lost_in(group) > 0)
+      row.remark += fmt::format("{}{} missing", row.remark.empty() ? "" : ", ", lost_in(group));
   }
   return rows;
 }
@@ -280,7 +282,7 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
   const auto places = [&](const Finding& of_two) { return std::minmax({place(of_two.first), place(of_two.second)}); };
   std::vector<Finding> findings = metric.findings;
   std::erase_if(findings, [&](const Finding& finding) {
-    return finding.verdict == Verdict::not_tested || places(finding).second == std::ssize(shown);
+    return verdict_of(finding) == Verdict::not_tested || places(finding).second == std::ssize(shown);
   });
   std::string only;
   if (findings.size() > most_drawn_pairs && metric.plan.control.empty()) {
@@ -305,15 +307,16 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
     IntervalRow& row = rows.emplace_back();
     const std::string first = names.at(finding.first), second = names.at(finding.second);
     row.label = is_first ? second : is_second ? first : fmt::format("{} {} {}", first, are_ratios ? "/" : "-", second);
-    if (finding.estimate) row.estimate = factor * *finding.estimate;
-    if (finding.interval) row.low = factor * finding.interval->low, row.high = factor * finding.interval->high;
-    row.verdict = finding.verdict == Verdict::undecided && finding.are_all_equal
-                      ? fmt::format("same in all {}", finding.n)
-                      : name_of(finding.verdict);
-    if (is_difference(finding.verdict))
-      row.style = look.lines.at(finding.verdict == Verdict::better ? finding.first : finding.second);
+    const Verdict verdict = verdict_of(finding);
+    if (const Amount* const amount = amount_of(finding)) {
+      row.estimate = factor * amount->value;
+      if (amount->interval) row.low = factor * amount->interval->low, row.high = factor * amount->interval->high;
+    }
+    row.verdict = name_of(verdict);
+    if (verdict == Verdict::equal) row.verdict += fmt::format(" in all {}", std::get<Tested>(finding.what).n);
+    if (is_difference(verdict)) row.style = look.lines.at(verdict == Verdict::better ? finding.first : finding.second);
   }
-  if (std::ranges::all_of(findings, &Finding::are_all_equal)) return std::nullopt;
+  if (std::ranges::all_of(findings, are_equal)) return std::nullopt;
   if (is_first || is_second)
     rows.insert(rows.begin(),
                 {.label = fmt::format("{} {} {}", is_first ? names.at(findings[0].first) : "…", are_ratios ? "/" : "-",

@@ -26,14 +26,19 @@ std::vector<JudgedClaim> grouped(std::vector<JudgedClaim> claims, bool are_ours)
 show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) {
   show::Table table{.name = are_ours ? "questions" : "claims",
                     .caption = are_ours ? "What the paper does not say" : "What the paper says",
-                    .columns = show::columns_of({"claim", "verdict", "number", "remark"})};
+                    .columns = show::columns_of({"claim", "verdict", "number", "remark"}),
+                    .is_of_study = false};
+  table.columns.back().role = show::Role::remark;
   for (const JudgedClaim& claim : claims) {
     std::vector<std::string> remarks;
     if (!claim.section.empty()) remarks.push_back(claim.section + '.');
     if (!claim.in_readings.empty()) remarks.push_back(fmt::format("Of readings and seeds it {}.", claim.in_readings));
     if (!claim.evidence.empty()) remarks.push_back(claim.evidence);
-    table.rows.push_back({claim.sentence, std::string(name_of(claim.holds)), show::text_cell(claim.number),
-                          fmt::format("{}", fmt::join(remarks, " "))});
+    const show::Tone tone = claim.holds == Holds::holds   ? show::Tone::good
+                            : claim.holds == Holds::fails ? show::Tone::bad
+                                                          : show::Tone::neutral;
+    table.rows.push_back({claim.sentence, show::Judgement{std::string(name_of(claim.holds)), tone},
+                          show::text_cell(claim.number), fmt::format("{}", fmt::join(remarks, " "))});
   }
   return table;
 }

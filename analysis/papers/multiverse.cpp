@@ -38,7 +38,7 @@ Verdict verdict_of(const Group& own, const Group& theirs, const Claim& claim, co
                         .floor = metric.floor,
                         .rounding = metric.rounding,
                         .groups = {own, theirs}};
-  return compare::compare(claim.of == Of::spread ? deviations(observed) : observed, plan).front().verdict;
+  return compare::verdict_of(compare::compare(claim.of == Of::spread ? deviations(observed) : observed, plan).front());
 }
 
 // How the claim's solvers, by one choice of the study and of each of them, do against each choice of each rival.
@@ -174,7 +174,8 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
       .in_readings = {},
       .table = {.name = "multiverse",
                 .caption = "The claims in every reading",
-                .columns = {{"claim"}, {"holds"}, {"fails"}, {"not decided"}, {"it fails"}, {"it is not decided"}}}};
+                .columns = {{"claim"}, {"holds"}, {"fails"}, {"not decided"}, {"it fails"}, {"it is not decided"}},
+                .is_of_study = false}};
   for (const Claim& claim : paper.claims) {
     if (!hangs_on_reading(claim)) continue;
     const std::vector<Part> parts = parts_of(multiverse, claim, plan);

@@ -189,10 +189,13 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
 
 std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& solver, const PrintedRow* row) {
   const std::size_t place = place_of(judged.observations, solver);
-  const Group group = place < judged.described.size() ? judged.observations.groups[place] : Group{.lost = 1};
-  const Description ours = group.lost > 0 ? Description() : judged.described[place];
+  const Group group = place < judged.described.size() ? judged.observations.groups[place] : Group();
+  const Description ours =
+      place == judged.described.size() || lost_in(group) > 0 ? Description() : judged.described[place];
   const bool is_time = judged.observations.unit == "s";
-  const auto ranges = row && ours.n > 0 && !is_time ? predicted_ranges(group.values, row->numbers.n) : std::nullopt;
+  const auto ranges = row && ours.n > 0 && !is_time
+                          ? predicted_ranges({values_of(group).begin(), values_of(group).end()}, row->numbers.n)
+                          : std::nullopt;
   std::vector<show::Cell> cells;
   for (std::size_t s = 0; s < statistics.size(); ++s) {
     const double number = ours.*statistics[s].of;
@@ -256,7 +259,8 @@ show::Table rates_table(const Repeated& repeated) {
   show::Table table{.name = plan.table,
                     .caption = fmt::format("Solved of {} targets an arm, here and as printed",
                                            repeated.study().study.definition.runs),
-                    .columns = {{"arm"}}};
+                    .columns = {{"arm"}},
+                    .is_of_study = false};
   std::set<std::string_view> signs;
   for (const auto& [solver, rates] : rates_of(repeated)) {
     table.columns.push_back({solver, "%"});

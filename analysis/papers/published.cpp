@@ -108,7 +108,7 @@ std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int ru
   std::array<std::vector<double>, statistics.size()> replicates;
   for (std::size_t i = 0; i < studies; ++i) {
     std::vector<double> known = logs;
-    compare::Group study;
+    std::vector<double> study;
     for (int run = 0; run < runs; ++run) {
       const double place = open_uniform(engine) * static_cast<double>(known.size() + 1), u = open_uniform(engine);
       const auto gap = static_cast<std::size_t>(place);
@@ -116,9 +116,9 @@ std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int ru
                            : gap == known.size() ? known.back() - above * std::log(u)
                                                  : known[gap - 1] + u * (known[gap] - known[gap - 1]);
       known.insert(known.begin() + static_cast<std::ptrdiff_t>(gap), value);
-      study.values.push_back(std::exp(value));
+      study.push_back(std::exp(value));
     }
-    const compare::Description its = compare::describe(study);
+    const compare::Description its = compare::described(study);
     for (std::size_t s = 0; s < statistics.size(); ++s) replicates[s].push_back(its.*statistics[s].of);
   }
   Ranges ranges;

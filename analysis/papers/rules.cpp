@@ -79,7 +79,9 @@ std::optional<JudgedMetric> judged_here(const Claim& claim, const Repeated& repe
       all.groups.push_back(std::move(group));
     }
     all.is_paired = false;
-    for (Group& group : all.groups) group.blocks.clear();
+    for (Group& group : all.groups) {
+      if (auto* const measured = std::get_if<Measured>(&group.sample)) measured->blocks.clear();
+    }
     judged = judge(std::move(all), judged.plan);
   }
   return about(claim, claim.of == Of::spread ? spread_of(judged) : judged);
@@ -93,7 +95,7 @@ double mean_of(const JudgedMetric& judged, std::string_view solver) {
 std::string mean_words(const JudgedMetric& judged, const std::string& solver) {
   const Group& group = judged.observations.groups[place_of(judged.observations, solver)];
   const double mean = mean_of(judged, solver);
-  if (group.lost > 0) return "not known";
+  if (lost_in(group) > 0) return "not known";
   return (group.at_most > 0 && mean <= group.at_most ? "at most " : "") + number_text(mean);
 }
 
@@ -282,7 +284,11 @@ Holds holds_of(const std::vector<Holds>& parts) {
 Observations deviations(Observations observed) {
   for (Group& group : observed.groups) {
     const double median = describe(group).median;
-    for (double& value : group.values) value = std::abs(value - median);
+    if (auto* const measured = std::get_if<Measured>(&group.sample)) {
+      for (double& value : measured->values) value = std::abs(value - median);
+    } else if (auto* const copies = std::get_if<Copies>(&group.sample)) {
+      copies->value = 0;
+    }
   }
   return observed;
 }
@@ -290,7 +296,7 @@ Observations deviations(Observations observed) {
 Verdict verdict_between(const JudgedMetric& judged, std::string_view first, std::string_view second) {
   const Finding* const finding = finding_of(judged, first, second);
   if (finding == nullptr) return Verdict::not_tested;
-  return finding->first == first ? finding->verdict : turned(finding->verdict);
+  return finding->first == first ? verdict_of(*finding) : turned(verdict_of(*finding));
 }
 
 }  // namespace ikbench::papers

@@ -24,18 +24,31 @@ JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
   Observations& observed = judged.observations;
   observed.unit = std::move(unit);
   scale(factor, observed.floor, observed.rounding, observed.absolute_margin);
+  const auto scale_all = [=](std::vector<double>& values) {
+    for (double& value : values) scale(factor, value);
+  };
   for (Group& group : observed.groups) {
-    for (double& value : group.values) scale(factor, value);
     scale(factor, group.at_most);
-    if (group.summary) scale(factor, group.summary->mean, group.summary->sd);
+    if (auto* const measured = std::get_if<Measured>(&group.sample); measured && !observed.are_logs)
+      scale_all(measured->values);
+    if (auto* const copies = std::get_if<Copies>(&group.sample); copies && !observed.are_logs)
+      scale(factor, copies->value);
+    if (auto* const printed = std::get_if<Summary>(&group.sample)) scale(factor, printed->mean, printed->sd);
+    if (auto* const its = std::get_if<Untold>(&group.sample)) scale_all(its->values);
   }
   for (Description& its : judged.described)
     scale(factor, its.mean, its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest,
           its.largest);
   for (Finding& finding : judged.findings) {
     if (finding.scale == Scale::ratio) continue;
-    if (finding.estimate) scale(factor, *finding.estimate);
-    if (finding.interval) scale(factor, finding.interval->low, finding.interval->high);
+    const auto scale_amount = [=](Amount& amount) {
+      scale(factor, amount.value);
+      if (amount.interval) scale(factor, amount.interval->low, amount.interval->high);
+    };
+    if (auto* const tested = std::get_if<Tested>(&finding.what); tested && tested->amount)
+      scale_amount(*tested->amount);
+    if (auto* const fact = std::get_if<Fact>(&finding.what)) scale_amount(fact->amount);
+    if (auto* const open = std::get_if<Open>(&finding.what); open && open->amount) scale_amount(*open->amount);
   }
   return judged;
 }
@@ -121,6 +134,20 @@ Answer with_short_names(Answer answer, std::size_t length) {
   }
   shorten_all(answer.doubts);
   return answer;
+}
+
+Shown shown_average(const JudgedMetric& judged, std::size_t group) {
+  const Observations& observed = judged.observations;
+  const double value = average_of(judged, group), at_most = observed.groups[group].at_most;
+  const bool has_ratios = std::ranges::any_of(judged.findings, [](const Finding& finding) {
+    return finding.scale == Scale::ratio && amount_of(finding) != nullptr;
+  });
+  if (has_ratios && value < observed.floor) return {observed.floor, true};
+  return {value, at_most > 0 && value == at_most};
+}
+
+std::vector<double> ends_of_shares(const JudgedMetric& judged) {
+  return is_share(judged) ? std::vector<double>{0, 100} : std::vector<double>();
 }
 
 bool is_share(const JudgedMetric& judged) { return judged.observations.scale == Scale::share; }

@@ -35,6 +35,13 @@ constexpr std::size_t longest_name = 24;  // in a table
 Answer with_short_names(Answer answer, std::size_t length);
 
 bool is_share(const compare::JudgedMetric& judged);
+// A group's average as readers see it: at most the tolerance, or the floor that ratios know nothing below.
+struct Shown {
+  double value;
+  bool is_bound = false;
+};
+Shown shown_average(const compare::JudgedMetric& judged, std::size_t group);
+std::vector<double> ends_of_shares(const compare::JudgedMetric& judged);  // 99.97 % is not 100; of others none
 
 std::string reference_of(const Answer& answer);  // the control, else the first of the table of results
 
@@ -48,7 +55,9 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
 std::optional<figures::Figure> studies_figure(const Table& studies, const std::vector<Answer>& answers);  // its shares
 Table without_intervals(Table studies);
 Table with_a_row_a_study(const Table& studies);  // of one unit, without intervals
-Table pairs_table(const Answer& answer);
+Table pairs_table(const Answer& answer);         // a row a pair
+Table told_pairs(const Answer& answer);          // of those the decided, and of many else those of the reference
+Table pairs_of_article(const Answer& answer);    // of the deciding metric
 std::string what_decides(const Answer& answer);  // what a verdict on another metric is worth; empty if there is none
 std::string of_pairs(const Answer& answer);  // what estimates are of, where they are not those of the averages shown
 Table descriptives_table(const Answer& answer);

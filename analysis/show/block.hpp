@@ -1,6 +1,7 @@
 // What a report is made of: blocks, which writers turn into a page, Markdown, files and a screen.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -22,24 +23,45 @@ struct Printed {
   std::string sign = {};  // "~", "x" or "?": whether ours can be it
 };
 // A number with a mark, "*", or its interval, or that is an upper bound; or what stands in its place: a ratio to the
-// reference of the column, or a difference from it, which files of numbers have in a column of their own.
+// reference of the column, or a difference from it, which files of numbers have in a column of their own; or words
+// where a pair that is decided has neither.
 struct Marked {
   double value;
   std::string mark = {};
   bool is_bound = false;
   std::optional<compare::Interval> interval = {};
   std::optional<compare::Scale> to_reference = {};
-  bool is_best = false;  // bold in LaTeX
+  bool is_best = false;    // bold in LaTeX
+  std::string words = {};  // in place of the value: "in 61 %"
 };
-// Readers see three digits, and "-" for an empty cell (std::monostate) and a number that is not finite.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, Marked>;
+// Why a number is not known: "too few to compare".
+struct Absent {
+  std::string why;
+};
+// What was found, which a page colours.
+enum class Tone { neutral, good, bad };
+struct Judgement {
+  std::string words;
+  Tone tone = Tone::neutral;
+};
+// Readers see three digits, and "-" for an empty cell (std::monostate), an absent number and one that is not finite.
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, Marked, Absent,
+                          Judgement>;
 
 inline Cell text_cell(std::string text) { return text.empty() ? Cell() : Cell(std::move(text)); }
+
+// What a column is, which writers ask, whatever its name says.
+enum class Role {
+  value,
+  p,         // p-values: "0.0005", "< 0.0001"
+  interval,  // of the number before it: files of numbers have "low", "high" and "excluded"
+  remark     // which an article leaves out
+};
 
 struct Column {
   std::string name;
   std::string unit = {};
-  bool is_p = false;               // p-values: "0.0005", "< 0.0001"
+  Role role = Role::value;
   std::string unit_of_cells = {};  // beside each number that is no ratio, in place of the head
   std::vector<double> ends = {};   // from which readers tell numbers apart (digits_apart of text.hpp)
 };
@@ -48,12 +70,20 @@ struct Column {
 std::vector<Column> columns_of(const std::vector<std::string>& names);
 
 struct Table {
-  std::string name;  // of its files and anchor; empty: it has none
+  std::string name;  // of its files and anchor, with a number perhaps; empty: it has none
   std::string caption;
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows = {};
   std::vector<std::string> notes = {};
+  bool is_of_study = true;  // and of no other, so that an article's caption names it
+  // Where it has another form on a page or in an article, that, alone.
+  std::vector<Table> on_page = {}, in_article = {};
 };
+
+// Names that tables with files have: what a later report of the same folder may remove.
+constexpr std::array<std::string_view, 11> names_of_tables{"anova",   "claims",      "descriptives", "means",
+                                                           "methods", "multiverse",  "pairs",        "questions",
+                                                           "results", "solve-rates", "table-"};
 
 // "0.1 to 0.8", "above 0 to 0.8"
 std::string interval_text(const compare::Interval& interval, std::string (*number)(double, int),

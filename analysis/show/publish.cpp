@@ -28,9 +28,7 @@ bool has_word(std::string_view words, std::string_view word) {
 
 // A table or figure of reports, without its number. One that is not here outlives its report.
 bool is_own(const fs::path& folder, std::string_view name) {
-  if (folder == "tables")
-    return has_word(" anova claims descriptives means methods multiverse pairs questions results solve-rates table- ",
-                    name);
+  if (folder == "tables") return std::ranges::find(names_of_tables, name) != names_of_tables.end();
   const auto is_of_kind = [&](const auto& kind) { return name == kind.first || name.starts_with(kind.first + "-"); };
   return folder == "figures" && (name == "style" || std::ranges::any_of(all_figures(), is_of_kind));
 }
@@ -77,44 +75,18 @@ std::vector<Kind*> all_in(std::vector<Blocks>& sections) {
   return all;
 }
 
-// Leaves readers the pairs that were tested, if any, and of many those of the reference.
-void keep_telling(Table& pairs, const Answer& answer) {
-  const bool are_many = answer.decisive().findings.size() > figures::most_drawn_pairs;
-  const std::string reference = reference_of(answer);
-  const auto is_untested = [](const std::vector<Cell>& row) { return std::holds_alternative<std::monostate>(row[6]); };
-  if (std::ranges::all_of(pairs.rows, is_untested)) return;
-  const std::size_t taken = std::erase_if(pairs.rows, [&](const std::vector<Cell>& row) {
-    const bool is_of_it = std::get<std::string>(row[1]) == reference || std::get<std::string>(row[2]) == reference;
-    return is_untested(row) || (are_many && !is_of_it);
-  });
-  if (taken > 0) pairs.notes.push_back(fmt::format("Only tested pairs{}.", are_many ? " of " + reference : ""));
-}
-
-// An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
-// warnings; a caption says of what. Names of results, which are narrow, may be twice as long.
-Table for_article(Table table, const Report& report) {
-  const bool are_pairs = table.name == "pairs";
-  if (table.name == "results") table = warned_results(with_short_names(report.answer, 2 * longest_name));
-  if (table.name == "descriptives") table = descriptives_table(with_short_names(report.answer, longest_name));
-  if (are_pairs) {
-    const Answer brief = with_short_names(report.answer, longest_name);
-    table = pairs_table(brief);
-    const std::string& metric = report.answer.decisive().observations.quantity;
-    std::erase_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) != metric; });
-    table.caption += ": " + metric;
-    keep_telling(table, brief);
-  }
+// As an article has it: its name and caption say of what.
+Table for_article(const Table& whole, const Report& report) {
+  Table table = whole.in_article.empty() ? whole : whole.in_article.front();
   for (std::size_t c = 0; c < table.columns.size(); ++c) {  // writers leave out what is empty
-    const bool is_told = are_pairs && c == 0;               // in the caption
-    if (!is_told && table.columns[c].name != "remark") continue;
+    if (table.columns[c].role != Role::remark) continue;
     for (auto& row : table.rows) row[c] = {};
   }
   const std::string& name = report.study.entry.name;
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
-  const bool is_of_many = table.columns[0].name == "arm" || table.columns[0].name == "claim";  // studies
-  if (!report.study.entry.series.empty() && !is_of_many)
+  if (!report.study.entry.series.empty() && table.is_of_study)
     table.caption += fmt::format(". {}. A solve ends at {}.", what_is_studied(report.study), stops_of(report.study));
-  else if (!name.empty() && !is_of_many)
+  else if (!name.empty() && table.is_of_study)
     table.caption += fmt::format(" of {}", name);
   return table;
 }
@@ -190,7 +162,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   json["files"] = files;
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
   for (Table* table : tables) {
-    if (table->name == "pairs") keep_telling(*table, report.answer);
+    if (!table->on_page.empty()) *table = Table(table->on_page.front());
   }
   const auto is_not_drawn = [&](const Block& block) {
     const auto* const figure = std::get_if<figures::Figure>(&block);

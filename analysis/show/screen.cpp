@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "analysis/show/report.hpp"
@@ -25,9 +26,19 @@ std::string screen(const Answer& whole, const std::string& page) {
   if (!notes.empty()) text += paragraph(fmt::format("{}", fmt::join(notes, " ")), "");
   const auto pairs = pair_rows(answer);
   text += in_columns(pairs);
+  const auto is_open = [](const JudgedMetric& judged) {
+    return std::ranges::any_of(judged.findings, [](const Finding& each) { return !enough_words(each).empty(); });
+  };
+  const bool is_any_open =
+      is_open(answer.decisive()) || (answer.order.size() == 2 && std::ranges::any_of(answer.metrics, is_open));
+  const std::string enough =
+      is_any_open
+          ? fmt::format("(about N would): so many {} of a new study, with another seed, would probably decide it.",
+                        answer.noun)
+          : "";
   for (const std::string& note :
-       {of_pairs(answer), answer.decisive().described.size() == 2 ? what_decides(answer) : ""})
-    text += note.empty() || pairs.empty() ? "" : paragraph(note, "");
+       {pairs.empty() ? "" : of_pairs(answer), pairs.empty() ? "" : enough, what_decides(answer)})
+    text += note.empty() ? "" : paragraph(note, "");
   for (const Doubt& doubt : answer.all_doubts()) text += paragraph("! " + words_of(doubt), "  ");
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));
 }

@@ -20,7 +20,9 @@ std::vector<Blocks> sections_of(const Report& report) {
   if (report.first.empty()) {
     sections[0] = {Heading{headline(report.answer)}};
     if (is_of_study) sections[0].emplace_back(what_is_studied(report.study) + '.');
-    sections[0].emplace_back(warned_results(report.answer));
+    Table results = warned_results(report.answer);
+    results.in_article = {warned_results(with_short_names(report.answer, 2 * longest_name))};  // a narrow table
+    sections[0].emplace_back(std::move(results));
   }
   const auto add = [&](std::string heading, Blocks blocks) {
     const auto is_empty = [](const Block& block) {
@@ -35,9 +37,14 @@ std::vector<Blocks> sections_of(const Report& report) {
   if (!report.claims.empty()) sections.push_back(report.claims);
   add("Pictures", {report.figures.begin(), report.figures.end()});
   std::ranges::copy(report.additions, std::back_inserter(sections));
-  add("Who is better?", {pairs_table(report.answer)});
+  const Answer brief = with_short_names(report.answer, longest_name);
+  Table pairs = pairs_table(report.answer), numbers = descriptives_table(report.answer);
+  pairs.on_page = {told_pairs(report.answer)};
+  pairs.in_article = {pairs_of_article(brief)};
+  numbers.in_article = {descriptives_table(brief)};
+  add("Who is better?", {std::move(pairs)});
   if (!report.has_own_numbers) {
-    add("All numbers", {descriptives_table(report.answer)});
+    add("All numbers", {std::move(numbers)});
     add("All solvers at once", {anova_table(report.answer)});
   }
   Blocks warnings;

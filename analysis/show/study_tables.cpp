@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
+#include "analysis/figures/of_study.hpp"
 #include "analysis/figures/plots.hpp"
 #include "analysis/show/answer.hpp"
 #include "analysis/show/text.hpp"
@@ -45,36 +47,80 @@ std::optional<Interval> interval_of(const JudgedMetric& judged, const Descriptio
   return Interval{100 * share.low, 100 * share.high};
 }
 
+// Why a pair says nothing of a solver's number.
+std::string reason_of(const Finding& finding) {
+  switch (std::get<Open>(finding.what).why) {
+    case Open::Why::lost:
+      return "values are missing";
+    case Open::Why::none:
+      return "nothing was solved";
+    case Open::Why::apart:
+    case Open::Why::no_spread:
+      return "not comparable (!)";
+    case Open::Why::too_few:
+    case Open::Why::few_decide:
+      break;
+  }
+  return "too few to compare";
+}
+
+// How a metric's numbers stand in the table of results.
+struct Told {
+  std::string reference;
+  std::set<std::string> losers;  // of the deciding metric
+  bool are_ratios = false;       // to the reference, since the numbers of two are of other targets
+};
+
+Told told_of(const Answer& answer, const JudgedMetric& judged) {
+  Told told{.reference = reference_of(answer), .losers = losers_of(answer.decisive().findings)};
+  const auto is_known = [&](const Finding& finding) {  // a reference that solved too few empties nobody's row
+    return (finding.first == told.reference || finding.second == told.reference) &&
+           !std::holds_alternative<Open>(finding.what);
+  };
+  told.are_ratios = judged.observations.is_of_solved && std::ranges::any_of(judged.findings, is_known);
+  return told;
+}
+
 // A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
 // with the reference. Where the numbers of two are of other targets, the finding of the pair stands in its place.
-// `losers` are of the deciding metric.
-Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver,
-                 const std::string& reference, const std::set<std::string>& losers) {
+Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver, const Told& told) {
   const std::vector<Group>& groups = judged.observations.groups;
   const std::size_t i = place_of(judged.observations, solver);
-  if (i == groups.size() || (groups[i].lost > 0 && !judged.observations.tells_incomplete)) return {};
+  if (i == groups.size()) return Absent{"not in it"};
   const Group& group = groups[i];
-  const Finding* const pair = finding_of(judged, solver, reference);
-  const Finding finding = pair ? better_first(*pair, reference) : Finding();
-  const bool is_untested = group.is_apart || group.lost > 0 || (pair && finding.verdict == Verdict::not_tested);
-  const bool is_of_solved = judged.observations.is_of_solved, is_deciding = &judged == &answer.decisive();
-  const bool is_of_all = is_deciding && judged.plan.control.empty();
+  if (lost_in(group) > 0 && !judged.observations.tells_incomplete) return Absent{"values are missing"};
+  const Finding* const pair = finding_of(judged, solver, told.reference);
+  const Finding finding = pair ? better_first(*pair, told.reference) : Finding();
+  const Verdict verdict = pair ? verdict_of(finding) : Verdict::undecided;
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  const bool is_untested = untold(group) != nullptr || (pair && verdict == Verdict::not_tested);
+  const bool is_deciding = &judged == &answer.decisive(), is_of_all = is_deciding && judged.plan.control.empty();
   // Within the margin only what a headline tells is marked, so not in a gate, nor of other metrics.
-  const bool matters = !finding.is_within_margin || (is_deciding && answer.verdict.empty());
-  const bool is_worse = is_of_all ? losers.contains(solver) : matters && finding.verdict == Verdict::worse;
-  const bool is_better = matters && finding.verdict == Verdict::better;
-  const std::string mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : "";
-  const bool is_best = is_of_all && !losers.empty() && !is_worse && !is_untested;
-  if (is_of_solved && (solver == reference ? group.is_apart : is_untested || !finding.estimate)) return {};
-  if (is_of_solved && solver != reference)
-    return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale, .is_best = is_best};
+  const bool matters = !tested || tested->size == Size::matters || (is_deciding && answer.verdict.empty());
+  const bool is_worse = is_of_all ? told.losers.contains(solver) : matters && verdict == Verdict::worse;
+  const bool is_better = matters && verdict == Verdict::better;
+  Marked cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
+  cell.is_best = is_of_all && !told.losers.empty() && !is_worse && !is_untested;
+  if (told.are_ratios && solver != told.reference && !untold(group)) {
+    if (is_untested) return Absent{reason_of(finding)};
+    if (const Amount* const amount = amount_of(finding)) {
+      cell.value = amount->value, cell.to_reference = finding.scale;
+      return cell;
+    }
+    if (!tested || !tested->effect) return Absent{"too few to compare"};
+    const auto& [ahead, behind] = *tested->effect;
+    cell.words = ahead + behind < 0.5 ? "1 times"  // most are equal
+                                      : fmt::format("in {} %", number_text(100 * std::max(ahead, behind)));
+    return cell;
+  }
   const Description& its = judged.described[i];
-  const double value = average_of(judged, i);
-  if (std::isnan(value)) return {};
-  const bool is_bound = group.at_most > 0 && value == group.at_most;
-  Marked cell{.value = value, .mark = mark, .is_bound = is_bound, .is_best = is_best};
+  const Shown shown = shown_average(judged, i);
+  if (std::isnan(shown.value))
+    return Absent{judged.observations.is_of_solved ? "nothing was solved" : "without a value"};
+  cell.value = shown.value, cell.is_bound = shown.is_bound;
   cell.interval = interval_of(judged, its);
-  if (is_deciding && !is_share(judged) && !is_of_solved && !cell.is_bound && its.n > 1 && !std::isnan(its.median))
+  if (is_deciding && !is_share(judged) && !judged.observations.is_of_solved && !cell.is_bound && its.n > 1 &&
+      !std::isnan(its.median))
     cell.interval = Interval{its.lower_quartile, its.upper_quartile};
   return cell;
 }
@@ -99,7 +145,7 @@ std::string limit(double value, std::string_view unit) {
 std::string of_whom(const Answer& answer, const std::string& reference) {
   std::set<std::string> others = losers_of(answer.decisive().findings);
   for (const Finding& finding : answer.decisive().findings) {
-    if (finding.first == reference_of(answer) && finding.verdict == Verdict::better) others.erase(finding.second);
+    if (finding.first == reference_of(answer) && verdict_of(finding) == Verdict::better) others.erase(finding.second);
   }
   return answer.decisive().plan.control.empty() && !others.empty() ? "another solver" : reference;
 }
@@ -119,29 +165,37 @@ Table results_table(const Answer& answer) {
   const std::string reference = reference_of(answer);
   const bool are_means = decisive.plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
-  bool has_numbers = false, has_quartiles = false, has_shares = false, has_none = false;
+  bool has_numbers = false, has_quartiles = false, has_shares = false, has_words = false;
   std::set<std::string> kinds, marks;
-  const std::set<std::string> losers = losers_of(decisive.findings);
+  std::vector<std::string> reasons, without;  // of "-", and the metric that has it
+  std::vector<std::string> counts, counted;   // what numbers are of that each solver has for itself, and the metric
   const auto add = [&](const JudgedMetric& judged, const std::string& name) {
-    table.columns.push_back({.name = name, .unit = judged.observations.unit});
-    const bool has_costs =
-        judged.observations.is_of_solved && !std::isnan(average_of(judged, place_of(judged.observations, reference)));
+    table.columns.push_back({.name = name, .unit = judged.observations.unit, .ends = ends_of_shares(judged)});
+    const Told told = told_of(answer, judged);
+    std::set<std::string> here;
     for (auto& row : table.rows) {
-      const std::string solver = std::get<std::string>(row[0]);
-      row.push_back(result_cell(answer, judged, solver, reference, losers));
-      auto* const marked = std::get_if<Marked>(&row.back());
-      if (!marked) {
-        const Finding* const pair = has_costs && !has_none ? finding_of(judged, solver, reference) : nullptr;
-        has_none |= pair && pair->why == Why::too_few;
-        continue;
-      }
+      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), told));
+      if (const auto* const absent = std::get_if<Absent>(&row.back())) here.insert(absent->why);
+      const auto* const marked = std::get_if<Marked>(&row.back());
+      if (!marked) continue;
       has_numbers |= !is_share(judged);
+      has_words |= !marked->words.empty();
       marks.insert(marked->mark);
       has_quartiles |= marked->interval && !is_share(judged);
       has_shares |= marked->interval && is_share(judged);
       if (marked->to_reference)
         kinds.insert(marked->to_reference == Scale::ratio ? "ratios to it" : "differences from it");
     }
+    for (const std::string& reason : here) reasons.push_back(reason), without.push_back(judged.observations.quantity);
+    if (!judged.observations.is_of_solved || told.are_ratios || judged.findings.empty()) return;
+    std::vector<std::string> solved;
+    for (const std::size_t i : answer.order) {
+      const std::string& solver = decisive.observations.groups[i].name;
+      const std::size_t place = place_of(judged.observations, solver);
+      if (place < judged.described.size()) solved.push_back(fmt::format("{} {}", solver, judged.described[place].n));
+    }
+    counts.push_back(fmt::format("{}s of the {} that each solved ({})", average, answer.noun, fmt::join(solved, ", ")));
+    counted.push_back(judged.observations.quantity);
   };
   const Observations& observed = decisive.observations;
   add(decisive, is_share(decisive) || observed.is_of_solved ? observed.quantity
@@ -149,8 +203,8 @@ Table results_table(const Answer& answer) {
   for (const JudgedMetric& judged : answer.metrics) {
     if (&judged != &decisive) add(judged, judged.observations.quantity);
   }
-  std::string key =
-      !has_numbers ? "" : fmt::format("{}s{}", are_means ? "Mean" : "Median", has_quartiles ? " (quartiles)" : "");
+  std::string key = !has_numbers ? "" : are_means ? "Means" : "Medians";
+  if (has_numbers && has_quartiles) key += are_means ? " (quartiles of values)" : " (quartiles)";
   if (const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n);
       most.n > 0 && !answer.direction.empty())
     key = fmt::format("{} of {}{}; {}", has_numbers ? key : "Shares",
@@ -166,12 +220,16 @@ Table results_table(const Answer& answer) {
   }
   const std::string level = fmt::format(" (adjusted p < {})", number_text(decisive.plan.significance));
   std::vector<std::string> sentences{key, meaning_of(marks, of_whom(answer, reference) + level)};
+  if (has_words) sentences.emplace_back("1 times, or in N % of comparisons: no other ratio tells it");
   if (has_shares)
     sentences.push_back(fmt::format("Brackets{}: {:.3g} % intervals", has_quartiles ? " of shares" : "",
                                     100 * (1 - decisive.plan.significance)));
-  if (has_none) sentences.emplace_back("-: too few to compare");
+  std::vector<std::string> dashes;
+  for (const auto& [reason, where] : by_word(reasons, without)) dashes.push_back(fmt::format("{} ({})", reason, where));
+  if (!dashes.empty()) sentences.push_back("-: " + listed(dashes, "; "));
   std::erase(sentences, "");
   if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
+  for (const auto& [what, where] : by_word(counts, counted)) table.notes.push_back(fmt::format("{}: {}.", where, what));
   table.notes.insert(table.notes.end(), answer.notes.begin(), answer.notes.end());
   return table;
 }
@@ -183,7 +241,7 @@ Table warned_results(const Answer& answer) {
 }
 
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
-  Table table{.name = "studies", .columns = {{"solver"}}};
+  Table table{.name = "studies", .columns = {{"solver"}}, .is_of_study = false};
   std::vector<std::string> quantities, references, referring, shown, told;
   std::set<std::string> all_marks, levels;
   for (std::size_t s = 0; s < studies.size(); ++s) {
@@ -210,7 +268,9 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
   bool has_empty = false;
   for (auto& row : table.rows) {
     row.resize(table.columns.size());
-    has_empty |= std::ranges::count(row, 0U, &Cell::index) > 0;
+    has_empty |= std::ranges::any_of(row, [](const Cell& cell) {
+      return std::holds_alternative<std::monostate>(cell) || std::holds_alternative<Absent>(cell);
+    });
   }
   const bool are_shares =
       std::ranges::all_of(studies, [](const Answer& answer) { return is_share(answer.decisive()); });
@@ -233,15 +293,13 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
   for (const Answer& answer : studies) {
     const JudgedMetric& judged = answer.decisive();
     const std::string& control = judged.plan.control;
-    const auto count = [&](Verdict verdict) { return std::ranges::count(judged.findings, verdict, &Finding::verdict); };
-    const std::string whole = headline(answer), ends = judged.findings.empty() ? ";" : ":;";
-    const auto has_end = [&](const Group& group) { return group.name.find_first_of(ends) != std::string::npos; };
-    const bool is_whole = std::ranges::any_of(judged.observations.groups, has_end);
-    verdicts.push_back(
-        control.empty() || !best_of(judged).empty()
-            ? whole.substr(0, std::min(is_whole ? whole.npos : whole.find_first_of(ends), whole.size() - 1))
-            : fmt::format("against the control {}, {} better and {} worse", control, count(Verdict::better),
-                          count(Verdict::worse)));
+    const auto count = [&](Verdict verdict) {
+      return std::ranges::count_if(judged.findings, [=](const Finding& its) { return verdict_of(its) == verdict; });
+    };
+    verdicts.push_back(control.empty() || !best_of(judged).empty()
+                           ? headline_of(answer).subject
+                           : fmt::format("against the control {}, {} better and {} worse", control,
+                                         count(Verdict::better), count(Verdict::worse)));
   }
   for (const auto& [what, where] : by_word(verdicts, names)) parts.push_back(fmt::format("{}: {}", where, what));
   return fmt::format("{}.", fmt::join(parts, ".\n"));
@@ -307,49 +365,101 @@ Table with_a_row_a_study(const Table& studies) {
 }
 
 std::string what_decides(const Answer& answer) {
-  if (answer.metrics.size() < 2 || !answer.verdict.empty()) return "";
+  const auto has_winner = [&](const JudgedMetric& judged) {
+    return &judged != &answer.decisive() && !losers_of(judged.findings).empty();
+  };
+  if (!answer.verdict.empty() || std::ranges::none_of(answer.metrics, has_winner)) return "";
   return fmt::format("Only {} decides; other metrics are exploratory.", answer.decisive().observations.quantity);
 }
 
 std::string of_pairs(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const auto told =
-      std::ranges::find_if(judged.findings, [](const Finding& each) { return each.estimate.has_value(); });
+      std::ranges::find_if(judged.findings, [](const Finding& each) { return amount_of(each) != nullptr; });
   if (is_share(judged) || judged.plan.test == results::Plan::Test::means || told == judged.findings.end()) return "";
   return fmt::format("{} are of single {}, not of medians.", told->scale == Scale::ratio ? "Ratios" : "Differences",
                      answer.noun);
 }
 
-Table pairs_table(const Answer& answer) {
+namespace {
+
+Tone tone_of(Verdict verdict) {
+  return verdict == Verdict::better ? Tone::good : verdict == Verdict::worse ? Tone::bad : Tone::neutral;
+}
+
+// Those of these metrics that are `kept`.
+Table pairs_where(const Answer& answer, const std::function<bool(const JudgedMetric&, const Finding&)>& is_kept) {
   Table table{.name = "pairs",
               .caption = "The first against the second",
-              .columns = columns_of(
-                  {"metric", "first", "second", "estimate", "interval", "unit", "p", "A12", "test", "verdict"})};
+              .columns = columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "A12", "test",
+                                     "verdict", "n that could decide"})};
   std::set<double> ends;
   bool has_p = false, has_effect = false;
   for (const JudgedMetric& judged : answer.metrics) {
     for (const Finding& finding : judged.findings) {
-      has_p |= finding.p.has_value(), has_effect |= finding.effect.has_value();
-      const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
-      const std::string ahead = finding.estimate ? "" : amount_words(finding, judged);
-      table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
-                            cell(finding.interval), text_cell(unit_of(finding, judged)), cell(finding.p),
-                            cell(finding.effect), text_cell(std::string(finding.test)),
-                            verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead)});
+      if (!is_kept(judged, finding)) continue;
+      const auto* const tested = std::get_if<Tested>(&finding.what);
+      const Amount* const amount = amount_of(finding);
+      const bool has_a12 = tested && tested->effect;
+      has_p |= tested != nullptr, has_effect |= has_a12;
+      const std::string ahead = amount ? "" : amount_words(finding, judged);
+      table.rows.push_back(
+          {judged.observations.quantity, finding.first, finding.second, amount ? Cell(amount->value) : Cell(),
+           amount && amount->interval ? Cell(*amount->interval) : Cell(), text_cell(unit_of(finding, judged)),
+           tested ? Cell(tested->p) : Cell(), has_a12 ? Cell(tested->effect->a12()) : Cell(),
+           text_cell(tested ? std::string(tested->test) : ""),
+           Judgement{verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead),
+                     tone_of(verdict_of(finding))},
+           tested && tested->enough > 0 ? Cell(std::int64_t{tested->enough}) : Cell()});
       for (const double end : ends_of(finding, judged)) ends.insert(end);
     }
   }
   table.columns[3].ends = table.columns[4].ends = {ends.begin(), ends.end()};
-  table.columns[6].is_p = true;
+  table.columns[4].role = Role::interval;
+  table.columns[6].role = Role::p;
   table.columns[6].ends = {answer.decisive().plan.significance};
   std::vector<std::string> notes{
       what_decides(answer),
       answer.verdict.empty() && has_p
           ? "p is multiplied by the number of pairs tested of a metric, and intervals hold for all pairs at once."
           : "",
-      of_pairs(answer), has_effect ? "A12: share of comparisons in which the first is better." : ""};
+      of_pairs(answer), has_effect ? "A12: share of comparisons in which the first is better, equal ones half." : ""};
   std::erase(notes, "");
   if (!notes.empty()) table.notes = {fmt::format("{}", fmt::join(notes, " "))};
+  return table;
+}
+
+bool is_told(const Answer& answer, const Finding& finding) {
+  const bool are_many = answer.decisive().findings.size() > figures::most_drawn_pairs;
+  const std::string reference = reference_of(answer);
+  const bool is_of_it = finding.first == reference || finding.second == reference;
+  return !std::holds_alternative<Open>(finding.what) && (!are_many || is_of_it || is_difference(verdict_of(finding)));
+}
+
+}  // namespace
+
+Table pairs_table(const Answer& answer) {
+  return pairs_where(answer, [](const JudgedMetric&, const Finding&) { return true; });
+}
+
+Table told_pairs(const Answer& answer) {
+  Table told =
+      pairs_where(answer, [&](const JudgedMetric&, const Finding& finding) { return is_told(answer, finding); });
+  const Table all = pairs_table(answer);
+  if (told.rows.empty()) return all;
+  if (told.rows.size() < all.rows.size())
+    told.notes.push_back(answer.decisive().findings.size() > figures::most_drawn_pairs
+                             ? fmt::format("Only decided pairs, and those of {}.", reference_of(answer))
+                             : "Only tested pairs.");
+  return told;
+}
+
+Table pairs_of_article(const Answer& answer) {
+  Answer deciding = answer;
+  deciding.metrics.resize(1);
+  Table table = told_pairs(deciding);
+  table.caption += ": " + answer.decisive().observations.quantity;
+  for (auto& row : table.rows) row[0] = {};  // in the caption: writers leave out what is empty
   return table;
 }
 
@@ -376,8 +486,8 @@ Table descriptives_table(const Answer& answer) {
       row.push_back(interval ? Cell(*interval) : Cell());
       is_any_share |= interval.has_value();
       row.emplace_back(observed.unit);
-      row.push_back(group.lost > 0 ? Cell(std::int64_t{group.lost}) : Cell());
-      is_any_lost |= group.lost > 0;
+      row.push_back(lost_in(group) > 0 ? Cell(std::int64_t{lost_in(group)}) : Cell());
+      is_any_lost |= lost_in(group) > 0;
       is_any_of_solved |= observed.is_of_solved;
     }
   }
@@ -391,7 +501,7 @@ Table descriptives_table(const Answer& answer) {
 Table anova_table(const Answer& answer) {
   Table table{.name = "anova",
               .caption = "Do the solvers differ at all?",
-              .columns = {{"metric"}, {"test"}, {"statistic"}, {"df"}, {"df within"}, {.name = "p", .is_p = true}}};
+              .columns = {{"metric"}, {"test"}, {"statistic"}, {"df"}, {"df within"}, {.name = "p", .role = Role::p}}};
   for (const JudgedMetric& judged : answer.metrics) {
     if (is_share(judged) || judged.plan.test != results::Plan::Test::means) continue;
     if (const auto test = compare::anova(judged.observations))
@@ -401,14 +511,51 @@ Table anova_table(const Answer& answer) {
   return table;
 }
 
+// The same members for every pair, null where nothing is known.
+numerics::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
+  using Json = numerics::OrderedJson;
+  constexpr std::array<const char*, 6> verdicts{"better", "worse", "same", "equal", "undecided", "not_tested"};
+  constexpr std::array<const char*, 6> reasons{"too_few", "lost", "apart", "no_spread", "none", "few_decide"};
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  const auto* const open = std::get_if<Open>(&finding.what);
+  const Amount* const amount = amount_of(finding);
+  const Interval* const ends = amount && amount->interval ? &*amount->interval : nullptr;
+  const Effect* const effect = tested && tested->effect ? &*tested->effect : nullptr;
+  const auto number = [](bool is_known, double value) {
+    return is_known && std::isfinite(value) ? Json(value) : Json();
+  };
+  return {{"metric", judged.observations.quantity},
+          {"first", finding.first},
+          {"second", finding.second},
+          {"estimate", number(amount, amount ? amount->value : 0)},
+          {"low", number(ends, ends ? ends->low : 0)},
+          {"high", number(ends, ends ? ends->high : 0)},
+          {"excluded", ends && ends->excludes_low    ? Json("low")
+                       : ends && ends->excludes_high ? Json("high")
+                                                     : Json()},
+          {"unit", amount ? Json(unit_of(finding, judged)) : Json()},
+          {"p", number(tested, tested ? tested->p : 0)},
+          {"a12", number(effect, effect ? effect->a12() : 0)},
+          {"ahead", number(effect, effect ? effect->ahead : 0)},
+          {"behind", number(effect, effect ? effect->behind : 0)},
+          {"test", tested ? Json(tested->test) : Json()},
+          {"n", tested ? Json(tested->n)
+                : open ? Json(open->n)
+                       : Json()},
+          {"n_that_could_decide", tested && tested->enough > 0 ? Json(tested->enough)
+                                  : open && open->needed > 0   ? Json(open->needed)
+                                                               : Json()},
+          {"verdict", verdicts[static_cast<std::size_t>(verdict_of(finding))]},
+          {"reason", open                                         ? Json(reasons[static_cast<std::size_t>(open->why)])
+                     : std::holds_alternative<Fact>(finding.what) ? Json("certain")
+                                                                  : Json()}};
+}
+
 numerics::OrderedJson to_json(const Answer& answer) {
-  constexpr std::array<const char*, 5> verdicts{"better", "worse", "same", "undecided", "not_tested"};
-  numerics::OrderedJson findings = to_json(pairs_table(answer)), doubts = numerics::OrderedJson::array(), direction;
-  std::size_t row = 0;
+  numerics::OrderedJson findings = numerics::OrderedJson::array(), doubts = findings, direction;
   for (const JudgedMetric& judged : answer.metrics) {
     direction[judged.observations.quantity] = judged.observations.better == Better::larger ? "larger" : "smaller";
-    for (const Finding& finding : judged.findings)
-      findings[row++]["verdict"] = verdicts[static_cast<std::size_t>(finding.verdict)];
+    for (const Finding& finding : judged.findings) findings.push_back(to_json(judged, finding));
   }
   for (const Doubt& doubt : answer.all_doubts()) doubts.push_back(words_of(doubt));
   return {{"headline", headline(answer)},
@@ -469,7 +616,7 @@ std::string methods_of(const Answer& answer, const StudyResults& study) {
   std::set<std::string> tests;
   for (const JudgedMetric& judged : answer.metrics) {
     for (const Finding& finding : judged.findings) {
-      if (!finding.test.empty()) tests.insert(std::string(finding.test));
+      if (const auto* const tested = std::get_if<Tested>(&finding.what)) tests.insert(std::string(tested->test));
     }
   }
   const auto given = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };

@@ -28,10 +28,13 @@ struct Readable {
   std::string at_most = "≤ ", dash = "-", unit = column.unit_of_cells.empty() ? "" : ' ' + column.unit_of_cells;
 
   std::string operator()(std::monostate) const { return "-"; }
+  std::string operator()(const Absent&) const { return "-"; }
+  std::string operator()(const Judgement& judgement) const { return judgement.words; }
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(std::int64_t count) const { return fmt::to_string(count) + unit; }
   std::string operator()(double value) const {
-    const std::string text = column.is_p ? p_text(value, column.ends) : number(value, digits_apart(value, column.ends));
+    const std::string text =
+        column.role == Role::p ? p_text(value, column.ends) : number(value, digits_apart(value, column.ends));
     return text == "-" ? text : text + unit;
   }
   std::string operator()(const compare::Interval& interval) const {
@@ -42,15 +45,18 @@ struct Readable {
   }
   std::string operator()(const Marked& marked) const {
     const auto digits = [](double size, double small) { return std::abs(size) < small ? 3 : 2; };
-    std::string text = (marked.is_bound ? at_most : "") + (*this)(marked.value);
+    std::string text = marked.words.empty() ? (marked.is_bound ? at_most : "") + (*this)(marked.value) : marked.words;
     if (marked.to_reference == compare::Scale::ratio)
-      text = number(marked.value, digits_apart(marked.value, {1}, digits(marked.value - 1, 0.1))) + " times";
+      text =
+          number(marked.value, std::min(5, digits_apart(marked.value, {1}, digits(marked.value - 1, 0.1)))) + " times";
     if (marked.to_reference == compare::Scale::difference && marked.value > 0) text.insert(0, "+");
-    if (const auto& its = marked.interval) {
-      const int wide = digits(its->high - its->low, 3);
-      text += fmt::format(" ({}{}{})", number(its->low, wide), its->low < 0 ? " to " : dash, number(its->high, wide));
-    }
+    if (marked.interval) text += ' ' + spread(*marked.interval);
     return text + (marked.mark.empty() ? "" : ' ' + marked.mark);
+  }
+  // "(98-100)", of a marked number.
+  std::string spread(const compare::Interval& its) const {
+    const int wide = std::abs(its.high - its.low) < 3 ? 3 : 2;
+    return fmt::format("({}{}{})", number(its.low, wide), its.low < 0 ? " to " : dash, number(its.high, wide));
   }
 };
 
@@ -67,10 +73,13 @@ struct Kinds {
 };
 std::vector<Kinds> kinds_of(const Table& table) {
   std::vector<Kinds> kinds(table.columns.size());
+  for (std::size_t c = 0; c < kinds.size(); ++c)
+    kinds[c].intervals = kinds[c].excluded = table.columns[c].role == Role::interval;
   for (const auto& row : table.rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       const Marked its = std::holds_alternative<Marked>(row[c]) ? std::get<Marked>(row[c]) : Marked{};
-      const auto* const text = std::get_if<std::string>(&row[c]);
+      const auto* const judgement = std::get_if<Judgement>(&row[c]);
+      const auto* const text = judgement ? &judgement->words : std::get_if<std::string>(&row[c]);
       kinds[c].texts |= text != nullptr;
       kinds[c].long_texts |= text != nullptr && character_count(*text) > 60;
       kinds[c].intervals |= std::holds_alternative<compare::Interval>(row[c]);
@@ -106,7 +115,9 @@ Table for_readers(Table table) {
         row[c] = ours;
       }
     }
-    const auto is_empty = [=](const auto& row) { return std::holds_alternative<std::monostate>(row[c]); };
+    const auto is_empty = [=](const auto& row) {
+      return std::holds_alternative<std::monostate>(row[c]) || std::holds_alternative<Absent>(row[c]);
+    };
     if (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty)) continue;
     const auto at = static_cast<std::ptrdiff_t>(c);
     table.columns.erase(table.columns.begin() + at);
@@ -141,6 +152,7 @@ std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const
   };
   Json value;
   if (const auto* text = std::get_if<std::string>(&cell)) value = *text;
+  if (const auto* judgement = std::get_if<Judgement>(&cell)) value = judgement->words;
   if (const auto* count = std::get_if<std::int64_t>(&cell)) value = *count;
   if (const auto* plain = std::get_if<double>(&cell)) value = number(*plain);
   if (printed) value = number(printed->ours);
@@ -160,10 +172,10 @@ std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const
   return all;
 }
 
-// "error low", but "low" alone of the column "interval".
-std::string member_name(const std::string& column, std::string_view member) {
-  if (member.empty()) return column;
-  return column == "interval" ? std::string(member) : fmt::format("{} {}", column, member);
+// "error low", but "low" alone of a column that has nothing else.
+std::string member_name(const Column& column, std::string_view member) {
+  if (member.empty()) return column.name;
+  return column.role == Role::interval ? std::string(member) : fmt::format("{} {}", column.name, member);
 }
 
 // -1.2e-05 as $-1.2 \times 10^{-5}$, which no escaping may touch.
@@ -177,29 +189,30 @@ std::string latex_number(double value, int digits) {
 
 std::string latex_cell(const Cell& cell, const Column& column) {
   const Readable read{latex_number, column, "$\\le$ ", "--"};
-  if (std::holds_alternative<std::string>(cell) || std::holds_alternative<Printed>(cell))
+  if (std::holds_alternative<std::string>(cell) || std::holds_alternative<Printed>(cell) ||
+      std::holds_alternative<Judgement>(cell))
     return latex_text(std::visit(read, cell));
   if (const auto* marked = std::get_if<Marked>(&cell)) {
-    std::string text =
-        read(Marked{.value = marked->value, .is_bound = marked->is_bound, .to_reference = marked->to_reference});
+    std::string text = read(Marked{.value = marked->value,
+                                   .is_bound = marked->is_bound,
+                                   .to_reference = marked->to_reference,
+                                   .words = latex_text(marked->words)});
     if (marked->is_best) text = fmt::format("{{\\boldmath\\textbf{{{}}}}}", text);
-    if (marked->interval) {
-      const std::string whole = read(Marked{.value = marked->value, .interval = marked->interval});
-      text += fmt::format(" & {{\\scriptsize {}}}", whole.substr(whole.find('(')));
-    }
+    if (marked->interval) text += fmt::format(" & {{\\scriptsize {}}}", read.spread(*marked->interval));
     if (!marked->mark.empty())
       text += fmt::format("\\rlap{{\\,\\scriptsize {}}}", latex_text(marked->mark));  // digits align
     return text;
   }
-  if (const auto* p = std::get_if<double>(&cell); p && column.is_p && *p < 0.0001) return "$<$ 0.0001";
+  if (const auto* p = std::get_if<double>(&cell); p && column.role == Role::p && *p < 0.0001) return "$<$ 0.0001";
   return std::visit(read, cell);
 }
 
-// A verdict of a page: green, red, or neither.
-std::string pill(const std::string& verdict) {
-  const bool is_good = verdict.starts_with("better") || (verdict.starts_with("holds") && !verdict.ends_with("part"));
-  const bool is_bad = verdict.starts_with("worse") || verdict.starts_with("fails");
-  return fmt::format("<span class=\"pill{}\">{}</span>", is_good ? " good" : is_bad ? " bad" : "", verdict);
+std::string pill(const std::string& words, Tone tone) {
+  return fmt::format("<span class=\"pill{}\">{}</span>",
+                     tone == Tone::good  ? " good"
+                     : tone == Tone::bad ? " bad"
+                                         : "",
+                     words);
 }
 
 }  // namespace
@@ -226,7 +239,7 @@ std::string to_csv(const Table& table) {
     const Column& column = table.columns[c];
     const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
     for (const auto& [member, value] : members(kinds[c], {}))
-      heads.push_back(member_name(column.name, member) + (member == times || member == mark ? "" : unit));
+      heads.push_back(member_name(column, member) + (member == times || member == mark ? "" : unit));
   }
   results::append_csv_row(text, heads);
   for (const auto& row : table.rows) {
@@ -247,7 +260,7 @@ Json to_json(const Table& table) {
     Json object = Json::object();
     for (std::size_t c = 0; c < row.size(); ++c) {
       for (const auto& [member, value] : members(kinds[c], row[c])) {
-        std::string name = member_name(table.columns[c].name, member);
+        std::string name = member_name(table.columns[c], member);
         for (char& letter : name) letter = letter == ' ' ? '_' : static_cast<char>(std::tolower(letter));
         object[name] = value;
       }
@@ -332,13 +345,13 @@ std::string to_html(const Table& whole) {
     const std::vector<std::string>& row = rows[r];
     std::string text;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      const bool is_verdict = tag == "td" && table.columns[c].name == "verdict";
+      const auto* const judgement = r == 0 ? nullptr : std::get_if<Judgement>(&table.rows[r - 1][c]);
       text += fmt::format("<{}{}>{}</{}>", tag,
-                          kinds[c].printed                                     ? " class=\"number printed\""
-                          : !kinds[c].texts                                    ? " class=\"number\""
-                          : !is_verdict && character_count(row[c]) > long_text ? " class=\"long\""
-                                                                               : "",
-                          is_verdict ? pill(row[c]) : cell_of(r, c), tag.substr(0, tag.find(' ')));
+                          kinds[c].printed                                    ? " class=\"number printed\""
+                          : !kinds[c].texts                                   ? " class=\"number\""
+                          : !judgement && character_count(row[c]) > long_text ? " class=\"long\""
+                                                                              : "",
+                          judgement ? pill(row[c], judgement->tone) : cell_of(r, c), tag.substr(0, tag.find(' ')));
     }
     return fmt::format("<tr>{}</tr>\n", text);
   };

@@ -36,7 +36,7 @@ std::string number_of(const Answer& answer, const JudgedMetric& judged, std::siz
   const bool is_first = group == first;
   const int n_of_first = judged.described[first].n;
   const Description& its = judged.described[group];
-  const double value = average_of(judged, group);
+  const auto [value, is_bound] = shown_average(judged, group);
   if (std::isnan(value)) return "not known";
   if (counts(judged)) {
     const std::string count = fmt::format("{:.0f}", its.mean * its.n / 100);
@@ -44,8 +44,12 @@ std::string number_of(const Answer& answer, const JudgedMetric& judged, std::siz
     return its.n == n_of_first ? count : fmt::format("{} of {}", count, its.n);
   }
   const Observations& observed = judged.observations;
-  const bool is_bound = value == observed.groups[group].at_most && value > 0;
-  return with_unit((is_bound ? "at most " : "") + number_text(value), is_first ? observed.unit : "");
+  const std::string text = number_text(value, digits_apart(value, ends_of_shares(judged)));
+  const int all = its.n * observed.trials, failed = static_cast<int>(std::lround((1 - value / 100) * all));
+  const std::string failures = is_share(judged) && failed > 0 && 100 * failed < all
+                                   ? fmt::format(" ({} of {} failed)", failed, all)
+                                   : "";  // which a rounded share would hide
+  return with_unit((is_bound ? "at most " : "") + text, is_first ? observed.unit : "") + failures;
 }
 
 // "median error", "mean error", "solved"
@@ -126,7 +130,8 @@ std::string usual(const JudgedMetric& judged) {
   std::string how = "medians " + medians, but = fmt::format("mean is {} ({})", not_so, means);
   if (head.is_median_worse) {
     const Finding& finding = *finding_of(judged, head.usual, head.other);
-    const double ahead = finding.first == head.usual ? *finding.effect : 1 - *finding.effect;
+    const Effect effect = *std::get<Tested>(finding.what).effect;
+    const double ahead = finding.first == head.usual ? effect.ahead : effect.behind;
     how = ahead > 0.5 ? fmt::format("in {:.0f} % of comparisons", 100 * ahead) : "by ranks";
     but = fmt::format("median is {} ({})", not_so, medians);
   } else if (does_one_value_decide(observed.groups[i]) || does_one_value_decide(observed.groups[j])) {
@@ -149,84 +154,120 @@ std::string against_control(const Answer& answer) {
   return fmt::format("Against {}: {}", with_number(answer, judged.plan.control, control), listed(parts, ", "));
 }
 
-std::string not_tested(const Answer& answer) {
+// Of all pairs the reason, where they have one alike.
+Sentence not_tested(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
-  const Finding& finding = judged.findings.front();
+  const auto& open = std::get<Open>(judged.findings.front().what);
+  const bool is_for_all = std::ranges::all_of(judged.findings, [&](const Finding& finding) {
+    const auto& other = std::get<Open>(finding.what);
+    return other.why == Open::Why::too_few && other.n == open.n && other.needed == open.needed;
+  });
   const std::string numbers = numbers_of(answer, true);
-  const bool is_for_all =
-      finding.n > 0 && std::ranges::count(judged.findings, finding.why, &Finding::why) == std::ssize(judged.findings);
-  if (is_for_all && finding.why == Why::too_few)
-    return fmt::format("Not tested: {} cannot decide it, {} can; {}", numerics::counted(finding.n, answer.noun),
-                       finding.needed, numbers);
-  if (is_for_all && finding.why == Why::fact)
-    return fmt::format("Certain for these {}, since the solvers repeat themselves: {}", answer.noun, numbers);
-  return "Not tested: " + numbers;
+  if (is_for_all && open.n > 0)
+    return {fmt::format("Not tested, since {} cannot decide it and it takes at least {}",
+                        numerics::counted(open.n, answer.noun), open.needed),
+            ": " + numbers};
+  return {"Not tested", ": " + numbers};
 }
 
 // Where no solver is best: those that none is shown to beat, and whom the one of them beats that beats most.
-std::string unbeaten(const Answer& answer) {
+Sentence unbeaten(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const auto against = [&](const std::string& solver, Verdict verdict) {  // the others, as the table has them
     std::vector<std::string> others;
     for (const Finding& finding : judged.findings) {
-      if (finding.first == solver && finding.verdict == verdict) others.push_back(finding.second);
-      if (finding.second == solver && turned(finding.verdict) == verdict) others.push_back(finding.first);
+      if (finding.first == solver && verdict_of(finding) == verdict) others.push_back(finding.second);
+      if (finding.second == solver && turned(verdict_of(finding)) == verdict) others.push_back(finding.first);
     }
     return others;
   };
   std::set<std::string> tested;
   for (const Finding& finding : judged.findings) {
-    if (finding.verdict != Verdict::not_tested) tested.insert({finding.first, finding.second});
+    if (verdict_of(finding) != Verdict::not_tested) tested.insert({finding.first, finding.second});
   }
   if (tested.empty()) return not_tested(answer);
-  std::vector<std::string> rest, apart, same, others;  // same: as all before it
+  std::vector<std::string> rest, apart, losers, winners;
+  const auto beaten = [&](const std::string& solver) { return against(solver, Verdict::better).size(); };
   for (const std::size_t i : answer.order) {
     const std::string& name = solver_name(judged, i);
-    const auto is_same = [its = against(name, Verdict::same)](auto& other) {
-      return std::ranges::count(its, other) > 0;
-    };
-    if (!tested.contains(name)) apart.push_back(name);
-    if (!tested.contains(name) || !against(name, Verdict::worse).empty()) continue;
-    rest.push_back(name);
-    (std::ranges::all_of(same, is_same) ? same : others).push_back(name);
+    if (!tested.contains(name))
+      apart.push_back(name);
+    else if (against(name, Verdict::worse).empty())
+      rest.push_back(name);
   }
-  const std::string numbers = numbers_of(answer, true);
-  const std::string untested = apart.empty() ? "" : "; not tested: " + names_of(apart);
-  const auto are_worse = [](const std::string& names, std::ptrdiff_t count, const std::string& than) {
-    return count == 0 ? "" : fmt::format("; {} {} worse than {}", names, count == 1 ? "is" : "are", than);
-  };
-  if (same.size() > 1) {
-    const std::vector<std::string> worse = against(same.front(), Verdict::better);
-    return fmt::format("{} are the same within {}{}: {}{}", names_of(same), margin_words(judged),
-                       others.empty() ? "" : ", not decided against " + names_of(others), numbers,
-                       are_worse(names_of(worse), std::ssize(worse), same.front()));
-  }
-  if (std::ranges::all_of(judged.findings, &Finding::are_all_equal))
-    return fmt::format("{} are the {}: {} {}", all_of(judged), verdict_words(judged.findings.front(), judged),
-                       quantity_of(answer), number_of(answer, judged, answer.order[0], answer.order[0]));
-  const auto beaten = [&](const std::string& solver) { return against(solver, Verdict::better).size(); };
-  const auto leader = std::ranges::max_element(rest, {}, beaten);
-  if (rest.empty() || (rest.size() == 1 && beaten(*leader) == 0)) return "Not decided: " + numbers + untested;
+  const bool do_untested_lead = !apart.empty() && apart.front() == solver_name(judged, answer.order.front());
+  const std::size_t first = do_untested_lead ? answer.order.front()
+                            : rest.empty()   ? answer.order.front()
+                                             : place_of(judged.observations, rest.front());
   const auto told = [&](std::vector<std::string> names) {
-    for (std::string& name : names) name = with_number(answer, name, place_of(judged.observations, rest[0]));
+    for (std::string& name : names) name = with_number(answer, name, first);
     return names_of(names);
   };
-  if (rest.size() == 1) {
-    const std::vector<std::string> open = against(*leader, Verdict::undecided);
-    return fmt::format("{} is better than {}{}{}", told(rest), told(against(*leader, Verdict::better)),
-                       open.empty() ? "" : "; not decided against " + told(open), untested);
-  }
-  std::vector<std::string> losers, winners;
+  const auto leader = std::ranges::max_element(rest, {}, beaten);
   for (const std::size_t i : answer.order) {
     const std::vector<std::string> better = against(solver_name(judged, i), Verdict::worse);
     if (better.empty()) continue;
-    losers.push_back(with_number(answer, solver_name(judged, i), place_of(judged.observations, rest[0])));
-    winners.push_back(std::ranges::count(better, *leader) > 0 ? *leader : better.front());
+    losers.push_back(with_number(answer, solver_name(judged, i), first));
+    winners.push_back(leader != rest.end() && std::ranges::count(better, *leader) > 0 ? *leader : better.front());
   }
-  std::string text = "Not decided between " + told(rest);
-  for (const auto& [winner, names] : by_word(winners, losers))
-    text += are_worse(names, std::ranges::count(winners, winner), winner);
-  return text + untested;
+  // What is said of several is so of each pair of them.
+  const auto are_all = [&](const std::vector<std::string>& names, auto is_so) {
+    return std::ranges::all_of(judged.findings, [&](const Finding& finding) {
+      return std::ranges::count(names, finding.first) + std::ranges::count(names, finding.second) < 2 || is_so(finding);
+    });
+  };
+  const auto is_undecided = [](const Finding& finding) { return verdict_of(finding) == Verdict::undecided; };
+  const auto is_same = [](const Finding& finding) { return verdict_of(finding) == Verdict::same; };
+  std::vector<std::string> same, others;  // same: as all before it
+  bool are_undecided = true;              // the same ones against the others
+  for (const std::string& name : rest) {
+    const std::vector<std::string> its = against(name, Verdict::same), open = against(name, Verdict::undecided);
+    const auto is_in = [](const std::vector<std::string>& names) {
+      return [&](const std::string& other) { return std::ranges::count(names, other) > 0; };
+    };
+    const bool is_another = !std::ranges::all_of(same, is_in(its));
+    if (is_another) are_undecided &= std::ranges::all_of(same, is_in(open));
+    (is_another ? others : same).push_back(name);
+  }
+  Sentence sentence;
+  if (rest.size() > 1 && are_all(rest, are_equal)) {
+    const auto& found = std::get_if<Tested>(&judged.findings.front().what);
+    sentence.subject =
+        fmt::format("{} are {}: {} {}", names_of(rest),
+                    found ? fmt::format("equal in all {}", numerics::counted(found->n, answer.noun)) : "the same",
+                    quantity_of(answer), number_of(answer, judged, first, first));
+  } else if (rest.size() > 1 && are_all(rest, is_same)) {
+    sentence = {fmt::format("{} are the same within {}", names_of(rest), margin_words(judged)),
+                ": " + numbers_of(answer, true)};
+    losers.clear();  // their numbers are told
+    for (const std::size_t i : answer.order) {
+      if (!against(solver_name(judged, i), Verdict::worse).empty()) losers.push_back(solver_name(judged, i));
+    }
+  } else if (same.size() > 1 && are_undecided) {
+    sentence = {fmt::format("{} are the same within {}, not decided against {}", names_of(same), margin_words(judged),
+                            names_of(others)),
+                ": " + numbers_of(answer, true)};
+  } else if (rest.size() == 1 && beaten(rest.front()) > 0) {
+    const std::vector<std::string> open = against(rest.front(), Verdict::undecided);
+    sentence = {fmt::format("{} is better than {}", told(rest), told(against(rest.front(), Verdict::better))),
+                open.empty() ? "" : "; not decided against " + told(open)};
+    losers.clear();
+  } else if (rest.size() > 1 && are_all(rest, is_undecided)) {
+    sentence.subject = "Not decided between " + told(rest);
+  } else if (!rest.empty()) {
+    sentence.subject = "Nobody is shown to beat " + told(rest);
+  }
+  for (const auto& [winner, names] : by_word(winners, losers)) {
+    if (losers.empty()) break;
+    sentence.rest +=
+        fmt::format("; {} {} worse than {}", names, std::ranges::count(winners, winner) == 1 ? "is" : "are", winner);
+  }
+  if (do_untested_lead) {
+    const std::string of_others = sentence.subject + sentence.rest;
+    return {"Not tested: " + told(apart), of_others.empty() ? "" : ". Of the others: " + of_others};
+  }
+  if (!apart.empty()) sentence.rest += "; not tested: " + names_of(apart);
+  return sentence;
 }
 
 // Of a best one and another.
@@ -239,30 +280,53 @@ std::vector<Finding> findings_of_best(const JudgedMetric& judged) {
   return findings;
 }
 
+Size size_of(const Finding& finding) {
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  return tested ? tested->size : Size::matters;
+}
+
 // ", by less than 5 %", of all or of some that the best ones beat.
 std::string by_little(const JudgedMetric& judged) {
   std::set<std::string> who;
   bool are_all = true;
   for (const Finding& finding : findings_of_best(judged)) {
-    if (!is_difference(finding.verdict)) continue;
-    are_all &= finding.is_within_margin;
-    if (finding.is_within_margin) who.insert(finding.verdict == Verdict::better ? finding.second : finding.first);
+    if (!is_difference(verdict_of(finding))) continue;
+    const bool is_little = size_of(finding) == Size::small;
+    are_all &= is_little;
+    if (is_little) who.insert(verdict_of(finding) == Verdict::better ? finding.second : finding.first);
   }
   if (who.empty()) return "";
   const std::string than = are_all ? "" : "but better than " + names_of({who.begin(), who.end()}) + ' ';
   return fmt::format(", {}by less than {}", than, margin_words(judged));
 }
 
-// "(p < 0.0001)", of the pair with the largest; empty where a verdict has none.
+// " (p < 0.0001)", of the pair with the largest; empty where a verdict has none.
 std::string most_p(const JudgedMetric& judged) {
   double most = 0;
-  for (const Finding& finding : findings_of_best(judged)) most = std::max(most, finding.p.value_or(1));
+  for (const Finding& finding : findings_of_best(judged)) most = std::max(most, p_of(finding).value_or(1));
   return most == 1
              ? ""
              : fmt::format(" (p {}{})", most < 0.0001 ? "" : "at most ", p_text(most, {judged.plan.significance}));
 }
 
-std::string best(const Answer& answer) {
+// What differs between two whose numbers look alike: ", smaller in 8 of 20 targets, larger in none".
+std::string where_alike(const Answer& answer) {
+  const JudgedMetric& judged = answer.decisive();
+  const std::size_t first = answer.order[0];
+  const auto* const tested = std::get_if<Tested>(&judged.findings.front().what);
+  if (answer.order.size() != 2 || !tested || !tested->effect) return "";
+  const auto number = [&](std::size_t group) { return number_of(answer, judged, group, first); };
+  const auto its = shown_average(judged, first), other = shown_average(judged, answer.order[1]);
+  if (number_text(its.value) != number_text(other.value) || counts(judged)) return "";
+  const auto& [ahead, behind] = *tested->effect;
+  return fmt::format(": both have {} {}; {}", quantity_of(answer), number(first),
+                     judged.observations.is_paired
+                         ? fmt::format("better in {:.0f}, worse in {:.0f} of {} {}", ahead * tested->n,
+                                       behind * tested->n, tested->n, answer.noun)
+                         : effect_words(judged.findings.front()));
+}
+
+Sentence best(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const std::vector<std::size_t>& order = answer.order;
   std::vector<std::string> names, beaten;
@@ -271,34 +335,38 @@ std::string best(const Answer& answer) {
   const std::string losers = beaten.size() <= 2 ? listed(beaten) : fmt::format("each of the {} others", beaten.size());
   const bool are_listed = judged.findings.size() <= most_pairs;
   const bool are_unequal = equals_of(judged, order) < names.size();
-  std::string text = fmt::format("{} {}{}{}: {}", names_of(names),
-                                 names.size() > 1    ? "are best"
-                                 : order.size() == 2 ? "is better than " + losers
-                                                     : "is best",
-                                 are_unequal ? ", the same within " + margin_words(judged) : "", by_little(judged),
-                                 numbers_of(answer, names.size() > 1));
+  const std::string alike = where_alike(answer);
+  Sentence sentence{fmt::format("{} {}{}{}", names_of(names),
+                                names.size() > 1    ? "are best"
+                                : order.size() == 2 ? "is better than " + losers
+                                                    : "is best",
+                                are_unequal ? ", the same within " + margin_words(judged) : "", by_little(judged)),
+                    alike.empty() ? ": " + numbers_of(answer, names.size() > 1) : alike};
   if (names.size() > 1 || !are_listed)
-    text += fmt::format(". {} better than {}{}",
-                        names.size() == 1   ? "It is"
-                        : names.size() == 2 ? "Both are"
-                                            : "Each is",
-                        losers, are_listed ? "" : most_p(judged));
-  return text;
+    sentence.rest += fmt::format(". {} better than {}{}",
+                                 names.size() == 1   ? "It is"
+                                 : names.size() == 2 ? "Both are"
+                                                     : "Each is",
+                                 losers, are_listed ? "" : most_p(judged));
+  const auto is_fact = [](const Finding& finding) { return std::holds_alternative<Fact>(finding.what); };
+  if (std::ranges::all_of(findings_of_best(judged), is_fact))
+    sentence.rest += ". Certain, since the solvers repeat themselves";
+  return sentence;
 }
 
-std::string sentence(const Answer& answer) {
+Sentence sentence_of(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const Headline& head = judged.headline;
   if (!best_of(judged).empty()) return best(answer);
   if (!head.best.empty()) return unbeaten(answer);
-  if (!head.usual.empty()) return usual(judged);
-  if (const std::string equal = all_solved(answer); !equal.empty()) return equal;
+  if (!head.usual.empty()) return {usual(judged)};
+  if (const std::string equal = all_solved(answer); !equal.empty()) return {equal};
   if (judged.findings.empty()) {
     const bool is_solved = judged.observations.metric == "solved";
-    return (is_solved ? "" : solver_name(judged, 0) + ": ") + numbers_of(answer, is_solved);
+    return {(is_solved ? "" : solver_name(judged, 0) + ": ") + numbers_of(answer, is_solved)};
   }
-  if (head.is_circle) return "No solver is best, since each is worse than another: " + numbers_of(answer, true);
-  if (!judged.plan.control.empty() && answer.order.size() > 2) return against_control(answer);
+  if (head.is_circle) return {"No solver is best, since each is worse than another", ": " + numbers_of(answer, true)};
+  if (!judged.plan.control.empty() && answer.order.size() > 2) return {against_control(answer)};
   return unbeaten(answer);
 }
 
@@ -326,18 +394,25 @@ std::vector<std::string> best_of(const JudgedMetric& judged) {
   const std::vector<std::string>& best = judged.headline.best;
   const auto is_alike = [&](const Finding& finding) {  // or not of two best ones
     return std::ranges::count(best, finding.first) + std::ranges::count(best, finding.second) < 2 ||
-           finding.verdict == Verdict::same || finding.are_all_equal;
+           verdict_of(finding) == Verdict::same || are_equal(finding);
   };
   return std::ranges::all_of(judged.findings, is_alike) ? best : std::vector<std::string>();
 }
 
-std::string headline(const Answer& whole) {
-  if (!whole.verdict.empty()) return whole.verdict;
+Sentence headline_of(const Answer& whole) {
+  if (!whole.verdict.empty()) return {whole.verdict};
   const bool is_nothing_solved = std::ranges::any_of(whole.metrics, [&](const JudgedMetric& judged) {
     return &judged != &whole.decisive() && judged.observations.metric == "solved" &&
            std::ranges::all_of(judged.described, [](const Description& its) { return its.mean == 0; });
   });
-  return (is_nothing_solved ? "No target was solved. " : "") + sentence(with_short_names(whole, 40)) + '.';
+  Sentence sentence = sentence_of(with_short_names(whole, 40));
+  if (is_nothing_solved) sentence.subject.insert(0, "No target was solved. ");
+  return sentence;
+}
+
+std::string headline(const Answer& answer) {
+  const auto [subject, rest] = headline_of(answer);
+  return subject + rest + (answer.verdict.empty() ? "." : "");
 }
 
 std::string margin_words(const JudgedMetric& judged) {
@@ -348,31 +423,39 @@ std::string margin_words(const JudgedMetric& judged) {
 }
 
 std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
-  const std::string margin = margin_words(judged);
-  const bool is_same = finding.verdict == Verdict::same;
-  if (finding.are_all_equal && (is_same || finding.verdict == Verdict::undecided))
-    return fmt::format("same in all {}", finding.n);
-  if (is_same) return "same within " + margin;
-  std::string words(compare::name_of(finding.verdict));
-  if (finding.n == 0 && finding.verdict == Verdict::not_tested) return words + ": no values";
-  if (finding.is_within_margin) words += ", by less than " + margin;
-  switch (finding.why) {
-    case Why::tested:
-      break;
-    case Why::lost:
-      return words + ": values are missing";
-    case Why::apart:
-      return words + (judged.observations.groups[place_of(judged.observations, finding.first)].summary
-                          ? ": one has no spread"
-                          : ": not comparable");
-    case Why::fact:
-      return words + ": certain, without a test";
-    case Why::too_few:
-      return fmt::format("{}: it takes {} values", words, finding.needed);
-    case Why::few_decide:
-      return words + ": few values decide the mean";
+  const std::string margin = margin_words(judged), verdict(compare::name_of(verdict_of(finding)));
+  if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
+    const std::string in_all = fmt::format("{} in all {}", verdict, tested->n);
+    if (are_equal(finding)) return in_all;
+    if (tested->verdict == Verdict::same) return "same within " + margin;
+    return verdict + (tested->size == Size::small           ? ", by less than " + margin
+                      : tested->size == Size::usually_small ? ", usually by less than " + margin
+                                                            : "");
   }
-  return words;
+  if (std::holds_alternative<Fact>(finding.what))
+    return verdict + (are_equal(finding) || is_difference(verdict_of(finding)) ? "" : " within " + margin) +
+           ", for certain";
+  const auto& open = std::get<Open>(finding.what);
+  switch (open.why) {
+    case Open::Why::too_few:
+      return open.n == 0 ? verdict + ": no values" : fmt::format("{}: it takes {} values", verdict, open.needed);
+    case Open::Why::lost:
+      return verdict + ": values are missing";
+    case Open::Why::apart:
+      return verdict + ": not comparable";
+    case Open::Why::no_spread:
+      return verdict + ": one has no spread";
+    case Open::Why::none:
+      return verdict + ": one solved nothing";
+    case Open::Why::few_decide:
+      return verdict + ": few values decide the mean";
+  }
+  return verdict;
+}
+
+std::string enough_words(const Finding& finding) {
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  return tested && tested->enough > 0 ? fmt::format("about {} would", tested->enough) : "";
 }
 
 std::string warning_of(const Doubt& doubt) {
@@ -382,7 +465,7 @@ std::string warning_of(const Doubt& doubt) {
 }
 
 std::string unit_of(const Finding& finding, const JudgedMetric& judged) {
-  if (!finding.estimate) return "";
+  if (!amount_of(finding)) return "";
   return finding.scale == Scale::ratio ? "times" : finding.scale == Scale::share ? "points" : judged.observations.unit;
 }
 
@@ -393,16 +476,23 @@ std::vector<double> ends_of(const Finding& finding, const JudgedMetric& judged) 
   return {0, end, -end};
 }
 
+std::string effect_words(const Finding& finding) {
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  if (!tested || !tested->effect || !is_difference(tested->verdict)) return "";
+  const auto& [ahead, behind] = *tested->effect;
+  return fmt::format("better in {} %, worse in {} % of comparisons", number_text(100 * ahead),
+                     number_text(100 * behind));
+}
+
 std::string amount_words(const Finding& finding, const JudgedMetric& judged) {
-  if (!finding.estimate) {
-    const double ahead = finding.effect.value_or(0.5);
-    const bool is_shown = finding.verdict == (ahead > 0.5 ? Verdict::better : Verdict::worse) && ahead != 0.5;
-    return is_shown ? fmt::format("better in {} % of comparisons", number_text(100 * ahead)) : "";
-  }
+  constexpr double least = 5e-5;  // of a ratio from 1: beyond the digits that readers see
+  const Amount* const amount = amount_of(finding);
+  const bool is_decided = is_difference(verdict_of(finding));
+  if (!amount || (is_decided && finding.scale == Scale::ratio && std::abs(amount->value - 1) < least))
+    return effect_words(finding);
   const Ends ends = ends_of(finding, judged);
-  const double estimate = *finding.estimate;
-  std::string text = with_unit(number_text(estimate, digits_apart(estimate, ends)), unit_of(finding, judged));
-  if (finding.interval) text += fmt::format(" ({})", interval_text(*finding.interval, number_text, ends));
+  std::string text = with_unit(number_text(amount->value, digits_apart(amount->value, ends)), unit_of(finding, judged));
+  if (amount->interval) text += fmt::format(" ({})", interval_text(*amount->interval, number_text, ends));
   return text;
 }
 
@@ -412,14 +502,16 @@ std::vector<std::vector<std::string>> pair_rows(const Answer& answer) {
   if (answer.decisive().findings.size() > most_pairs) return rows;
   for (const JudgedMetric& judged : answer.metrics) {
     const bool is_decisive = &judged == &answer.decisive();
-    if (!has_two && (!is_decisive || std::ranges::all_of(judged.findings, &Finding::are_all_equal))) continue;
+    if (!has_two && (!is_decisive || std::ranges::all_of(judged.findings, are_equal))) continue;
     for (const Finding& finding : judged.findings) {
-      if (!is_decisive && finding.verdict == Verdict::not_tested) continue;
-      rows.push_back({one_line(fmt::format(
-                          "{}{} vs {}", has_two && answer.metrics.size() > 1 ? judged.observations.quantity + ": " : "",
-                          finding.first, finding.second)),
-                      verdict_words(finding, judged), amount_words(finding, judged),
-                      finding.p ? p_sentence(*finding.p, {judged.plan.significance}) : ""});
+      if (!is_decisive && verdict_of(finding) == Verdict::not_tested) continue;
+      const std::string enough = enough_words(finding);
+      rows.push_back(
+          {one_line(fmt::format("{}{} vs {}",
+                                has_two && answer.metrics.size() > 1 ? judged.observations.quantity + ": " : "",
+                                finding.first, finding.second)),
+           verdict_words(finding, judged) + (enough.empty() ? "" : " (" + enough + ")"), amount_words(finding, judged),
+           p_of(finding) ? p_sentence(*p_of(finding), {judged.plan.significance}) : ""});
     }
   }
   return rows;

@@ -18,16 +18,22 @@ std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::
                                                          const std::vector<std::string>& names);
 // Those that are best and alike; empty if there is none.
 std::vector<std::string> best_of(const compare::JudgedMetric& judged);
-// One sentence: "DLS is best: it solved 100 of 100 targets; PSO 88, mine 54."
+// One sentence, without its end: "DLS is best" and ": it solved 100 of 100 targets; PSO 88, mine 54".
+struct Sentence {
+  std::string subject, rest = {};
+};
+Sentence headline_of(const Answer& answer);
 std::string headline(const Answer& answer);
 
-// "better", "same within 5 %", "not decided", "not tested: it takes 5 values"
+// "better", "same within 5 %", "equal in all 20", "not decided", "not tested: it takes 5 values"
 std::string verdict_words(const compare::Finding& finding, const compare::JudgedMetric& judged);
-std::string warning_of(const compare::Doubt& doubt);  // a sentence
+std::string enough_words(const compare::Finding& finding);  // "about 340 could decide it"; empty if nobody knows
+std::string effect_words(const compare::Finding& finding);  // "better in 43 %, worse in 3 % of comparisons"
+std::string warning_of(const compare::Doubt& doubt);        // a sentence
 // "times", "points", or the metric's unit.
 std::string unit_of(const compare::Finding& finding, const compare::JudgedMetric& judged);
-// "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict "better in 71 % of
-// comparisons"
+// "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict, or show nothing of it, how
+// often which is better
 std::string amount_words(const compare::Finding& finding, const compare::JudgedMetric& judged);
 // Of each pair of the deciding metric, "DLS vs PSO", the verdict, the amount and p; of only two solvers those of
 // each metric that were tested. None of more than most_pairs, nor where all solvers are equal.

@@ -30,18 +30,19 @@ std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& ano
 }
 
 std::string first_sentence(Holds conclusion, const Explained& numbers, const std::vector<JudgedClaim>& claims) {
-  const std::string_view words = conclusion == Holds::holds     ? "repeats in its conclusion, and in"
-                                 : conclusion == Holds::in_part ? "repeats in a part of its conclusion, and in"
-                                 : conclusion == Holds::fails   ? "does not repeat in its conclusion, but in"
-                                                              : "is not shown to repeat in its conclusion; it does in";
+  const auto [words, besides] =
+      conclusion == Holds::holds     ? std::pair("repeats in its conclusion", ", and in")
+      : conclusion == Holds::in_part ? std::pair("repeats in a part of its conclusion", ", and in")
+      : conclusion == Holds::fails   ? std::pair("does not repeat in its conclusion", ", but in")
+                                     : std::pair("is not shown to repeat in its conclusion", "; it does in");
   if (numbers.all > 0)
     return fmt::format(
-        "Slim et al. 2023 {} {} of the {} statistics of error and joint motion in Table 3; were the programs the same, "
-        "in about {:.0f}.",
-        words, numbers.explained, numbers.all, share_in_ranges * static_cast<double>(numbers.all));
+        "Slim et al. 2023 {}{} {} of the {} statistics of error and joint motion in Table 3; were the programs the "
+        "same, in about {:.0f}.",
+        words, besides, numbers.explained, numbers.all, share_in_ranges * static_cast<double>(numbers.all));
   const auto open = std::ranges::count_if(  // since too few runs give no range of any number
       claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
-  return fmt::format("Slim et al. 2023 {}{}.", words.substr(0, words.find("conclusion") + 10),
+  return fmt::format("Slim et al. 2023 {}{}.", words,
                      open == 0 ? "" : fmt::format("; so few runs leave {} open", numerics::counted(open, "claims")));
 }
 
@@ -112,18 +113,18 @@ std::optional<Table> table_7(const StudyResults& study) {
   table.columns.push_back({"median iterations"});
   for (const std::string& solver : study.labels) {
     std::int64_t reached = 0, in_time = 0;  // wherever the joints are
-    Group ms, iterations;
+    std::vector<double> ms, iterations;
     for (const Solve& solve : study.of(solver)) {
-      ms.values.push_back(1000 * solve.seconds);
-      iterations.values.push_back(static_cast<double>(solve.iterations));
+      ms.push_back(1000 * solve.seconds);
+      iterations.push_back(static_cast<double>(solve.iterations));
       const bool is_near = solve.position_error_cm <= tolerance + verifier_rounding_cm;
       reached += is_near;
-      in_time += is_near && ms.values.back() < limit_ms;
+      in_time += is_near && ms.back() < limit_ms;
     }
-    auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(ms.values), reached, in_time});
+    auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(ms), reached, in_time});
     for (std::size_t s = 0; s < statistics.size(); ++s)
-      row.push_back(beside(describe(ms).*statistics[s].of, row_of(printed, solver), s));
-    row.emplace_back(describe(iterations).median);
+      row.push_back(beside(described(ms).*statistics[s].of, row_of(printed, solver), s));
+    row.emplace_back(described(iterations).median);
   }
   return table;
 }

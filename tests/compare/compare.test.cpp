@@ -10,7 +10,8 @@ Observations groups_of(const Lists& groups, Scale scale = Scale::ratio) {
   Observations of{.metric = "error", .quantity = "position error", .unit = "cm", .scale = scale};
   if (scale == Scale::share) of.better = Better::larger;
   for (const auto& values : groups)
-    of.groups.push_back({.name = std::string(1, static_cast<char>('A' + of.groups.size())), .values = values});
+    of.groups.push_back(
+        {.name = std::string(1, static_cast<char>('A' + of.groups.size())), .sample = Measured{values}});
   return of;
 }
 
@@ -42,14 +43,14 @@ std::vector<double> solved(int ones, int all) {
   return values;
 }
 
-Finding only(const std::vector<Finding>& findings) {
+Seen only(const std::vector<Seen>& findings) {
   REQUIRE(findings.size() == 1);
   return findings.front();
 }
 
-std::string verdicts(const std::vector<Finding>& findings) {
+std::string verdicts(const std::vector<Seen>& findings) {
   std::string result;
-  for (const Finding& each : findings)
+  for (const Seen& each : findings)
     result += each.first + each.second + " " + std::string(name_of(each.verdict)) + "; ";
   return result;
 }
@@ -61,10 +62,10 @@ int fewest(int k, bool is_paired, const std::string& control) {
     for (int g = 0; g < k; ++g) groups.push_back(ramp(n, 1 + 100 * g, 1));
     Observations of = groups_of(groups);
     of.is_paired = is_paired;
-    const std::vector<Finding> findings = compare(of, {.control = control});
-    const auto is_tested = [](const Finding& each) { return each.why == Why::tested; };
+    const std::vector<Seen> findings = compared(of, {.control = control});
+    const auto is_tested = [](const Seen& each) { return each.why == Why::tested; };
     if (std::ranges::all_of(findings, is_tested)) {
-      CHECK(std::ranges::all_of(findings, [](const Finding& each) { return each.verdict == Verdict::better; }));
+      CHECK(std::ranges::all_of(findings, [](const Seen& each) { return each.verdict == Verdict::better; }));
       return n;
     }
     CHECK(std::ranges::none_of(findings, is_tested));
@@ -77,7 +78,7 @@ int fewest(int k, bool is_paired, const std::string& control) {
 
 TEST_CASE("twenty values all below twenty others are better, whatever their spread", "[compare]") {
   const double spread = GENERATE(1e-9, 1.0, 1e6);
-  const Finding found = only(compare(groups_of({ramp(20, 1, 1e-3), ramp(20, 2, spread)}), by_ranks));
+  const Seen found = only(compared(groups_of({ramp(20, 1, 1e-3), ramp(20, 2, spread)}), by_ranks));
   CHECK(found.verdict == Verdict::better);
   CHECK(*found.p == Approx(2 / 137846528820.0).epsilon(1e-12));  // C(40, 20)
   CHECK(found.effect == 1);
@@ -97,7 +98,7 @@ TEST_CASE("too few is a formula of sizes, pairs and significance", "[compare]") 
 }
 
 TEST_CASE("a pair that is not tested says how many it takes, and nothing of its few values", "[compare]") {
-  const Finding found = only(compare(groups_of({{1, 2, 3}, {4, 8, 12}}), by_ranks));
+  const Seen found = only(compared(groups_of({{1, 2, 3}, {4, 8, 12}}), by_ranks));
   CHECK(found.verdict == Verdict::not_tested);
   CHECK(found.why == Why::too_few);
   CHECK(found.needed == 4);
@@ -108,46 +109,46 @@ TEST_CASE("a pair that is not tested says how many it takes, and nothing of its 
 
 TEST_CASE("pairs without a p count neither in p nor in the level", "[compare]") {
   Observations of = groups_of({ramp(5, 1, 1), ramp(5, 3.5, 1.1)});
-  const Finding alone = only(compare(of, by_ranks));
-  of.groups.push_back({.name = "lost", .values = ramp(5, 1, 3), .lost = 1});
-  of.groups.push_back({.name = "short", .values = {1.5}});
-  const std::vector<Finding> findings = compare(of, by_ranks);
+  const Seen alone = only(compared(of, by_ranks));
+  of.groups.push_back({.name = "lost", .sample = Untold{.lost = 1, .values = ramp(5, 1, 3)}});
+  of.groups.push_back({.name = "short", .sample = Measured{{1.5}}});
+  const std::vector<Seen> findings = compared(of, by_ranks);
   CHECK(findings.size() == 6);
   CHECK(*findings[0].p == *alone.p);
   CHECK(findings[0].interval->low == alone.interval->low);
   CHECK(findings[1].why == Why::lost);
   CHECK_FALSE(findings[1].estimate);
   CHECK(findings[2].why == Why::too_few);
-  CHECK(std::ranges::count(findings, Verdict::not_tested, &Finding::verdict) == 5);
+  CHECK(std::ranges::count(findings, Verdict::not_tested, &Seen::verdict) == 5);
 }
 
 TEST_CASE("the least able pairs leave first, together", "[compare]") {
   // 2 / C(8, 4) = 0.0286 alone is below 0.05. Beside two pairs of (4, 20), of p 0.0002, 0.05 / 3 is too small for it.
-  CHECK(verdicts(compare(groups_of({ramp(4, 1, 1), ramp(4, 10, 1), ramp(20, 100, 1)}), by_ranks)) ==
+  CHECK(verdicts(compared(groups_of({ramp(4, 1, 1), ramp(4, 10, 1), ramp(20, 100, 1)}), by_ranks)) ==
         "AB not tested; AC better; BC better; ");
   // A group of two takes nothing from the others.
-  CHECK(verdicts(compare(groups_of({ramp(4, 1, 1), ramp(4, 10, 1), ramp(2, 100, 1)}), by_ranks)) ==
+  CHECK(verdicts(compared(groups_of({ramp(4, 1, 1), ramp(4, 10, 1), ramp(2, 100, 1)}), by_ranks)) ==
         "AB better; AC not tested; BC not tested; ");
 }
 
 TEST_CASE("p is times the pairs, and with a control times those of the control", "[compare]") {
   const Observations of = groups_of({ramp(20, 1, 0.1), ramp(20, 1.53, 0.101), ramp(20, 2.21, 0.103)});
   const auto p_of = [&](std::size_t a, std::size_t b) {
-    return rank_test(of.groups[a].values, of.groups[b].values, 0.05).p;
+    return rank_test(values_of(of.groups[a]), values_of(of.groups[b]), 0.05).p;
   };
   const std::vector<double> all{p_of(0, 1), p_of(0, 2), p_of(1, 2)}, of_b{p_of(0, 1), p_of(1, 2)};
-  const std::vector<Finding> findings = compare(of, by_ranks), with_b = compare(of, {.control = "B"});
+  const std::vector<Seen> findings = compared(of, by_ranks), with_b = compared(of, {.control = "B"});
   for (std::size_t i = 0; i < 3; ++i) CHECK(*findings[i].p == std::min(1.0, 3 * all[i]));
   REQUIRE(with_b.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) CHECK(*with_b[i].p == std::min(1.0, 2 * of_b[i]));
   CHECK(with_b[0].interval->low > findings[0].interval->low);  // 0.05 / 2 and 0.05 / 3
-  CHECK_THROWS_AS(compare(of, {.control = "D"}), std::invalid_argument);
+  CHECK_THROWS_AS(compared(of, {.control = "D"}), std::invalid_argument);
 }
 
 // The same.
 
 TEST_CASE("equal groups of small spread are the same", "[compare]") {
-  const Finding found = only(compare(groups_of({lognormal(20, 1, 0.02, 1), lognormal(20, 1, 0.02, 2)}), by_ranks));
+  const Seen found = only(compared(groups_of({lognormal(20, 1, 0.02, 1), lognormal(20, 1, 0.02, 2)}), by_ranks));
   CHECK(found.verdict == Verdict::same);
   CHECK(found.is_within_margin);
 }
@@ -155,18 +156,18 @@ TEST_CASE("equal groups of small spread are the same", "[compare]") {
 TEST_CASE("rare failures in one group keep it from being the same", "[compare]") {
   std::vector<double> failing = lognormal(20, 1, 0.02, 2);
   failing[3] *= 100;
-  const Finding found = only(compare(groups_of({lognormal(20, 1, 0.02, 1), failing}), by_ranks));
+  const Seen found = only(compared(groups_of({lognormal(20, 1, 0.02, 1), failing}), by_ranks));
   CHECK(found.verdict == Verdict::undecided);  // Hodges and Lehmann's interval does not see it; the t interval does
   CHECK(found.interval->high < 1.05);
   CHECK(found.interval->low > 1 / 1.05);
-  const Finding in_blocks = only(compare(paired(groups_of({lognormal(20, 1, 0.02, 1), failing})), by_ranks));
+  const Seen in_blocks = only(compared(paired(groups_of({lognormal(20, 1, 0.02, 1), failing})), by_ranks));
   CHECK(in_blocks.verdict == Verdict::undecided);
 }
 
 TEST_CASE("values at the tolerance are no evidence of the same while others are far from it", "[compare]") {
   std::vector<double> all_but_two(20, 0.01);
   all_but_two[4] = 3, all_but_two[9] = 5;
-  const Finding found = only(compare(groups_of({std::vector<double>(20, 0.01), all_but_two}), by_ranks));
+  const Seen found = only(compared(groups_of({std::vector<double>(20, 0.01), all_but_two}), by_ranks));
   CHECK_FALSE(found.interval);  // it would be from 1 to 1
   CHECK(found.verdict == Verdict::undecided);
 }
@@ -174,7 +175,7 @@ TEST_CASE("values at the tolerance are no evidence of the same while others are 
 TEST_CASE("where most are equal and p decides, no estimate of 1 stands beside it", "[compare]") {
   std::vector<double> some(60, 0.01);
   for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
-  const Finding found = only(compare(groups_of({std::vector<double>(60, 0.01), some}), by_ranks));
+  const Seen found = only(compared(groups_of({std::vector<double>(60, 0.01), some}), by_ranks));
   CHECK(found.verdict == Verdict::better);
   CHECK_FALSE(found.estimate);
   CHECK_FALSE(found.interval);
@@ -189,11 +190,11 @@ TEST_CASE("all values equal are the same from 73, 109, 164 observations on for 1
       for (const bool is_enough : {false, true}) {
         Observations of = groups_of(Lists(k, std::vector<double>(is_enough ? n : n - 1, value)), scale);
         of.is_paired = is_paired;
-        for (const Finding& each : compare(of, by_ranks)) {
+        for (const Seen& each : compared(of, by_ranks)) {
           CAPTURE(k, is_enough, is_paired, value);
           CHECK(each.are_all_equal);
           CHECK(each.p == 1);
-          CHECK(each.verdict == (is_enough ? Verdict::same : Verdict::undecided));
+          CHECK(each.verdict == (is_enough ? Verdict::same : Verdict::equal));
         }
       }
     }
@@ -204,7 +205,7 @@ TEST_CASE("an interval without width stands only beside what it decides", "[comp
   for (const std::size_t n : {40u, 80u}) {
     Lists lists(2, std::vector<double>(n, 2.0));
     lists[0][0] = 3;
-    const Finding found = only(compare(paired(groups_of(lists)), by_ranks));
+    const Seen found = only(compared(paired(groups_of(lists)), by_ranks));
     CHECK(*found.estimate == 1);
     CHECK(found.verdict == (found.interval ? Verdict::same : Verdict::undecided));
     CHECK(found.interval.has_value() == (n == 80));
@@ -212,10 +213,10 @@ TEST_CASE("an interval without width stands only beside what it decides", "[comp
 }
 
 TEST_CASE("better by less than the margin needs both intervals within", "[compare]") {
-  const Finding found = only(compare(groups_of({lognormal(60, 1, 0.01, 1), lognormal(60, 1.02, 0.01, 2)}), by_ranks));
+  const Seen found = only(compared(groups_of({lognormal(60, 1, 0.01, 1), lognormal(60, 1.02, 0.01, 2)}), by_ranks));
   CHECK(found.verdict == Verdict::better);
   CHECK(found.is_within_margin);
-  const Finding far = only(compare(groups_of({lognormal(60, 1, 0.01, 1), lognormal(60, 1.2, 0.01, 2)}), by_ranks));
+  const Seen far = only(compared(groups_of({lognormal(60, 1, 0.01, 1), lognormal(60, 1.2, 0.01, 2)}), by_ranks));
   CHECK(far.verdict == Verdict::better);
   CHECK_FALSE(far.is_within_margin);
 }
@@ -226,7 +227,7 @@ TEST_CASE("a constant ratio within the margin is no plain better", "[compare]") 
       for (const double ratio : {1.01, 1.1}) {
         Observations of = groups_of({std::vector<double>(20, 1.0), std::vector<double>(20, ratio)});
         of.is_paired = is_paired;
-        const Finding found = only(compare(of, plan));
+        const Seen found = only(compared(of, plan));
         CHECK(found.verdict == Verdict::better);
         CHECK(found.is_within_margin == (ratio < 1.05));
       }
@@ -234,7 +235,7 @@ TEST_CASE("a constant ratio within the margin is no plain better", "[compare]") 
   }
   std::vector<double> some{3, 4, 5, 6, 7, 8, 9, 10}, more = some;
   for (double& value : more) value *= 1.01;
-  CHECK(only(compare(paired(groups_of({some, more})), by_ranks)).is_within_margin);
+  CHECK(only(compared(paired(groups_of({some, more})), by_ranks)).is_within_margin);
 }
 
 TEST_CASE("an absolute margin holds for ranks and for means, of differences and of ratios", "[compare]") {
@@ -243,7 +244,7 @@ TEST_CASE("an absolute margin holds for ranks and for means, of differences and 
     const auto within = [&](double margin, const Lists& lists, Scale scale, double relative = 0) {
       Observations of = groups_of(lists, scale);
       of.absolute_margin = margin;
-      return only(compare(of, {.test = test, .margin = relative}));
+      return only(compared(of, {.test = test, .margin = relative}));
     };
     CHECK(within(1, {negative[0], negative[0]}, Scale::difference).verdict == Verdict::same);
     CHECK(within(1, negative, Scale::difference).is_within_margin);
@@ -251,12 +252,12 @@ TEST_CASE("an absolute margin holds for ranks and for means, of differences and 
     CHECK_FALSE(within(0.01, negative, Scale::difference).is_within_margin);
     // 0.001 cm and 0.002 cm differ by a factor of two, and by less than 0.01 cm.
     const Lists small{lognormal(20, 0.001, 0.1, 1), lognormal(20, 0.002, 0.1, 2)};
-    const Finding hair = within(0.01, small, Scale::ratio, 0.05);
+    const Seen hair = within(0.01, small, Scale::ratio, 0.05);
     CHECK(hair.verdict == Verdict::better);
     CHECK(hair.is_within_margin);
-    CHECK_FALSE(only(compare(groups_of(small), {.test = test})).is_within_margin);
+    CHECK_FALSE(only(compared(groups_of(small), {.test = test})).is_within_margin);
   }
-  const Finding relative = only(compare(groups_of({negative[0], negative[0]}, Scale::difference), by_means));
+  const Seen relative = only(compared(groups_of({negative[0], negative[0]}, Scale::difference), by_means));
   CHECK(relative.verdict == Verdict::same);  // 0.25 of -5
 }
 
@@ -268,46 +269,46 @@ TEST_CASE("blocks of different scales are judged by the logarithms of their rati
     a.push_back(std::pow(10.0, i / 2.0));
     b.push_back(2 * a.back() * (1 + 0.01 * i));
   }
-  const Finding found = only(compare(paired(groups_of({a, b})), by_ranks));
+  const Seen found = only(compared(paired(groups_of({a, b})), by_ranks));
   CHECK(*found.p == 2 / 1024.0);
   CHECK(found.verdict == Verdict::better);
   CHECK(*found.estimate == Approx(0.5).epsilon(0.1));
   CHECK(found.effect == 1);
-  CHECK(only(compare(groups_of({a, b}), by_ranks)).verdict == Verdict::undecided);
-  CHECK(only(compare(paired(groups_of({a, b})), by_means)).verdict == Verdict::undecided);
+  CHECK(only(compared(groups_of({a, b}), by_ranks)).verdict == Verdict::undecided);
+  CHECK(only(compared(paired(groups_of({a, b})), by_means)).verdict == Verdict::undecided);
 }
 
 TEST_CASE("values below the floor are raised to it, and 0 to 0 is the ratio 1", "[compare]") {
   Observations of = paired(groups_of({{0, 1e-9, 3, 3, 3, 3, 3, 3}, {1e-12, 0, 6, 6.1, 6.2, 6.3, 6.4, 6.5}}));
   of.floor = 1e-7;
-  const Finding found = only(compare(of, by_ranks));
+  const Seen found = only(compared(of, by_ranks));
   CHECK(*found.p == 2 / 64.0);      // two pairs are equal, six ranks are left
   CHECK(*found.effect == 7.0 / 8);  // equal pairs count half
   CHECK(*found.estimate == Approx(0.5).epsilon(0.1));
-  for (Group& group : of.groups) std::ranges::fill(group.values, 0.0);
-  CHECK(only(compare(of, by_ranks)).are_all_equal);
+  for (Group& group : of.groups) std::ranges::fill(values_in(group), 0.0);
+  CHECK(only(compared(of, by_ranks)).are_all_equal);
 }
 
 TEST_CASE("the share of blocks ahead is shown, and p and the ratio decide", "[compare]") {
   // Six of ten a little behind, four far ahead: ranks 1 to 6 against 7 to 10.
   std::vector<double> a(10, 1.0), b{0.99, 0.98, 0.97, 0.96, 0.95, 0.94, 20, 30, 40, 50};
-  const Finding found = only(compare(paired(groups_of({a, b})), by_ranks));
-  CHECK(*found.effect == 0.4);
+  const Seen found = only(compared(paired(groups_of({a, b})), by_ranks));
+  CHECK(*found.effect == Approx(0.4));
   CHECK(*found.p == Approx(signed_rank_test(std::vector<double>{1, 2, 3, 4, 5, 6, -7, -8, -9, -10}, 0.05).p));
   CHECK(*found.estimate < 1);
 }
 
 TEST_CASE("differences that rounding alone keeps apart are equal", "[compare]") {
   // 0.3 - 0.1 and 0.4 - 0.2 differ in the last bit.
-  const Finding found = only(
-      compare(paired(groups_of({{0.3, 0.4, 0.5, 0.6, 0.7, 0.8}, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}}, Scale::difference)),
-              by_ranks));
+  const Seen found = only(
+      compared(paired(groups_of({{0.3, 0.4, 0.5, 0.6, 0.7, 0.8}, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}}, Scale::difference)),
+               by_ranks));
   CHECK(*found.p == 2 / 64.0);
   CHECK(found.interval->low == found.interval->high);
   Observations of = groups_of({ramp(6, 1, 1e-10), ramp(6, 1 + 1e-11, 1e-10)});
-  CHECK_FALSE(only(compare(of, by_ranks)).are_all_equal);
+  CHECK_FALSE(only(compared(of, by_ranks)).are_all_equal);
   of.rounding = 1e-9;
-  CHECK(only(compare(of, by_ranks)).are_all_equal);
+  CHECK(only(compared(of, by_ranks)).are_all_equal);
 }
 
 // Means.
@@ -315,11 +316,11 @@ TEST_CASE("differences that rounding alone keeps apart are equal", "[compare]") 
 TEST_CASE("a plan by means has Welch's and the paired t, of differences", "[compare]") {
   const Lists sleep{{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0},
                     {1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4}};
-  const Finding unpaired = only(compare(groups_of(sleep, Scale::difference), by_means));
+  const Seen unpaired = only(compared(groups_of(sleep, Scale::difference), by_means));
   CHECK(*unpaired.p == Approx(0.07939414).epsilon(1e-6));  // R, t.test
   CHECK(unpaired.scale == Scale::difference);
   CHECK(unpaired.test == "Welch's t");
-  const Finding in_blocks = only(compare(paired(groups_of(sleep, Scale::difference)), by_means));
+  const Seen in_blocks = only(compared(paired(groups_of(sleep, Scale::difference)), by_means));
   CHECK(*in_blocks.p == Approx(0.002832890).epsilon(1e-6));
   CHECK(in_blocks.verdict == Verdict::better);
   CHECK(in_blocks.interval->low == Approx(-2.4598858).epsilon(1e-7));
@@ -329,16 +330,16 @@ TEST_CASE("a plan by means has Welch's and the paired t, of differences", "[comp
 TEST_CASE("by means nothing is better while one value is more than half of its group's sum", "[compare]") {
   std::vector<double> one = ramp(20, 5, 0.01), failing = ramp(20, 1, 0.01);
   failing[7] = 22;  // of 43.0
-  const Finding found = only(compare(groups_of({failing, one}), by_means));
+  const Seen found = only(compared(groups_of({failing, one}), by_means));
   CHECK(found.why == Why::few_decide);
   CHECK(found.verdict == Verdict::undecided);
   CHECK(found.estimate);
   CHECK_FALSE(found.p);
   CHECK_FALSE(found.interval);
   failing[7] = 20;
-  CHECK(only(compare(groups_of({failing, one}), by_means)).verdict == Verdict::better);
+  CHECK(only(compared(groups_of({failing, one}), by_means)).verdict == Verdict::better);
   failing[7] = 22;
-  CHECK(only(compare(groups_of({failing, one}), by_ranks)).why == Why::tested);
+  CHECK(only(compared(groups_of({failing, one}), by_ranks)).why == Why::tested);
 }
 
 TEST_CASE("means need three values: of two the larger is more than half of their sum", "[compare]") {
@@ -346,7 +347,7 @@ TEST_CASE("means need three values: of two the larger is more than half of their
     for (int n = 1; n <= 3; ++n) {
       Observations of = groups_of({ramp(n, 1, 0.001), ramp(n, 50, 0.01)});
       of.is_paired = is_paired;
-      const Finding found = only(compare(of, by_means));
+      const Seen found = only(compared(of, by_means));
       CHECK(found.verdict == (n < 3 ? Verdict::not_tested : Verdict::better));
       CHECK(found.needed == (n < 3 ? 3 : 0));
     }
@@ -356,12 +357,12 @@ TEST_CASE("means need three values: of two the larger is more than half of their
 TEST_CASE("published summaries are judged by Welch's t, of differences", "[compare]") {
   // The error of Table 3: Welch's t by hand, (1.6849 - 0.0019) / (0.9069 / sqrt 20) = 8.299 on 19 degrees of freedom.
   Observations of = groups_of({});
-  of.groups = {{.name = "IK-BA", .summary = Summary{20, 0.0019, 1.7824e-4}},
-               {.name = "BA", .summary = Summary{20, 1.6849, 0.9069}},
-               {.name = "DE", .summary = Summary{20, 0.3653, 0.2929}},
-               {.name = "K-ABC", .summary = Summary{20, 0.2318, 0.0722}}};
+  of.groups = {{.name = "IK-BA", .sample = Summary{20, 0.0019, 1.7824e-4}},
+               {.name = "BA", .sample = Summary{20, 1.6849, 0.9069}},
+               {.name = "DE", .sample = Summary{20, 0.3653, 0.2929}},
+               {.name = "K-ABC", .sample = Summary{20, 0.2318, 0.0722}}};
   for (const Plan& plan : {by_ranks, by_means}) {
-    const std::vector<Finding> findings = compare(of, plan);
+    const std::vector<Seen> findings = compared(of, plan);
     CHECK(verdicts(findings) ==
           "IK-BABA better; IK-BADE better; IK-BAK-ABC better; BADE worse; BAK-ABC worse; DEK-ABC not decided; ");
     CHECK(findings[0].scale == Scale::difference);
@@ -376,7 +377,7 @@ TEST_CASE("published summaries are judged by Welch's t, of differences", "[compa
 
 TEST_CASE("shares of one trial are judged by Fisher and Newcombe, in blocks by McNemar", "[compare]") {
   const Observations of = groups_of({solved(100, 100), solved(88, 100), solved(54, 100)}, Scale::share);
-  const std::vector<Finding> findings = compare(of, by_ranks);
+  const std::vector<Seen> findings = compared(of, by_ranks);
   CHECK(verdicts(findings) == "AB better; AC better; BC better; ");
   CHECK(*findings[0].p == Approx(3 * 0.0003439665141949307).epsilon(1e-9));
   CHECK(*findings[0].estimate == Approx(0.12));
@@ -386,7 +387,7 @@ TEST_CASE("shares of one trial are judged by Fisher and Newcombe, in blocks by M
   CHECK(std::lround(100 * findings[1].interval->low) == 33);
   CHECK(std::lround(100 * findings[1].interval->high) == 58);
   CHECK(findings[0].test == "Fisher's exact");
-  const std::vector<Finding> in_blocks = compare(paired(of), by_ranks);
+  const std::vector<Seen> in_blocks = compared(paired(of), by_ranks);
   CHECK(*in_blocks[0].p == 3 * 2 / 4096.0);  // twelve of twelve, of three pairs
   CHECK(in_blocks[0].test == "McNemar's exact");
 }
@@ -395,13 +396,13 @@ TEST_CASE("several trials a target are one share, judged by t in points", "[comp
   // Five runs a target. Differences .2 .4 .2 .4 .2 .4: mean .3, deviation .1095, t = 6.708 on 5 degrees of freedom.
   Observations of = paired(groups_of({{1, 1, .8, .8, 1, 1}, {.8, .6, .6, .4, .8, .6}}, Scale::share));
   of.trials = 5;
-  const Finding found = only(compare(of, by_ranks));
+  const Seen found = only(compared(of, by_ranks));
   CHECK(found.test == "paired t");
   CHECK(*found.estimate == Approx(0.3));
   CHECK(*found.p == Approx(0.001114).epsilon(0.005));
   CHECK(found.verdict == Verdict::better);
   of.is_paired = false;
-  CHECK(only(compare(of, by_ranks)).test == "Welch's t");
+  CHECK(only(compared(of, by_ranks)).test == "Welch's t");
 }
 
 TEST_CASE("two constant shares have Newcombe's interval of that many targets if they are equal, else none",
@@ -410,12 +411,12 @@ TEST_CASE("two constant shares have Newcombe's interval of that many targets if 
     Observations of = groups_of({std::vector<double>(20, 0.8), std::vector<double>(20, 0.8)}, Scale::share);
     of.trials = 5;
     of.is_paired = is_paired;
-    const Interval expected = newcombe(0.8, 20, 0.8, 20, 0.05), found = *only(compare(of, by_ranks)).interval;
+    const Interval expected = newcombe(0.8, 20, 0.8, 20, 0.05), found = *only(compared(of, by_ranks)).interval;
     CHECK(found.low == Approx(expected.low));
     CHECK(found.high == Approx(expected.high));
-    std::ranges::fill(of.groups[0].values, 1.0);
-    CHECK(only(compare(of, by_ranks)).verdict == Verdict::better);  // p of the permutations
-    CHECK_FALSE(only(compare(of, by_ranks)).interval);
+    std::ranges::fill(values_in(of.groups[0]), 1.0);
+    CHECK(only(compared(of, by_ranks)).verdict == Verdict::better);  // p of the permutations
+    CHECK_FALSE(only(compared(of, by_ranks)).interval);
   }
 }
 
@@ -424,58 +425,58 @@ TEST_CASE("an interval of shares ends at 1", "[compare]") {
   of.trials = 5;
   for (const bool is_paired : {false, true}) {
     of.is_paired = is_paired;
-    CHECK(only(compare(of, by_ranks)).interval->high == 1);
-    std::swap(of.groups[0].values, of.groups[1].values);
-    CHECK(only(compare(of, by_ranks)).interval->low == -1);
-    std::swap(of.groups[0].values, of.groups[1].values);
+    CHECK(only(compared(of, by_ranks)).interval->high == 1);
+    std::swap(values_in(of.groups[0]), values_in(of.groups[1]));
+    CHECK(only(compared(of, by_ranks)).interval->low == -1);
+    std::swap(values_in(of.groups[0]), values_in(of.groups[1]));
   }
 }
 
 TEST_CASE("Fisher's smallest p is one table of groups of two sizes, two of equal ones", "[compare]") {
   const Observations unequal = groups_of({solved(3, 3), solved(0, 4)}, Scale::share);
-  CHECK(*only(compare(unequal, by_ranks)).p == Approx(1 / 35.0));
-  CHECK(only(compare(unequal, {.significance = 0.0285})).why == Why::too_few);
+  CHECK(*only(compared(unequal, by_ranks)).p == Approx(1 / 35.0));
+  CHECK(only(compared(unequal, {.significance = 0.0285})).why == Why::too_few);
   const Observations equal = groups_of({solved(4, 4), solved(0, 4)}, Scale::share);
-  CHECK(*only(compare(equal, by_ranks)).p == Approx(2 / 70.0));
-  CHECK(only(compare(equal, {.significance = 0.0285})).why == Why::too_few);
+  CHECK(*only(compared(equal, by_ranks)).p == Approx(2 / 70.0));
+  CHECK(only(compared(equal, {.significance = 0.0285})).why == Why::too_few);
 }
 
 TEST_CASE("one target solved among many does not keep shares from a verdict", "[compare]") {
   Observations of = groups_of({solved(1, 40), solved(40, 40)}, Scale::share);
   of.trials = 5;
-  CHECK(only(compare(of, by_means)).verdict == Verdict::worse);
+  CHECK(only(compared(of, by_means)).verdict == Verdict::worse);
 }
 
 // Solvers that repeat themselves.
 
 TEST_CASE("two solvers that repeat themselves differ by a fact", "[compare]") {
   Observations of = groups_of({{2}, {4}});
-  for (Group& group : of.groups) group.copies = 20;
-  const Finding found = only(compare(of, by_ranks));
+  for (Group& group : of.groups) group.sample = Copies{values_of(group).front(), 20};
+  const Seen found = only(compared(of, by_ranks));
   CHECK(found.why == Why::fact);
-  CHECK(found.verdict == Verdict::not_tested);
+  CHECK(found.verdict == Verdict::better);
   CHECK(*found.estimate == Approx(0.5));
   CHECK_FALSE(found.p);
 }
 
 TEST_CASE("runs are compared with the value of a solver that repeats itself by their signs", "[compare]") {
   Observations of = groups_of({{1}, {2, 3, 4, 5, 6, 7}});
-  of.groups[0].copies = 20;
-  const Finding found = only(compare(of, by_ranks));
+  of.groups[0].sample = Copies{values_of(of.groups[0]).front(), 20};
+  const Seen found = only(compared(of, by_ranks));
   CHECK(found.test == "sign test");
   CHECK(*found.p == 2 / 64.0);
   CHECK(found.verdict == Verdict::better);
   CHECK(*found.estimate == Approx(1 / std::sqrt(20.0)));  // the median of logarithms: between 4 and 5
   CHECK(found.effect == 1);
-  of.groups[1].values.push_back(1);  // equal to the value: dropped
-  CHECK(*only(compare(of, by_ranks)).p == 2 / 64.0);
-  of.groups[1].values = {1, 1, 2, 3, 4, 5, 6};
-  const Finding few = only(compare(of, by_ranks));
+  values_in(of.groups[1]).push_back(1);  // equal to the value: dropped
+  CHECK(*only(compared(of, by_ranks)).p == 2 / 64.0);
+  values_in(of.groups[1]) = {1, 1, 2, 3, 4, 5, 6};
+  const Seen few = only(compared(of, by_ranks));
   CHECK(few.why == Why::too_few);
   CHECK(few.n == 5);
   CHECK(few.needed == 6);
-  of.groups[1].values = {1, 1, 1};
-  CHECK(only(compare(of, by_ranks)).n == 0);
+  values_in(of.groups[1]) = {1, 1, 1};
+  CHECK(only(compared(of, by_ranks)).n == 0);
 }
 
 // p, interval and verdict.
@@ -487,7 +488,7 @@ TEST_CASE("an interval of unpaired ranks has what either test keeps, of five and
                   0.858446003620109, 0.810877603883547, 1.09024115887056,  1.24228974916032, 0.807378838800918,
                   1.07192113404207,  0.811566791462305, 1.22013371231482,  1.00980167730198, 0.780670740047111,
                   1.1834369413162,   0.821657375540992, 1.16814254935747,  1.2718826241216,  1.21931070327248}});
-  const Finding found = better_first(only(compare(of, by_ranks)), "");
+  const Seen found = better_first(only(compared(of, by_ranks)), "");
   CHECK(found.first == "B");
   CHECK(*found.p == Approx(0.0144).epsilon(0.005));
   CHECK(found.interval->low == Approx(0.0211).epsilon(0.005));
@@ -497,7 +498,7 @@ TEST_CASE("an interval of unpaired ranks has what either test keeps, of five and
 
 TEST_CASE("an interval holds no difference where p does not decide, and excludes it where it does", "[compare]") {
   const auto points = [](double share) { return std::round(1000 * share) / 10; };
-  const Finding open = only(compare(groups_of({solved(100, 100), solved(95, 100)}, Scale::share), by_ranks));
+  const Seen open = only(compared(groups_of({solved(100, 100), solved(95, 100)}, Scale::share), by_ranks));
   CHECK(*open.p == Approx(0.0594).epsilon(0.001));
   CHECK(open.verdict == Verdict::undecided);
   CHECK(points(*open.estimate) == 5);
@@ -505,27 +506,27 @@ TEST_CASE("an interval holds no difference where p does not decide, and excludes
   CHECK(points(open.interval->high) == 11.2);
 
   const Observations five_to_none = paired(groups_of({solved(5, 20), solved(0, 20)}, Scale::share));
-  const Finding pairs = only(compare(five_to_none, by_ranks));
+  const Seen pairs = only(compared(five_to_none, by_ranks));
   CHECK(*pairs.p == 0.0625);
   CHECK(*pairs.estimate == 0.25);
   CHECK(pairs.interval->low == 0);
   CHECK(points(pairs.interval->high) == 46.9);
 
-  const Finding none = only(compare(groups_of({solved(0, 20), solved(33, 200)}, Scale::share), by_ranks));
+  const Seen none = only(compared(groups_of({solved(0, 20), solved(33, 200)}, Scale::share), by_ranks));
   CHECK(*none.p == Approx(0.0496).epsilon(0.001));
   CHECK(none.verdict == Verdict::worse);
   CHECK(points(*none.estimate) == -16.5);
   CHECK(points(none.interval->low) == -22.3);
   CHECK(none.interval->high == 0);
   CHECK(none.interval->excludes_high);
-  const Finding turned = better_first(none, "");
+  const Seen turned = better_first(none, "");
   CHECK(turned.interval->low == 0);
   CHECK(turned.interval->excludes_low);
   CHECK_FALSE(turned.interval->excludes_high);
 
   const std::vector<double> differences{0.5, 0.6, 0.7, 0.8, 0.9, 1, 0, 0, 0, 0};
-  const Finding blocks =
-      only(compare(paired(groups_of({differences, std::vector<double>(10)}, Scale::difference)), by_ranks));
+  const Seen blocks =
+      only(compared(paired(groups_of({differences, std::vector<double>(10)}, Scale::difference)), by_ranks));
   CHECK(*blocks.p == 0.03125);
   CHECK(*blocks.estimate == Approx(0.45));
   CHECK(blocks.interval->low == 0);
@@ -537,13 +538,13 @@ TEST_CASE("of equal values that may be copies the larger p of two readings decid
   const auto found_of = [](std::vector<double> equal, std::vector<double> others) {
     const bool are_both_equal = std::ranges::count(others, others.front()) == std::ssize(others);
     Observations of = groups_of({std::move(equal), std::move(others)});
-    of.groups[0].may_repeat = true;
-    of.groups[1].may_repeat = are_both_equal;
-    return only(compare(of, by_ranks));
+    measured(of.groups[0]).may_repeat = true;
+    measured(of.groups[1]).may_repeat = are_both_equal;
+    return only(compared(of, by_ranks));
   };
   std::vector<double> most_equal(94, 0.01);
   for (int i = 1; i <= 6; ++i) most_equal.push_back(0.01 + 0.01 * i);
-  const Finding few_against_many = found_of(std::vector(6, 0.01), most_equal);
+  const Seen few_against_many = found_of(std::vector(6, 0.01), most_equal);
   CHECK(*few_against_many.p == Approx(0.550).epsilon(0.001));  // Mann-Whitney; the sign test alone says 0.031
   CHECK(few_against_many.verdict == Verdict::undecided);
   std::vector<double> spread;
@@ -582,7 +583,8 @@ DrawnSet drawn_set(std::mt19937_64& engine) {
   const std::size_t kind = below(6);
   const bool lack_blocks = below(3) == 0;
   for (std::size_t g = 0; g < k; ++g) {
-    Group& group = of.groups.emplace_back(Group{.name = std::string(1, static_cast<char>('A' + g))});
+    Measured group;
+    std::optional<Copies> copies;
     group.values.resize(of.is_paired || below(2) == 0 ? n : 2 + below(n));
     const double middle = std::array{1.0, 1.02, 1.5, 5.0}[below(4)], share = std::array{0.0, 0.1, 0.8, 1.0}[below(4)];
     std::normal_distribution<double> normal(0, below(2) == 0 ? 1 : 0.02);
@@ -601,25 +603,28 @@ DrawnSet drawn_set(std::mt19937_64& engine) {
     }
     if (!of.is_paired) group.may_repeat = std::ranges::count(group.values, group.values[0]) == std::ssize(group.values);
     if (!of.is_paired && below(5) == 0) {
-      group.values.resize(1);
-      group.copies = static_cast<int>(n);
+      copies = Copies{group.values.front(), static_cast<int>(n)};
     }
-    if (!of.is_paired || !lack_blocks) continue;
-    group.blocks.resize(n);
-    std::iota(group.blocks.begin(), group.blocks.end(), 0);
-    group.blocks.erase(group.blocks.begin() + static_cast<std::ptrdiff_t>(below(n)));
-    group.values.pop_back();
+    if (of.is_paired && lack_blocks) {
+      group.blocks.resize(n);
+      std::iota(group.blocks.begin(), group.blocks.end(), 0);
+      group.blocks.erase(group.blocks.begin() + static_cast<std::ptrdiff_t>(below(n)));
+      group.values.pop_back();
+    }
+    of.groups.push_back({.name = std::string(1, static_cast<char>('A' + g)), .sample = group});
+    if (copies) of.groups.back().sample = *copies;
   }
   return drawn;
 }
 
 // What p, estimate, interval and verdict say of a difference; empty if it is one thing.
-std::string disagreement(const Finding& found, const Plan& plan, Better better) {
+std::string disagreement(const Seen& found, const Plan& plan, Better better) {
   const double none = found.scale == Scale::ratio ? 1 : 0;
   const auto& [low, high, excludes_low, excludes_high] = found.interval.value_or(Interval{});
   if (found.interval && found.estimate && !(low <= *found.estimate && *found.estimate <= high))
     return "the estimate is outside the interval";
   if (found.interval && !found.estimate) return "an interval of no estimate";
+  if (found.why == Why::fact) return found.estimate && !found.interval ? "" : "a fact without its amount";
   if (!found.p) return is_difference(found.verdict) || found.interval ? "a verdict or an interval without p" : "";
   if ((*found.p < plan.significance) != is_difference(found.verdict)) return "p and verdict";
   if (found.verdict == Verdict::same && !found.is_within_margin) return "the same outside the margin";
@@ -642,8 +647,8 @@ TEST_CASE("p, interval, estimate and verdict of no pair disagree", "[compare][pr
   int decided = 0, excluded = 0, ahead = 0, same = 0, open = 0;
   for (int set = 0; set < 10'000; ++set) {
     const auto [of, plan] = drawn_set(engine);
-    for (const Finding& found : compare(of, plan)) {
-      const Finding turned = better_first(found, plan.control);
+    for (const Seen& found : compared(of, plan)) {
+      const Seen turned = better_first(found, plan.control);
       decided += is_difference(found.verdict);
       ahead += is_difference(found.verdict) && !found.estimate;
       excluded += found.interval && (found.interval->excludes_low || found.interval->excludes_high);
@@ -661,19 +666,19 @@ TEST_CASE("p, interval, estimate and verdict of no pair disagree", "[compare][pr
 
 TEST_CASE("a monotone transformation changes no p of ranks", "[compare][property]") {
   Observations of = groups_of({lognormal(15, 1, 0.5, 1), lognormal(15, 1.6, 0.5, 2)});
-  const Finding one = only(compare(of, by_ranks));
+  const Seen one = only(compared(of, by_ranks));
   for (Group& group : of.groups) {
-    for (double& value : group.values) value = std::exp(value) + value * value * value;
+    for (double& value : values_in(group)) value = std::exp(value) + value * value * value;
   }
-  CHECK(*only(compare(of, by_ranks)).p == *one.p);
+  CHECK(*only(compared(of, by_ranks)).p == *one.p);
   of.scale = Scale::difference;
-  CHECK(*only(compare(of, by_ranks)).p == *one.p);
+  CHECK(*only(compared(of, by_ranks)).p == *one.p);
 }
 
 TEST_CASE("larger is better where the metric says so", "[compare]") {
   Observations of = groups_of({ramp(10, 1, 0.1), ramp(10, 5, 0.1)});
   of.better = Better::larger;
-  const Finding found = only(compare(of, by_ranks));
+  const Seen found = only(compared(of, by_ranks));
   CHECK(found.verdict == Verdict::worse);
   CHECK(found.effect == 0);
 }
@@ -683,16 +688,16 @@ TEST_CASE("larger is better where the metric says so", "[compare]") {
 TEST_CASE("best is better than every other", "[compare]") {
   Observations of = groups_of({ramp(10, 5, 0.1), ramp(10, 1, 0.1), ramp(10, 5.05, 0.1)});
   CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == Names{"B"});
-  of.groups[2].values = ramp(10, 2.5, 0.1);  // worse than B, and better than A
+  values_in(of.groups[2]) = ramp(10, 2.5, 0.1);  // worse than B, and better than A
   CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == Names{"B"});
-  of.groups[2].values = ramp(10, 1.05, 0.1);  // not told from B, and better than A
+  values_in(of.groups[2]) = ramp(10, 1.05, 0.1);  // not told from B, and better than A
   CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == Names{"B", "C"});
   CHECK(headline(of, by_ranks, compare(of, {.control = "A"})).best.empty());  // B and C were not compared
-  of.groups[0].values = ramp(10, 1.4, 0.1);                                   // worse than B alone
+  values_in(of.groups[0]) = ramp(10, 1.4, 0.1);                               // worse than B alone
   const Headline none = headline(of, by_ranks, compare(of, by_ranks));
   CHECK(none.best.empty());
   CHECK_FALSE(none.is_circle);
-  CHECK(headline(groups_of({{1, 2}}), by_ranks, {}).best.empty());
+  CHECK(headline(groups_of({{1, 2}}), by_ranks, std::vector<Finding>()).best.empty());
   of = groups_of({solved(99, 100), solved(50, 100)}, Scale::share);
   CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == Names{"A"});
 }
@@ -707,7 +712,7 @@ TEST_CASE("verdicts that form a circle have no best", "[compare]") {
     return values;
   };
   Observations of = groups_of({dice({2, 4, 9}), dice({1, 6, 8}), dice({3, 5, 7})}, Scale::difference);
-  const std::vector<Finding> findings = compare(of, by_ranks);
+  const std::vector<Seen> findings = compared(of, by_ranks);
   CHECK(verdicts(findings) == "AB worse; AC better; BC worse; ");
   const Headline none = headline(of, by_ranks, findings);
   CHECK(none.best.empty());
@@ -719,7 +724,7 @@ TEST_CASE("where the means lie the other way nobody is best, one is usually bett
   std::vector<double> a = ramp(20, 0.0001, 1e-6);
   a[3] = a[11] = 0.3;
   Observations of = groups_of({a, ramp(20, 0.0005, 1e-6)});
-  const std::vector<Finding> findings = compare(of, by_ranks);
+  const std::vector<Seen> findings = compared(of, by_ranks);
   CHECK(verdicts(findings) == "AB better; ");
   const Headline said = headline(of, by_ranks, findings);
   CHECK(said.best.empty());
@@ -735,7 +740,7 @@ TEST_CASE("where the medians lie the other way nobody is best", "[compare]") {
   for (const double value : ramp(52, 5.48, 0.01)) groups[0].push_back(value);
   for (const double value : ramp(45, 10.55, 0.01)) groups[1].push_back(value);
   Observations of = groups_of(groups);
-  const std::vector<Finding> findings = compare(of, by_ranks);
+  const std::vector<Seen> findings = compared(of, by_ranks);
   CHECK(verdicts(findings) == "AB better; ");
   const Headline said = headline(of, by_ranks, findings);
   CHECK(said.best.empty());
@@ -747,10 +752,10 @@ TEST_CASE("where the medians lie the other way nobody is best", "[compare]") {
 
 TEST_CASE("A pair has the blocks that both groups have, and can decide what their number can") {
   Observations of = paired(groups_of({ramp(12, 1, 0.1), ramp(9, 20, 0.1), ramp(3, 30, 0.1)}));
-  of.groups[0].blocks = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
-  of.groups[1].blocks = {2, 4, 6, 8, 10, 12, 14, 16, 18};
-  of.groups[2].blocks = {14, 16, 18};
-  const auto findings = compare(of, by_ranks);
+  measured(of.groups[0]).blocks = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  measured(of.groups[1]).blocks = {2, 4, 6, 8, 10, 12, 14, 16, 18};
+  measured(of.groups[2]).blocks = {14, 16, 18};
+  const auto findings = compared(of, by_ranks);
   CHECK(findings[0].n == 6);
   CHECK(*findings[0].p == 2 / 64.0);
   CHECK(*findings[0].estimate == Approx(0.0776131597));
@@ -764,17 +769,17 @@ TEST_CASE("A pair has the blocks that both groups have, and can decide what thei
 
 TEST_CASE("The means of a headline are of the blocks that both have") {
   Observations of = paired(groups_of({ramp(8, 1, 0.01), ramp(9, 2, 0.01)}));
-  of.groups[0].blocks = {1, 2, 3, 4, 5, 6, 7, 8};
-  of.groups[0].values.push_back(100);  // a block that the other lacks
-  of.groups[0].blocks.push_back(20);
-  of.groups[1].blocks = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  measured(of.groups[0]).blocks = {1, 2, 3, 4, 5, 6, 7, 8};
+  values_in(of.groups[0]).push_back(100);  // a block that the other lacks
+  measured(of.groups[0]).blocks.push_back(20);
+  measured(of.groups[1]).blocks = {1, 2, 3, 4, 5, 6, 7, 8, 9};
   CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == Names{"A"});
 }
 
 TEST_CASE("A group apart is described, but neither compared nor counted") {
   Observations of = groups_of({ramp(6, 1, 0.01), ramp(6, 2, 0.01), ramp(6, 3, 0.01)});
-  of.groups[2].is_apart = true;
-  const auto findings = compare(of, by_ranks);
+  of.groups[2].sample = Untold{.why = Untold::Why::apart, .values = values_in(of.groups[2])};
+  const auto findings = compared(of, by_ranks);
   CHECK(verdicts(findings) == "AB better; AC not tested; BC not tested; ");
   CHECK(*findings[0].p == Approx(2 / 924.0));
   CHECK(findings[1].why == Why::apart);
@@ -783,7 +788,7 @@ TEST_CASE("A group apart is described, but neither compared nor counted") {
 }
 
 TEST_CASE("Where values count as the tolerance, they have no standard deviation") {
-  Group group{.name = "A", .values = ramp(6, 1, 0.1)};
+  Group group{.name = "A", .sample = Measured{ramp(6, 1, 0.1)}};
   CHECK(describe(group).sd > 0);
   group.at_most = 1;
   CHECK(std::isnan(describe(group).sd));

@@ -4,7 +4,7 @@ namespace {
 
 Observations observed(std::vector<std::vector<double>> groups) {
   Observations of{.metric = "x", .quantity = "x"};
-  for (auto& values : groups) of.groups.push_back({.name = "g", .values = std::move(values)});
+  for (auto& values : groups) of.groups.push_back({.name = "g", .sample = Measured{std::move(values)}});
   return of;
 }
 
@@ -34,7 +34,7 @@ const std::vector<std::vector<double>> plants{{4.17, 5.58, 5.18, 6.11, 4.50, 4.6
 }  // namespace
 
 TEST_CASE("a group is described as MATLAB does", "[describe]") {
-  const Description of = describe({.name = "a", .values = {1, 2, 3, 4, 9, 2}});
+  const Description of = described({1, 2, 3, 4, 9, 2});
   CHECK(of.n == 6);
   CHECK(of.mean == 3.5);
   CHECK(of.sd == Approx(std::sqrt(41.5 / 5)));  // by hand: 6.25 2.25 .25 .25 30.25 2.25
@@ -44,13 +44,13 @@ TEST_CASE("a group is described as MATLAB does", "[describe]") {
   CHECK(of.quantile_95 == of.largest);
   CHECK(of.smallest == 1);
   CHECK(of.largest == 9);
-  CHECK(describe({.name = "b", .values = {1, 2, 3, 5}}).lower_quartile == 1.5);  // at n p + 1/2 = 1.5
-  CHECK(describe({.name = "c", .values = {7}}).upper_quartile == 7);
-  CHECK(std::isnan(describe({.name = "c", .values = {7}}).sd));
+  CHECK(described({1, 2, 3, 5}).lower_quartile == 1.5);  // at n p + 1/2 = 1.5
+  CHECK(described({7}).upper_quartile == 7);
+  CHECK(std::isnan(described({7}).sd));
 }
 
 TEST_CASE("a summary has no more than its three numbers", "[describe]") {
-  const Description of = describe({.name = "a", .summary = Summary{20, 0.5, 0.1}});
+  const Description of = describe({.name = "a", .sample = Summary{20, 0.5, 0.1}});
   CHECK(of.n == 20);
   CHECK(of.mean == 0.5);
   CHECK(of.sd == 0.1);
@@ -84,6 +84,6 @@ TEST_CASE("what has no spread, no second group or no value has no test of all", 
   }
   CHECK_FALSE(anova(observed({{1}, {2}})));
   Observations lost = observed({{1, 2}, {3, 5}});
-  lost.groups[0].lost = 1;
+  lost.groups[0].sample = Untold{.lost = 1, .values = values_in(lost.groups[0])};
   CHECK_FALSE(anova(lost));
 }

@@ -39,9 +39,10 @@ Observations drawn(const Row& row, std::size_t k, int n, Random& random) {
   std::vector<double> blocks(static_cast<std::size_t>(n), 1.0);
   if (row.in_blocks) std::ranges::generate(blocks, [&] { return std::pow(10, 4 * random.uniform()); });
   for (std::size_t g = 0; g < k; ++g) {
-    Group& group = of.groups.emplace_back(Group{.name = std::string(1, static_cast<char>('A' + g))});
+    Measured group;
     for (int i = 0; i < (g == 0 ? n : n * row.times); ++i)
       group.values.push_back(row.draw(random, g) * blocks[static_cast<std::size_t>(i % n)]);
+    of.groups.push_back({.name = std::string(1, static_cast<char>('A' + g)), .sample = std::move(group)});
   }
   return of;
 }
@@ -49,20 +50,19 @@ Observations drawn(const Row& row, std::size_t k, int n, Random& random) {
 double counted(const Row& row, const std::vector<Finding>& findings, std::size_t k) {
   const auto with_first = [&](Verdict verdict) {
     return std::ranges::count_if(findings,
-                                 [&](const Finding& each) { return each.first == "A" && each.verdict == verdict; });
+                                 [&](const Finding& each) { return each.first == "A" && verdict_of(each) == verdict; });
   };
   if (row.counts == Counts::same_as_first) return with_first(Verdict::same) > 0;
   if (row.counts == Counts::better_than_others)
     return static_cast<double>(with_first(Verdict::better)) / static_cast<double>(k - 1);
-  return std::ranges::any_of(
-      findings, [](const Finding& each) { return each.verdict == Verdict::better || each.verdict == Verdict::worse; });
+  return std::ranges::any_of(findings, [](const Finding& each) { return is_difference(verdict_of(each)); });
 }
 
 // The share of pairs with the first that Mann and Whitney's test finds at 0.05 / pairs.
 double found_by_mann_whitney(const Observations& of) {
   const auto k = static_cast<double>(of.groups.size());
   const auto is_found = [&](const Group& other) {
-    return mann_whitney(of.groups[0].values, other.values) < 0.05 / (k * (k - 1) / 2);
+    return mann_whitney(values_of(of.groups[0]), values_of(other)) < 0.05 / (k * (k - 1) / 2);
   };
   return static_cast<double>(std::count_if(of.groups.begin() + 1, of.groups.end(), is_found)) / (k - 1);
 }

@@ -95,9 +95,9 @@ TEST_CASE("drawn targets are paired; another task or number of solves is refused
 TEST_CASE("times decide nothing, and those of other stores and of solves that are the same are not compared") {
   const Asked in_turns{.start = "initial", .runs = 5, .points = 20, .tolerance_cm = 0.1};
   const auto time_of = [](const Gate& gate) {
-    return std::ranges::find(gate.judged.metrics, "time",
-                             [](const JudgedMetric& each) { return each.observations.metric; })
-        ->findings.front();
+    return seen(std::ranges::find(gate.judged.metrics, "time", [](const JudgedMetric& each) {
+                  return each.observations.metric;
+                })->findings.front());
   };
   const auto slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = 3 * solve.seconds; };
   const auto slow_and_other = [&](SolveRecord& solve) {
@@ -150,10 +150,10 @@ TEST_CASE("labels that are compared share the significance") {
   const StudyResults before = version(1), after = version(1, of_100, miss_six);
   const Gate one = gate_of(before, after);
   CHECK(one.worse == Names{"solved"});
-  CHECK(one.judged.metrics.front().findings.front().p == 2 / 64.0);
+  CHECK(seen(one.judged.metrics.front().findings.front()).p == 2 / 64.0);
   CHECK(gate_of(before, after, 6).worse.empty());
   CHECK(gate_of(before, after, 6).not_decided == Names{"solved"});
-  CHECK(gate_of(before, after, 6).judged.metrics.front().findings.front().p == 6 * 2 / 64.0);
+  CHECK(seen(gate_of(before, after, 6).judged.metrics.front().findings.front()).p == 6 * 2 / 64.0);
 }
 
 TEST_CASE("solves that are the same bit for bit leave nothing open, however few") {

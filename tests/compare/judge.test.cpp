@@ -45,7 +45,7 @@ TEST_CASE("A better solver is named, and its findings are those of the table") {
   const JudgedMetric& error = metric(of, "error");
   CHECK(error.headline.best == std::vector<std::string>{"A"});
   REQUIRE(error.findings.size() == 1);
-  CHECK(error.findings.front().verdict == Verdict::better);
+  CHECK(seen(error.findings.front()).verdict == Verdict::better);
   CHECK(error.described.front().n == 8);
   CHECK(of.doubts.empty());
 }
@@ -57,12 +57,12 @@ TEST_CASE("The plan's test, level, margin and control reach the comparison") {
   const auto judged = [&](const std::string& plan) {
     return metric(judge(study({.runs = 8, .rest = R"(, "analysis": )" + plan}, errors, {"A", "B", "C"})), "error");
   };
-  CHECK(judged(R"({"test": "means"})").findings.front().test == "Welch's t");
+  CHECK(seen(judged(R"({"test": "means"})").findings.front()).test == "Welch's t");
   CHECK(judged(R"({"control": "B"})").findings.size() == 2);
-  CHECK(judged(R"({"significance": 0.0001})").findings.front().why == Why::too_few);
-  CHECK_FALSE(judged(R"({})").findings.front().is_within_margin);
-  CHECK(judged(R"({"margin_cm": 0.6})").findings.front().is_within_margin);
-  CHECK(judged(R"({"margin_cm": 0.6})").findings.back().verdict == Verdict::same);
+  CHECK(seen(judged(R"({"significance": 0.0001})").findings.front()).why == Why::too_few);
+  CHECK_FALSE(seen(judged(R"({})").findings.front()).is_within_margin);
+  CHECK(seen(judged(R"({"margin_cm": 0.6})").findings.front()).is_within_margin);
+  CHECK(seen(judged(R"({"margin_cm": 0.6})").findings.back()).verdict == Verdict::same);
 }
 
 TEST_CASE("Means that few values decide are told") {

@@ -24,6 +24,53 @@ using results::SolveRecord;
 using results::Status;
 using results::Timing;
 
+// A finding with all that some kinds of findings have.
+enum class Why { tested, lost, apart, fact, too_few, few_decide };
+struct Seen : Finding {
+  std::optional<double> estimate = {}, p = {}, effect = {};
+  std::optional<Interval> interval = {};
+  std::string_view test = {};
+  Verdict verdict = Verdict::not_tested;
+  Why why = Why::tested;
+  bool is_within_margin = false, are_all_equal = false;
+  int n = 0, needed = 0;
+};
+inline Seen seen(const Finding& finding) {
+  Seen all{finding};
+  all.verdict = verdict_of(finding);
+  all.p = p_of(finding);
+  all.are_all_equal = are_equal(finding);
+  if (const Amount* const amount = amount_of(finding)) all.estimate = amount->value, all.interval = amount->interval;
+  if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
+    all.test = tested->test, all.n = tested->n;
+    all.is_within_margin = tested->size == Size::small || tested->verdict == Verdict::same;
+    if (tested->effect) all.effect = tested->effect->a12();
+  } else if (const auto* const open = std::get_if<Open>(&finding.what)) {
+    all.n = open->n, all.needed = open->needed;
+    all.why = open->why == Open::Why::too_few      ? Why::too_few
+              : open->why == Open::Why::lost       ? Why::lost
+              : open->why == Open::Why::few_decide ? Why::few_decide
+                                                   : Why::apart;
+  } else {
+    all.why = Why::fact;
+  }
+  return all;
+}
+inline std::vector<Seen> compared(const Observations& observed, const Plan& plan, std::size_t metrics = 1) {
+  std::vector<Seen> all;
+  for (const Finding& finding : compare(observed, plan, metrics)) all.push_back(seen(finding));
+  return all;
+}
+inline Seen better_first(const Seen& all, std::string_view control) {
+  return seen(compare::better_first(static_cast<const Finding&>(all), control));
+}
+inline Headline headline(const Observations& observed, const Plan& plan, const std::vector<Seen>& all) {
+  return compare::headline(observed, plan, std::vector<Finding>(all.begin(), all.end()));
+}
+inline Measured& measured(Group& group) { return std::get<Measured>(group.sample); }
+inline std::vector<double>& values_in(Group& group) { return std::get<Measured>(group.sample).values; }
+inline std::vector<double> list_of(const Group& group) { return {values_of(group).begin(), values_of(group).end()}; }
+
 struct Asked {
   std::string start = "previous", targets = "fixed";
   int runs = 5, points = 4;

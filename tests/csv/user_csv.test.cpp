@@ -20,10 +20,10 @@ Observations observations(const std::string& text, const Request& request = {}) 
   return csv::read(text, "data.csv", request).observed.front();
 }
 
-Finding finding(const std::string& text, const Request& request = {}, const std::string& margin = "") {
+Seen finding(const std::string& text, const Request& request = {}, const std::string& margin = "") {
   Observations of = observations(text, request);
   const compare::Plan plan = csv::with_margin({}, margin, of);
-  return compare::compare(of, plan).front();
+  return compare::compared(of, plan).front();
 }
 
 std::string said_of(const std::string& text, const Request& request = {}) {
@@ -37,7 +37,7 @@ const std::string wide = "a,b\n1.1,4.5\n2,5\n3,6.5\n2.5,4\n";
 TEST_CASE("values with a large common offset are told apart by their last digits") {
   std::string text = "solver,v\n";
   for (int i = 0; i < 6; ++i) text += fmt::format("A,{}\nB,{}\n", 10'000'000'000'000 + i, 10'000'000'000'006 + i);
-  const Finding found = finding(text);
+  const Seen found = finding(text);
   CHECK(found.verdict == Verdict::better);
   CHECK(*found.p == Approx(2 / 924.0));  // 2 / C(12, 6)
 }
@@ -47,7 +47,7 @@ TEST_CASE("values near -5 are the same within 1, on differences") {
   const Quantities read = csv::read(text, "drift.csv", {});
   CHECK(read.notes.size() == 1);
   CHECK(read.observed.front().scale == Scale::difference);
-  const Finding found = finding(text, {}, "1");
+  const Seen found = finding(text, {}, "1");
   CHECK(found.verdict == Verdict::same);
   CHECK(found.scale == Scale::difference);
   CHECK(std::abs(*found.estimate) < 0.2);
@@ -59,7 +59,7 @@ TEST_CASE("ten times smaller errors on 20 problems of 20 scales are better withi
   const Request request{.block = {"problem"}};
   const std::string text = text_in("tests/data/csv/ten.csv");
   CHECK(observations(text, request).is_paired);
-  const Finding found = finding(text, request);
+  const Seen found = finding(text, request);
   CHECK(found.verdict == Verdict::better);
   CHECK(*found.p == Approx(std::exp2(-19)));
   CHECK(*found.estimate == Approx(0.1).epsilon(0.2));
@@ -68,16 +68,16 @@ TEST_CASE("ten times smaller errors on 20 problems of 20 scales are better withi
 TEST_CASE("equal values of a file are tested as copies and as observations") {
   const Quantities read = csv::read(text_in("tests/data/csv/const2.csv"), "const2.csv", {});
   const Observations& observed = read.observed.front();
-  CHECK(observed.groups.front().values == std::vector(20, 0.01));
-  CHECK(observed.groups.front().may_repeat);
-  const Finding found = compare::compare(observed, {}).front();
+  CHECK(list_of(observed.groups.front()) == std::vector(20, 0.01));
+  CHECK(std::get<compare::Measured>(observed.groups.front().sample).may_repeat);
+  const Seen found = compare::compared(observed, {}).front();
   CHECK(found.verdict == Verdict::better);
   CHECK(found.test == "sign test and Mann-Whitney");
 }
 
 TEST_CASE("a zero in a third group changes no verdict on the two others") {
-  const Finding with = finding(text_in("tests/data/csv/zero.csv"));
-  const Finding zero = finding(text_in("tests/data/csv/zero0.csv"));
+  const Seen with = finding(text_in("tests/data/csv/zero.csv"));
+  const Seen zero = finding(text_in("tests/data/csv/zero0.csv"));
   CHECK(with.verdict == Verdict::better);
   CHECK(zero.verdict == Verdict::better);
   CHECK(*with.p == *zero.p);
@@ -101,7 +101,7 @@ TEST_CASE("rows of several metrics are refused with the advice --where") {
     CHECK(contains(said, "--where 'metric=error'"));
   }
   const Request chosen{.values = {"value"}, .run = "seed", .where = {"metric=error"}};
-  CHECK(observations(text, chosen).groups.front().values == std::vector{0.10, 0.12, 0.11, 0.13});
+  CHECK(list_of(observations(text, chosen).groups.front()) == std::vector{0.10, 0.12, 0.11, 0.13});
   CHECK(finding(text, {.values = {"value"}, .where = {"metric = error"}}).verdict == Verdict::better);
   CHECK(contains(said_of(text, {.where = {"metric=speed"}}), "'metric=error'"));
   // The metric has another name.
@@ -122,12 +122,12 @@ TEST_CASE("separators and decimal marks are found, or given") {
     const Observations of = observations(text);
     REQUIRE(of.groups.size() == 2);
     CHECK(of.groups[0].name == "A");
-    CHECK(of.groups[0].values == a);
-    CHECK(of.groups[1].values == b);
+    CHECK(list_of(of.groups[0]) == a);
+    CHECK(list_of(of.groups[1]) == b);
   }
   CHECK(contains(said_of("s;v\nA;0,5\nA;1.5\nB;3\nB;4\n", {.values = {"v"}}), "data.csv:3:2"));
-  CHECK(observations("s,v\nA,\"0,5\"\nA,\"1,25\"\nB,3\nB,4\n").groups[0].values == a);
-  CHECK(observations("s,v\nA,1.020\nB,2.040\n").groups[0].values[0] == 1.02);
+  CHECK(list_of(observations("s,v\nA,\"0,5\"\nA,\"1,25\"\nB,3\nB,4\n").groups[0]) == a);
+  CHECK(list_of(observations("s,v\nA,1.020\nB,2.040\n").groups[0])[0] == 1.02);
   CHECK(contains(said_of("s;v\nA;0,5\nB;4\n", {.values = {"v"}, .label = {"s"}, .decimal = '.'}), "data.csv:2:2"));
 }
 
@@ -141,7 +141,8 @@ TEST_CASE("titles are trimmed, and units belong to quantities") {
 
 TEST_CASE("a mark of thousands is told from that of decimals, or asked for") {
   const auto read = [](const std::string& cells, char decimal = 0) {
-    return observations("s;v;w\nA;" + cells + "\nB;916;7\n", {.values = {"v"}, .decimal = decimal}).groups[0].values[0];
+    return list_of(
+        observations("s;v;w\nA;" + cells + "\nB;916;7\n", {.values = {"v"}, .decimal = decimal}).groups[0])[0];
   };
   for (const char* cells : {"1.020;7", "1,020;7", "-12.345;7", "1.020;1,020"}) {
     CAPTURE(cells);
@@ -158,7 +159,7 @@ TEST_CASE("a mark of thousands is told from that of decimals, or asked for") {
   CHECK(read("0.123;7") == 0.123);
   CHECK(read("1020.123;7") == 1020.123);
   CHECK(read("1,5e3;7") == 1500);
-  CHECK(observations("s;v\nA;1.020\nB;0.5\n").groups[0].values[0] == 1.02);  // by another cell
+  CHECK(list_of(observations("s;v\nA;1.020\nB;0.5\n").groups[0])[0] == 1.02);  // by another cell
   CHECK(contains(said_of("s;v\nA;1.5\nB;12,34\n", {.values = {"v"}}), "data.csv:3:2"));
   CHECK(contains(said_of("s;v\nA;12,34,567\nB;2\n", {.values = {"v"}}), "data.csv:2:2"));
 }
@@ -191,13 +192,13 @@ TEST_CASE("values of 0 are what they are, and differences are compared") {
   std::string blocks = "solver,problem,failures\n", runs = "solver,collisions\nA,5\nB,6\n";
   for (int i = 0; i < 80; ++i) blocks += fmt::format("A,{0},0\nB,{0},2\n", i);
   for (int i = 0; i < 99; ++i) runs += "A,0\nB,5\n";
-  const Finding of_blocks = finding(blocks, {.values = {"failures"}, .block = {"problem"}});
+  const Seen of_blocks = finding(blocks, {.values = {"failures"}, .block = {"problem"}});
   CHECK(of_blocks.verdict == Verdict::better);
   CHECK(*of_blocks.estimate == -2);
   CHECK(*of_blocks.p == Approx(std::exp2(-79)));
   CHECK(*finding(runs).p == Approx(4.09e-44).epsilon(0.01));  // SciPy's Mann-Whitney
   CHECK(*finding(runs).estimate == -5);
-  const Finding of_means = compare::compare(observations(runs), {.test = Plan::Test::means}).front();
+  const Seen of_means = compare::compared(observations(runs), {.test = Plan::Test::means}).front();
   CHECK(*of_means.estimate == Approx(-4.96));
   std::string three = "s,p,v\n";
   for (int i = 0; i < 14; ++i) three += fmt::format("A,{0},{1}\nB,{0},{2}\nC,{0},1\n", i, i % 4, i % 5 + 1);
@@ -211,7 +212,7 @@ TEST_CASE("missing values are lost, and such a group is not tested") {
     CAPTURE(gap);
     const std::string text = "s,v\nA," + gap + "\nA,1\nA,2\nA,3\nA,4\nB,5\nB,6\nB,7\nB,8\n";
     const Observations observed = observations(text);
-    CHECK(observed.groups.front().lost == 1);
+    CHECK(lost_in(observed.groups.front()) == 1);
     CHECK(observed.doubts.front().kind == DoubtKind::incomplete);
     CHECK(observed.doubts.front().of == 5);
     CHECK(finding(text).why == Why::lost);
@@ -230,19 +231,19 @@ std::string with_infinite(int in_a, int in_b) {
 
 TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   const Request rows{.values = {"v"}}, blocks{.values = {"v"}, .block = {"p"}};
-  const Finding paired = finding(with_infinite(0, 3), blocks);
+  const Seen paired = finding(with_infinite(0, 3), blocks);
   CHECK(paired.verdict == Verdict::better);
   CHECK(*paired.p == Approx(std::exp2(-9)));
   CHECK(paired.interval->low == 0);  // B may be infinitely worse
   CHECK(paired.interval->high < 1);
-  const Finding unpaired = finding(with_infinite(0, 3), rows);
+  const Seen unpaired = finding(with_infinite(0, 3), rows);
   CHECK(unpaired.interval->low == 0);
-  const Finding all = finding(with_infinite(0, 10), rows);
+  const Seen all = finding(with_infinite(0, 10), rows);
   CHECK(*all.p == Approx(2 / 184756.0));  // 2 / C(20, 10)
   CHECK(!all.estimate);
   CHECK(*all.effect == 1);
   CHECK(finding(with_infinite(10, 10), rows).are_all_equal);
-  const Finding turned = better_first(finding(with_infinite(10, 2), blocks), "");
+  const Seen turned = better_first(finding(with_infinite(10, 2), blocks), "");
   CHECK(turned.first == "B");
   CHECK(turned.verdict == Verdict::better);
   std::string differences = with_infinite(0, 3);  // a value of 0
@@ -255,7 +256,7 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(!finding(near, {}, "1").is_within_margin);
   const Observations observed = observations(with_infinite(0, 3), rows);
   CHECK(words_of(observed.doubts.front()) == "no answer in 3 of 10 values, counted as largest (B)");
-  CHECK(compare::compare(observed, {.test = Plan::Test::means}).front().why == Why::lost);
+  CHECK(compare::compared(observed, {.test = Plan::Test::means}).front().why == Why::lost);
   CHECK(std::isinf(describe(observed.groups[1]).mean));
   CHECK(describe(observed.groups[1]).median == 11);
   CHECK(contains(said_of(with_infinite(0, 3), {.values = {"v"}, .better = {"larger"}}), "data.csv:17:3"));
@@ -265,8 +266,8 @@ TEST_CASE("wide files have a group a column, and tell where one ends early") {
   CHECK(finding(wide).verdict == Verdict::better);
   const Observations of = observations("seed,a,b\n1,1.5,4\n2,1.2,5\n3,2.1,6\n4,1.7,6\n5,,\n6,,5\n");
   REQUIRE(of.groups.size() == 2);
-  CHECK(of.groups[0].lost == 2);
-  CHECK(of.groups[1].lost == 1);
+  CHECK(lost_in(of.groups[0]) == 2);
+  CHECK(lost_in(of.groups[1]) == 1);
   CHECK(of.doubts.front().count == 3);
   const std::string text = "set,a,b\n1,1.5,4\n2,1.2,5\n3,2.1,6\n";
   CHECK(contains(csv::read(text, "data.csv", {.values = {"a", "b"}}).notes.front(), "--block 'set'"));
@@ -299,7 +300,7 @@ TEST_CASE("several columns of labels or blocks are joined") {
   REQUIRE(of.groups.size() == 2);
   CHECK(of.groups[1].name == "A / 2");
   CHECK(contains(said_of("p,q,v\na / b,c,1\na,b / c,2\n", {.label = {"p", "q"}}), "data.csv:2:1"));
-  CHECK(of.groups[1].values == std::vector{4.0, 5.0, 6.0});
+  CHECK(list_of(of.groups[1]) == std::vector{4.0, 5.0, 6.0});
 }
 
 TEST_CASE("rows of a run are averaged where asked, else refused") {
@@ -307,25 +308,25 @@ TEST_CASE("rows of a run are averaged where asked, else refused") {
   CHECK(contains(said_of(text, {.values = {"e"}}), "data.csv:3:2"));
   CHECK(contains(said_of(text, {.values = {"e"}, .block = {"point"}}), "--run COLUMN"));
   const Observations observed = csv::read(text, "data.csv", {.values = {"e"}, .run = "run"}).observed.front();
-  CHECK(observed.groups[0].values == std::vector{2.0, 4.0});
-  CHECK(observed.groups[1].lost == 1);  // a row of its second run is missing
+  CHECK(list_of(observed.groups[0]) == std::vector{2.0, 4.0});
+  CHECK(lost_in(observed.groups[1]) == 1);  // a row of its second run is missing
   CHECK(observed.doubts.front().kind == DoubtKind::incomplete);
   const Observations blocks = observations(text, {.values = {"e"}, .block = {"point"}, .run = "run"});
-  CHECK(blocks.groups[0].values == std::vector{1.5, 4.5});
-  CHECK(blocks.groups[1].lost == 1);
+  CHECK(list_of(blocks.groups[0]) == std::vector{1.5, 4.5});
+  CHECK(lost_in(blocks.groups[1]) == 1);
   CHECK(observations(text, {.values = {"e"}, .block = {"run"}, .run = "run"}).is_paired);
 }
 
 TEST_CASE("rows without a run are observations of their own") {
   const Observations of = observations("solver,seed,v\nA,,1\nA,,2\nB,1,3\nB,2,4\n");
-  CHECK(of.groups[0].values == std::vector{1.0, 2.0});
+  CHECK(list_of(of.groups[0]) == std::vector{1.0, 2.0});
   CHECK(contains(said_of("solver,seed,v\nA,,1\nA,,2\nB,1,3\nB,2,4\n", {.run = "seed"}), "data.csv:2:2"));
 }
 
 TEST_CASE("a block without a row of a group is lost to it") {
   const Observations observed =
       csv::read("s,p,v\nA,x,1\nA,y,2\nB,x,1\n", "data.csv", {.values = {"v"}, .block = {"p"}}).observed.front();
-  CHECK(observed.groups[1].lost == 1);
+  CHECK(lost_in(observed.groups[1]) == 1);
   CHECK(observed.doubts.front().who == std::vector<std::string>{"B"});
   CHECK(observed.doubts.front().of == 2);
 }
@@ -339,12 +340,12 @@ TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
   const Observations several = observations("s,p,r,v\nA,1,1,1\nA,1,2,0\nB,1,1,1\nB,1,2,1\n",
                                             {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});
   CHECK(several.trials == 2);
-  CHECK(several.groups[0].values == std::vector{0.5});
+  CHECK(list_of(several.groups[0]) == std::vector{0.5});
   std::string text = "s,p,r,v\n";
   for (int run = 0; run < 1000; ++run)
     text += fmt::format("A,1,{0},{1}\nB,1,{0},{2}\n", run, run % 3 ? 0 : 1, run > 333 ? 0 : 1);
   const Observations equal = observations(text, {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});
-  CHECK(equal.groups[0].values == equal.groups[1].values);  // in whichever order the runs were solved
+  CHECK(list_of(equal.groups[0]) == list_of(equal.groups[1]));  // in whichever order the runs were solved
 }
 
 TEST_CASE("margins are shares or in the unit of the values") {
@@ -363,15 +364,15 @@ TEST_CASE("printed means are compared by means") {
   REQUIRE(read.observed.size() == 3);
   const Observations& error = read.observed.front();
   CHECK(error.groups.size() == 6);
-  CHECK(error.groups.front().summary->sd == 1.7824e-4);
-  const std::vector<Finding> found = compare::compare(error, {});
+  CHECK(std::get<compare::Summary>(error.groups.front().sample).sd == 1.7824e-4);
+  const std::vector<Seen> found = compare::compared(error, {});
   CHECK(found.front().test == "Welch's t");
   CHECK(found.front().verdict == Verdict::better);  // IK-BA against BA
   CHECK(*found.front().estimate == Approx(0.0019 - 1.6849));
   CHECK(csv::read_summaries("name,n,mean,sd,metric\nA,5,1,1,\u8bef\nA,5,1,1,\u65f6\n", "s.csv", {}).observed.size() ==
         2);
   const Quantities usual = csv::read_summaries("name,n_runs,avg,std_dev\nA,5,1,2\n", "s.csv", {});
-  CHECK(usual.observed.front().groups.front().summary->sd == 2);
+  CHECK(std::get<compare::Summary>(usual.observed.front().groups.front().sample).sd == 2);
   CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd\nA,2.5,1,1\n", "s.csv", {}), std::invalid_argument);
   CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd\nA,5,1,-1\n", "s.csv", {}), std::invalid_argument);
   CHECK_THROWS_AS(csv::read_summaries("name,n,mean\nA,5,1\n", "s.csv", {}), std::invalid_argument);
@@ -382,8 +383,8 @@ TEST_CASE("printed means without a spread decide nothing") {
   const Quantities read =
       csv::read_summaries("name,n,mean,sd\nA,20,1,0\nB,20,1.1,0\nC,20,1,0.1\nD,20,2,0.1\n", "s.csv", {});
   CHECK(read.observed.front().doubts.size() == 2);
-  const std::vector<Finding> found = compare::compare(read.observed.front(), {});
-  for (const Finding& each : found)
+  const std::vector<Seen> found = compare::compared(read.observed.front(), {});
+  for (const Seen& each : found)
     CHECK((each.verdict == Verdict::not_tested) == (each.first == "A" || each.first == "B"));
   CHECK(found.back().verdict == Verdict::better);
 }
@@ -420,7 +421,7 @@ TEST_CASE("any label is kept as it is") {
 TEST_CASE("of a million rows a run's are one value") {
   std::string text = "solver;seed;v\n";
   for (int i = 0; i < 1'000'000; ++i) text += fmt::format("{};{};{},5\n", i % 2 ? "A" : "B", i / 20, i % 1000);
-  CHECK(observations(text, {.run = "seed"}).groups.front().values.size() == 50'000);
+  CHECK(list_of(observations(text, {.run = "seed"}).groups.front()).size() == 50'000);
 }
 
 TEST_CASE("doubts of a file read as sentences") {

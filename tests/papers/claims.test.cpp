@@ -55,7 +55,10 @@ TEST_CASE("a claim about solvers of one study has the verdicts of its report", "
       for (const Metric* metric : claim.metrics) {
         Tally tally;
         for (const auto& row : pairs.rows) {
-          const auto cell = [&](std::size_t column) { return std::get<std::string>(row[column]); };
+          const auto cell = [&](std::size_t column) {
+            const auto* const judged = std::get_if<ikbench::show::Judgement>(&row[column]);
+            return judged ? judged->words : std::get<std::string>(row[column]);
+          };
           const auto is_own = [&](std::size_t column) { return std::ranges::count(claim.solvers, cell(column)) > 0; };
           const std::string& rival = is_own(1) ? cell(2) : cell(1);
           const bool is_asked = claim.against.empty() || std::ranges::count(claim.against, rival) > 0;
@@ -206,7 +209,7 @@ TEST_CASE("claims are told by verdict, with where they fail", "[papers]") {
       table.rows, [](const auto& row) { return std::get<std::string>(row[0]) == "IK-BA is the most accurate"; });
   REQUIRE(most != table.rows.end());
   CHECK(std::get<std::string>((*most)[3]) == "Table 3. Of readings and seeds it fails only where none is clamped.");
-  CHECK(std::get<std::string>(table.rows.back()[1]) == "not tested");
+  CHECK(std::get<ikbench::show::Judgement>(table.rows.back()[1]).words == "not tested");
   CHECK(contains(show::to_text(means_table(repeated(study))), "0.00194 cm   0.0019 "));
   const std::string text = screen({"A sentence."}, {.caption = "Table"}, claims);
   CHECK(text.find("\nholds  ") < text.find("\nnot tested  "));

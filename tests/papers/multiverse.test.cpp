@@ -13,7 +13,8 @@ std::vector<double> around(double middle, int runs) {
 
 SolvedMultiverse::ChosenSolver chosen(SolvedMultiverse& of, results::Chosen choices, double error, double variation,
                                       int runs) {
-  of.means.push_back({Group{.values = around(error, runs)}, Group{.values = around(variation, runs)}});
+  of.means.push_back(
+      {Group{.sample = Measured{around(error, runs)}}, Group{.sample = Measured{around(variation, runs)}}});
   return {.chosen = std::move(choices), .parts = {of.means.size() - 1}};
 }
 
@@ -59,7 +60,7 @@ Readings by_hand(const SolvedMultiverse& multiverse, const Claim& claim) {
       for (std::size_t s = 0; s < 4; ++s) {
         of.groups.push_back(
             {.name = multiverse.solvers[s],
-             .values = multiverse.means[study.solvers[s][(reading >> s) & 1].parts.front()][metric].values});
+             .sample = multiverse.means[study.solvers[s][(reading >> s) & 1].parts.front()][metric].sample});
       }
       if (claim.of == Of::spread) of = deviations(of);
       Tally tally;
@@ -122,8 +123,9 @@ TEST_CASE("a solver that diverges is not tested", "[papers]") {
   for (auto& study : multiverse.studies) {
     for (auto& own : study.solvers[3]) {
       Group& means = multiverse.means[own.parts[0]][0];
-      means.values.pop_back();
-      means.lost = 1;
+      std::vector<double> rest = std::get<Measured>(means.sample).values;
+      rest.pop_back();
+      means.sample = Untold{.lost = 1, .values = rest};
     }
   }
   const JudgedMultiverse result = judged(paper_named("slim2023"), multiverse, {});

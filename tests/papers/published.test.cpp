@@ -31,7 +31,7 @@ TEST_CASE("printed means are compared as summaries, and give the printed ANOVA b
        {std::pair("position_error_cm", 40.7736), std::pair("variation_deg", 388.940), std::pair("seconds", 293.939)}) {
     compare::Observations printed{.metric = metric};
     for (const auto& [solver, numbers, digits] : printed_means("slim2023", "table-3", metric))
-      printed.groups.push_back({.name = solver, .summary = compare::Summary{numbers.n, numbers.mean, numbers.sd}});
+      printed.groups.push_back({.name = solver, .sample = compare::Summary{numbers.n, numbers.mean, numbers.sd}});
     const auto anova = compare::anova(printed);
     REQUIRE(anova);
     CHECK(anova->statistic == Approx(f).epsilon(2e-6));
@@ -51,18 +51,18 @@ TEST_CASE("the range of another study holds 92 % of what such studies have, and 
   constexpr int runs = 20, studies = 100;
   std::mt19937_64 engine(1);
   const auto drawn = [&] {  // log-uniform, as sums of such
-    compare::Group group;
+    std::vector<double> group;
     for (int run = 0; run < runs; ++run) {
       double log = 0;
       for (int i = 0; i < 4; ++i) log += static_cast<double>(engine() >> 11) * 0x1p-53;
-      group.values.push_back(std::exp(log));
+      group.push_back(std::exp(log));
     }
     return group;
   };
   int inside = 0;
   for (int study = 0; study < studies; ++study) {
-    const Ranges ranges = *predicted_ranges(drawn().values, runs);
-    const compare::Description other = compare::describe(drawn());
+    const Ranges ranges = *predicted_ranges(drawn(), runs);
+    const compare::Description other = compare::described(drawn());
     for (std::size_t s = 0; s < statistics.size(); ++s) {
       const double number = other.*statistics[s].of;
       inside += ranges[s].low <= number && number <= ranges[s].high;
@@ -71,7 +71,7 @@ TEST_CASE("the range of another study holds 92 % of what such studies have, and 
   INFO(inside << " of 500");
   CHECK(inside > 0.90 * 5 * studies);
   CHECK(inside < 0.95 * 5 * studies);
-  const std::vector<double> values = drawn().values;
+  const std::vector<double> values = drawn();
   const Ranges all = *predicted_ranges(values, runs), of_five = *predicted_ranges(values, 5);
   CHECK(of_five[0].high - of_five[0].low > 1.4 * (all[0].high - all[0].low));
   CHECK(all[3].high > std::ranges::max(values));  // the largest may be larger than any that is known

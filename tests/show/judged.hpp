@@ -38,7 +38,8 @@ inline compare::Observations shares(std::vector<std::pair<std::string, std::vect
                            .better = compare::Better::larger,
                            .scale = compare::Scale::share,
                            .is_paired = true};
-  for (auto& [name, values] : groups) of.groups.push_back({.name = name, .values = std::move(values)});
+  for (auto& [name, values] : groups)
+    of.groups.push_back({.name = name, .sample = compare::Measured{std::move(values)}});
   return of;
 }
 
@@ -46,7 +47,8 @@ inline compare::Observations numbers(std::string metric, std::string quantity, s
                                      std::vector<std::pair<std::string, std::vector<double>>> groups) {
   compare::Observations of{
       .metric = std::move(metric), .quantity = std::move(quantity), .unit = std::move(unit), .floor = 1e-9};
-  for (auto& [name, values] : groups) of.groups.push_back({.name = name, .values = std::move(values)});
+  for (auto& [name, values] : groups)
+    of.groups.push_back({.name = name, .sample = compare::Measured{std::move(values)}});
   return of;
 }
 
@@ -84,7 +86,8 @@ inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
   compare::Observations times = numbers(
       "time", "time", "s",
       {{mine, values_around(0.084, 0.2)}, {"PSO", values_around(4.5e-5, 0.2)}, {"DLS", values_around(4.2e-6, 0.2)}});
-  times.groups[0].is_apart = true;
+  times.groups[0].sample = compare::Untold{.why = compare::Untold::Why::apart,
+                                           .values = std::get<compare::Measured>(times.groups[0].sample).values};
   add(std::move(times));
   all.metrics.back().observations.doubts.push_back({.kind = compare::DoubtKind::times_not_comparable,
                                                     .who = {mine},

@@ -8,8 +8,12 @@ const std::string hostile =
 Table with_label(const std::string& label) {
   return {.name = "results",
           .caption = label,
-          .columns =
-              {{"solver"}, {.name = "error", .unit = "mm"}, {"interval"}, {.name = "p", .is_p = true}, {"n"}, {"time"}},
+          .columns = {{"solver"},
+                      {.name = "error", .unit = "mm"},
+                      {.name = "interval", .role = Role::interval},
+                      {.name = "p", .role = Role::p},
+                      {"n"},
+                      {"time"}},
           .rows = {{label, 0.12345678901234567, compare::Interval{1.0 / 3, 2}, 1e-7, std::int64_t{20},
                     Marked{4200.25, "*"}},
                    {"plain", Printed{1.5e-7, "0.0000"}, {}, 0.0005, {}, Marked{0.1, "", true}}},
@@ -23,8 +27,8 @@ std::ptrdiff_t ends_in(const std::string& text) { return std::ranges::count(text
 TEST_CASE("a table of numbers has every digit, and any label as it is", "[show]") {
   const std::string text = to_csv(with_label(hostile));
   const results::CsvTable csv = results::parse_csv(text, "test");
-  CHECK(csv.header == std::vector<std::string>{"solver", "error [mm]", "error printed [mm]", "low", "high", "p", "n",
-                                               "time", "time mark"});
+  CHECK(csv.header == std::vector<std::string>{"solver", "error [mm]", "error printed [mm]", "low", "high", "excluded",
+                                               "p", "n", "time", "time mark"});
   CHECK(csv.cell(0, 0) == hostile);
   CHECK(csv.number(0, "error [mm]") == 0.12345678901234567);
   CHECK(csv.number(0, "low") == 1.0 / 3);
@@ -42,7 +46,8 @@ TEST_CASE("a table of numbers has every digit, and any label as it is", "[show]"
 
 TEST_CASE("an end that an interval excludes says so in every format, and none is rounded onto what decides", "[show]") {
   Table table{.caption = "pairs",
-              .columns = {{.name = "interval", .ends = {1, 1.05}}, {.name = "p", .is_p = true, .ends = {0.05}}},
+              .columns = {{.name = "interval", .role = Role::interval, .ends = {1, 1.05}},
+                          {.name = "p", .role = Role::p, .ends = {0.05}}},
               .rows = {{compare::Interval{0, 0.8, true}, 0.04998},
                        {compare::Interval{0.5, 1, false, true}, 0.05},
                        {compare::Interval{1.00002, 1.0499}, Cell()},

@@ -45,7 +45,7 @@ TEST_CASE("what is better where most values are equal says how often", "[show]")
   for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
   const compare::JudgedMetric error = judged(errors({{"A", at_tolerance}, {"B", some}}));
   CHECK(verdict_words(error.findings.front(), error) == "better");
-  CHECK(amount_words(error.findings.front(), error) == "better in 62.5 % of comparisons");
+  CHECK(amount_words(error.findings.front(), error) == "better in 25 %, worse in 0 % of comparisons");
 }
 
 TEST_CASE("an end of an interval that p excludes says so", "[show]") {
@@ -110,10 +110,10 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   add("alone", of(errors({{"A", a}})));
 
   Observations repeated = errors({{"A", {1}}, {"B", {2}}});
-  repeated.groups[0].copies = repeated.groups[1].copies = 20;
+  repeated.groups[0].sample = compare::Copies{1, 20}, repeated.groups[1].sample = compare::Copies{2, 20};
   add("facts", of(repeated));
   Observations lost = errors({{"A", a}, {"B", b}});
-  lost.groups[1].lost = 3;
+  lost.groups[1].sample = compare::Untold{.lost = 3, .values = b};
   add("lost values", of(lost));
   Observations bound = errors({{"A", std::vector<double>(20, 0.1)}, {"B", b}});
   bound.groups[0].at_most = 0.1;
@@ -130,15 +130,16 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
 TEST_CASE("a pair is told from the better one, and from the control's other", "[show]") {
   const Answer plain = of(errors({{"bad", values_around(3, 0.5)}, {"good", values_around(1, 0.5)}}));
   const compare::Finding& finding = plain.metrics[0].findings[0];
+  const compare::Amount& amount = *compare::amount_of(finding);
   CHECK(finding.first == "good");
-  CHECK(finding.verdict == compare::Verdict::better);
-  CHECK(*finding.estimate == Catch::Detail::Approx(1 / 3.0).epsilon(1e-9));
-  CHECK(finding.interval->low < *finding.estimate);
-  CHECK(*finding.estimate < finding.interval->high);
-  CHECK(*finding.effect > 0.9);
+  CHECK(verdict_of(finding) == compare::Verdict::better);
+  CHECK(amount.value == Catch::Detail::Approx(1 / 3.0).epsilon(1e-9));
+  CHECK(amount.interval->low < amount.value);
+  CHECK(amount.value < amount.interval->high);
+  CHECK(std::get<compare::Tested>(finding.what).effect->a12() > 0.9);
 
   const Answer gate = of(errors({{"old", values_around(1, 0.5)}, {"new", values_around(3, 0.5)}}), {.control = "old"});
   CHECK(gate.metrics[0].findings[0].first == "new");
-  CHECK(gate.metrics[0].findings[0].verdict == compare::Verdict::worse);
-  CHECK(*gate.metrics[0].findings[0].estimate == Catch::Detail::Approx(3).epsilon(1e-9));
+  CHECK(verdict_of(gate.metrics[0].findings[0]) == compare::Verdict::worse);
+  CHECK(amount_of(gate.metrics[0].findings[0])->value == Catch::Detail::Approx(3).epsilon(1e-9));
 }

@@ -1,0 +1,47 @@
+// Two groups as a test takes them: numbers alone. A pure function of their values, so that a test sees neither floors
+// nor infinities nor copies.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "analysis/compare/observations.hpp"
+
+namespace ikbench::compare {
+
+// What a test does with two groups.
+struct Method {
+  std::string_view name;
+  enum class Kind { ranks, signed_ranks, sign, sign_and_ranks, paired_t, mcnemar, welch, fisher } kind;
+
+  bool is_by_t() const { return kind == Kind::paired_t || kind == Kind::welch; }
+  bool is_by_sign() const { return kind == Kind::sign || kind == Kind::sign_and_ranks; }
+  bool is_by_ranks() const { return kind == Kind::ranks || kind == Kind::signed_ranks || is_by_sign(); }
+  bool is_by_difference() const {
+    return kind == Kind::signed_ranks || is_by_sign() || kind == Kind::paired_t || kind == Kind::mcnemar;
+  }
+};
+
+// Copies are one value. A group that is printed has a summary and no values.
+struct Prepared {
+  std::vector<double> first, second;
+  std::vector<double> differences = {};  // by block; or of each run from the one value of a solver that repeats itself
+  Summary of_first = {}, of_second = {};
+  double no_answer = 0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
+  bool are_all_equal = false;
+
+  // Infinite where it is made of a value that stands for an infinite one.
+  double unbound(double value) const {
+    return no_answer > 0 && std::abs(value) > no_answer / 8
+               ? std::copysign(std::numeric_limits<double>::infinity(), value)
+               : value;
+  }
+};
+
+// Values below the floor count as it where logarithms are taken; those that differ by no more than the rounding are
+// equal. Paired values without blocks belong together by their places.
+Prepared prepared(const Group& first, const Group& second, const Observations& observed, const Method& method,
+                  bool takes_logs);
+
+}  // namespace ikbench::compare
