@@ -152,7 +152,7 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
     const auto start = [&](int place) -> const Configuration& {
       return task.starts.empty() ? chain.configuration : task.starts[static_cast<std::size_t>(place - 1)];
     };
-    solve_runner.warm_up(*solver, target(point), start(point));
+    solve_runner.warm_up(*solver, target(point), start(point), run, point);
     for (; point <= work.points && !is_over(); point = work.next_point(chain, run, point + 1)) {
       SolveRecord record = solve_runner.solve(*solver, target(point), start(point), run, point);
       move_on(chain, record, work.study.start);

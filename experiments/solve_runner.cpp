@@ -2,12 +2,15 @@
 
 #include <fmt/core.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
@@ -15,6 +18,7 @@
 
 #include "experiments/environment.hpp"
 #include "numerics/inputs.hpp"
+#include "numerics/names.hpp"
 #include "numerics/units.hpp"
 
 namespace ikbench::experiments {
@@ -56,6 +60,37 @@ bool same_answer(const Solution& a, const Solution& b) {
          same_bits(a.trace, b.trace);
 }
 
+// Names the solve that a thread makes wherever the solver, a class of anybody, does not come to its end.
+class Place {
+ public:
+  Place(const std::string& label, int run, int point) : label_(label), run_(run), point_(point) {
+    [[maybe_unused]] static const int registered = std::atexit(refuse_to_exit);
+    current = this;
+  }
+  ~Place() { current = nullptr; }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+
+  std::string operator()(std::string_view what) const {
+    return fmt::format("{}, run {}, point {}: {}", label_, run_, point_, what);
+  }
+
+ private:
+  // The run has not ended, so the process must not end as if all were well.
+  static void refuse_to_exit() {
+    if (current == nullptr) return;
+    const std::string told = one_line((*current)("the solver ends the program (exit)"));
+    std::fputs(fmt::format("ikbench: {}; what is stored is kept\n", told).c_str(), stderr);
+    std::fflush(stderr);
+    ::_exit(2);
+  }
+  static thread_local const Place* current;
+
+  const std::string& label_;
+  int run_, point_;
+};
+thread_local const Place* Place::current = nullptr;
+
 }  // namespace
 
 SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::string key, const Robot& arm, int repeats,
@@ -95,10 +130,23 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const 
                     .with(static_cast<std::uint64_t>(point)));
   auto* const program = conversations_ ? static_cast<ForeignSolver*>(&solver) : nullptr;
   if (program != nullptr) program->prepare(problem, objective);
-  const auto started = std::chrono::steady_clock::now();
-  Timed timed{.solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace)};
-  timed.answer = task_.completed(timed.solution.best.q, target, start);
-  timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  Timed timed;
+  const Place place(entry_.label, run, point);
+  try {
+    const auto started = std::chrono::steady_clock::now();
+    timed.solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
+    if (timed.solution.best.q.size() != problem.joints())
+      throw std::runtime_error(fmt::format("the solver's answer has {}; expected {}, one for each joint",
+                                           counted(timed.solution.best.q.size(), "numbers"), problem.joints()));
+    timed.answer = task_.completed(timed.solution.best.q, target, start);
+    timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(place(error.what()));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(place(error.what()));
+  } catch (...) {
+    throw std::runtime_error(place("the solver throws what is no std::exception"));
+  }
   if (program == nullptr) return timed;
   const Account& account = timed.account.emplace(program->account());
   timed.cpu_seconds = account.cpu_seconds;
@@ -110,8 +158,8 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const 
   return timed;
 }
 
-void SolveRunner::warm_up(Solver& solver, const Pose& target, const Configuration& start) const {
-  if (repeats_ > 1) timed(solver, target, start, 1, 1);
+void SolveRunner::warm_up(Solver& solver, const Pose& target, const Configuration& start, int run, int point) const {
+  if (repeats_ > 1) timed(solver, target, start, run, point);
 }
 
 SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configuration& start, int run,

@@ -27,15 +27,19 @@ class SolveRunner {
   // Makes a solver for any number of solves, one after the other: starting it anew makes it forget all.
   std::unique_ptr<solvers::Solver> make_solver() const;
   std::string last_failure() const;  // of its program, if there was one
+  // Both throw std::runtime_error, with label, run and point, if the solver throws (std::invalid_argument, if it throws
+  // that) or answers with other than one number for each joint.
   // Solves once, untimed, if repeats are timed, so that the first is no slower than the others.
-  void warm_up(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start) const;
-  // Throws std::runtime_error if a repeat has another answer, to the bit.
+  void warm_up(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start, int run,
+               int point) const;
+  // Also throws if a repeat has another answer, to the bit. Where the solver ends the process by `exit`, that prints a
+  // sentence, and its code is 2.
   results::SolveRecord solve(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start,
                              int run, int point) const;
 
  private:
   struct Timed {
-    solvers::Solution solution;
+    solvers::Solution solution = {};
     robots::Configuration answer = {};    // all joints
     double seconds = 0;                   // to solve, and to complete the answer
     std::optional<Account> account = {};  // if a program solved

@@ -10,7 +10,7 @@ struct FirstSolve {
   SolveRecord made(int repeats) const { return made(repeats, *SolveRunner(study, entry(), "", arm, 1).make_solver()); }
   SolveRecord made(int repeats, Solver& solver) const {
     const SolveRunner runner(study, entry(), "", arm, repeats);
-    runner.warm_up(solver, targets(study, 1).front(), study.initial);
+    runner.warm_up(solver, targets(study, 1).front(), study.initial, 1, 1);
     return runner.solve(solver, targets(study, 1).front(), study.initial, 1, 1);
   }
   const SolverEntry& entry() const { return study.solvers.front(); }

@@ -1,0 +1,107 @@
+// A C++ class as a solver that does not do what a solver has to do: the run ends with its label, run and point.
+#include "tests/experiments/samples.hpp"
+#include "tests/results/processes.hpp"
+
+namespace {
+
+// From its second solve on it does `fault` where it is asked for.
+class Faulty final : public Solver {
+ public:
+  struct Options {
+    void list(OptionList&) {}
+  };
+  explicit Faulty(Options) {}
+  void start(const Problem& problem, Objective& objective, numerics::Random&) override {
+    best_ = {problem.start, objective.error(problem.start)};
+    is_faulty_ = solves_++ > 0;
+    if (is_faulty_ && place == "start") fault(best_);
+  }
+  void step(Objective&, numerics::Random&) override {
+    if (is_faulty_ && place == "step") fault(best_);
+  }
+  const Best& best() const override {
+    Best ignored;
+    if (is_faulty_ && place == "best") fault(ignored);
+    return best_;
+  }
+
+  static inline std::string place;
+  static inline std::function<void(Best&)> fault;
+
+ private:
+  Best best_;
+  int solves_ = 0;
+  bool is_faulty_ = false;
+};
+
+// Four solves of it.
+Study study_of_faulty(const std::string& search) {
+  Study study = parse_study("search = '" + search +
+                                "'\nstart = 'initial'\nruns = 1\nrepeats = 1\npath = { kind = 'circle', points = 4 }\n"
+                                "stop = { iterations = 3 }\nsolvers = [{ solver = 'random_search' }]\n",
+                            "a study");
+  const SolverInfo faulty = solver_info<Faulty>("faulty", "does not do as it should", "this test");
+  study.solvers = {{.label = "mine", .solver = faulty.name, .own = std::make_shared<SolverInfo>(faulty)}};
+  return study;
+}
+
+// What the run says of a fault; its type has to be `Exception`. One solve is stored.
+template <class Exception>
+std::string said_of(const std::string& place, const std::function<void(Best&)>& fault,
+                    const std::string& search = "all_joints") {
+  Faulty::place = place;
+  Faulty::fault = fault;
+  const ScratchFolder folder;
+  const Study study = study_of_faulty(search);
+  static std::map<std::string, StoredStudy> known;  // each has a digest of this whole program
+  if (!known.contains(search)) known.emplace(search, stored_study(study));
+  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  std::string said = complaint<Exception>([&] { run(study, known.at(search), store, {}); });
+  CHECK(store.solves(study.name).size() == 1);
+  return said;
+}
+
+}  // namespace
+
+TEST_CASE("an answer that has not one number for each joint is told of with solver, run and point", "[own_solver]") {
+  for (const Eigen::Index size : {0, 6, 10}) {
+    const auto resize = [size](Best& best) { best.q = Eigen::VectorXd::Zero(size); };
+    for (const char* place : {"start", "step"})
+      CHECK(said_of<std::runtime_error>(place, resize) ==
+            fmt::format("mine, run 1, point 2: the solver's answer has {} numbers; expected 7, one for each joint",
+                        size));
+    CHECK_THAT(said_of<std::invalid_argument>("step", resize, "pose"), StartsWith("mine, run 1, point 2: "));
+  }
+}
+
+TEST_CASE("an exception of a solver is told of with solver, run and point", "[own_solver]") {
+  for (const char* place : {"start", "step", "best"}) {
+    CHECK(said_of<std::runtime_error>(place, [](Best&) { throw std::runtime_error("no"); }) ==
+          "mine, run 1, point 2: no");
+    CHECK(said_of<std::invalid_argument>(place, [](Best&) { throw std::invalid_argument("not this"); }) ==
+          "mine, run 1, point 2: not this");
+    CHECK(said_of<std::runtime_error>(place, [](Best&) { throw std::bad_alloc(); }) ==
+          "mine, run 1, point 2: std::bad_alloc");
+    CHECK_THAT(said_of<std::runtime_error>(place, [](Best&) { throw 5; }), StartsWith("mine, run 1, point 2: "));
+  }
+}
+
+TEST_CASE("a solver that ends the process does not end it as if all were solved", "[own_solver]") {
+  Faulty::place = "step";
+  Faulty::fault = [](Best&) { std::exit(0); };
+  const Study study = study_of_faulty("all_joints");
+  const ScratchFolder folder;
+  for (const int jobs : {1, 2}) {
+    const std::filesystem::path store = folder.path / fmt::format("{}.sqlite", jobs), said = folder.path / "said";
+    const pid_t process = in_a_process([&] {
+      if (std::freopen(said.c_str(), "w", stderr) == nullptr) return false;
+      Store mine(store, Store::Mode::write);
+      run(study, mine, {.jobs = jobs});
+      return true;
+    });
+    CHECK(exit_code(process) == 2);
+    CHECK_THAT(text_in(said), StartsWith("ikbench: mine, run 1, point 2: "));
+    CHECK(Store(store, Store::Mode::read).solves(study.name).size() <= 1);
+  }
+  CHECK(exit_code(in_a_process([&]() -> bool { std::exit(0); })) == 0);  // outside of a solve
+}
