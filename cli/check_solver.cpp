@@ -84,6 +84,7 @@ struct Solving {
     const Clock::time_point began = Clock::now();
     const Solution solution = solvers::solve(solver, problem, objective, random, stop);
     const std::chrono::duration<double> took = Clock::now() - began;
+    solver.count_failure();
     return {solution.best.q, objective.deviation(solution.best.q).position, took.count(), solver.account()};
   }
 

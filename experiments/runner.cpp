@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -134,8 +135,27 @@ struct RunTask {
   std::vector<Configuration> starts = {};
 };
 
+// Makes a solve that is only what the solver did: anew if the process stood still for a tenth of its time. None if a
+// stop came meanwhile, unless it solved: whoever stops us may have stopped its program first.
+template <class Solve>
+std::optional<SolveRecord> undisturbed(PauseWatch& pauses, const IsOver& is_over, Solve&& solve) {
+  constexpr int most_tries = 10;
+  for (int tries = 0; tries < most_tries; ++tries) {
+    const auto paused_before = pauses.paused();
+    const auto began = PauseWatch::Clock::now();
+    SolveRecord record = solve();
+    const bool stood_still = 10 * (pauses.paused() - paused_before) > PauseWatch::Clock::now() - began;
+    if (!stood_still && (record.status == Status::ok || !is_over())) return record;
+    if (is_over()) return std::nullopt;
+  }
+  throw std::runtime_error(
+      fmt::format("this process stood still in each of {} tries of a solve; run the same command again, and it goes on",
+                  most_tries));
+}
+
 // Solves the rest of every chain, `jobs` chains at once. What is solved is passed on, whatever ends this.
 void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, RecordQueue& record_queue) {
+  PauseWatch pauses;
   std::vector<RunTask> tasks(static_cast<std::size_t>(jobs));
   const auto work_on = [&](std::size_t turn, std::size_t worker, const IsOver& is_over) {
     RunTask& task = tasks[worker];
@@ -154,9 +174,12 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
     };
     solve_runner.warm_up(*solver, target(point), start(point), run, point);
     for (; point <= work.points && !is_over(); point = work.next_point(chain, run, point + 1)) {
-      SolveRecord record = solve_runner.solve(*solver, target(point), start(point), run, point);
-      move_on(chain, record, work.study.start);
-      record_queue.hand_in(std::move(record));
+      std::optional<SolveRecord> record = undisturbed(
+          pauses, is_over, [&] { return solve_runner.solve(*solver, target(point), start(point), run, point); });
+      if (!record) return;
+      if (!is_over()) solve_runner.count_failure(*solver);
+      move_on(chain, *record, work.study.start);
+      record_queue.hand_in(std::move(*record));
     }
   };
   try {

@@ -18,7 +18,7 @@ struct RunRequest {
   int jobs = 1;                                   // solves at once; times are comparable with 1 only
   std::function<void(const Progress&)> progress;  // called after every solve, by one thread at a time
   std::string command = {};                       // the typed command, for the record
-  const std::atomic<bool>* cancelled = nullptr;   // checked before every solve; finished solves stay
+  const std::atomic<bool>* cancelled = nullptr;   // checked before and after every solve
   Shard shard = {};                               // the part of the study to solve, and to count in the progress
   std::chrono::milliseconds patience{0};          // solves within it of the last transaction wait for the next
 };
@@ -29,7 +29,9 @@ struct RunRequest {
 // of solvers, or on what the store already had.
 // Each solve is timed as often as the study says, and its time is the median, if times are comparable: one job, no
 // debug build, and no end by wall time. Otherwise it is solved once.
-// Once all is solved, throws std::invalid_argument if another process has saved another study of that name.
+// A row is only what the solver did: a solve in which the process stood still for long (PauseWatch) is made anew, and
+// one in which `cancelled` was set is stored only if it solved. Once all is solved, throws std::invalid_argument if
+// another process has saved another study of that name.
 Progress run(const Study& study, results::Store& store, const RunRequest& request);
 // The same for who has its stored_study.
 Progress run(const Study& study, const results::StoredStudy& stored, results::Store& store, const RunRequest& request);

@@ -118,6 +118,10 @@ std::unique_ptr<Solver> SolveRunner::make_solver() const {
   return info_of(entry_).make(options_);
 }
 
+void SolveRunner::count_failure(Solver& solver) const {
+  if (conversations_) static_cast<ForeignSolver&>(solver).count_failure();
+}
+
 std::string SolveRunner::last_failure() const { return conversations_ ? conversations_->last_failure() : ""; }
 
 SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const Configuration& start, int run,

@@ -27,6 +27,33 @@ void share_out(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
   for (std::future<void>& each : workers) each.get();
 }
 
+PauseWatch::PauseWatch()
+    : thread_([this] {
+        std::unique_lock lock(mutex_);
+        while (!end_.wait_for(lock, std::chrono::milliseconds(50), [this] { return is_over_; })) look();
+      }) {}
+
+PauseWatch::~PauseWatch() {
+  {
+    const std::scoped_lock lock(mutex_);
+    is_over_ = true;
+  }
+  end_.notify_one();
+  thread_.join();
+}
+
+PauseWatch::Clock::duration PauseWatch::paused() {
+  const std::scoped_lock lock(mutex_);
+  return look();
+}
+
+PauseWatch::Clock::duration PauseWatch::look() {
+  const Clock::time_point now = Clock::now();
+  if (const Clock::duration gap = now - last_; gap > std::chrono::milliseconds(200)) paused_ += gap;
+  last_ = now;
+  return paused_;
+}
+
 void RecordQueue::hand_in(SolveRecord&& record) {
   std::unique_lock lock(mutex_);
   waiting_.push_back(std::move(record));

@@ -1,13 +1,16 @@
-// Threads that work side by side, how far they are, and the queue where they hand in their records.
+// Threads that work side by side, how far they are, how long they stood still, and the queue where they hand in their
+// records.
 #pragma once
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "results/record.hpp"
@@ -27,6 +30,30 @@ using IsOver = std::function<bool()>;
 // thread; one job runs in this thread. Returns when all have ended, and rethrows what one throws.
 void share_out(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
                const std::function<void(std::size_t index, std::size_t worker, const IsOver& is_over)>& work);
+
+// Adds up how long the whole process stood still while the clock went on: stopped by SIGSTOP, in a frozen container, on
+// a machine that was halted. Nobody tells it so; a thread of this class looks at the clock often, and misses its time.
+class PauseWatch {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  PauseWatch();
+  ~PauseWatch();
+  PauseWatch(const PauseWatch&) = delete;
+  PauseWatch& operator=(const PauseWatch&) = delete;
+
+  Clock::duration paused();  // so far, in pauses of more than 0.2 s
+
+ private:
+  Clock::duration look();
+
+  std::mutex mutex_;
+  std::condition_variable end_;
+  bool is_over_ = false;
+  Clock::time_point last_ = Clock::now();
+  Clock::duration paused_{0};
+  std::thread thread_;
+};
 
 // Passes records on, one thread at a time, `patience` after the last time or later. Records handed in meanwhile wait
 // and are passed on all at once, so that no worker waits for another. After a failure it passes nothing on.

@@ -241,6 +241,8 @@ void ChildProcess::end(std::chrono::milliseconds patience) {
 std::string ChildProcess::end_after(Status trouble) {
   const bool by_itself = trouble == Status::crashed;
   end(std::chrono::seconds(by_itself ? 1 : 0));
+  // Who ends all processes of a job may have met it before us: then we are ended, or hear the signal, meanwhile.
+  if (by_itself) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   std::string told;
   if (by_itself && WIFSIGNALED(status_))
     told = fmt::format(" (signal {}{})", WTERMSIG(status_),

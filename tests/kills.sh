@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Disturbs a working program: kill -9, SIGTERM and SIGHUP at random moments, a full disk. No stored solve is lost, none is
-# there twice, and at the end all is as if nothing had happened. (Files: files.test.cpp; locks: store_faults.test.cpp.)
+# Disturbs a working program: kill -9, SIGTERM and SIGHUP at random moments, to it alone and to all processes, a pause, a
+# full disk. No stored solve is lost, none is there twice, and at the end all is as if nothing had happened. (Files:
+# files.test.cpp; locks: store_faults.test.cpp.)
 #
 #   tests/kills.sh PROGRAM                  one of each, as ./check does
 #   tests/kills.sh PROGRAM 100              a hundred of each
@@ -126,6 +127,72 @@ kill_report() { # while it is drawn
   ! grep -qvs ') Z' "/proc/$(<hangs)/stat" || fail "a gnuplot that hangs outlives SIGKILL"
 }
 
+# below PROCESS: all processes that it started.
+below() {
+  local child
+  for child in $(pgrep -P "$1"); do
+    below "$child"
+    echo "$child"
+  done
+}
+# undisturbed FOLDER WHAT: its program has done there what it does alone, and failed nowhere.
+undisturbed() {
+  equal "failed after $2" "$(sqlite3 "$1/store.sqlite" "SELECT run, point, status FROM solves WHERE status NOT IN ('ok', 'tolerance_missed')
+    UNION SELECT key, value, 0 FROM environment WHERE key LIKE 'program.%'")" ""
+}
+# until_solved FOLDER PROCESS: its program has solved something more, or all is over.
+until_solved() {
+  local had
+  of_program() { sqlite3 "$1/store.sqlite" "SELECT count(*) FROM solves WHERE label <> 'DLS'" 2>/dev/null || echo 0; }
+  had=$(of_program "$1")
+  until [ "$(of_program "$1")" -gt "$had" ]; do
+    kill -0 "$2" 2>/dev/null || break
+    sleep 0.02
+  done
+}
+kill_all() { # as batch systems stop a job: the solver that is a program ends first
+  local round signal all
+  cp "$root/docs/examples/pso.py" .
+  study all '[[solvers]]' 'label = "PSO"' 'process = ["python3", "pso.py"]'
+  all=(run all.toml --set stop.iterations=400 --set population=10 --set stop.tolerance_cm=0.0001 --no-report --out)
+  succeeds "${all[@]}" all-alone
+  for signal in KILL "${ends[@]}"; do
+    rm -rf all
+    for ((round = 0; round < rounds; ++round)); do
+      "$program" "${all[@]}" all >.said 2>&1 </dev/null &
+      process=$!
+      until_solved all $process
+      sleep 0.0$((RANDOM % 10))
+      kill -s "$signal" $(below $process) $process 2>/dev/null
+      wait $process 2>/dev/null
+      [ ! -e all/store.sqlite ] || undisturbed all "SIG$signal to all, which said $(<.said)"
+    done
+    succeeds "${all[@]}" all
+    equal "numbers after SIG$signal to all" "$(column all/store.sqlite position_error_cm PSO)" "$(column all-alone/store.sqlite position_error_cm PSO)"
+  done
+}
+
+pause_all() { # for longer than its program may take for a solve
+  local round slow paused
+  sed '1a import time' "$root/docs/examples/pso.py" | sed 's/^    elif told.*"solve":/&\n        time.sleep(0.5)/' >slow.py
+  study slow '[[solvers]]' 'label = "slow"' 'process = ["python3", "slow.py"]' 'patience_s = 2'
+  slow=(run slow.toml --set runs=1 --set path.points=4 --no-report --out)
+  succeeds "${slow[@]}" slow-alone
+  for ((round = 0; round < rounds; ++round)); do
+    rm -rf slow
+    "$program" "${slow[@]}" slow >.said 2>&1 </dev/null &
+    process=$!
+    until_solved slow $process
+    paused=$(below $process)
+    kill -s STOP $paused $process
+    sleep 2.5
+    kill -s CONT $paused $process
+    wait $process || fail "exit code $? after a pause: $(<.said)"
+    undisturbed slow "a pause"
+    equal "numbers after a pause" "$(column slow/store.sqlite position_error_cm slow)" "$(column slow-alone/store.sqlite position_error_cm slow)"
+  done
+}
+
 kill_disk() { # full while solves are stored, merged, exported and drawn: exit code 2, the name, and later all goes on
   local format picture
   mkdir small
@@ -161,4 +228,6 @@ kill_disk() { # full while solves are stored, merged, exported and drawn: exit c
 kill_run
 kill_merge
 kill_report
+kill_all
+pause_all
 kill_disk

@@ -62,7 +62,7 @@ void ForeignSolver::guarded(Talk&& talk) {
   try {
     talk();
   } catch (const Trouble& trouble) {
-    fail(trouble);
+    note(trouble);
     account_ = {.failure = trouble.status};
     best_.error = std::numeric_limits<double>::infinity();
   }
@@ -70,7 +70,7 @@ void ForeignSolver::guarded(Talk&& talk) {
 
 // Throws std::runtime_error if the program is not what it was.
 bool ForeignSolver::ensure_running() {
-  if (own_.child && !own_.child->is_running()) fail({Status::crashed, "it ended between two solves"});
+  if (own_.child && !own_.child->is_running()) note({Status::crashed, "it ended between two solves"});
   if (own_.refusal) throw Trouble(*own_.refusal);
   if (own_.child) return false;
   const Program& program = *all_.program;
@@ -86,22 +86,27 @@ bool ForeignSolver::ensure_running() {
   return true;
 }
 
-// Notes the trouble and ends the process, unless it only declined.
-void ForeignSolver::fail(const Trouble& trouble) {
+// Keeps the trouble and ends the process, unless it only declined.
+void ForeignSolver::note(const Trouble& trouble) {
   if (own_.refusal) return;
-  std::string told = fmt::format("{}: {}", name_of(trouble.status), trouble.why);
-  if (trouble.status == Status::declined) return all_.note(told);
-  if (own_.child) told += own_.child->end_after(trouble.status);
+  failure_ = trouble;
+  if (trouble.status == Status::declined || !own_.child) return;
+  failure_->why += own_.child->end_after(trouble.status);
   own_.child.reset();
-  if (++own_.failures_in_a_row == most_failures_in_a_row) {
-    told += "; it is given up after three failures in a row";
-    own_.refusal = trouble;
+}
+
+void ForeignSolver::count_failure() {
+  if (failure_ && failure_->status != Status::declined && ++own_.failures_in_a_row == most_failures_in_a_row) {
+    failure_->why += "; it is given up after three failures in a row";
+    own_.refusal = failure_;
   }
-  all_.note(told);
+  if (failure_) all_.note(fmt::format("{}: {}", name_of(failure_->status), failure_->why));
+  if (!account_.failure) own_.failures_in_a_row = 0;
 }
 
 void ForeignSolver::prepare(const Problem& problem, const Objective& objective) {
   account_ = {};
+  failure_.reset();
   guarded([&] {
     const bool is_new = ensure_running();
     for (std::uint32_t i = 0; is_new && i < warm_ups; ++i) {
@@ -120,7 +125,6 @@ void ForeignSolver::start(const Problem& problem, Objective& objective, Random& 
   guarded([&] {
     constexpr double seeds = 4294967296;  // 2^32: larger seeds do not survive every language's numbers
     converse(problem, objective, static_cast<std::uint32_t>(random.uniform() * seeds));
-    own_.failures_in_a_row = 0;
   });
 }
 

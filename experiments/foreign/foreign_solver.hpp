@@ -73,12 +73,15 @@ class ForeignSolver final : public solvers::Solver {
   const solvers::Best& best() const override { return best_; }
   bool finished() const override { return true; }
   const Account& account() const { return account_; }
+  // Call it after a solve that counts: its failure becomes the last one of all, and the third in a row gives the
+  // program up.
+  void count_failure();
 
  private:
   template <class Talk>
   void guarded(Talk&& talk);  // Trouble becomes the account's failure
   bool ensure_running();      // true if the process is new
-  void fail(const Trouble& trouble);
+  void note(const Trouble& trouble);
   void converse(const solvers::Problem& problem, solvers::Objective& objective, std::uint32_t seed);
 
   Conversations& all_;
@@ -86,6 +89,7 @@ class ForeignSolver final : public solvers::Solver {
   Conversation own_;
   solvers::Best best_;
   Account account_;
+  std::optional<Trouble> failure_;  // the last one of this solve, with how the process ended
 };
 
 }  // namespace ikbench::experiments

@@ -86,6 +86,20 @@ TEST_CASE("an exception of a solver is told of with solver, run and point", "[ow
   }
 }
 
+TEST_CASE("a solve during which a stop came is stored if it solved, and else left for the next time", "[own_solver]") {
+  std::atomic<bool> cancelled{false};
+  Faulty::place = "step";
+  Faulty::fault = [&](Best&) { cancelled = true; };
+  Study study = study_of_faulty("all_joints");
+  for (const double tolerance : {0.0, 1e-9}) {
+    study.stop.tolerance = tolerance;
+    const ScratchFolder folder;
+    Store store(folder.path / "store.sqlite", Store::Mode::write);
+    cancelled = false;
+    CHECK(run(study, store, {.cancelled = &cancelled}).done == (tolerance == 0 ? 2 : 1));
+  }
+}
+
 TEST_CASE("a solver that ends the process does not end it as if all were solved", "[own_solver]") {
   Faulty::place = "step";
   Faulty::fault = [](Best&) { std::exit(0); };
