@@ -15,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "analysis/figures/pdf_date.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
@@ -41,15 +42,6 @@ void remove_pictures(const Figure& figure, const std::filesystem::path& folder,
     const bool is_own = std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored));
     if (is_own && std::ranges::count(but_not, type) == 0) std::filesystem::remove(file, ignored);
   }
-}
-
-// Cairo writes the time of drawing into a PDF; without it the same figure has the same bytes. Offsets follow, so blanks
-// take its place.
-void remove_date(std::string& pdf) {
-  const std::size_t date = pdf.find("/CreationDate (");
-  if (date == std::string::npos) return;
-  const std::size_t end = std::min(pdf.find(')', date), pdf.size() - 1) + 1;
-  pdf.replace(date, end - date, std::string(end - date, ' '));
 }
 
 void replace_all(std::string& text, std::string_view old, std::string_view by) {
@@ -91,7 +83,7 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
     if (picture->find(end, picture->size() - std::min(picture->size(), end.size() + 2)) == std::string::npos)
       throw std::runtime_error(fmt::format("{} wrote only a part of '{}'; if the disk is full, make room", gnuplot,
                                            (workshop.parent_path() / file).string()));
-    if (type == "pdf") remove_date(*picture);
+    if (type == "pdf") picture = without_date(std::move(*picture));
     if (type == "svg") complete_svg(*picture, figure);
     write_file(workshop.parent_path() / file, *picture);
   }
