@@ -3,6 +3,8 @@
 // sets is at most 0.005.
 //
 //   IKBENCH_SETS=10000 build/check/tests/compare/test_compare '[error_rates]'
+#include <fmt/ranges.h>
+
 #include "tests/compare/studies.hpp"
 
 namespace ikbench::compare::error_rates {
