@@ -21,7 +21,7 @@ TEST_CASE("an entry says whether the study goes on where its solver was not buil
   CHECK(series_key(study, study.solvers.front()) ==
         series_key(study_from(own_entry), study_from(own_entry).solvers.front()));
   CHECK_THROWS_WITH(study_from(own_entry + "if_missing = \"skip\"\n"),
-                    Catch::Contains("one of \"refuse\", \"leave_out\""));
+                    ContainsSubstring("one of \"refuse\", \"leave_out\""));
 }
 
 TEST_CASE("a study that names a peer that was not built is refused, or goes on without it if it says so",

@@ -85,7 +85,7 @@ TEST_CASE("no text makes the CSV reader do anything but read or refuse", "[csv][
       const std::string again = to_csv(cells);
       REQUIRE(cells_of(parse_csv(again, "again.csv")) == cells);
     } catch (const std::invalid_argument& error) {
-      REQUIRE_THAT(error.what(), Catch::Matchers::StartsWith("noise.csv:"));
+      REQUIRE_THAT(error.what(), StartsWith("noise.csv:"));
     }
   }
 }

@@ -40,7 +40,7 @@ TEST_CASE("A member that lacks keeps its default") {
 
 TEST_CASE("A member of another type is refused by its name") {
   CHECK_THROWS_WITH(definition_of(R"({"name": "mine", "runs": "many"})"),
-                    Catch::Contains("study mine: runs is \"many\"; expected a whole number"));
+                    ContainsSubstring("study mine: runs is \"many\"; expected a whole number"));
   for (const char* text :
        {"", "[]", "4", "{", R"({"title": 4})", R"({"points": -3})", R"({"runs": 99999999999})", R"({"path": []})",
         R"({"departures": ["limits", 4]})", R"({"stop": {"seconds": "1"}})", R"({"analysis": {"test": 3}})",

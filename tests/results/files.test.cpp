@@ -98,8 +98,7 @@ TEST_CASE("what the contents throw is told as it is, not as a failure to write",
     write("half");
     throw std::system_error(std::make_error_code(std::errc::io_error), "cannot read the source");
   };
-  CHECK_THROWS_WITH(write_file(folder.path / "table.md", cannot_read),
-                    Catch::Matchers::StartsWith("cannot read the source"));
+  CHECK_THROWS_WITH(write_file(folder.path / "table.md", cannot_read), StartsWith("cannot read the source"));
   CHECK(fs::is_empty(folder.path));
 }
 

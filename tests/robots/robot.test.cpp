@@ -14,8 +14,8 @@ TEST_CASE("every robot is found by its name, names its source, and has limits fo
 }
 
 TEST_CASE("a misspelt robot is told the nearest name", "[robot]") {
-  CHECK_THROWS_WITH(robot("kuka_iiwa"), Catch::StartsWith("unknown robot \"kuka_iiwa\"; did you mean \"kuka_iiwa7\"? "
-                                                          "There are: abb_irb120, abb_yumi_left, "));
+  CHECK_THROWS_WITH(robot("kuka_iiwa"), StartsWith("unknown robot \"kuka_iiwa\"; did you mean \"kuka_iiwa7\"? "
+                                                   "There are: abb_irb120, abb_yumi_left, "));
   CHECK_THROWS_AS(robot(""), std::invalid_argument);
 }
 

@@ -133,7 +133,7 @@ TEST_CASE("a pair is told from the better one, and from the control's other", "[
   const compare::Amount& amount = *compare::amount_of(finding);
   CHECK(finding.first == "good");
   CHECK(verdict_of(finding) == compare::Verdict::better);
-  CHECK(amount.value == Catch::Detail::Approx(1 / 3.0).epsilon(1e-9));
+  CHECK(amount.value == Approx(1 / 3.0).epsilon(1e-9));
   CHECK(amount.interval->low < amount.value);
   CHECK(amount.value < amount.interval->high);
   CHECK(std::get<compare::Tested>(finding.what).effect->a12() > 0.9);
@@ -141,5 +141,5 @@ TEST_CASE("a pair is told from the better one, and from the control's other", "[
   const Answer gate = of(errors({{"old", values_around(1, 0.5)}, {"new", values_around(3, 0.5)}}), {.control = "old"});
   CHECK(gate.metrics[0].findings[0].first == "new");
   CHECK(verdict_of(gate.metrics[0].findings[0]) == compare::Verdict::worse);
-  CHECK(amount_of(gate.metrics[0].findings[0])->value == Catch::Detail::Approx(3).epsilon(1e-9));
+  CHECK(amount_of(gate.metrics[0].findings[0])->value == Approx(3).epsilon(1e-9));
 }
