@@ -10,14 +10,13 @@ namespace ikbench::solvers {
 
 namespace {
 
-// Computes the step as J^T (J J^T + mu I)^-1 e, whose size does not depend on the number of joints. The factors L D L^T
-// are those of Eigen's LDLT, bit for bit, with the larger diagonals first; but its loops do not know their length.
-template <int rows>
-double step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
+// Solves (M M^T + mu I) x = b in place, and returns what damped_step does. The factors L D L^T are those of Eigen's
+// LDLT, bit for bit, with the larger diagonals first; but its loops do not know their length.
+template <class Matrix, int rows = Matrix::RowsAtCompileTime>
+double solve_damped(const Matrix& M, double mu, Eigen::Matrix<double, rows, 1>& x) {
   using Column = Eigen::Matrix<double, rows, 1>;
   Column diagonal = Column::Zero();
-  for (Eigen::Index joint = 0; joint < jacobian.cols(); ++joint)
-    diagonal += jacobian.col(joint).head<rows>().cwiseAbs2();
+  for (Eigen::Index k = 0; k < M.cols(); ++k) diagonal += M.col(k).cwiseAbs2();
   diagonal.array() += mu;
   std::array<Eigen::Index, rows> order;
   std::iota(order.begin(), order.end(), 0);
@@ -26,8 +25,8 @@ double step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, doub
     std::iter_swap(next, std::max_element(next, order.end(), is_less));
 
   Eigen::Matrix<double, rows, rows> LD = Eigen::Matrix<double, rows, rows>::Zero();  // D is on the diagonal
-  for (Eigen::Index joint = 0; joint < jacobian.cols(); ++joint) {
-    const Column column = jacobian.col(joint)(order);
+  for (Eigen::Index c = 0; c < M.cols(); ++c) {
+    const Column column = M.col(c)(order);
 #pragma GCC unroll 6
     for (int k = 0; k < rows; ++k) {
 #pragma GCC unroll 6
@@ -46,16 +45,12 @@ double step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, doub
       if (r > k && LD(k, k) != 0) LD(r, k) /= LD(k, k);
     }
   }
-  Column solution = to_go(order);
+  Column solution = x(order);
   LD.template triangularView<Eigen::UnitLower>().solveInPlace(solution);
   for (int k = 0; k < rows; ++k)
     solution[k] = std::abs(LD(k, k)) > std::numeric_limits<double>::min() ? solution[k] / LD(k, k) : 0;
   LD.transpose().template triangularView<Eigen::UnitUpper>().solveInPlace(solution);
-  Column in_order;
-  in_order(order) = solution;
-  step.resize(jacobian.cols());
-  for (Eigen::Index joint = 0; joint < jacobian.cols(); ++joint)
-    step[joint] = jacobian.col(joint).head<rows>().dot(in_order);
+  x(order) = solution;
 
   // The determinant over what the larger eigenvalues are at most together.
   const double sum = diagonal.sum();
@@ -64,13 +59,37 @@ double step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, doub
   return smallest > 1e-8 * sum ? smallest : 0;
 }
 
+// J^T (J J^T + mu I)^-1 e: what it factors does not grow with the number of joints.
+template <int rows>
+double step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
+  const auto J = jacobian.topRows<rows>();
+  Eigen::Matrix<double, rows, 1> x = to_go.head<rows>();
+  const double smallest = solve_damped(J, mu, x);
+  step.resize(J.cols());
+  for (Eigen::Index joint = 0; joint < J.cols(); ++joint) step[joint] = J.col(joint).dot(x);
+  return smallest;
+}
+
+// (J^T J + mu I)^-1 J^T e, for fewer joints than rows: J J^T has no inverse then.
+template <int joints>
+double step_of_joints(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
+  const auto transposed = jacobian.transpose().topRows<joints>();
+  Eigen::Matrix<double, joints, 1> x = Eigen::Matrix<double, joints, 1>::Zero();
+  for (Eigen::Index row = 0; row < to_go.size(); ++row) x += to_go[row] * transposed.col(row);
+  const double smallest = solve_damped(transposed, mu, x);
+  step = x;
+  return smallest;
+}
+
 // Rotations of pairs of J's rows, which do not change J^+ r, make them orthogonal; their lengths are then the singular
-// values (one-sided Jacobi, Hestenes 1958).
+// values (one-sided Jacobi, Hestenes 1958). A row of rounding errors alone never becomes orthogonal, so it is not
+// waited for, and counts as zero.
 template <int rows>
 robots::Configuration pseudo_inverse_of_rows(const Eigen::MatrixXd& jacobian, const Residual& residual,
                                              double smallest) {
   Eigen::Matrix<double, Eigen::Dynamic, rows, 0, robots::most_joints, rows> J = jacobian.topRows<rows>().transpose();
   Eigen::Matrix<double, rows, 1> r = residual.head<rows>();
+  const double negligible = 1e-28 * J.squaredNorm();
   constexpr int most_sweeps = 30;
   bool turned = true;
   for (int sweep = 0; sweep < most_sweeps && turned; ++sweep) {
@@ -79,7 +98,7 @@ robots::Configuration pseudo_inverse_of_rows(const Eigen::MatrixXd& jacobian, co
       for (int k = i + 1; k < rows; ++k) {
         const double ii = J.col(i).squaredNorm(), kk = J.col(k).squaredNorm(), ik = J.col(i).dot(J.col(k));
         if (!(std::abs(ik) > 1e-15 * std::sqrt(ii * kk))) continue;
-        turned = true;
+        turned = turned || std::min(ii, kk) > negligible;
         const double cotangent = (kk - ii) / (2 * ik);  // of twice the angle
         const double tangent = (cotangent < 0 ? -1 : 1) / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent));
         const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
@@ -96,7 +115,7 @@ robots::Configuration pseudo_inverse_of_rows(const Eigen::MatrixXd& jacobian, co
   robots::Configuration product = robots::Configuration::Zero(J.rows());
   for (int i = 0; i < rows; ++i) {
     const double squared = J.col(i).squaredNorm();
-    if (squared > 0 && !(squared < smallest * smallest)) product += r[i] / squared * J.col(i);
+    if (squared > negligible && !(squared < smallest * smallest)) product += r[i] / squared * J.col(i);
   }
   return product;
 }
@@ -104,7 +123,12 @@ robots::Configuration pseudo_inverse_of_rows(const Eigen::MatrixXd& jacobian, co
 }  // namespace
 
 double damped_step(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
-  return jacobian.rows() == 3 ? step_of_rows<3>(jacobian, to_go, mu, step) : step_of_rows<6>(jacobian, to_go, mu, step);
+  if (jacobian.cols() >= jacobian.rows())
+    return jacobian.rows() == 3 ? step_of_rows<3>(jacobian, to_go, mu, step)
+                                : step_of_rows<6>(jacobian, to_go, mu, step);
+  constexpr std::array step_of = {step_of_joints<1>, step_of_joints<2>, step_of_joints<3>, step_of_joints<4>,
+                                  step_of_joints<5>};
+  return step_of[static_cast<std::size_t>(jacobian.cols() - 1)](jacobian, to_go, mu, step);
 }
 
 robots::Configuration pseudo_inverse_times(const Eigen::MatrixXd& jacobian, const Residual& residual, double smallest) {

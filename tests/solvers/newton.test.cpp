@@ -1,4 +1,6 @@
 // Newton's method: its steps by hand, its end, and its restarts.
+#include <Eigen/SVD>
+
 #include "tests/solvers/objectives.hpp"
 
 TEST_CASE("a step of Newton's method is J^+ times what is to go, in metres and radians", "[newton]") {
@@ -23,6 +25,49 @@ TEST_CASE("a step of Newton's method is J^+ times what is to go, in metres and r
         REQUIRE((recorded.candidates.back() - (q + step)).norm() < 1e-9 * (1 + step.norm()));
       }
     }
+  }
+}
+
+TEST_CASE("J^+ r and the undamped step are those of an orthogonal decomposition, whatever the rank", "[newton]") {
+  Random random{Key(1)};
+  for (const int rows : {3, 6}) {
+    for (int joints = 1; joints <= 9; ++joints) {
+      for (int rank = 1; rank <= std::min(rows, joints); ++rank) {
+        for (const double scale : {1e-3, 1.0, 1e3}) {  // of some rows against the others
+          CAPTURE(rows, joints, rank, scale);
+          const auto centred = [&](int height, int width) {
+            return Eigen::MatrixXd(drawn_uniforms(random, height, width).array() - 0.5);
+          };
+          Eigen::MatrixXd J = centred(rows, rank) * centred(rank, joints);
+          J.topRows(rows / 2) *= scale;
+          const Residual r = centred(rows, 1);
+          const Eigen::VectorXd expected = pseudo_inverse(J) * r;
+          CHECK((pseudo_inverse_times(J, r, 0) - expected).norm() < 1e-9 * expected.norm());
+          Configuration step;
+          const double smallest = damped_step(J, r, 0, step);
+          if (rank < std::min(rows, joints)) {
+            CHECK(smallest == 0);
+          } else if (smallest > 0) {
+            CHECK((step - expected).norm() < 1e-7 * expected.norm());
+            CHECK(smallest <= std::pow(J.jacobiSvd().singularValues().minCoeff(), 2) * (1 + 1e-9));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a step of an arm with fewer joints than rows needs no singular values", "[newton]") {
+  for (const char* const name : {"fanuc_m430ia2f", "dobot_magician"}) {
+    ReachablePose task(name, 1);
+    Objective objective(task.arm.chain, task.goal);
+    Eigen::MatrixXd J(6, task.arm.joints());
+    const Configuration q = task.problem.start.array() + 0.3;
+    const Linearized linearized = linearize_twist(objective, q, J);
+    REQUIRE(J.cols() < J.rows());
+    Configuration step;
+    CHECK(damped_step(J, linearized.to_go, 0, step) > 1e-10);
+    CHECK((step - pseudo_inverse(J) * linearized.to_go).norm() < 1e-9 * step.norm());
   }
 }
 
