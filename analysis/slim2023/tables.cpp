@@ -167,7 +167,8 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   if (best == nullptr || accurate == nullptr || accurate->number.empty()) return {};
   std::vector<std::string> all{first_sentence(best->holds, numbers, claims)};
   if (!numbers.own_missed.empty())
-    all.push_back(fmt::format("IK-BA's own mean {} {} not repeat.", show::listed(numbers.own_missed, " and mean "),
+    all.push_back(fmt::format("IK-BA's own mean {} {} not repeat by this reading of the paper.",
+                              show::listed(numbers.own_missed, " and mean "),
                               numbers.own_missed.size() == 1 ? "does" : "do"));
   std::string words =
       fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
