@@ -176,14 +176,14 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
     }
     const std::string count =
         fmt::format("on {}{} of {}", repeat, open > 0 ? fmt::format(" (not decided on {})", open) : "", rates.size());
-    counts.push_back(counts.empty() ? fmt::format("{}'s printed rates repeat {} arms", solver, count)
-                                    : fmt::format("{}'s {}", solver, count));
+    counts.push_back(fmt::format("by {} {}{}", solver, count, counts.empty() ? " arms" : ""));
     if (!others.empty()) sentences.push_back(fmt::format("{} not on: {}.", solver, show::listed(others, ", ")));
   }
   if (!undecided.empty())
     sentences.push_back(
         fmt::format("Too few targets to decide on any arm: the printed rates of {}.", show::listed(undecided)));
-  if (!counts.empty()) sentences.insert(sentences.begin(), fmt::format("{}.", show::listed(counts, ", ")));
+  if (!counts.empty())
+    sentences.insert(sentences.begin(), fmt::format("The printed rates repeat {}.", show::listed(counts)));
   return sentences;
 }
 

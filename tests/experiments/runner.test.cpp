@@ -527,7 +527,7 @@ TEST_CASE("an arm of five joints finds the axes that it can reach", "[runner][ax
   study.solvers = {{"DLS", "damped_least_squares", {}}, {"LM", "levenberg_marquardt", {}}};
   std::map<std::string, int> ok;
   for (const SolverInfo& info : all_solvers()) {  // peers, where they are built
-    if (info.name == "trac_ik") study.solvers.push_back({"TRAC-IK", info.name, {}});
+    if (info.name == "newton_slsqp") study.solvers.push_back({"TRAC-IK's rule", info.name, {}});
     if (info.name == "nlopt") study.solvers.push_back({"NLopt", info.name, {{"restarts", "random"}}});
   }
   for (const SolveRecord& record : solves_of(study)) ok[record.label] += record.status == Status::ok ? 1 : 0;

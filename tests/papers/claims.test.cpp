@@ -160,14 +160,14 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
   CHECK(holds(repeated(as_printed), "rate-KDL") == Holds::holds);
   CHECK(claim_of(repeated(as_printed), "rate-KDL").number == "on 1 of 1 arms");
   CHECK(rates_sentences(repeated(as_printed)) ==
-        std::vector<std::string>{"KDL's printed rates repeat on 1 of 1 arms, KDL-RR's on 1 of 1."});
+        std::vector<std::string>{"The printed rates repeat by KDL on 1 of 1 arms and by KDL-RR on 1 of 1."});
   CHECK(holds(repeated(never), "rate-KDL") == Holds::fails);
   CHECK(holds(repeated(never), "restarts") == Holds::holds);
   CHECK(holds(repeated(never), "trac_ik") == Holds::not_tested);
   const Repeated both = repeated(never, {&panda});
   CHECK(holds(both, "rate-KDL") == Holds::in_part);
   CHECK(rates_sentences(both) ==
-        std::vector<std::string>{"KDL's printed rates repeat on 1 of 2 arms, KDL-RR's on 1 of 2.",
+        std::vector<std::string>{"The printed rates repeat by KDL on 1 of 2 arms and by KDL-RR on 1 of 2.",
                                  "KDL not on: ABB IRB120 43.6 % (printed 39.41).",
                                  "KDL-RR not on: Franka Emika Panda 98.5 % (printed 92.67)."});
   CHECK(contains(text(both), "39.41 x"));
