@@ -2,6 +2,7 @@
 // it throws std::invalid_argument: FILE:LINE:COLUMN, what is wrong and what to do.
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <string>
