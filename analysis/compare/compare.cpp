@@ -38,7 +38,7 @@ Kind kind_of(const Observations& observed, const Plan& plan, const Group& a, con
   };
   const bool is_share = observed.scale == Scale::share;
   if (is_any<Summary>(a, b)) return Kind::welch;
-  if (is_any<Copies>(a, b)) return is_share ? Kind::paired_t : Kind::sign;
+  if (is_any<Copies>(a, b)) return is_share || observed.are_logs ? Kind::paired_t : Kind::sign;
   if (is_share && observed.trials == 1) return observed.is_paired ? Kind::mcnemar : Kind::fisher;
   const bool by_means = is_share || observed.are_logs || plan.test == Plan::Test::means;
   if (observed.is_paired) return by_means ? Kind::paired_t : Kind::signed_ranks;
@@ -229,11 +229,16 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
 }
 
 Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair, const Trial& trial) {
-  const double one = values_of(pair.a).front(), other = values_of(pair.b).front();
+  const bool are_ratios = pair.takes_logs || observed.are_logs;
+  const auto of = [&](const Group& group) {
+    const double value = values_of(group).front();
+    return observed.are_logs ? std::exp(value) : value;
+  };
+  const double one = of(pair.a), other = of(pair.b);
   return {.verdict = is_worse_than_margin(observed, plan, one, other)   ? Verdict::worse
                      : is_worse_than_margin(observed, plan, other, one) ? Verdict::better
                                                                         : Verdict::same,
-          .amount = {.value = pair.takes_logs ? std::exp(trial.outcome.estimate) : trial.outcome.estimate}};
+          .amount = {.value = are_ratios ? std::exp(trial.outcome.estimate) : trial.outcome.estimate}};
 }
 
 // Keeps the values of blocks that both have.
@@ -300,6 +305,7 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
 // Empty unless the mean or the median of the better one lies the other way.
 Headline usually_better(const Observations& observed, const Plan& plan, const std::string& winner,
                         const std::string& loser) {
+  if (observed.are_logs) return {};
   Group better = observed.groups[place_of(observed, winner)], other = observed.groups[place_of(observed, loser)];
   keep_common_blocks(better, other);
   const auto is_worse = [&](double one, double two) { return is_worse_than_margin(observed, plan, one, two); };

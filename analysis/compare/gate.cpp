@@ -77,7 +77,7 @@ Observations observed_answers(const StudyResults& study, bool machine_decides) {
   return observed;
 }
 
-bool is_time(const JudgedMetric& judged) { return judged.observations.metric == metric_named("seconds").slug; }
+bool is_time(const JudgedMetric& judged) { return judged.observations.unit == "s"; }
 
 bool is_of_answers(const JudgedMetric& judged) { return judged.observations.metric == "answers"; }
 

@@ -36,7 +36,10 @@ bool has_meaning(const Observations& observed) {
 JudgedMetric judge(Observations observations, const Plan& plan, std::size_t metrics) {
   JudgedMetric judged{.observations = std::move(observations), .plan = plan};
   const Observations& observed = judged.observations;
-  for (const Group& group : observed.groups) judged.described.push_back(describe(group));
+  for (const Group& group : observed.groups) {
+    const Description its = describe(group);
+    judged.described.push_back(observed.are_logs ? Description{.n = its.n, .mean = std::exp(its.mean)} : its);
+  }
   judged.findings = compare(observed, plan, metrics);
   judged.headline = headline(observed, plan, judged.findings);
   add_doubt(judged);
@@ -52,8 +55,8 @@ double average_of(const JudgedMetric& judged, std::size_t group) {
 }
 
 std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vector<JudgedMetric>& all) {
-  const auto evaluations =
-      std::ranges::find(all, "evaluations", [](const JudgedMetric& metric) { return metric.observations.metric; });
+  const auto evaluations = std::ranges::find_if(
+      all, [](const JudgedMetric& metric) { return metric.observations.metric.starts_with("evaluations"); });
   const auto cost = [&](const std::string& name) {
     if (evaluations == all.end()) return 0.0;
     const std::size_t group = place_of(evaluations->observations, name);
@@ -80,11 +83,16 @@ JudgedStudy observe_all(StudyResults study) {
   const Metric& deciding = metric_named(!definition.plan.metric.empty() ? definition.plan.metric
                                         : are_any_solved                ? "solved"
                                                                         : "position_error_cm");
+  const bool do_some_fail =
+      are_any_solved && !definition.is_chained() &&
+      std::ranges::count(study.solves, results::Status::ok, &Solve::status) < std::ssize(study.solves);
   JudgedStudy judged;
   for (const Metric& metric : metrics()) {
     const bool is_deciding = &metric == &deciding;
     const bool is_told_by_solved = metric.kind == Kind::error && are_any_solved;
-    if (!is_deciding && (!metric.is_reported || is_told_by_solved)) continue;
+    const bool is_told =
+        metric.told == Told::always || metric.told == (do_some_fail ? Told::if_some_fail : Told::if_all_solve);
+    if (!is_deciding && (!is_told || is_told_by_solved)) continue;
     Observations observed = observe(study, metric);
     if (!is_deciding && !has_meaning(observed)) continue;
     if (is_deciding) judged.deciding = judged.metrics.size();

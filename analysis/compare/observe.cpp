@@ -115,21 +115,48 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, co
   return values;
 }
 
-Group group_of(const StudyResults& study, const Metric& metric, const Design& design, const std::string& solver) {
-  Group group{.name = solver};
-  const double least = tolerance_of(study, metric);
-  const std::vector<Value> all = values_of(study, metric, design, solver);
-  Measured measured;
-  int lost = 0;
+// The observations: the mean of each block, of times the median; NaN where a value is unknown.
+std::vector<Value> means_of(const std::vector<Value>& all, bool are_medians = false) {
+  std::vector<Value> means;
   std::vector<double> values;
   for (std::size_t i = 0; i < all.size();) {
     const int block = all[i].block;
     for (values.clear(); i < all.size() && all[i].block == block; ++i) values.push_back(all[i].value);
     const bool is_known = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-    const double value = !is_known                   ? unknown
-                         : metric.kind == Kind::time ? described(values).median
-                                                     : summarise(values).mean;
-    if (std::ranges::any_of(values, [&](double each) { return each <= least; })) group.at_most = least;
+    const double value = !is_known ? unknown : are_medians ? described(values).median : summarise(values).mean;
+    means.push_back({block, std::isfinite(value) ? value : unknown});
+  }
+  return means;
+}
+
+// What attempts spent by what they solved: of each observation a logarithm, so that their mean is that of the ratio of
+// the two sums, and their spread its error (the infinitesimal jackknife; Efron, The Jackknife, 1982, chapter 6).
+std::vector<Value> spent_by_solved(std::vector<Value> spent, const std::vector<Value>& solved) {
+  double all_spent = 0, all_solved = 0;
+  for (std::size_t i = 0; i < spent.size(); ++i) all_spent += spent[i].value, all_solved += solved[i].value;
+  const auto n = static_cast<double>(spent.size());
+  for (std::size_t i = 0; i < spent.size(); ++i)
+    spent[i].value = std::log(all_spent / all_solved) + n * (spent[i].value / all_spent - solved[i].value / all_solved);
+  return spent;
+}
+
+Group group_of(const StudyResults& study, const Metric& metric, const Design& design, const std::string& solver) {
+  Group group{.name = solver};
+  const double least = tolerance_of(study, metric);
+  const std::vector<Value> all = values_of(study, metric, design, solver);
+  if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.at_most = least;
+  std::vector<Value> values = means_of(all, metric.kind == Kind::time);
+  if (metric.kind == Kind::spent) {
+    const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), design, solver));
+    if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
+      group.sample = Untold{.why = Untold::Why::none};
+      return group;
+    }
+    values = spent_by_solved(std::move(values), solved);
+  }
+  Measured measured;
+  int lost = 0;
+  for (const auto& [block, value] : values) {
     if (!std::isfinite(value)) {
       ++lost;
       continue;
@@ -380,11 +407,12 @@ Observations observe(const StudyResults& study, const Metric& metric) {
                         .rounding = metric.rounding,
                         .is_paired = design.is_paired,
                         .is_of_solved = is_of_solved(study, metric),
+                        .are_logs = metric.kind == Kind::spent,
                         .trials = design.solves};
   std::vector<Group>& groups = observed.groups;
   for (const std::string& solver : study.labels) groups.push_back(group_of(study, metric, design, solver));
-  observed.doubts = metric.kind == Kind::time ? doubts_of_times(study) : doubts_of_clock(study);
-  if (metric.column == "evaluations") add_of_evaluations(observed.doubts, study);
+  observed.doubts = metric.unit == "s" ? doubts_of_times(study) : doubts_of_clock(study);
+  if (metric.column.starts_with("evaluations")) add_of_evaluations(observed.doubts, study);
   for (const Doubt& doubt : observed.doubts) {
     for (Group& group : groups) {
       if (doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0) leave_apart(group);

@@ -12,8 +12,13 @@
 namespace ikbench::compare {
 
 // share: solved or not. error: a distance from the target. cost: effort for an answer; with a tolerance, only of
-// targets that both solvers of a pair solved. time: a cost that is compared only where times are comparable.
-enum class Kind { share, error, cost, time };
+// targets that both solvers of a pair solved. time: a cost that is compared only where times are comparable. spent: all
+// that attempts took, by the number of targets solved, so that who fails pays for it.
+enum class Kind { share, error, cost, time, spent };
+
+// In which reports: where a study has a tolerance, costs are of what was solved; if some of it was not, what was spent
+// stands in place of evaluations and time.
+enum class Told { always, if_all_solve, if_some_fail, if_asked };
 
 struct Metric {
   std::string_view column;  // name in files and on the command line
@@ -22,10 +27,10 @@ struct Metric {
   std::string_view unit;    // of its values; empty: none
   Kind kind;
   Scale scale;
-  double floor;      // of ratios: a smaller value counts as this
-  double rounding;   // values that differ by no more are equal
-  bool is_reported;  // in every report; else only where a claim or a command names it
-  bool is_of_run;    // its value is that of the last solve of a run
+  double floor;     // of ratios: a smaller value counts as this
+  double rounding;  // values that differ by no more are equal
+  Told told;
+  bool is_of_run;                                                  // its value is that of the last solve of a run
   double (*value)(const Solve& solve, const StudyResults& study);  // NaN: the solve has none
 };
 

@@ -59,12 +59,14 @@ std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view colum
 
 // Solvers whose values of a metric are not compared; all, where those of none are.
 std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_view column) {
-  const JudgedMetric* const metric = judged_of(judged, column);
+  const JudgedMetric* metric = judged_of(judged, column);
+  if (metric == nullptr) metric = judged_of(judged, fmt::format("{}_per_solved", column));  // where some fail
   if (metric == nullptr) return judged.study.labels;
   std::vector<std::string> without;
   for (const Group& group : metric->observations.groups) {
     const auto* const its = untold(group);
-    if (its && (its->why == Untold::Why::apart || its->values.empty())) without.push_back(group.name);
+    if (its && its->why != Untold::Why::none && (its->why == Untold::Why::apart || its->values.empty()))
+      without.push_back(group.name);
   }
   return without;
 }

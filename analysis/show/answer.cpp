@@ -105,7 +105,8 @@ Answer answer_of(const JudgedStudy& judged) {
     const Observations& observed = metric.observations;
     const auto is_below_floor = [&](const Description& its) { return its.smallest < observed.floor; };
     const auto is_ratio = [](const Finding& finding) { return finding.scale == Scale::ratio; };
-    if (std::ranges::any_of(metric.findings, is_ratio) && std::ranges::any_of(metric.described, is_below_floor))
+    if (std::ranges::any_of(metric.findings, is_ratio) && observed.floor > 0 &&
+        std::ranges::any_of(metric.described, is_below_floor))
       all.notes.push_back(fmt::format("In ratios, {} below {} {} counts as that.", observed.quantity,
                                       number_text(observed.floor), observed.unit));
   }
@@ -139,7 +140,7 @@ Answer with_short_names(Answer answer, std::size_t length) {
 Shown shown_average(const JudgedMetric& judged, std::size_t group) {
   const Observations& observed = judged.observations;
   const double value = average_of(judged, group), at_most = observed.groups[group].at_most;
-  const bool has_ratios = std::ranges::any_of(judged.findings, [](const Finding& finding) {
+  const bool has_ratios = !observed.are_logs && std::ranges::any_of(judged.findings, [](const Finding& finding) {
     return finding.scale == Scale::ratio && amount_of(finding) != nullptr;
   });
   if (has_ratios && value < observed.floor) return {observed.floor, true};

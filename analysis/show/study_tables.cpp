@@ -116,7 +116,7 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   const Description& its = judged.described[i];
   const Shown shown = shown_average(judged, i);
   if (std::isnan(shown.value))
-    return Absent{judged.observations.is_of_solved ? "nothing was solved" : "without a value"};
+    return Absent{judged.observations.is_of_solved || untold(group) ? "nothing was solved" : "without a value"};
   cell.value = shown.value, cell.is_bound = shown.is_bound;
   cell.interval = interval_of(judged, its);
   if (is_deciding && !is_share(judged) && !judged.observations.is_of_solved && !cell.is_bound && its.n > 1 &&

@@ -52,7 +52,7 @@ printf '%s\n' "${labels[@]}" | python3 "$scripts/names.py" "$name" "$folder" || 
 
 # By name; through compare and stats too.
 succeeds report "$store" --study "$name" --figures none --out again
-ends 0 compare "${labels[1]}" "${labels[4]}" --store "$store" -o verdict.md
+ends 1 compare "${labels[1]}" "${labels[4]}" --store "$store" -o verdict.md  # too few runs
 quiet
 ! grep '<b>' verdict.md || fail "the verdict has HTML of the user's making"
 printf 's,v\n"\e[31mred<b>",1\nB|%s,2\n' "$long$long" >coloured.csv

@@ -479,6 +479,53 @@ TEST_CASE("runs are compared with the value of a solver that repeats itself by t
   CHECK(only(compared(of, by_ranks)).n == 0);
 }
 
+TEST_CASE("a solver that repeats itself differs in shares by the difference of the shares", "[compare]") {
+  // Ten runs of ten targets; one always solves all, the other 17 of 100.
+  Observations of = groups_of({{1}, {.1, .2, .3, .1, .2, .1, .2, .3, .1, .1}}, Scale::share);
+  of.groups[0].sample = Copies{1, 10};
+  of.trials = 10;
+  const Seen found = only(compared(of, by_ranks));
+  CHECK(found.test == "paired t");
+  CHECK(*found.estimate == Approx(0.83));
+  CHECK(found.n == 10);
+  CHECK(found.interval->low == Approx(0.83 - 2.262157 * 0.0823273 / std::sqrt(10.0)).epsilon(1e-4));  // t of 9
+  std::swap(of.groups[0], of.groups[1]);
+  CHECK(*only(compared(of, by_ranks)).estimate == Approx(-0.83));
+}
+
+TEST_CASE("values of fifteen decades differ by their ratios from one that repeats itself", "[compare]") {
+  Observations of =
+      groups_of({{}, {4e-16, 5e-16, 6e-16, 7e-16, 8e-16, 4.5e-16, 5.5e-16, 6.5e-16, 7.5e-16, 8.5e-16, .9}});
+  of.groups[0].sample = Copies{1e-16, 10};
+  of.floor = 1e-300;
+  const Seen found = only(compared(of, by_ranks));
+  CHECK(found.n == 11);
+  CHECK(*found.p == 2 / 2048.0);
+  CHECK(found.verdict == Verdict::better);
+}
+
+TEST_CASE("an absolute margin leaves equal values the same from as many on as a share does", "[compare]") {
+  for (const int n : {72, 200}) {
+    Observations of = groups_of(Lists(2, std::vector<double>(static_cast<std::size_t>(n), 5)));
+    of.absolute_margin = 0.1;
+    CHECK(only(compared(of, {.margin = 0})).verdict == (n == 200 ? Verdict::same : Verdict::equal));
+  }
+}
+
+TEST_CASE("as many more observations as it says would about decide what is not decided", "[compare]") {
+  // 55 of 100 ahead: McNemar at 0.05 with a chance of 0.8 takes 783 pairs, all of which differ (Lehr's 8 / 0.1^2).
+  Observations of = paired(groups_of({solved(55, 100), solved(45, 100)}, Scale::share));
+  std::ranges::reverse(values_in(of.groups[1]));
+  const Seen found = only(compared(of, by_ranks));
+  CHECK(found.verdict == Verdict::undecided);
+  CHECK(std::get<Tested>(found.what).enough > 650);
+  CHECK(std::get<Tested>(found.what).enough < 1100);  // the exact p is larger than the normal one
+  const Seen near = only(compared(groups_of({lognormal(20, 1, 0.1, 1), lognormal(20, 1, 0.1, 2)}), by_ranks));
+  CHECK(near.verdict == Verdict::undecided);
+  CHECK(std::get<Tested>(near.what).enough > 20);
+  CHECK(std::get<Tested>(only(compared(groups_of({ramp(20, 1, 0.1), ramp(20, 9, 0.1)}), by_ranks)).what).enough == 0);
+}
+
 // p, interval and verdict.
 
 TEST_CASE("an interval of unpaired ranks has what either test keeps, of five and twenty values", "[compare]") {

@@ -53,7 +53,7 @@ TEST_CASE("three times the evaluations on the targets that it solves are worse, 
     if (solve.status == Status::ok) solve.evaluations *= 3;
   };
   const Gate gate = gate_of(version(1), version(2, of_100, triple));
-  CHECK(gate.worse == Names{"evaluations"});
+  CHECK(gate.worse == Names{"evaluations per solved"});
   CHECK(exit_code({gate}, false) == 3);
   CHECK(exit_code({gate_of(version(2, of_100, triple), version(1))}, false) == 0);
 }
@@ -95,8 +95,8 @@ TEST_CASE("drawn targets are paired; another task or number of solves is refused
 TEST_CASE("times decide nothing, and those of other stores and of solves that are the same are not compared") {
   const Asked in_turns{.start = "initial", .runs = 5, .points = 20, .tolerance_cm = 0.1};
   const auto time_of = [](const Gate& gate) {
-    return seen(std::ranges::find(gate.judged.metrics, "time", [](const JudgedMetric& each) {
-                  return each.observations.metric;
+    return seen(std::ranges::find(gate.judged.metrics, "s", [](const JudgedMetric& each) {
+                  return each.observations.unit;
                 })->findings.front());
   };
   const auto slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = 3 * solve.seconds; };
@@ -217,4 +217,47 @@ TEST_CASE("what is not decided fails a strict gate alone") {
   CHECK(gate.not_tested == Names{"joint motion", "evaluations"});  // 6 targets were enough, but for two metrics
   CHECK(exit_code({gate}, false) == 0);
   CHECK(exit_code({gate}, true) == 4);
+}
+
+TEST_CASE("a gate in which too few were compared ends with 1, whatever the answers") {
+  const Asked chained{.runs = 3, .points = 3};
+  const auto far = [](SolveRecord& solve) {
+    if (solve.label == "B") solve.position_error_cm = 25 + solve.run;
+  };
+  const Gate gate = gate_of(chained, far);
+  CHECK_FALSE(gate.is_compared);
+  CHECK(exit_code({gate}, false) == 1);
+  CHECK(gate.worse.empty());
+  const Gate crashed = gate_of(chained, [](SolveRecord& solve) {
+    if (solve.label == "B") solve.status = Status::crashed;
+  });
+  CHECK(exit_code({crashed}, false) == 3);  // answers were lost for sure
+  CHECK(exit_code({gate_of(version(1), version(1)), gate}, false) == 1);
+}
+
+TEST_CASE("what the study's time ended is compared if it had as many evaluations as the other version needed") {
+  Asked timed = of_100;
+  timed.rest = R"(, "x": 1)";
+  const auto solved = [](SolveRecord& solve) {
+    solve.status = Status::ok, solve.evaluations = 40 + solve.point % 3, solve.seconds = solve.cpu_seconds = 1e-4;
+  };
+  const auto late = [](std::int64_t evaluations) {
+    return [=](SolveRecord& solve) {
+      if (solve.point % 3 == 0) return;
+      solve.status = Status::tolerance_missed, solve.evaluations = evaluations;
+      solve.seconds = 0.0049, solve.cpu_seconds = 0.001;  // the machine was busy
+    };
+  };
+  const auto with_seconds = [](StudyResults study) {
+    study.definition.stop.seconds = 0.005;
+    return study;
+  };
+  const StudyResults before = with_seconds(version(1, timed, solved));
+  const Gate enough = gate_of(before, with_seconds(version(1, timed, late(5000))));
+  CHECK(std::ranges::count(enough.worse, "solved") == 1);
+  CHECK(exit_code({enough}, false) == 3);
+  const Gate few = gate_of(before, with_seconds(version(1, timed, late(10))));
+  CHECK(few.worse.empty());
+  CHECK_FALSE(few.is_compared);
+  CHECK(exit_code({few}, false) == 1);
 }

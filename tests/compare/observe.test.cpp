@@ -355,3 +355,29 @@ TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 
                   .what = "the machine was busy"}) ==
         "times of mine are not compared: the machine was busy in 100 of 100 solves");
 }
+
+TEST_CASE("what attempts spent is by what they solved, and the spread of its parts is its error") {
+  // Of 100 targets A solves 80 with 10 evaluations each, and spends 1000 on each of the others; B solves all with 50.
+  const Asked drawn_100{.start = "middle", .targets = "drawn", .runs = 100, .points = 1, .tolerance_cm = 0.1};
+  const StudyResults of = study(drawn_100, [](SolveRecord& solve) {
+    const bool fails = solve.label == "A" && solve.run % 5 == 0;
+    solve.status = fails ? Status::tolerance_missed : Status::ok;
+    solve.evaluations = fails ? 1000 : solve.label == "A" ? 10 : 50;
+  });
+  const JudgedStudy all = judge(of);
+  const JudgedMetric& spent = *judged_of(all, "evaluations_per_solved");
+  CHECK(judged_of(all, "evaluations") == nullptr);
+  CHECK(spent.described[0].mean == Approx((80 * 10 + 20 * 1000) / 80.0));
+  CHECK(spent.described[1].mean == Approx(50));
+  const Seen found = seen(spent.findings.front());
+  CHECK(*found.estimate == Approx(260 / 50.0));
+  CHECK(found.verdict == Verdict::worse);
+  // The delta method by hand: the variance of each target's part of log(spent) - log(solved), by n.
+  double square = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double part = i % 5 == 0 ? 1000 / 208.0 : 10 / 208.0 - 1 / 0.8;
+    square += part * part;
+  }
+  CHECK(std::log(found.interval->high / *found.estimate) ==
+        Approx(1.984217 * std::sqrt(square / 99 / 100)).epsilon(1e-4));
+}
