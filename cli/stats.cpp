@@ -96,7 +96,7 @@ void stats(const StatsArguments& arguments) {
 
 }  // namespace
 
-void add_stats(CLI::App& app, Invocation&) {
+void add_stats(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<StatsArguments>();
   CLI::App* command = app.add_subcommand("stats", "Compare groups in a CSV: which is better, by how much, how sure");
   const auto add = [&](const char* name, auto& value, const char* meaning) {
@@ -110,10 +110,11 @@ void add_stats(CLI::App& app, Invocation&) {
     add(name, values, meaning)->allow_extra_args(false);
   };
   add_several("--value", csv.values, "column of values; repeat for several; not needed if there is one");
-  add_several("--label", csv.label,
-              "column of names, or several; not needed if it is called solver or alike, or is the only text");
-  add_several("--block", csv.block, "column of targets that all groups had, or several: compares within them");
-  add("--run", csv.run, "column of runs: averages the rows of a run (within a block), which are no repetitions");
+  add_several("--label", csv.label, "column of names, or several; not needed if it is the only text");
+  add_several("--block", csv.block,
+              "column of targets that all groups had, or several: compares within them; row: each row is one");
+  add("--run", csv.run,
+      "column of runs: averages the rows of a run (within a block), which are no repetitions; row: each row is one");
   add_several("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
   add_several("--better", csv.better, "smaller or larger is better; COLUMN=larger: of this column [smaller]");
   command->add_flag("--summaries", arguments->are_summaries,
@@ -132,10 +133,17 @@ void add_stats(CLI::App& app, Invocation&) {
       "  ikbench stats benchmark.csv --value error --block target --run seed\n"
       "  ikbench stats --summaries published.csv\n\n"
       "docs/your-own-csv.md explains which rows are yours.");
-  command->callback([arguments] {
+  command->callback([arguments, &invocation] {
     if (arguments->test == "means" || arguments->are_summaries) arguments->plan.test = results::Plan::Test::means;
     if (!arguments->decimal.empty()) arguments->csv.decimal = arguments->decimal[0];
-    stats(*arguments);
+    try {
+      stats(*arguments);
+    } catch (const csv::Question& question) {
+      say_mistake(question.what());
+      for (const csv::Answer& answer : question.answers)
+        say_command(answer.meaning, shell_command(invocation.command, answer.options));
+      invocation.exit_code = 1;
+    }
   });
 }
 

@@ -18,7 +18,7 @@ using numerics::lower_case, numerics::trimmed;
 
 namespace {
 
-bool is_missing(std::string_view cell) {
+bool means_none(std::string_view cell) {
   return cell.size() <= 4 &&
          is_one_of(cell, {"", "-", "--", "na", "n/a", "#n/a", "nan", "-nan", "null", "none", "<na>"});
 }
@@ -52,6 +52,21 @@ std::optional<double> parsed(std::string_view text, char decimal) {
 }
 
 bool is_number(std::string_view text) { return parsed(text, '.') || parsed(text, ','); }
+
+// True and false as pandas and R write them.
+std::optional<double> truth(std::string_view text) {
+  if (is_one_of(text, {"true", "yes"})) return 1;
+  if (is_one_of(text, {"false", "no"})) return 0;
+  return std::nullopt;
+}
+
+// "76 us", "95 %", "1.2 (0.3)"
+bool begins_with_number(std::string_view text) {
+  const std::string_view number = text.substr(0, text.find_first_not_of("0123456789.,+-eE"));
+  const std::string_view rest = text.substr(number.size());
+  return is_number(number) && !rest.empty() &&
+         (rest.find_first_of("0123456789") == std::string_view::npos || trimmed(rest).starts_with('(') || rest[0] < 0);
+}
 
 // What the header has most often outside quotes.
 char separator_of(std::string_view text) {
@@ -95,6 +110,8 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal)
     while (empty < titles_.size() && cell(row, empty).empty()) ++empty;
     if (empty < titles_.size()) rows_.push_back(row);
   }
+  if (titles_.size() == 1)
+    refuse("one column, but names of groups and values take two; cells are parted by a comma, semicolon or tab");
   if (rows_.empty()) refuse("no rows below the header; expected at least one");
 }
 
@@ -115,8 +132,15 @@ std::string_view Sheet::cell(std::size_t row, std::size_t column) const {
   return column < in_file ? trimmed(table_.cell(row, column)) : joined_[column - in_file][row];
 }
 
-std::size_t Sheet::column(std::string_view name) const {
+std::size_t Sheet::column(std::string_view name) {
   const auto number = std::ranges::count(titles_, name);
+  if (number == 0 && name == "row") {
+    std::vector<std::string>& texts = joined_.emplace_back(table_.rows());
+    for (std::size_t i = 0; i < texts.size(); ++i) texts[i] = fmt::to_string(i + 1);
+    titles_.emplace_back(name);
+    decimals_.push_back('.');
+    return titles_.size() - 1;
+  }
   if (number > 1) refuse(fmt::format("{} columns {}; give them different names", number, in_quotes(name)));
   if (number == 0)
     refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), numerics::did_you_mean(name, titles_),
@@ -154,13 +178,34 @@ std::optional<std::size_t> Sheet::column_like(const Words& names) const {
   return std::nullopt;
 }
 
+bool Sheet::is_missing(std::size_t row, std::size_t column) const { return means_none(cell(row, column)); }
+
 bool Sheet::has_numbers(std::size_t column) const {
   std::size_t filled = 0, numbers = 0;
   for (const std::uint32_t row : rows_) {
-    filled += !is_missing(cell(row, column));
-    numbers += is_number(cell(row, column));
+    filled += !is_missing(row, column);
+    numbers += is_number(cell(row, column)) || truth(cell(row, column));
   }
   return 2 * numbers > filled;
+}
+
+std::optional<std::uint32_t> Sheet::broken_number(std::size_t column) const {
+  const auto is_broken = [&](std::uint32_t row) { return begins_with_number(cell(row, column)); };
+  if (2 * std::ranges::count_if(rows_, is_broken) <= std::ssize(rows_)) return std::nullopt;
+  return *std::ranges::find_if(rows_, is_broken);
+}
+
+bool Sheet::counts_rows(std::size_t column) const {
+  std::optional<double> before;
+  std::size_t rows = 0;
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    if (cell(row, column).empty()) continue;
+    const auto number = numerics::number_from(cell(row, column));
+    if (!number || *number != std::floor(*number) || (before && *number != *before + 1)) return false;
+    before = number;
+    ++rows;
+  }
+  return rows > 2;  // any two may
 }
 
 char Sheet::decimal_of(std::size_t column) const {
@@ -192,7 +237,8 @@ char Sheet::decimal_of(std::size_t column) const {
 
 double Sheet::number(std::size_t row, std::size_t column) {
   const std::string_view text = cell(row, column);
-  if (is_missing(text)) return std::numeric_limits<double>::quiet_NaN();
+  if (means_none(text)) return std::numeric_limits<double>::quiet_NaN();
+  if (const auto value = truth(text)) return *value;
   if (decimals_[column] == 0) decimals_[column] = decimal_of(column);
   const auto value = parsed(text, decimals_[column]);
   if (!value && is_number(text))
@@ -201,14 +247,16 @@ double Sheet::number(std::size_t row, std::size_t column) {
                        decimals_[column] == ',' ? "comma" : "point"));
   if (!value)
     refuse(row, column,
-           "is no number: write NA where there is none, inf where there was no answer, 1 and 0 for true and false");
+           "is no number: write NA where there is none, inf where there was no answer, the unit in the header");
   const double size = std::abs(*value);  // tests take squares of squares
   if (std::isfinite(size) && size != 0 && (size < 1e-60 || size > 1e60))
     refuse(row, column, "is beyond what can be compared, 1e-60 to 1e60");
   return *value;
 }
 
-void Sheet::refuse(std::string_view what) const { throw std::invalid_argument(fmt::format("{}: {}", source_, what)); }
+std::string Sheet::said(std::string_view what) const { return fmt::format("{}: {}", source_, what); }
+
+void Sheet::refuse(std::string_view what) const { throw std::invalid_argument(said(what)); }
 
 void Sheet::refuse(std::size_t row, std::size_t column, std::string_view what) const {
   throw std::invalid_argument(fmt::format("{}:{}:{}: {} in column {} {}", source_, table_.line(row), column + 1,

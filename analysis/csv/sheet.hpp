@@ -33,15 +33,21 @@ class Sheet {
   const std::vector<std::uint32_t>& rows() const { return rows_; }
   std::string_view cell(std::size_t row, std::size_t column) const;  // without blanks at its ends
 
-  std::size_t column(std::string_view name) const;
+  // `row` is, where the file has none, a new one of the number of each row.
+  std::size_t column(std::string_view name);
   // The column of this name; of several a new one, of their texts joined by " / ", empty where one of them is.
   std::size_t joined(const std::vector<std::string>& names);
   std::optional<std::size_t> column_like(const Words& names) const;  // named so; earlier names first
-  bool has_numbers(std::size_t column) const;  // most cells of the column, but those that are missing
+  bool is_missing(std::size_t row, std::size_t column) const;
+  bool has_numbers(std::size_t column) const;  // or True and False: most cells of the column, but those missing
+  // The first row with a number and more, such as its unit, where most cells are so.
+  std::optional<std::uint32_t> broken_number(std::size_t column) const;
+  bool counts_rows(std::size_t column) const;  // each number is one more than that of the row before in the file
   // Not a number where it is missing. "1.020" may be 1.02 or 1020: other cells of the column say which mark is of
   // decimals, else those of the file, else the comma that parts cells, else the column is refused.
   double number(std::size_t row, std::size_t column);
 
+  std::string said(std::string_view what) const;  // of the file
   [[noreturn]] void refuse(std::string_view what) const;
   [[noreturn]] void refuse(std::size_t row, std::size_t column, std::string_view what) const;
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -24,85 +26,6 @@ namespace {
 using namespace compare;
 using numerics::lower_case;
 using Index = std::uint32_t;
-using Column = std::optional<std::size_t>;
-
-const Words label_names{"solver", "algorithm", "group", "label", "method", "name"};
-const Words metric_names{"metric", "quantity", "variable", "measure"};
-const Words run_names{"run", "trial", "seed", "repetition", "replicate", "rep", "repeat", "run_id", "seed_id"};
-
-// Where things are. Without a label each column of values is a group.
-struct Layout {
-  Column label, block, run;
-  std::vector<std::size_t> values, used;  // used: columns that the user named
-
-  bool has(std::size_t column) const {
-    return column == label || column == block || column == run || std::ranges::count(values, column) > 0 ||
-           std::ranges::count(used, column) > 0;
-  }
-};
-
-// Numbers as settings and labels have them: whole, in order, or repeated.
-bool is_setting(Sheet& sheet, const std::string& title) {
-  std::vector<double> values;
-  for (const Index row : sheet.rows()) values.push_back(sheet.number(row, sheet.column(title)));
-  std::erase_if(values, [](double value) { return std::isnan(value); });
-  const std::set<double> different(values.begin(), values.end());
-  return std::ranges::all_of(values, [](double value) { return value == std::floor(value); }) ||
-         std::ranges::is_sorted(values) || std::ranges::is_sorted(values, std::greater()) ||
-         2 * different.size() <= values.size();
-}
-
-Layout layout_of(Sheet& sheet, const Request& request) {
-  Layout layout;
-  const auto named = [&](const std::vector<std::string>& names) {
-    for (const std::string& name : names) layout.used.push_back(sheet.column(name));
-    return names.empty() ? Column() : sheet.joined(names);
-  };
-  const std::size_t columns = sheet.titles().size();  // those of the file
-  layout.label = named(request.label), layout.block = named(request.block);
-  if (!request.run.empty()) layout.run = sheet.column(request.run);
-  for (const std::string& name : request.values) {
-    const std::size_t at = sheet.column(name);
-    if (std::ranges::count(layout.values, at) == 0) layout.values.push_back(at);
-  }
-  if (!layout.label) layout.label = sheet.column_like(label_names);
-  if (layout.label && !layout.values.empty()) return layout;
-  std::vector<std::string> numbers, texts;
-  for (std::size_t i = 0; i < columns; ++i) {
-    const std::string& title = sheet.titles()[i];
-    const auto is_chosen = [&](const std::string& where) { return where.starts_with(title + '='); };
-    if (layout.has(i) || is_one_of(title, run_names) || std::ranges::any_of(request.where, is_chosen)) continue;
-    if (title.empty() || title == "Unnamed: 0") continue;  // numbers of rows, as R and pandas write them
-    (sheet.has_numbers(i) ? numbers : texts).push_back(title);
-  }
-  if (!layout.label && texts.size() > 1)
-    sheet.refuse(fmt::format("text in the columns {}; name that of the groups with --label", listed(texts)));
-  if (!layout.label && !texts.empty()) layout.label = sheet.column(texts.front());
-  if (!layout.label && layout.values.empty()) {
-    const auto is_alike = [&](const std::string& title) { return is_setting(sheet, title); };  // as counts are
-    if (!numbers.empty() && is_alike(numbers.front()) && !(layout.block && std::ranges::all_of(numbers, is_alike)))
-      sheet.refuse(
-          fmt::format("the numbers of '{0}' are whole, in order or repeated: say --block '{0}' if they are of "
-                      "problems, --label '{0}' if of groups, or name the column of each group, --value '{1}'",
-                      numbers.front(), numerics::front(fmt::format("{}", fmt::join(numbers, "' --value '")), 300)));
-    for (const std::string& title : numbers) layout.values.push_back(sheet.column(title));
-  }
-  if (!layout.label && layout.values.size() < 2)
-    sheet.refuse("no column of labels; name that of the groups with --label, or the column of each with --value");
-  if (!layout.values.empty()) return layout;
-  if (numbers.size() > 1) {
-    const std::string& title = sheet.titles()[*layout.label];
-    const std::string or_groups =
-        is_one_of(title, label_names) ? "" : fmt::format(", or, if each is a group, --block {}", in_quotes(title));
-    sheet.refuse(fmt::format("numbers in the columns {}; name one with --value, what all groups had with --block{}",
-                             listed(numbers), or_groups));
-  }
-  if (numbers.empty()) sheet.refuse("no column of numbers; name that of the values with --value");
-  layout.values = {sheet.column(numbers.front())};
-  return layout;
-}
-
-constexpr Index first_without_run = Index{1} << 31;  // units of rows that name none
 
 struct Value {
   Index group, unit, row;  // unit: block, run or row
@@ -121,18 +44,8 @@ Index number_of(std::string_view text, std::unordered_map<std::string_view, Inde
   return known.try_emplace(text, static_cast<Index>(known.size())).first->second;
 }
 
-// Refuses a row that repeats another in all but this text.
-void refuse_other_text(const Sheet& sheet, Index first, Index row, std::size_t column) {
-  const std::string_view text = sheet.cell(first, column);
-  if (sheet.cell(row, column) == text) return;
-  sheet.refuse(row, column,
-               fmt::format("repeats no row with {}: choose rows with --where '{}={}', or compare within --block '{}'",
-                           in_quotes(text), sheet.titles()[column], numerics::front(text, 60), sheet.titles()[column]));
-}
-
 Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t>& columns) {
-  Column unit = layout.block ? layout.block : layout.run ? layout.run : sheet.column_like(run_names);
-  if (unit == layout.label) unit = {};
+  const Column unit = layout.block ? layout.block : layout.run;
   std::unordered_map<std::string_view, Index> groups, units;
   Items items;
   items.values.reserve(columns.size() * sheet.rows().size());
@@ -141,49 +54,24 @@ Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t
       const std::string_view name = layout.label ? sheet.cell(row, *layout.label) : sheet.titles()[column];
       items.unlabelled += name.empty();
       if (name.empty()) continue;
-      const std::string_view unit_name = unit ? sheet.cell(row, *unit) : "";
-      if (unit_name.empty() && (layout.block || layout.run)) sheet.refuse(row, *unit, "is no name");
+      if (unit && sheet.cell(row, *unit).empty()) sheet.refuse(row, *unit, "is no name");
       const Index group = number_of(name, groups);
       if (group == items.groups.size()) items.groups.emplace_back(name);
       if (group == most_groups)
         sheet.refuse(fmt::format("more than {} groups, the last {}; is --label right?", most_groups, in_quotes(name)));
       items.values.push_back({.group = group,
-                              .unit = unit_name.empty() ? first_without_run + row : number_of(unit_name, units),
+                              .unit = unit ? number_of(sheet.cell(row, *unit), units) : row,
                               .row = row,
                               .value = sheet.number(row, column)});
     }
   }
   if (items.values.empty()) sheet.refuse("no row has a label");
   items.units = static_cast<Index>(units.size());
-  const auto place = [](const Value& item) { return std::tuple(item.group, item.unit); };
-  std::ranges::stable_sort(items.values, {}, place);
-  const auto twice = std::ranges::adjacent_find(items.values, {}, place);
-  if (twice != items.values.end() && !layout.run)
-    sheet.refuse(
-        std::next(twice)->row, *unit,
-        fmt::format(
-            "has several rows of {}; average rows that depend on each other with --run {}{}",
-            in_quotes(items.groups[twice->group]), layout.block ? "COLUMN" : sheet.titles()[*unit],
-            layout.block ? "" : ", or compare what was done apart with --block COLUMN --run " + sheet.titles()[*unit]));
+  std::ranges::stable_sort(items.values, {}, [](const Value& item) { return std::tuple(item.group, item.unit); });
   return items;
 }
 
-// Rows of a mean differ in numbers alone: other text tells of several metrics or problems.
-void refuse_mixed(const Sheet& sheet, const Layout& layout, const Items& items) {
-  for (std::size_t column = 0; column < sheet.titles().size(); ++column) {
-    if (!layout.run || layout.has(column) || sheet.has_numbers(column)) continue;
-    std::unordered_set<std::string_view> different;
-    for (const Value& item : items.values) different.insert(sheet.cell(item.row, column));
-    if (different.size() == items.values.size()) continue;  // times of day and the like
-    for (std::size_t i = 1; i < items.values.size(); ++i) {
-      const Value &before = items.values[i - 1], &item = items.values[i];
-      if (before.group == item.group && before.unit == item.unit)
-        refuse_other_text(sheet, before.row, item.row, column);
-    }
-  }
-}
-
-// Of one of the titles. Asks where larger values may be better.
+// Of one of the titles. Asks where the values are shares.
 Better better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles,
                  const std::string& title, bool are_shares) {
   std::string_view said;
@@ -198,15 +86,10 @@ Better better_of(const Sheet& sheet, const Request& request, const std::vector<s
                                numerics::unknown_name("column of values", column, titles)));
     if (is_of_all ? said.empty() : column == title) said = way;
   }
-  const std::string names = lower_case(fmt::format("{} {}", title, fmt::join(request.where, " ")));
-  const auto is_there = [&](std::string_view word) { return names.find(word) != std::string::npos; };
-  const bool may_be_larger =
-      are_shares || std::ranges::any_of(Words{"success", "solved", "rate", "accuracy", "reward", "score"}, is_there);
-  if (said.empty() && may_be_larger)
-    sheet.refuse(
-        fmt::format("are larger or smaller values of {0} better?; --better larger or --better smaller; of this column "
-                    "alone: --better '{1}=larger'",
-                    in_quotes(title), title));
+  if (said.empty() && are_shares)
+    throw Question(
+        sheet.said(fmt::format("all values of {} are 0 or 1; say which is better", in_quotes(title))),
+        {{"1 is better", {"--better", title + "=larger"}}, {"0 is better", {"--better", title + "=smaller"}}});
   return said == "larger" ? Better::larger : Better::smaller;
 }
 
@@ -306,17 +189,81 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
   }
 }
 
-// The first column that has the same texts in all groups, and several: its rows look paired.
-Column shared_by_groups(const Sheet& sheet, const Layout& layout, const Items& items) {
-  for (std::size_t column = 0; column < sheet.titles().size() && items.groups.size() > 1; ++column) {
-    if (layout.has(column)) continue;
-    std::vector<std::vector<std::string_view>> texts(items.groups.size());
-    for (const Value& item : items.values) texts[item.group].push_back(sheet.cell(item.row, column));
-    for (std::vector<std::string_view>& of_group : texts) std::ranges::sort(of_group);
-    if (texts.front().front() != texts.front().back() && std::ranges::count(texts, texts.front()) == std::ssize(texts))
-      return column;
+// Half of the last digit; nothing of whole numbers, and what sums of doubles are wrong by.
+double rounding_of(std::string_view text, double value) {
+  const std::size_t mark = text.find_last_of(".,"), exponent = std::min(text.find_first_of("eE"), text.size());
+  const double shift = exponent < text.size() ? numerics::number_from(text.substr(exponent + 1)).value_or(0) : 0;
+  const double last = mark < exponent ? std::pow(10, shift - static_cast<double>(exponent - mark - 1)) / 2 : 0;
+  return std::max(last, std::abs(value) * 1e-9) * (1 + 1e-6);
+}
+
+// Refuses last rows with a statistic of those above, where each row has a value of all groups.
+void refuse_totals(const Sheet& sheet, const Layout& layout, const Items& items) {
+  constexpr std::size_t most_values = 100'000;      // nobody adds such rows to more
+  std::map<Index, std::vector<const Value*>> rows;  // by unit
+  if (items.values.size() > most_values) return;
+  for (const Value& item : items.values) rows[item.unit].push_back(&item);
+  const std::size_t groups = items.groups.size();
+  const auto is_whole = [&](const auto& row) { return row.second.size() == groups; };
+  if ((layout.label && !layout.block) || groups < 2 || !std::ranges::all_of(rows, is_whole)) return;
+  std::vector<std::vector<const Value*>> table;
+  for (const auto& row : rows) table.push_back(row.second);
+  for (std::size_t above = std::max<std::size_t>(table.size(), 7) - 4; above < table.size(); ++above) {
+    // Mean, sum, deviation, wins by least and most.
+    std::vector<std::vector<double>> totals(5, std::vector<double>(groups));
+    for (std::size_t g = 0; g < groups; ++g) {
+      std::vector<double> values;
+      for (std::size_t i = 0; i < above; ++i) {
+        values.push_back(table[i][g]->value);
+        const auto [least, most] = std::ranges::minmax(table[i], {}, [](const Value* each) { return each->value; });
+        totals[3][g] += values.back() == least->value, totals[4][g] += values.back() == most->value;
+      }
+      totals[1][g] = std::accumulate(values.begin(), values.end(), 0.0);
+      totals[0][g] = totals[1][g] / static_cast<double>(above);
+      for (const double value : values) totals[2][g] += (value - totals[0][g]) * (value - totals[0][g]);
+      totals[2][g] = std::sqrt(totals[2][g] / static_cast<double>(above - 1));
+    }
+    const auto is_like = [&](auto is_so) {  // the row, in all groups
+      for (std::size_t g = 0; g < groups; ++g) {
+        if (!is_so(*table[above][g], g)) return false;
+      }
+      return true;
+    };
+    const auto is_before = [&](const std::vector<const Value*>& row) {
+      return is_like([&](const Value& item, std::size_t g) { return item.value == row[g]->value; });
+    };
+    if (std::any_of(table.begin(), table.begin() + static_cast<std::ptrdiff_t>(above), is_before)) continue;
+    for (const std::vector<double>& total : totals) {
+      if (is_like([&](const Value& item, std::size_t g) {
+            const std::string_view text = sheet.cell(item.row, layout.values[layout.label ? 0 : g]);
+            return std::abs(item.value - total[g]) <= rounding_of(text, total[g]);
+          }))
+        sheet.refuse(table[above].front()->row, layout.values.front(),
+                     fmt::format("is, like the other values of its row, a mean, sum, deviation or number of wins of "
+                                 "those above; leave the last {} out of the file",
+                                 table.size() - above > 1 ? fmt::format("{} rows", table.size() - above) : "row"));
+    }
   }
-  return {};
+}
+
+// What the rows were taken for.
+std::string how_read(const Sheet& sheet, const Layout& layout, const Items& items) {
+  const auto title_of = [&](std::size_t column) { return in_quotes(sheet.titles()[column]); };
+  std::string text =
+      fmt::format("Read as {} {}", items.groups.size(), layout.label ? "of " + title_of(*layout.label) : "columns");
+  const Column unit = layout.block ? layout.block : layout.run;
+  if (unit) text += fmt::format(" x {} of {}", items.units, title_of(*unit));
+  std::size_t rows = 1, most = 1;
+  for (std::size_t i = 1; i < items.values.size(); ++i) {
+    const Value &before = items.values[i - 1], &item = items.values[i];
+    rows = before.group == item.group && before.unit == item.unit ? rows + 1 : 1;
+    most = std::max(most, rows);
+  }
+  if (most > 1) text += fmt::format(", means of {} rows", most);
+  if (!layout.block && !layout.run) text += ", rows unrelated";
+  for (const std::size_t column : layout.counting)
+    text += fmt::format("; {} counts rows and is left out", title_of(column));
+  return text + '.';
 }
 
 }  // namespace
@@ -327,10 +274,6 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     sheet.refuse("solves of a study, which a CSV does not say all of; `ikbench report` judges its store");
   for (const std::string& condition : request.where) sheet.choose(condition);
   const Layout layout = layout_of(sheet, request);
-  if (const Column metric = sheet.column_like(metric_names);
-      metric && !layout.has(*metric) && !sheet.has_numbers(*metric)) {
-    for (const Index row : sheet.rows()) refuse_other_text(sheet, sheet.rows().front(), row, *metric);
-  }
   Quantities quantities;
   std::vector<std::string> titles;
   for (const std::size_t column : layout.values) titles.push_back(sheet.titles()[column]);
@@ -341,12 +284,8 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     const auto name_of = [](const std::string& title) { return quantity_of(title).quantity; };
     if (std::ranges::count(titles, observed.quantity, name_of) > 1)
       observed.quantity = titles[i], observed.unit.clear();
-    refuse_mixed(sheet, layout, items);
-    const Column rows = i > 0 || layout.run || layout.block ? Column() : shared_by_groups(sheet, layout, items);
-    if (rows)
-      quantities.notes.push_back(
-          fmt::format("Rows count as unrelated; if each was the same problem for all groups, add --block '{}'.",
-                      sheet.titles()[*rows]));
+    refuse_totals(sheet, layout, items);
+    if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items));
     settle(items, observed, quantities.notes);
     observed.better = better_of(sheet, request, titles, titles[i], observed.scale == Scale::share);
     for (const Value& item : items.values) {
@@ -368,9 +307,16 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
     if (!found) sheet.refuse(fmt::format("no column {}; expected name, n, mean and sd", *names.begin()));
     return *found;
   };
-  const std::size_t label = column(label_names), n = column({"n", "count", "n_runs"}),
-                    mean = column({"mean", "avg", "average"}), sd = column({"sd", "std", "stddev", "std_dev"});
-  const Column quantity = sheet.column_like(metric_names);
+  const std::size_t n = column({"n", "count", "n_runs"}), mean = column({"mean", "avg", "average"}),
+                    sd = column({"sd", "std", "stddev", "std_dev"});
+  const Column quantity = sheet.column_like({"metric"});
+  std::vector<std::string> texts = request.label;
+  for (std::size_t i = 0; request.label.empty() && i < sheet.titles().size(); ++i) {
+    if (i != quantity && !sheet.has_numbers(i)) texts.push_back(sheet.titles()[i]);
+  }
+  if (texts.empty() || (request.label.empty() && texts.size() > 1))
+    sheet.refuse(fmt::format("{} columns of text; name that of the groups with --label", texts.size()));
+  const std::size_t label = sheet.joined(texts);
   Quantities quantities;
   std::vector<std::string> titles;
   for (const Index row : sheet.rows()) {

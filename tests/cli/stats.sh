@@ -19,11 +19,11 @@ judged two-columns "$data/runmeans.csv" # it needs no options
 judged constant "$data/const2.csv"
 judged negative "$data/drift.csv" --margin 1
 judged paired "$data/ten.csv" --block problem
-judged unpaired "$data/ten.csv"
+judged unpaired "$data/ten.csv" --label solver --run row
 judged control "$data/zero.csv" --control B --significance 0.01
 judged zeros "$data/zero0.csv"
 judged means "$data/zero.csv" --test means
-judged where "$data/mixed-metrics.csv" --value value --where metric=error
+judged where "$data/mixed-metrics.csv" --where metric=error --run row
 judged larger comma.csv --better larger
 judged comma comma.csv
 judged summaries --summaries "$root/results/published/slim2023/table-3.csv"
@@ -47,6 +47,20 @@ succeeds stats comma.csv --out boxes --figures boxes --json
 json '"figures/boxes.svg" in of["files"] and "figures/differences.svg" not in of["files"]'
 succeeds stats comma.csv --out boxes --figures overview
 has "$err" "nothing to draw for overview"
+
+# A question is a mistake, whose lines are commands that work.
+printf 'solver,my problem,error\n' >asked.csv
+for problem in x y z; do for run in 1 2 3; do printf 'A,%s,1.%d\nB,%s,2.%d\n' $problem $run $problem $run; done; done >>asked.csv
+refused "--label" stats asked.csv --better smaller
+grep '^    ikbench ' .err | sed 's/^    ikbench/"$program"/' >commands
+equal "commands" "$(wc -l <commands)" 4
+grep -qF -- "stats asked.csv --better smaller --label solver --block 'my problem' --run row" commands || fail "no command: $err"
+while read -r command; do eval "$command" >.out || fail "$command: exit code $?"; done <commands
+printf 'id,solver,solved\n' >index.csv
+for id in $(seq 9); do printf '%d,A,1\n%d,B,0\n' $id $((id + 9)); done | sort -n >>index.csv
+refused "--better solved=larger" stats index.csv
+succeeds stats index.csv --better larger
+has "$out" "'id' counts rows and is left out"
 
 # An input is no output.
 mkdir in && cp comma.csv in/report.md

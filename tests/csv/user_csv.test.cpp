@@ -3,6 +3,9 @@
 #include "analysis/csv/user_csv.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <random>
 
 #include "analysis/compare/judge.hpp"
 #include "tests/common.hpp"
@@ -26,8 +29,17 @@ Seen finding(const std::string& text, const Request& request = {}, const std::st
   return compare::compared(of, plan).front();
 }
 
+// With the options that a question offers.
 std::string said_of(const std::string& text, const Request& request = {}) {
-  return complaint<std::invalid_argument>([&] { csv::read(text, "data.csv", request); });
+  return complaint<std::invalid_argument>([&] {
+    try {
+      csv::read(text, "data.csv", request);
+    } catch (const csv::Question& question) {
+      std::string said = question.what();
+      for (const csv::Answer& answer : question.answers) said += fmt::format(" [{}]", fmt::join(answer.options, " "));
+      throw std::invalid_argument(said);
+    }
+  });
 }
 
 const std::string wide = "a,b\n1.1,4.5\n2,5\n3,6.5\n2.5,4\n";
@@ -45,7 +57,7 @@ TEST_CASE("values with a large common offset are told apart by their last digits
 TEST_CASE("values near -5 are the same within 1, on differences") {
   const std::string text = text_in("tests/data/csv/drift.csv");
   const Quantities read = csv::read(text, "drift.csv", {});
-  CHECK(read.notes.size() == 1);
+  CHECK(read.notes.size() == 2);  // how it was read, and on differences
   CHECK(read.observed.front().scale == Scale::difference);
   const Seen found = finding(text, {}, "1");
   CHECK(found.verdict == Verdict::same);
@@ -98,15 +110,15 @@ TEST_CASE("rows of several metrics are refused with the advice --where") {
   for (const Request& request : {Request{.values = {"value"}}, Request{.values = {"value"}, .where = {"seed=1"}},
                                  Request{.values = {"value"}, .run = "seed"}}) {
     const std::string said = said_of(text, request);
-    CHECK(contains(said, "--where 'metric=error'"));
+    CHECK(contains(said, "--where metric=error"));
   }
   const Request chosen{.values = {"value"}, .run = "seed", .where = {"metric=error"}};
   CHECK(list_of(observations(text, chosen).groups.front()) == std::vector{0.10, 0.12, 0.11, 0.13});
-  CHECK(finding(text, {.values = {"value"}, .where = {"metric = error"}}).verdict == Verdict::better);
+  CHECK(finding(text, {.values = {"value"}, .run = "seed", .where = {"metric = error"}}).verdict == Verdict::better);
   CHECK(contains(said_of(text, {.where = {"metric=speed"}}), "'metric=error'"));
   // The metric has another name.
   const std::string other = "solver,seed,what,value\nA,1,e,1\nA,1,t,9\nB,1,e,1\nB,1,t,9\n";
-  CHECK(contains(said_of(other, {.values = {"value"}, .run = "seed"}), "data.csv:3:3"));
+  CHECK(contains(said_of(other, {.values = {"value"}, .run = "seed"}), "--where what=e"));
   // Text that never repeats, such as a time of day, tells of nothing.
   CHECK(said_of("solver,seed,at,value\nA,1,x,1\nA,1,y,9\nB,1,z,1\nB,1,w,9\n", {.values = {"value"}, .run = "seed"})
             .empty());
@@ -170,22 +182,16 @@ TEST_CASE("which way is better is said, or asked for where it is open") {
     rates += fmt::format("A,0.9{0}\nB,0.4{0}\n", i + 10);
     outcomes += "A,0\nB,1\n";
   }
-  for (const std::string& text : {rates, outcomes}) CHECK(contains(said_of(text), "--better larger"));
+  CHECK(contains(said_of(outcomes), "[--better collisions=larger] [--better collisions=smaller]"));
   CHECK(finding(rates, {.better = {"smaller"}}).verdict == Verdict::worse);
   CHECK(finding(outcomes, {.better = {"smaller"}}).verdict == Verdict::better);
   CHECK(finding(rates, {.better = {"larger"}}).verdict == Verdict::better);
   CHECK(finding(rates, {.better = {"smaller", "success_rate=larger"}}).verdict == Verdict::better);
   CHECK(finding(outcomes, {.better = {"larger"}}).verdict == Verdict::worse);
   CHECK(observations(outcomes, {.better = {"smaller"}}).scale == Scale::share);
-  for (const char* title : {"accuracy", "F1 Score", "meanReward", "hit_rate", "SUCCESS"})
-    CHECK(contains(said_of(fmt::format("s,{}\nA,2\nB,3\n", title)), "--better"));
-  for (const char* title : {"iterations", "time"})
-    CHECK(observations(fmt::format("s,{}\nA,2\nB,3\n", title)).better == Better::smaller);
-  const std::string metrics = "s,metric,v\nA,score,2\nB,score,3\n";
-  CHECK(contains(said_of(metrics, {.where = {"metric=score"}}), "--better"));
+  CHECK(observations(rates).better == Better::smaller);  // as the line below the table says
   CHECK(contains(said_of(rates, {.better = {"rate=larger"}}), "success_rate"));
   CHECK(contains(said_of(rates, {.better = {"bigger"}}), "expected smaller"));
-  CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd,metric\nA,5,1,1,rate\n", "s.csv", {}), std::invalid_argument);
 }
 
 TEST_CASE("values of 0 are what they are, and differences are compared") {
@@ -210,7 +216,7 @@ TEST_CASE("values of 0 are what they are, and differences are compared") {
 TEST_CASE("missing values are lost, and such a group is not tested") {
   for (const std::string gap : {"", "NA", "-", "nan", "None", "#N/A"}) {
     CAPTURE(gap);
-    const std::string text = "s,v\nA," + gap + "\nA,1\nA,2\nA,3\nA,4\nB,5\nB,6\nB,7\nB,8\n";
+    const std::string text = "s,v\nA," + gap + "\nA,2\nA,1\nA,3\nA,4\nB,5\nB,6\nB,7\nB,8\n";
     const Observations observed = observations(text);
     CHECK(lost_in(observed.groups.front()) == 1);
     CHECK(observed.doubts.front().kind == DoubtKind::incomplete);
@@ -230,7 +236,7 @@ std::string with_infinite(int in_a, int in_b) {
 }
 
 TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
-  const Request rows{.values = {"v"}}, blocks{.values = {"v"}, .block = {"p"}};
+  const Request rows{.values = {"v"}, .run = "row"}, blocks{.values = {"v"}, .block = {"p"}};
   const Seen paired = finding(with_infinite(0, 3), blocks);
   CHECK(paired.verdict == Verdict::better);
   CHECK(*paired.p == Approx(std::exp2(-9)));
@@ -259,39 +265,192 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(compare::compared(observed, {.test = Plan::Test::means}).front().why == Why::lost);
   CHECK(std::isinf(describe(observed.groups[1]).mean));
   CHECK(describe(observed.groups[1]).median == 11);
-  CHECK(contains(said_of(with_infinite(0, 3), {.values = {"v"}, .better = {"larger"}}), "data.csv:17:3"));
+  CHECK(contains(said_of(with_infinite(0, 3), {.values = {"v"}, .run = "row", .better = {"larger"}}), "data.csv:17:3"));
 }
 
 TEST_CASE("wide files have a group a column, and tell where one ends early") {
-  CHECK(finding(wide).verdict == Verdict::better);
-  const Observations of = observations("seed,a,b\n1,1.5,4\n2,1.2,5\n3,2.1,6\n4,1.7,6\n5,,\n6,,5\n");
+  CHECK(contains(said_of(wide), "[--block row] [--run row]"));
+  CHECK(finding(wide, {.run = "row"}).verdict == Verdict::better);
+  CHECK(observations(wide, {.block = {"row"}}).is_paired);
+  const Observations of = observations("seed,a,b\n1,1.5,4.5\n2,1.2,5\n3,2.1,6\n4,1.7,6\n5,,\n6,,5\n", {.run = "row"});
   REQUIRE(of.groups.size() == 2);
   CHECK(lost_in(of.groups[0]) == 2);
   CHECK(lost_in(of.groups[1]) == 1);
   CHECK(of.doubts.front().count == 3);
-  const std::string text = "set,a,b\n1,1.5,4\n2,1.2,5\n3,2.1,6\n";
-  CHECK(contains(csv::read(text, "data.csv", {.values = {"a", "b"}}).notes.front(), "--block 'set'"));
-  const Quantities blocks = csv::read(text, "data.csv", {.block = {"set"}});
-  CHECK(blocks.notes.empty());
-  CHECK(blocks.observed.front().is_paired);
+  const std::string text = "set,a,b\n2,1.5,4.5\n5,1.2,7\n3,2.1,6\n";
+  CHECK(contains(said_of(text, {.values = {"a", "b"}}), "[--block set] [--block row]"));
+  CHECK(csv::read(text, "data.csv", {.block = {"set"}}).observed.front().is_paired);
   CHECK(contains(said_of("a,a\n1,4\n2,5\n", {.values = {"a"}}), "2 columns 'a'"));
 }
 
 TEST_CASE("a first column of settings or labels is no group") {
-  for (const std::string rows : {"100,1.5,4.2\n7,1.2,5\n30,2.1,6\n",                     // whole
-                                 "0.1,1.5,4.2\n0.2,1.2,5\n0.5,2.1,6\n",                  // in order
-                                 "0.5,1.5,4.2\n0.1,1.2,5\n0.5,2.1,6\n0.1,1.1,5.5\n"}) {  // repeated
-    CHECK(contains(said_of("size,a,b\n" + rows), "--block 'size'"));
-    CHECK(observations("size,a,b\n" + rows, {.values = {"size", "a", "b"}}).groups.size() == 3);
+  for (const std::string rows : {"100,1.5,4.2\n7,1.2,6\n30,2.1,5\n",                     // whole
+                                 "0.1,1.5,4.2\n0.2,1.2,6\n0.5,2.1,5\n",                  // in order
+                                 "0.5,1.5,4.2\n0.1,1.2,6\n0.5,2.1,5\n0.1,1.1,5.5\n"}) {  // repeated
+    const bool repeats = contains(rows, "0.1,1.1");
+    CHECK(
+        contains(said_of("size,a,b\n" + rows), repeats ? "[--label size --value a]" : "[--value a --value b --block "));
+    CHECK(observations("size,a,b\n" + rows, {.values = {"size", "a", "b"}, .run = "row"}).groups.size() == 3);
   }
-  CHECK(contains(said_of("set,size,a\nx,100,0.5\ny,7,0.4\nz,9,0.45\n", {.block = {"set"}}), "--block 'size'"));
+  CHECK(contains(said_of("set,size,a\nx,100,0.5\ny,7,0.4\nz,9,0.45\n", {.block = {"set"}}), "--value size --value a"));
 }
 
-TEST_CASE("rows of a file that look paired are told") {
-  const std::string text = "solver,scene,time\nA,x,1\nA,y,2\nB,x,3\nB,y,3\n";
-  CHECK(contains(csv::read(text, "d.csv", {}).notes.front(), "--block 'scene'"));
-  CHECK(csv::read(text, "d.csv", {.block = {"scene"}}).notes.empty());
-  CHECK(csv::read(text + "B,z,4\n", "d.csv", {}).notes.empty());
+// The request with further options.
+Request with(Request request, const std::vector<std::string>& options) {
+  for (std::size_t i = 0; i + 1 < options.size(); i += 2) {
+    if (options[i] == "--run") request.run = options[i + 1];
+    for (const auto& [name, values] : {std::pair{"--value", &request.values},
+                                       {"--label", &request.label},
+                                       {"--block", &request.block},
+                                       {"--where", &request.where},
+                                       {"--better", &request.better}}) {
+      if (options[i] == name) values->push_back(options[i + 1]);
+    }
+  }
+  return request;
+}
+
+std::vector<csv::Answer> asked_of(const std::string& text, const Request& request = {}) {
+  try {
+    csv::read(text, "data.csv", request);
+  } catch (const csv::Question& question) {
+    return question.answers;
+  }
+  return {};
+}
+
+// A row for each combination, `{}` in turn replaced by what tells it apart, with a value that differs by the last.
+std::string crossed(const std::string& header, const std::vector<std::vector<std::string>>& columns, int repeats = 1) {
+  std::string text = header + "\n";
+  std::vector<std::string> rows{""};
+  for (const std::vector<std::string>& column : columns) {
+    std::vector<std::string> longer;
+    for (const std::string& row : rows) {
+      for (const std::string& cell : column) longer.push_back(row + cell + ",");
+    }
+    rows = longer;
+  }
+  int i = 0;
+  for (const std::string& row : rows) {
+    for (int repeat = 0; repeat < repeats; ++repeat, ++i)
+      text += fmt::format("{}{:.3f}\n", row, 1 + i * i * 37 % 1009 * 0.013);
+  }
+  return text;
+}
+
+TEST_CASE("what can be read in several ways is asked, and every answer is read") {
+  const std::vector<std::string> s{"A", "B", "C"}, p{"x", "y", "z"}, n{"1", "2", "3", "4"}, many{"7", "31", "5", "90"};
+  struct {
+    std::string text, first;  // what is to be added, as it stands in a shell
+    Request request = {};
+  } const layouts[] = {
+      {crossed("solver,random_seed,point,error", {s, many, n}), "--run random_seed"},
+      {crossed("solver,RunId,error", {s, many}, 5), "--run RunId"},
+      {crossed("solver,run,error", {s, n}), "--run run"},
+      {crossed("solver,problem,error", {s, p}), "--label solver --block problem"},
+      {crossed("solver,problem,error", {s, p}, 5), "--label solver --block problem --run row"},
+      {crossed("solver,problem,error", {s, p}, 5), "--block problem --run row", {.label = {"solver"}}},
+      {crossed("solver,problem,error", {s, p}, 5), "--run row", {.label = {"solver"}, .block = {"problem"}}},
+      {crossed("solver,problem,error", {s, n}, 5), "--run problem"},
+      {crossed("Algorithm,Problem,MetricName,ExecutionId,MetricValue", {s, {"u", "v"}, p, n}),
+       "--label Algorithm --block Problem --block MetricName --run ExecutionId"},
+      {crossed("Algorithm,MetricName,ExecutionId,MetricValue", {s, {"HV", "EP"}, n}),
+       "--block MetricName --run ExecutionId",
+       {.label = {"Algorithm"}}},
+      {crossed("algorithm,suite,function,dimension,instance,evaluations", {s, {"bbob"}, n, {"2", "5"}, n}),
+       "--run function"},
+      {crossed("case,implementation,algorithm,workers,seconds", {n, s, p, {"1"}}),
+       "--label implementation --block algorithm --run case",
+       {.values = {"seconds"}}},
+      {crossed("name,planner,time", {p, s}, 4), "--label name --block planner --run row"},
+      {crossed("algorithm_id,evaluations", {{"1", "2"}}, 9), "--label algorithm_id"},
+      {"instance,A,B\nx,1.5,4.1\ny,1.2,7\nz,2.1,6\n", "--block instance"},
+      {"problem,seed,A,B\nx,4,1.5,4.1\nx,9,1.2,7\ny,4,2.1,6\ny,9,2,6.5\n", "--block problem --block seed"},
+      {"set,name,call,time\nx,A,A x,1.5\nx,A,A x,1.6\nx,B,B x,2.5\ny,A,A y,3\ny,A,A y,2\ny,B,B y,5\n",
+       "--label name --block set --run row"},
+      {"instance,A,B\nx,1.5,4.1\ny,1.2,7\nz,2.1,6\n", "--block instance", {.values = {"A", "B"}}},
+      {"solver,time,memory\nA,1.5,4\nA,1.2,7\nB,2.1,6\n", "--value time"},
+      {"problem,class,A,B\nx,k,1.5,4\ny,k,1.2,7\nz,l,2.1,6\n", "--label class --value A"},
+      {"problem,solver,time\nx,A,1\ny,A,2.5\nz,A,2\nx,B,1.5\n", "--label solver --block problem"},
+  };
+  for (const auto& [text, first, request] : layouts) {
+    CAPTURE(text, first);
+    const std::vector<csv::Answer> answers = asked_of(text, request);
+    std::vector<std::string> offered;
+    for (const csv::Answer& answer : answers) {
+      offered.push_back(fmt::format("{}", fmt::join(answer.options, " ")));
+      CAPTURE(offered.back());
+      CHECK(said_of(text, with(request, answer.options)).empty());
+    }
+    CAPTURE(offered);
+    CHECK(std::ranges::count(offered, first) == 1);
+  }
+}
+
+TEST_CASE("columns that do not matter are not asked about") {
+  const std::string rows =
+      "i,solver,host,version,at,error\n0,A,n1,1.0,10:00:01,1.5\n1,A,n1,1.0,10:00:03,1.2\n"
+      "2,B,n1,1.1,10:00:04,1.3\n3,B,n1,1.1,10:00:09,1.4\n";
+  CHECK(list_of(observations(rows).groups[1]) == std::vector{1.3, 1.4});
+  CHECK(contains(csv::read(rows, "d.csv", {}).notes.front(), "'i' counts rows"));
+  CHECK(list_of(observations(rows, {.values = {"i"}}).groups[1]) == std::vector{2.0, 3.0});
+  // Where blocks and runs tell all rows apart, text says how each ended.
+  const std::string ended =
+      "solver,problem,run,error,end\nA,x,1,1.5,ok\nA,x,2,1.2,late\nA,y,1,2,ok\nA,y,2,2.5,ok\n"
+      "B,x,1,1.3,ok\nB,x,2,1.1,ok\nB,y,1,3,late\nB,y,2,2.1,ok\n";
+  CHECK(list_of(observations(ended, {.label = {"solver"}, .block = {"problem"}, .run = "run"}).groups[0]) ==
+        std::vector{1.35, 2.25});
+}
+
+TEST_CASE("True and False are 1 and 0") {
+  const std::string text = "id,solver,solved\n0,A,True\n1,A,True\n2,B,FALSE\n3,B,yes\n";
+  const Observations of = observations(text, {.better = {"larger"}});
+  CHECK(of.quantity == "solved");
+  CHECK(of.scale == Scale::share);
+  CHECK(list_of(of.groups[1]) == std::vector{0.0, 1.0});
+  CHECK(contains(said_of(text), "[--better solved=larger]"));
+  // They may name the groups.
+  const std::string pairs = "scene,optimized,time\nx,yes,1\nx,no,2.5\ny,yes,2\ny,no,3\nz,yes,5\nz,no,4\n";
+  CHECK(contains(said_of(pairs), "[--label optimized --block scene]"));
+  CHECK(observations(pairs, {.label = {"optimized"}, .block = {"scene"}}).groups[1].name == "no");
+}
+
+TEST_CASE("last rows with statistics of those above are refused") {
+  std::string rows = "problem,A,B\n", whole = "problem,A,B\n", tall = "solver,problem,error\n";
+  for (int i = 0; i < 12; ++i) {
+    rows += fmt::format("i{},{:.2f},{:.2f}\n", i, 1.1 + 0.01 * i, 1.4 + 0.01 * i);
+    whole += fmt::format("i{},{},{}\n", i, 40 + i * i % 7, 60 - i * i % 5);
+    tall += fmt::format("A,i{0},{1}\nB,i{0},{2}\n", i, 0.1 + i * i * 0.3, 0.7 + i * 0.21);
+  }
+  const Request blocks{.values = {"A", "B"}, .block = {"problem"}}, by_solver{.block = {"problem"}};
+  for (const char* last : {"m,1.155,1.455\nw,12,0\n", "w,12,0\n", "w,0,12\nm,1.155,1.455\n", "s,13.86,17.46\n",
+                           "d,0.036,0.036\n", "m,1.155,1.46\nd,0.04,0.04\nw,12,0\nx,1,2\n"})
+    CHECK(contains(said_of(rows + last, blocks), "data.csv:14:2"));
+  for (const char* other : {"m,1.155,1.47\n", "x,13,14\n"}) CHECK(said_of(rows + other, blocks).empty());
+  CHECK(said_of(rows, blocks).empty());
+  CHECK(said_of(whole, blocks).empty());
+  CHECK(contains(said_of(whole + "w,12,0\n", blocks), "data.csv:14:2"));
+  CHECK(said_of(tall, by_solver).empty());
+  CHECK(contains(said_of(tall + "A,mean,12.75\nB,mean,1.855\n", by_solver), "data.csv:26:3"));
+}
+
+TEST_CASE("points of runs are asked about, whatever the runs are called") {
+  std::mt19937 random(2023);
+  std::normal_distribution<> normal;
+  int asked = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    std::string text = "solver,random_seed,point,error\n";
+    for (const char* solver : {"A", "B"}) {
+      for (int seed = 0; seed < 5; ++seed) {
+        const double level = normal(random);
+        for (int point = 0; point < 8; ++point)
+          text += fmt::format("{},{},{},{}\n", solver, seed, point, std::exp(level + 0.01 * normal(random)));
+      }
+    }
+    asked += !asked_of(text, {.values = {"error"}}).empty();
+    CHECK(list_of(observations(text, {.values = {"error"}, .run = "random_seed"}).groups[0]).size() == 5);
+  }
+  CHECK(asked == 200);
 }
 
 TEST_CASE("several columns of labels or blocks are joined") {
@@ -305,8 +464,8 @@ TEST_CASE("several columns of labels or blocks are joined") {
 
 TEST_CASE("rows of a run are averaged where asked, else refused") {
   const std::string text = "solver,run,point,e\nA,1,1,1\nA,1,2,3\nA,2,1,2\nA,2,2,6\nB,1,1,9\nB,1,2,9\nB,2,1,7\n";
-  CHECK(contains(said_of(text, {.values = {"e"}}), "data.csv:3:2"));
-  CHECK(contains(said_of(text, {.values = {"e"}, .block = {"point"}}), "--run COLUMN"));
+  CHECK(contains(said_of(text, {.values = {"e"}}), "[--run run] [--run point]"));
+  CHECK(contains(said_of(text + "B,2,2,8\n", {.values = {"e"}, .block = {"point"}}), "[--run run]"));
   const Observations observed = csv::read(text, "data.csv", {.values = {"e"}, .run = "run"}).observed.front();
   CHECK(list_of(observed.groups[0]) == std::vector{2.0, 4.0});
   CHECK(lost_in(observed.groups[1]) == 1);  // a row of its second run is missing
@@ -317,10 +476,9 @@ TEST_CASE("rows of a run are averaged where asked, else refused") {
   CHECK(observations(text, {.values = {"e"}, .block = {"run"}, .run = "run"}).is_paired);
 }
 
-TEST_CASE("rows without a run are observations of their own") {
-  const Observations of = observations("solver,seed,v\nA,,1\nA,,2\nB,1,3\nB,2,4\n");
-  CHECK(list_of(of.groups[0]) == std::vector{1.0, 2.0});
-  CHECK(contains(said_of("solver,seed,v\nA,,1\nA,,2\nB,1,3\nB,2,4\n", {.run = "seed"}), "data.csv:2:2"));
+TEST_CASE("a row without its run is refused") {
+  CHECK(contains(said_of("solver,seed,v\nA,,1.5\nA,,2\nB,1,3\nB,2,4\n", {.values = {"v"}, .run = "seed"}),
+                 "data.csv:2:2"));
 }
 
 TEST_CASE("a block without a row of a group is lost to it") {
@@ -349,7 +507,7 @@ TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
 }
 
 TEST_CASE("margins are shares or in the unit of the values") {
-  Observations of = observations(wide);
+  Observations of = observations(wide, {.run = "row"});
   CHECK(csv::with_margin({}, "", of).margin == 0.05);
   CHECK(csv::with_margin({}, "10%", of).margin == Approx(0.1));
   const compare::Plan plan = csv::with_margin({}, "0.5", of);
@@ -390,7 +548,9 @@ TEST_CASE("printed means without a spread decide nothing") {
 }
 
 TEST_CASE("mistakes say where and what to do") {
-  check_mistakes("csv", "data.csv", [](const std::string& text) { csv::read(text, "data.csv", {}); });
+  check_mistakes("csv", "data.csv", [](const std::string& text) {
+    if (const std::string said = said_of(text); !said.empty()) throw std::invalid_argument(said);
+  });
   CHECK(contains(said_of("s,v\n,1\n", {.label = {"s"}}), "label"));
   CHECK(contains(said_of("s,v\nA,1\nA,x1\n", {.values = {"v"}}), "data.csv:3:2: 'x1' in column 'v'"));
   CHECK(contains(said_of("alg,ok\nA,93%\n", {.values = {"ok"}}), "data.csv:2:2: '93%'"));
@@ -412,7 +572,7 @@ TEST_CASE("mistakes say where and what to do") {
 }
 
 TEST_CASE("any label is kept as it is") {
-  const Observations of = observations("solver,v\n\"a,\"\"b\"\"\n<c> $d$ \\e\",1\n'=1+1',2\n\xC3\xA9,3\n");
+  const Observations of = observations("solver,v\n\"a,\"\"b\"\"\n<c> $d$ \\e\",1\n'=1+1',2\n\xC3\xA9,4\n");
   REQUIRE(of.groups.size() == 3);
   CHECK(of.groups[0].name == "a,\"b\"\n<c> $d$ \\e");
   CHECK(of.groups[2].name == "\xC3\xA9");

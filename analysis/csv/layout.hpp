@@ -1,0 +1,51 @@
+// What the columns of a user's CSV are, by what they hold. What can be read in two ways is asked.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "analysis/csv/sheet.hpp"
+
+namespace ikbench::csv {
+
+constexpr std::size_t most_groups = 100;
+
+using Column = std::optional<std::size_t>;
+
+// Columns by name; what is empty is found, or is not there. Every file has a column `row`, of the number of each row.
+struct Request {
+  std::vector<std::string> values = {};  // each a quantity; found: the only column of numbers
+                                         // or, without labels, groups
+  std::vector<std::string> label = {};   // found: the only column of text
+  std::vector<std::string> block = {};   // target or problem that all groups had: makes observations paired
+  std::string run = {};                  // rows of a run (of a block) are averaged: they are no replicates
+  std::vector<std::string> where = {};   // "metric=error": takes these rows alone
+  std::vector<std::string> better = {};  // "smaller" or "larger", of one column "quality=larger"; else smaller
+  char decimal = 0;                      // mark of decimals; 0: found
+};
+
+// Where things are. Without a label each column of values is a group.
+struct Layout {
+  Column label, block, run;  // a run has several rows
+  std::vector<std::size_t> values;
+  std::vector<std::size_t> counting;  // columns that number the rows, and are left out
+};
+
+// One way to read a file: when it is right, and the options to add.
+struct Answer {
+  std::string meaning;
+  std::vector<std::string> options;
+};
+
+// The file can be read in several ways.
+struct Question : std::invalid_argument {
+  Question(const std::string& what, std::vector<Answer> ways) : invalid_argument(what), answers(std::move(ways)) {}
+  std::vector<Answer> answers;
+};
+
+// Rows without a label count for nothing. Throws a Question, or std::invalid_argument as Sheet does.
+Layout layout_of(Sheet& sheet, const Request& request);
+
+}  // namespace ikbench::csv
