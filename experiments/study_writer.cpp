@@ -346,7 +346,16 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
       entry;
   text += fmt::format("\nsolver {} label {}", algorithm, label);
   if (program) text += said_by_name(program->choice, ProgramChoice{}, "program.");
-  for (const auto& [name, value] : effective_options(study, entry)) text += fmt::format("\n{} = {}", name, value);
+  Settings in_effect = effective_options(study, entry);
+  if (!program) {
+    info_of(entry).describe([&](const OptionList& list) {
+      std::erase_if(in_effect, [&](const auto& setting) {
+        const auto option = std::ranges::find(list.options(), setting.first, &Option::name);
+        return option->is_later && option->get() == setting.second;
+      });
+    });
+  }
+  for (const auto& [name, value] : in_effect) text += fmt::format("\n{} = {}", name, value);
   return fmt::format("{:016x}", Key(0).with(text).value());
 }
 

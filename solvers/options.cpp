@@ -30,6 +30,7 @@ Option ranged(std::string name, Number& field, std::pair<Number, Number> range, 
           .meaning = std::move(meaning),
           .choices = {},
           .bounds = {fmt::format("{}", range.first), fmt::format("{}", range.second)},
+          .is_later = false,
           .get = [&field] { return fmt::format("{}", field); },
           .set =
               [&field, range](std::string_view text) {
@@ -43,26 +44,31 @@ Option ranged(std::string name, Number& field, std::pair<Number, Number> range, 
 }  // namespace
 
 void OptionList::number(std::string name, double& field, std::pair<double, double> range, std::string meaning) {
-  options_.push_back(ranged(std::move(name), field, range,
-                            fmt::format("a number from {} to {}", range.first, range.second), std::move(meaning)));
+  add(ranged(std::move(name), field, range, fmt::format("a number from {} to {}", range.first, range.second),
+             std::move(meaning)));
 }
 
 void OptionList::count(std::string name, int& field, std::pair<int, int> range, std::string meaning) {
-  options_.push_back(ranged(std::move(name), field, range,
-                            fmt::format("a whole number from {} to {}", range.first, range.second),
-                            std::move(meaning)));
+  add(ranged(std::move(name), field, range, fmt::format("a whole number from {} to {}", range.first, range.second),
+             std::move(meaning)));
 }
 
 void OptionList::add_choice(std::string name, std::vector<std::string> names, std::string meaning,
                             std::function<std::string()> get, std::function<bool(std::string_view)> set) {
   std::string expected = fmt::format("one of {}", fmt::join(names, ", "));
-  options_.push_back({.name = std::move(name),
-                      .expected = std::move(expected),
-                      .meaning = std::move(meaning),
-                      .choices = std::move(names),
-                      .bounds = {},
-                      .get = std::move(get),
-                      .set = std::move(set)});
+  add({.name = std::move(name),
+       .expected = std::move(expected),
+       .meaning = std::move(meaning),
+       .choices = std::move(names),
+       .bounds = {},
+       .is_later = false,
+       .get = std::move(get),
+       .set = std::move(set)});
+}
+
+void OptionList::add(Option option) {
+  option.is_later = is_later_;
+  options_.push_back(std::move(option));
 }
 
 void OptionList::set(std::string_view name, std::string_view value) {

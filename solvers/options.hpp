@@ -21,12 +21,16 @@ struct Option {
   std::string meaning;
   std::vector<std::string> choices;  // of a choice; else empty
   std::vector<std::string> bounds;   // smallest and largest value of a number; else empty
+  bool is_later = false;             // it was added after solves had been stored
   std::function<std::string()> get;
   std::function<bool(std::string_view)> set;  // false if the text is not as expected
 };
 
 class OptionList {
  public:
+  // Options listed from here on were added later: they enter the key of a series only if they differ from their
+  // defaults, so that a new one leaves stored solves as they are.
+  void later() { is_later_ = true; }
   void number(std::string name, double& field, std::pair<double, double> range, std::string meaning);
   void count(std::string name, int& field, std::pair<int, int> range, std::string meaning);
 
@@ -56,7 +60,10 @@ class OptionList {
   void add_choice(std::string name, std::vector<std::string> names, std::string meaning,
                   std::function<std::string()> get, std::function<bool(std::string_view)> set);
 
+  void add(Option option);
+
   std::vector<Option> options_;
+  bool is_later_ = false;
 };
 
 }  // namespace ikbench::solvers
