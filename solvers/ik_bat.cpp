@@ -2,6 +2,7 @@
 // Every candidate is drawn between the best configuration and the arm's (Eq. 14), so Eqs. 5, 13 and 7 move the bats
 // without any effect on the result (docs/papers/slim2023-notes.md 2.4). They are kept as in the paper.
 #include "numerics/functions.hpp"
+#include "numerics/units.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
@@ -16,7 +17,8 @@ namespace {
 class IkBat final : public Solver {
  public:
   enum class Acceptance { greedy, loudness, yang2020 };
-  enum class Epsilon { normal, truncated };
+  enum class Epsilon { normal, truncated, uniform };
+  enum class Pulse { rising, constant };
 
   struct Options {
     double f_min = 0;
@@ -27,6 +29,10 @@ class IkBat final : public Solver {
     double pulse_rate = 1;
     double step_factor = 0.1;
     Epsilon epsilon = Epsilon::normal;
+    Pulse pulse = Pulse::rising;
+    int first_iteration = 0;
+    bool seeded = true;
+    double spread_deg = 0;
     Acceptance acceptance = Acceptance::greedy;
     Bounds bounds = Bounds::initial;
 
@@ -39,13 +45,24 @@ class IkBat final : public Solver {
       list.number("pulse_rate", pulse_rate, {0, 1}, "final pulse rate r0, Eq. 10");
       list.number("step_factor", step_factor, {0, 10},
                   "factor of eps A in Eq. 14; 0.1 in Yang's code, not given in the paper");
-      list.choice("epsilon", epsilon, {{"normal", Epsilon::normal}, {"truncated", Epsilon::truncated}},
-                  "eps in Eq. 14 is standard normal (Yang's code), or truncated to [-1, 1] (Yang 2010)");
+      list.choice("epsilon", epsilon,
+                  {{"normal", Epsilon::normal}, {"truncated", Epsilon::truncated}, {"uniform", Epsilon::uniform}},
+                  "eps in Eq. 14, \"in the range of [-1, 1] generated from a normal distribution\": standard normal "
+                  "(Yang's code), normal within [-1, 1], or uniform in [-1, 1]");
       list.choice(
           "acceptance", acceptance,
           {{"greedy", Acceptance::greedy}, {"loudness", Acceptance::loudness}, {"yang2020", Acceptance::yang2020}},
           "a better candidate is always kept, only if rand < A (the paper's text), or only if rand > A (Yang 2020)");
       list_bounds(list, bounds);
+      list.later();
+      list.choice("pulse", pulse, {{"rising", Pulse::rising}, {"constant", Pulse::constant}},
+                  "the pulse rate rises to r0 (Eq. 10), or is always r0 (Table 1: \"initial pulse rate\" 1)");
+      list.count("first_iteration", first_iteration, {0, 1},
+                 "t of the first iteration in Eq. 10, which does not say; with 0 the first pulse rate is 0");
+      list.choice("seeded", seeded, {{"yes", true}, {"no", false}},
+                  "one bat starts at Theta_s (Sec. 4.2: \"preferable\"), or none does (Algorithm 2)");
+      list.number("spread_deg", spread_deg, {0, 180},
+                  "standard deviation of the first bats around Theta_s; 0: they are uniform between the limits");
     }
   };
 
@@ -60,12 +77,10 @@ class IkBat final : public Solver {
     for (Eigen::RowVectorXd* each : {&frequency_, &chance_}) each->resize(bats);
     errors_.resize(bats);
     loudness_ = options_.loudness;
-    iteration_ = 0;
+    iteration_ = options_.first_iteration;
     best_ = {problem.start};
 
-    draw_within_limits(problem, random, x_);
-    x_.col(0) = problem.start;  // one bat starts where the arm is
-    keep_inside(options_.bounds, problem_, x_.col(0));
+    draw_first(random);
     v_.setZero();
     objective.errors(x_, errors_);
     for (int i = 0; i < bats; ++i) best_.improve(x_.col(i), errors_[i]);
@@ -73,11 +88,12 @@ class IkBat final : public Solver {
 
   void step(Objective& objective, Random& random) override {
     random.uniforms(frequency_);
-    options_.epsilon == Epsilon::normal ? random.normals(epsilon_) : random.truncated_normals(epsilon_);
+    draw_epsilon(random);
     random.uniforms(chance_);
     frequency_ = options_.f_min + (options_.f_max - options_.f_min) * frequency_.array();  // Eq. 5
     loudness_ *= options_.alpha;                                                           // Eq. 9
-    pulse_rate_ = options_.pulse_rate * (1 - exponential(-options_.gamma * iteration_));   // Eq. 10; the first is 0
+    pulse_rate_ = options_.pulse_rate;
+    if (options_.pulse == Pulse::rising) pulse_rate_ *= 1 - exponential(-options_.gamma * iteration_);  // Eq. 10
     ++iteration_;
     objective.one_by_one(
         candidates_, errors_, [&](Eigen::Index first, Eigen::Index count) { fly(first, count); },
@@ -94,6 +110,30 @@ class IkBat final : public Solver {
   const Best& best() const override { return best_; }
 
  private:
+  void draw_first(Random& random) {
+    if (options_.spread_deg > 0) {
+      random.normals(x_);
+      for (Eigen::Index j = 0; j < x_.rows(); ++j)
+        kernels_.scatter(problem_.start[j], options_.spread_deg * degree, &x_(j, 0), &x_(j, 0), x_.cols());
+    } else {
+      draw_within_limits(problem_, random, x_);
+    }
+    if (options_.seeded) x_.col(0) = problem_.start;
+    keep_inside(options_.bounds, problem_, x_);
+  }
+
+  void draw_epsilon(Random& random) {
+    switch (options_.epsilon) {
+      case Epsilon::normal:
+        return random.normals(epsilon_);
+      case Epsilon::truncated:
+        return random.truncated_normals(epsilon_);
+      case Epsilon::uniform:
+        random.uniforms(epsilon_);
+        epsilon_.array() = 2 * epsilon_.array() - 1;
+    }
+  }
+
   void fly(Eigen::Index first, Eigen::Index count) {
     const double r = pulse_rate_;
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {

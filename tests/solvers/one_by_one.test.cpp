@@ -88,20 +88,37 @@ void ik_bat(Loop& loop) {
   const std::size_t bats = candidates_a_step;
   const double step_factor = loop.number("step_factor");
   const bool is_greedy = loop.is("acceptance", "greedy"), by_loudness = loop.is("acceptance", "loudness");
-  loop.draw_first(bats);
-  for (std::size_t j = 0; j < loop.joints; ++j) loop.x[0][j] = loop.start(j);
-  if (loop.clamps) loop.clamp(loop.x[0]);
+  const double spread = loop.number("spread_deg") * degree;
+  if (spread > 0) {
+    loop.x = loop.each(bats, [](Random& from, Candidates& out) { from.normals(out); });
+    for (Vector& q : loop.x) {
+      for (std::size_t j = 0; j < loop.joints; ++j) q[j] = loop.start(j) + spread * q[j];
+    }
+  } else {
+    loop.draw_first(bats);
+  }
+  loop.errors.resize(bats);
+  for (std::size_t j = 0; j < loop.joints && loop.is("seeded", "yes"); ++j) loop.x[0][j] = loop.start(j);
+  for (Vector& q : loop.x) {
+    if (loop.clamps) loop.clamp(q);
+  }
   loop.evaluate_first();
   double A = loop.number("loudness");
+  const double r0 = loop.number("pulse_rate"), first = loop.number("first_iteration");
   for (int t = 0; t < iterations; ++t) {
     loop.uniforms(bats);  // the frequencies, which change no evaluation
     const std::vector<Vector> epsilon =
-        loop.is("epsilon", "normal")
-            ? loop.each(bats, [](Random& from, Candidates& out) { from.normals(out); })
-            : loop.each(bats, [](Random& from, Candidates& out) { from.truncated_normals(out); });
+        loop.is("epsilon", "normal") ? loop.each(bats, [](Random& from, Candidates& out) { from.normals(out); })
+        : loop.is("epsilon", "truncated")
+            ? loop.each(bats, [](Random& from, Candidates& out) { from.truncated_normals(out); })
+            : loop.each(bats, [](Random& from, Candidates& out) {
+                from.uniforms(out);
+                for (double& number : out.reshaped()) number = 2 * number - 1;
+              });
     const Vector chance = loop.uniforms(bats);
-    A *= loop.number("alpha");                                                                  // Eq. 9
-    const double r = loop.number("pulse_rate") * (1 - exponential(-loop.number("gamma") * t));  // Eq. 10
+    A *= loop.number("alpha");  // Eq. 9
+    const double grown = 1 - exponential(-loop.number("gamma") * (first + t));
+    const double r = loop.is("pulse", "rising") ? r0 * grown : r0;  // Eq. 10
     for (std::size_t i = 0; i < bats; ++i) {
       Vector q(loop.joints);
       for (std::size_t j = 0; j < loop.joints; ++j) {  // Eq. 14
@@ -338,7 +355,9 @@ TEST_CASE("IK-BA is its pseudo-code bit for bit, one bat after another", "[one_b
                 {{},
                  {{"bounds", "clamp"}, {"acceptance", "loudness"}},
                  {{"epsilon", "truncated"}, {"step_factor", "1"}, {"f_max", "0"}},
-                 {{"acceptance", "yang2020"}, {"bounds", "clamp"}, {"alpha", "0.9"}}});
+                 {{"acceptance", "yang2020"}, {"bounds", "clamp"}, {"alpha", "0.9"}},
+                 {{"epsilon", "uniform"}, {"first_iteration", "1"}, {"seeded", "no"}},
+                 {{"spread_deg", "40"}, {"pulse", "constant"}, {"seeded", "no"}, {"bounds", "clamp"}}});
 }
 
 TEST_CASE("BA is its pseudo-code bit for bit, one bat after another", "[one_by_one][bat]") {
