@@ -80,6 +80,9 @@ class OrderedSum {
 class Bat final : public Solver {
  public:
   enum class BestOf { accepted, evaluated };
+  enum class Acceptance { own, best };
+  enum class Loudness { mean, own };
+  enum class Flight { candidate, moves };
 
   struct Options {
     double f_min = 0;
@@ -89,6 +92,9 @@ class Bat final : public Solver {
     double pulse_rate = 0.001;
     double step_factor = 0.1;
     BestOf best_of = BestOf::accepted;
+    Acceptance acceptance = Acceptance::own;
+    Loudness loudness = Loudness::mean;
+    Flight flight = Flight::candidate;
     Bounds bounds = Bounds::clamp;
 
     void list(OptionList& list) {
@@ -102,6 +108,14 @@ class Bat final : public Solver {
       list.choice("best_of", best_of, {{"accepted", BestOf::accepted}, {"evaluated", BestOf::evaluated}},
                   "the best may be an accepted candidate only, or any evaluated one");
       list_bounds(list, bounds);
+      list.later();
+      list.choice("acceptance", acceptance, {{"own", Acceptance::own}, {"best", Acceptance::best}},
+                  "if rand < A_i, a bat accepts what is not worse than itself (Yang's code), or what is better than "
+                  "X_best (Algorithm 1: \"f(X_new) < f(X_best)\")");
+      list.choice("loudness", loudness, {{"mean", Loudness::mean}, {"own", Loudness::own}},
+                  "A in Eq. 8 is the mean of all bats (Yang 2010), or the bat's own");
+      list.choice("flight", flight, {{"candidate", Flight::candidate}, {"moves", Flight::moves}},
+                  "Eq. 7 makes a candidate (Yang's code), or moves the bat whatever comes of it (Algorithm 1)");
     }
   };
 
@@ -110,7 +124,9 @@ class Bat final : public Solver {
   void start(const Problem& problem, Objective& objective, Random& random) override {
     problem_ = problem;
     const int bats = problem.population;
-    for (Candidates* each : {&x_, &v_, &v_next_, &candidates_, &epsilon_}) each->resize(problem.joints(), bats);
+    for (Candidates* each : {&x_, &v_, &x_next_, &v_next_, &candidates_, &epsilon_}) {
+      each->resize(problem.joints(), bats);
+    }
     for (Eigen::RowVectorXd* each : {&loudness_, &pulse_rate_, &frequency_, &local_, &chance_}) each->resize(bats);
     for (Eigen::VectorXd* each : {&errors_, &found_}) each->resize(bats);
     loudness_sum_.begin(bats);
@@ -132,10 +148,15 @@ class Bat final : public Solver {
     random.uniforms(chance_);
     frequency_ = options_.f_min + (options_.f_max - options_.f_min) * frequency_.array();  // Eq. 5
     ++iteration_;
+    if (options_.loudness == Loudness::own)
+      epsilon_.array().rowwise() *= loudness_.array();  // only its own bat's falls
     objective.one_by_one(
         candidates_, found_, [&](Eigen::Index first, Eigen::Index count) { fly(first, count); },
         [&](Eigen::Index i) {
-          const bool accepted = found_[i] <= errors_[i] && chance_[i] < loudness_[i];
+          const bool is_good =
+              options_.acceptance == Acceptance::own ? found_[i] <= errors_[i] : found_[i] < best_.error;
+          const bool accepted = is_good && chance_[i] < loudness_[i];
+          if (options_.flight == Flight::moves) x_.col(i) = x_next_.col(i);
           if (accepted) {
             x_.col(i) = candidates_.col(i);
             errors_[i] = found_[i];
@@ -153,14 +174,16 @@ class Bat final : public Solver {
 
  private:
   void fly(Eigen::Index first, Eigen::Index count) {
-    const double step = options_.step_factor * (loudness_sum_.of(loudness_) / static_cast<double>(loudness_.size()));
+    double step = options_.step_factor;
+    if (options_.loudness == Loudness::mean)
+      step *= loudness_sum_.of(loudness_) / static_cast<double>(loudness_.size());
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       // Eq. 6: V <- V + (X - X_best) f;  Eq. 7: X <- X + V
       kernels_.fly({.pole = best_.q[j],
                     .frequency = &frequency_[first],
                     .x = &x_(j, first),
                     .v = &v_(j, first),
-                    .x_next = &candidates_(j, first),
+                    .x_next = &x_next_(j, first),
                     .v_next = &v_next_(j, first),
                     .count = count});
       kernels_.search_locally({.best = best_.q[j],  // Eq. 8
@@ -168,16 +191,18 @@ class Bat final : public Solver {
                                .draws = &epsilon_(j, first),
                                .chance = &local_[first],
                                .pulse_rate = &pulse_rate_[first],
+                               .flown = &x_next_(j, first),
                                .q = &candidates_(j, first),
                                .count = count});
     }
     keep_inside(options_.bounds, problem_, candidates_.middleCols(first, count));
+    if (options_.flight == Flight::moves) keep_inside(options_.bounds, problem_, x_next_.middleCols(first, count));
   }
 
   Options options_;
   const Kernels& kernels_ = kernels();
   Problem problem_;
-  Candidates x_, v_, v_next_, candidates_, epsilon_;
+  Candidates x_, v_, x_next_, v_next_, candidates_, epsilon_;
   Eigen::RowVectorXd loudness_, pulse_rate_, frequency_, local_, chance_;
   OrderedSum loudness_sum_;
   Eigen::VectorXd errors_, found_;  // errors of the bats; of the candidates

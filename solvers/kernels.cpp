@@ -38,7 +38,7 @@ void search_locally(const LocalSearch& search) {
   for_lanes(search.count, [search](ptrdiff_t i, auto some) IKBENCH_INLINE {
     const Bits local = where_less(some.load(search.pulse_rate + i), some.load(search.chance + i));
     some.store(search.q + i,
-               chosen(local, search.best + search.step * some.load(search.draws + i), some.load(search.q + i)));
+               chosen(local, search.best + search.step * some.load(search.draws + i), some.load(search.flown + i)));
   });
 }
 

@@ -26,10 +26,11 @@ struct Swarm {
   ptrdiff_t count;
 };
 
-// One joint of `count` bats, some of which search around the best: q = best + step draws where chance > pulse_rate.
+// One joint of `count` bats, some of which search around the best: q = best + step draws where chance > pulse_rate,
+// else flown. q may be flown.
 struct LocalSearch {
   double best, step;
-  const double *draws, *chance, *pulse_rate;
+  const double *draws, *chance, *pulse_rate, *flown;
   double* q;
   ptrdiff_t count;
 };

@@ -137,7 +137,8 @@ void bat(Loop& loop) {
   const auto bats = static_cast<std::size_t>(loop.problem.population);
   const double f_min = loop.number("f_min"), f_max = loop.number("f_max"), step_factor = loop.number("step_factor");
   const double alpha = loop.number("alpha"), gamma = loop.number("gamma"), pulse_rate = loop.number("pulse_rate");
-  const bool keeps_all = loop.is("best_of", "evaluated");
+  const bool keeps_all = loop.is("best_of", "evaluated"), moves = loop.is("flight", "moves");
+  const bool has_own = loop.is("loudness", "own"), is_for_best = loop.is("acceptance", "best");
   loop.draw_first(bats);
   Vector A = loop.uniforms(bats), r(bats, pulse_rate);
   std::vector<Vector> v(bats, Vector(loop.joints, 0));
@@ -151,15 +152,19 @@ void bat(Loop& loop) {
       for (const double loudness : A) sum += loudness;
       const double mean = sum / static_cast<double>(bats);
       const double f = f_min + (f_max - f_min) * beta[i];  // Eq. 5
-      Vector q(loop.joints);
+      Vector q(loop.joints), flown(loop.joints);
       for (std::size_t j = 0; j < loop.joints; ++j) {
-        v[i][j] = v[i][j] + (loop.x[i][j] - loop.best_q(j)) * f;                        // Eq. 6
-        q[j] = local[i] > r[i] ? loop.best_q(j) + (step_factor * mean) * epsilon[i][j]  // Eq. 8
-                               : loop.x[i][j] + v[i][j];                                // Eq. 7
+        v[i][j] = v[i][j] + (loop.x[i][j] - loop.best_q(j)) * f;  // Eq. 6
+        flown[j] = loop.x[i][j] + v[i][j];                        // Eq. 7
+        const double step = has_own ? step_factor * (epsilon[i][j] * A[i]) : (step_factor * mean) * epsilon[i][j];
+        q[j] = local[i] > r[i] ? loop.best_q(j) + step : flown[j];  // Eq. 8
       }
-      if (loop.clamps) loop.clamp(q);
+      for (Vector* each : {&q, &flown}) {
+        if (loop.clamps) loop.clamp(*each);
+      }
       const double error = loop.error(q);
-      const bool accepted = error <= loop.errors[i] && chance[i] < A[i];
+      const bool accepted = (is_for_best ? error < loop.best.error : error <= loop.errors[i]) && chance[i] < A[i];
+      if (moves) loop.x[i] = flown;
       if (accepted) {
         loop.x[i] = q;
         loop.errors[i] = error;
@@ -365,7 +370,11 @@ TEST_CASE("BA is its pseudo-code bit for bit, one bat after another", "[one_by_o
                 {{},
                  {{"bounds", "initial"}, {"pulse_rate", "0.5"}},
                  {{"best_of", "evaluated"}, {"pulse_rate", "0.9"}, {"gamma", "0.1"}},
-                 {{"alpha", "0.99"}, {"f_max", "0.5"}, {"pulse_rate", "1"}}});
+                 {{"alpha", "0.99"}, {"f_max", "0.5"}, {"pulse_rate", "1"}},
+                 {{"acceptance", "best"}, {"loudness", "own"}, {"flight", "moves"}},
+                 {{"acceptance", "best"}, {"best_of", "evaluated"}, {"pulse_rate", "0.9"}},
+                 {{"loudness", "own"}, {"pulse_rate", "0.5"}, {"alpha", "0.9"}},
+                 {{"flight", "moves"}, {"bounds", "initial"}, {"pulse_rate", "0.5"}}});
 }
 
 TEST_CASE("BA of many bats is its pseudo-code bit for bit: the mean loudness is added up in order",
