@@ -13,7 +13,9 @@ namespace {
 
 class ParticleSwarm final : public Solver {
  public:
-  enum class Coefficients { permuted, as_printed };
+  enum class Coefficients { permuted, exchanged, as_printed };
+  enum class Draws { per_joint, per_particle };
+  enum class BestUpdate { at_once, generation };
 
   struct Options {
     double inertia = 0.53514;
@@ -22,6 +24,8 @@ class ParticleSwarm final : public Solver {
     double damping = 1;
     double velocity_limit = 0;
     Coefficients coefficients = Coefficients::permuted;
+    Draws random = Draws::per_joint;
+    BestUpdate best_update = BestUpdate::at_once;
     Bounds bounds = Bounds::clamp;
 
     void list(OptionList& list) {
@@ -31,11 +35,22 @@ class ParticleSwarm final : public Solver {
       list.number("damping", damping, {0, 1}, "the inertia is multiplied by this after every iteration");
       list.number("velocity_limit", velocity_limit, {0, 10},
                   "largest velocity, as a part of a joint's range; 0: no limit");
-      list.choice("coefficients", coefficients,
-                  {{"permuted", Coefficients::permuted}, {"as_printed", Coefficients::as_printed}},
-                  "use the three numbers by name, or as Table 1 labels them: w = cognitive, c1 = social, c2 = inertia "
-                  "(diverges unless the inertia is damped)");
+      list.choice(
+          "coefficients", coefficients,
+          {{"permuted", Coefficients::permuted},
+           {"exchanged", Coefficients::exchanged},
+           {"as_printed", Coefficients::as_printed}},
+          "use the three numbers by name; with c1 and c2 exchanged, so that of Table 1 only w and c2 are; or as "
+          "Table 1 labels them: w = cognitive, c1 = social, c2 = inertia (diverges unless the inertia is "
+          "damped)");
       list_bounds(list, bounds);
+      list.later();
+      list.choice("random", random, {{"per_joint", Draws::per_joint}, {"per_particle", Draws::per_particle}},
+                  "the two random numbers of the velocity are drawn for each joint, or for each particle; not given in "
+                  "the paper");
+      list.choice("best_update", best_update,
+                  {{"at_once", BestUpdate::at_once}, {"generation", BestUpdate::generation}},
+                  "a better particle leads the next one already, or the next iteration; not given in the paper");
     }
   };
 
@@ -45,13 +60,16 @@ class ParticleSwarm final : public Solver {
       options_.cognitive = options.social;
       options_.social = options.inertia;
     }
+    if (options.coefficients == Coefficients::exchanged) std::swap(options_.cognitive, options_.social);
   }
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
     problem_ = problem;
     inertia_ = options_.inertia;
     const int particles = problem.population;
-    for (Candidates* each : {&x_, &v_, &x_next_, &v_next_, &u1_, &u2_}) each->resize(problem.joints(), particles);
+    for (Candidates* each : {&x_, &v_, &x_next_, &v_next_}) each->resize(problem.joints(), particles);
+    const int drawn = options_.random == Draws::per_joint ? problem.joints() : 1;
+    for (Candidates* each : {&u1_, &u2_}) each->resize(drawn, particles);
     for (Eigen::VectorXd* each : {&errors_, &found_}) each->resize(particles);
     best_ = {problem.start};
 
@@ -72,8 +90,10 @@ class ParticleSwarm final : public Solver {
             personal_.col(i) = x_next_.col(i);
             errors_[i] = found_[i];
           }
-          return best_.improve(x_next_.col(i), found_[i]);  // the next particle sees it already
+          return options_.best_update == BestUpdate::at_once && best_.improve(x_next_.col(i), found_[i]);
         });
+    for (Eigen::Index i = 0; i < found_.size() && options_.best_update == BestUpdate::generation; ++i)
+      best_.improve(x_next_.col(i), found_[i]);
     inertia_ *= options_.damping;
     x_.swap(x_next_);
     v_.swap(v_next_);
@@ -84,6 +104,7 @@ class ParticleSwarm final : public Solver {
  private:
   void fly(Eigen::Index first, Eigen::Index count) {
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      const Eigen::Index draw = std::min(j, u1_.rows() - 1);
       // Shi and Eberhart 1998: v <- w v + c1 u1 (personal best - x) + c2 u2 (best - x);  x <- x + v
       kernels_.swarm({.inertia = inertia_,
                       .cognitive = options_.cognitive,
@@ -92,8 +113,8 @@ class ParticleSwarm final : public Solver {
                       .x = &x_(j, first),
                       .v = &v_(j, first),
                       .personal = &personal_(j, first),
-                      .u1 = &u1_(j, first),
-                      .u2 = &u2_(j, first),
+                      .u1 = &u1_(draw, first),
+                      .u2 = &u2_(draw, first),
                       .x_next = &x_next_(j, first),
                       .v_next = &v_next_(j, first),
                       .count = count});

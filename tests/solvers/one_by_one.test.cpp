@@ -185,11 +185,20 @@ void particle_swarm(Loop& loop) {
     std::swap(inertia, social);
     std::swap(inertia, cognitive);
   }
+  if (loop.is("coefficients", "exchanged")) std::swap(cognitive, social);
+  const bool is_at_once = loop.is("best_update", "at_once");
+  const auto draw = [&] {
+    if (loop.is("random", "per_joint")) return loop.each_uniform(particles);
+    std::vector<Vector> same;
+    for (const double number : loop.uniforms(particles)) same.emplace_back(loop.joints, number);
+    return same;
+  };
   loop.draw_first(particles);
   loop.evaluate_first();
   std::vector<Vector> v(particles, Vector(loop.joints, 0)), personal = loop.x;
   for (int t = 0; t < iterations; ++t) {
-    const std::vector<Vector> u1 = loop.each_uniform(particles), u2 = loop.each_uniform(particles);
+    const std::vector<Vector> u1 = draw(), u2 = draw();
+    Best next = loop.best;
     for (std::size_t i = 0; i < particles; ++i) {
       Vector& x = loop.x[i];
       for (std::size_t j = 0; j < loop.joints; ++j) {
@@ -205,8 +214,10 @@ void particle_swarm(Loop& loop) {
         personal[i] = x;
         loop.errors[i] = error;
       }
-      loop.keep_if_best(x, error);
+      next.improve(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())), error);
+      if (is_at_once) loop.best = next;
     }
+    loop.best = next;
     inertia *= damping;
   }
 }
@@ -405,6 +416,8 @@ TEST_CASE("PSO is its pseudo-code bit for bit, one particle after another", "[on
                  {{"coefficients", "as_printed"}},
                  {{"coefficients", "as_printed"}, {"inertia", "0.1"}, {"cognitive", "0.2"}, {"social", "0.3"}},
                  {{"damping", "0.9"}, {"velocity_limit", "0.1"}},
+                 {{"coefficients", "exchanged"}, {"random", "per_particle"}},
+                 {{"best_update", "generation"}, {"random", "per_particle"}, {"bounds", "initial"}},
                  {{"cognitive", "0"}, {"inertia", "0.7"}, {"bounds", "initial"}}});
 }
 
