@@ -21,9 +21,11 @@ class DifferentialEvolution final : public Solver {
  public:
   enum class Outside { initial, clamp, reflect, resample };
   enum class Replacement { generation, at_once };
+  enum class Drawn { never, per_trial, per_joint };
 
   struct Options {
     double weight = 0.6;
+    Drawn weight_drawn = Drawn::never;
     double crossover = 0.9;
     Replacement replacement = Replacement::generation;
     Outside bounds = Outside::clamp;
@@ -42,6 +44,12 @@ class DifferentialEvolution final : public Solver {
                    {"resample", Outside::resample}},
                   "joint limits apply to the initial candidates only, or a joint outside is clamped, reflected or "
                   "drawn again");
+      list.later();
+      list.choice(
+          "weight_drawn", weight_drawn,
+          {{"never", Drawn::never}, {"per_trial", Drawn::per_trial}, {"per_joint", Drawn::per_joint}},
+          "F is the weight (Table 1: 0.6), or drawn from 0.2 to 0.8 for each trial or each of its joints, as in "
+          "public MATLAB code");
     }
   };
 
@@ -57,6 +65,7 @@ class DifferentialEvolution final : public Solver {
     const int candidates = problem.population;
     for (Candidates* each : {&x_, &trials_, &crossover_, &fresh_}) each->resize(problem.joints(), candidates);
     partners_.resize(3, candidates);
+    weights_.setConstant(options_.weight_drawn == Drawn::per_joint ? problem.joints() : 1, candidates, options_.weight);
     forced_.resize(candidates);
     limit_.setConstant(candidates, options_.crossover);
     for (Eigen::VectorXd* each : {&errors_, &trial_errors_}) each->resize(candidates);
@@ -71,17 +80,26 @@ class DifferentialEvolution final : public Solver {
     random.uniforms(partners_);
     random.uniforms(crossover_);
     random.uniforms(forced_);
+    if (options_.weight_drawn != Drawn::never) {
+      random.uniforms(weights_);
+      weights_.array() = 0.2 + (0.8 - 0.2) * weights_.array();
+    }
     if (options_.bounds == Outside::resample) draw_within_limits(problem_, random, fresh_);
     kernels_.choose_partners(partners_.data(), partners_.cols());
     for (Eigen::Index i = 0; i < x_.cols(); ++i) {  // at least one joint comes from the mutant
       crossover_(static_cast<Eigen::Index>(forced_[i] * static_cast<double>(x_.rows())), i) = -1;
     }
 
+    const auto mutate = [&](Eigen::Index i, auto weight_of) {
+      const auto a = partner(0, i), b = partner(1, i), c = partner(2, i);
+      for (Eigen::Index j = 0; j < x_.rows(); ++j) trials_(j, i) = x_(j, a) + weight_of(j) * (x_(j, b) - x_(j, c));
+    };
     const auto combine = [&](Eigen::Index first, Eigen::Index count) {
       for (Eigen::Index i = first; i < first + count; ++i) {
-        const auto a = partner(0, i), b = partner(1, i), c = partner(2, i);
-        for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-          trials_(j, i) = x_(j, a) + options_.weight * (x_(j, b) - x_(j, c));  // mutation
+        if (options_.weight_drawn == Drawn::per_joint) {
+          mutate(i, [&](Eigen::Index j) { return weights_(j, i); });
+        } else {
+          mutate(i, [weight = weights_(0, i)](Eigen::Index) { return weight; });
         }
       }
       for (Eigen::Index j = 0; j < x_.rows(); ++j) {
@@ -161,6 +179,7 @@ class DifferentialEvolution final : public Solver {
   const Kernels& kernels_ = kernels();
   Problem problem_;
   Candidates x_, trials_, partners_, crossover_, fresh_;  // partners_: three for each candidate
+  Candidates weights_;                                    // one row for all joints, or one for each
   Eigen::RowVectorXd forced_, limit_;
   Eigen::VectorXd errors_, trial_errors_;
   Best best_;

@@ -1,5 +1,7 @@
 // Solvers that look ahead in batches equal, bit for bit, the loops of their pseudo-code, which draw, evaluate and
 // decide one candidate after another.
+#include <ranges>
+
 #include "tests/solvers/objectives.hpp"
 
 namespace {
@@ -234,6 +236,15 @@ void differential_evolution(Loop& loop) {
     loop.random.uniforms(chance);
     const std::vector<Vector> crossover = loop.each_uniform(candidates);
     const Vector forced = loop.uniforms(candidates);
+    std::vector<Vector> weights(candidates, Vector(loop.joints, weight));
+    if (loop.is("weight_drawn", "per_joint")) weights = loop.each_uniform(candidates);
+    if (loop.is("weight_drawn", "per_trial")) {
+      const Vector drawn = loop.uniforms(candidates);
+      for (std::size_t i = 0; i < candidates; ++i) weights[i].assign(loop.joints, drawn[i]);
+    }
+    if (!loop.is("weight_drawn", "never")) {
+      for (double& F : weights | std::views::join) F = 0.2 + (0.8 - 0.2) * F;
+    }
     const std::vector<Vector> generation = loop.x, &from = at_once ? loop.x : generation;
     for (std::size_t i = 0; i < candidates; ++i) {
       // Three of the others, in order, each from those that are left.
@@ -253,7 +264,7 @@ void differential_evolution(Loop& loop) {
       for (std::size_t j = 0; j < loop.joints; ++j) {
         const bool mutates = crossover[i][j] < crosses_below ||
                              static_cast<std::size_t>(forced[i] * static_cast<double>(loop.joints)) == j;
-        q[j] = mutates ? from[a][j] + weight * (from[b][j] - from[c][j]) : from[i][j];
+        q[j] = mutates ? from[a][j] + weights[i][j] * (from[b][j] - from[c][j]) : from[i][j];
       }
       if (loop.clamps) loop.clamp(q);
       const double error = loop.error(q);
@@ -427,6 +438,8 @@ TEST_CASE("DE is its pseudo-code bit for bit, one trial after another", "[one_by
                  {{"crossover", "0.9"}, {"bounds", "initial"}},
                  {{"replacement", "at_once"}},
                  {{"replacement", "at_once"}, {"bounds", "initial"}},
+                 {{"weight_drawn", "per_joint"}},
+                 {{"weight_drawn", "per_trial"}, {"replacement", "at_once"}},
                  {{"replacement", "at_once"}, {"crossover", "0.3"}, {"weight", "0.9"}},
                  {{"replacement", "at_once"}, {"crossover", "0"}, {"bounds", "initial"}}});
 }
