@@ -19,12 +19,16 @@ class KArtificialBeeColony final : public Solver {
  public:
   enum class Colony { full, half };
   enum class Neighbour { best, random };
+  enum class BestSource { abandoned, spared };
+  enum class BestNeighbour { origin, random, itself };
   enum class FitnessUnit { cm, m };
 
   struct Options {
     Colony colony = Colony::full;
     Neighbour neighbour = Neighbour::best;
+    BestNeighbour best_neighbour = BestNeighbour::origin;
     int limit = 0;
+    BestSource best_source = BestSource::abandoned;
     FitnessUnit fitness_unit = FitnessUnit::cm;  // the paper's unit; in metres all sources would be nearly alike
     // Chosen by evidence (docs/papers/slim2023-notes.md 2.7): clamped 0.21 cm and 268 deg; unclamped 0.24 cm and 336
     // deg, with a quarter of the answers outside the limits; printed 0.23 cm and 277 deg.
@@ -39,10 +43,20 @@ class KArtificialBeeColony final : public Solver {
       list.choice("fitness_unit", fitness_unit, {{"cm", FitnessUnit::cm}, {"m", FitnessUnit::m}},
                   "unit of the error f in the roulette's 1 / (1 + f)");
       list_bounds(list, bounds);
+      list.later();
+      list.choice(
+          "best_neighbour", best_neighbour,
+          {{"origin", BestNeighbour::origin}, {"random", BestNeighbour::random}, {"itself", BestNeighbour::itself}},
+          "the best source, its own neighbour by that rule, is compared with all joints at 0, with a random one, "
+          "or with itself, so that it stays; not given in the paper");
+      list.choice("best_source", best_source, {{"abandoned", BestSource::abandoned}, {"spared", BestSource::spared}},
+                  "the best source is abandoned like any other, or never; not given in the paper");
     }
   };
 
-  explicit KArtificialBeeColony(Options options) : options_(options) {}
+  explicit KArtificialBeeColony(Options options)
+      : options_(options),
+        is_random_(options.neighbour == Neighbour::random || options.best_neighbour == BestNeighbour::random) {}
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
     problem_ = problem;
@@ -76,7 +90,7 @@ class KArtificialBeeColony final : public Solver {
     search(Bees::onlookers, objective);
 
     for (Eigen::Index i = 0; i < sources; ++i) {  // scouts
-      if (failures_[i] <= limit_) continue;
+      if (failures_[i] <= limit_ || (i == best_source_ && options_.best_source == BestSource::spared)) continue;
       draw_one_within_limits(problem_, random, x_.col(i));
       errors_[i] = objective.error(x_.col(i));
       failures_[i] = 0;
@@ -93,7 +107,7 @@ class KArtificialBeeColony final : public Solver {
   void draw_searches(Random& random) {
     random.uniforms(joint_);
     random.uniforms(phi_);
-    if (options_.neighbour == Neighbour::random) random.uniforms(neighbour_);
+    if (is_random_) random.uniforms(neighbour_);
   }
 
   // Every bee tries its source.
@@ -116,7 +130,7 @@ class KArtificialBeeColony final : public Solver {
           moved_by_[i] = bee;
           if (!(errors_[best_source_] <= errors_[i])) best_source_ = i;
           best_.improve(candidates_.col(bee), found_[bee]);
-          return i == best_source_ || options_.neighbour == Neighbour::random;
+          return i == best_source_ || is_random_;
         },
         [&](Eigen::Index bee) {
           const bool is_stale = moved_by_[source_[bee]] >= proposed_from;
@@ -138,12 +152,18 @@ class KArtificialBeeColony final : public Solver {
     for (Eigen::Index bee = first; bee < first + count; ++bee) {
       const Eigen::Index i = source_[bee];
       const auto j = static_cast<Eigen::Index>(joint_[bee] * static_cast<double>(x_.rows()));
-      const Eigen::Index k = options_.neighbour == Neighbour::best ? best_source_ : other_source(i, neighbour_[bee]);
       const double q = x_(j, i), phi = 2 * phi_[bee] - 1;
-      const double moved = q + phi * (k == i ? q : q - x_(j, k));
+      const double moved = q + phi * (q - neighbour(j, i, bee));
       candidates_(j, bee) =
           options_.bounds == Bounds::clamp ? std::clamp(moved, problem_.lower[j], problem_.upper[j]) : moved;
     }
+  }
+
+  // The angle of joint j in the source that source i is compared with.
+  double neighbour(Eigen::Index j, Eigen::Index i, Eigen::Index bee) const {
+    if (options_.neighbour == Neighbour::best && i != best_source_) return x_(j, best_source_);
+    if (options_.neighbour == Neighbour::best && options_.best_neighbour == BestNeighbour::origin) return 0;
+    return is_random_ ? x_(j, other_source(i, neighbour_[bee])) : x_(j, i);
   }
 
   void find_best_source() {
@@ -168,6 +188,7 @@ class KArtificialBeeColony final : public Solver {
   }
 
   Options options_;
+  bool is_random_;  // some neighbours are drawn
   Problem problem_;
   int limit_ = 0;
   Candidates x_, candidates_;

@@ -283,13 +283,13 @@ void k_artificial_bee_colony(Loop& loop) {
   loop.evaluate_first();
   std::vector<int> failures(sources, 0);
   const auto set_limit = static_cast<int>(loop.number("limit"));
-  const bool takes_random = loop.is("neighbour", "random");
+  const bool takes_random = loop.is("neighbour", "random"), best_takes_random = loop.is("best_neighbour", "random");
   const double unit = loop.is("fitness_unit", "cm") ? centimetre : 1;
   const int limit = set_limit > 0 ? set_limit : (candidates_a_step + static_cast<int>(loop.joints)) / 2;
   for (int t = 0; t < iterations; ++t) {
     for (const bool onlookers : {false, true}) {
       const Vector joint = loop.uniforms(sources), phi = loop.uniforms(sources);
-      const Vector neighbour = takes_random ? loop.uniforms(sources) : Vector(sources, 0);
+      const Vector neighbour = takes_random || best_takes_random ? loop.uniforms(sources) : Vector(sources, 0);
       const Vector roulette = onlookers ? loop.uniforms(sources) : Vector(sources, 0);
       Vector shares;  // sums, from before the first onlooker flies
       for (const double error : loop.errors) {
@@ -303,13 +303,14 @@ void k_artificial_bee_colony(Loop& loop) {
         const auto best_source =
             static_cast<std::size_t>(std::min_element(loop.errors.begin(), loop.errors.end()) - loop.errors.begin());
         std::size_t k = best_source;
-        if (takes_random) {
+        if (takes_random || (i == best_source && best_takes_random)) {
           k = static_cast<std::size_t>(neighbour[bee] * static_cast<double>(sources - 1));
           if (k >= i) ++k;
         }
         const auto j = static_cast<std::size_t>(joint[bee] * static_cast<double>(loop.joints));
         Vector q = loop.x[i];
-        q[j] += (2 * phi[bee] - 1) * (k == i ? q[j] : q[j] - loop.x[k][j]);
+        const bool is_from_origin = k == i && loop.is("best_neighbour", "origin");
+        q[j] += (2 * phi[bee] - 1) * (is_from_origin ? q[j] : q[j] - loop.x[k][j]);
         if (loop.clamps) loop.clamp(q);
         const double error = loop.error(q);
         if (error < loop.errors[i]) {
@@ -322,8 +323,10 @@ void k_artificial_bee_colony(Loop& loop) {
         }
       }
     }
+    const auto best_source =
+        static_cast<std::size_t>(std::min_element(loop.errors.begin(), loop.errors.end()) - loop.errors.begin());
     for (std::size_t i = 0; i < sources; ++i) {
-      if (failures[i] <= limit) continue;
+      if (failures[i] <= limit || (i == best_source && loop.is("best_source", "spared"))) continue;
       for (std::size_t j = 0; j < loop.joints; ++j) loop.x[i][j] = loop.random.uniform(loop.lower(j), loop.upper(j));
       loop.errors[i] = loop.error(loop.x[i]);
       failures[i] = 0;
@@ -449,5 +452,7 @@ TEST_CASE("K-ABC is its pseudo-code bit for bit, one bee after another", "[one_b
                 {{},
                  {{"neighbour", "random"}, {"limit", "5"}},
                  {{"colony", "half"}, {"bounds", "initial"}, {"fitness_unit", "m"}},
-                 {{"limit", "3"}, {"bounds", "initial"}}});
+                 {{"limit", "3"}, {"bounds", "initial"}},
+                 {{"best_neighbour", "random"}, {"best_source", "spared"}, {"limit", "3"}},
+                 {{"best_neighbour", "itself"}, {"limit", "3"}}});
 }
