@@ -209,6 +209,7 @@ class MultiObjectiveSwarm final : public Solver {
     int grid = 20;
     int archive = 50;
     double velocity_limit_percent = 5;
+    double velocity_limit_rad = 0;
     double mutation = 0.5;
     Leader leader = Leader::per_generation;
     FinalPoint final_point = FinalPoint::smallest_error;
@@ -229,6 +230,9 @@ class MultiObjectiveSwarm final : public Solver {
                   {{"smallest_error", FinalPoint::smallest_error}, {"knee", FinalPoint::knee}},
                   "the answer is the candidate with the smallest error, or the archive's knee with the smallest error "
                   "so far");
+      list.later();
+      list.number("velocity_limit_rad", velocity_limit_rad, {0, 100},
+                  "maximum velocity in rad instead; 0: in percent. Table 1 prints 5 without a unit");
     }
   };
 
@@ -247,6 +251,7 @@ class MultiObjectiveSwarm final : public Solver {
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       const DrawnFrom range(problem, j);
       velocity_limit_[j] = options_.velocity_limit_percent / 100 * (range.upper - range.lower);
+      if (options_.velocity_limit_rad > 0) velocity_limit_[j] = options_.velocity_limit_rad;
     }
     archive_.start(problem.joints(), options_.archive, particles, options_.grid);
     generation_ = 0;
