@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -74,8 +75,8 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
   const Source a(arguments.a, arguments.study), b(arguments.b, arguments.study);
   if (arguments.study.empty() && a.entry.name != b.entry.name)
     throw std::invalid_argument(
-        fmt::format("the first study of A is {}, of B {}; expected one name for both: --study NAME "
-                    "if both stores have it, else run B's study with the name of A's",
+        fmt::format("the first study of A is {}, of B {}; expected one name for both: --study NAME if both stores have "
+                    "it, else run B's study with the name of A's into a new folder (--out)",
                     a.entry.name, b.entry.name));
   std::vector<std::string> labels = arguments.labels;
   if (labels.empty()) {
@@ -128,22 +129,40 @@ std::string verdict_of(const Gate& gate) {
 
 // Of all that are the same, bit for bit, in one; empty if none are.
 std::string verdict_of_same(const std::vector<Gate>& all) {
-  std::vector<std::string> names;
+  std::vector<std::string> names, times;
   int solves = 0;
   for (const Gate& gate : all) {
     if (!gate.are_same) continue;
     names.push_back(gate.label.empty() ? show::listed(gate.judged.study.labels) : gate.label);
     solves += gate.judged.metrics.back().described.front().n;
+    for (const compare::JudgedMetric& judged : show::answer_of(gate.judged).metrics) {
+      if (gate.label.empty() || judged.observations.unit != "ms") continue;
+      times.push_back(fmt::format("{} {} and {} ms", gate.label,
+                                  show::number_text(show::shown_average(judged, 1).value),
+                                  show::number_text(show::shown_average(judged, 0).value)));
+    }
   }
   if (names.empty()) return "";
-  return fmt::format("{}: all solves are the same, bit for bit ({}).", show::listed(names),
-                     numerics::counted(solves, "solves"));
+  return fmt::format(
+      "{}: all solves are the same, bit for bit ({}).{}", show::listed(names), numerics::counted(solves, "solves"),
+      times.empty() ? "" : fmt::format(" Times before and now, of two sessions: {}.", show::listed(times)));
 }
 
 show::Answer answer_of(const Gate& gate) {
   show::Answer answer = show::answer_of(gate.judged);
   answer.verdict = verdict_of(gate);
   return answer;
+}
+
+// "These 100 targets show a loss of 14 points or more; 5 points take 700."
+std::string sight_of(const Gate& gate) {
+  if (!gate.sight || gate.are_same) return "";
+  const auto& [smallest, targets, of_margin] = *gate.sight;
+  std::string text = fmt::format("These {} show a loss of {:.2g} points or more", numerics::counted(targets, "targets"),
+                                 std::ceil(100 * smallest));
+  if (of_margin > targets)
+    text += fmt::format("; {:.2g} points take {}", 100 * gate.judged.metrics.front().plan.margin, of_margin);
+  return text + '.';
 }
 
 // What all labels that differ have in common; empty if none does.
@@ -155,7 +174,10 @@ std::string note_of(const std::vector<Gate>& all) {
 
 std::string screen_of(const std::vector<Gate>& all) {
   std::string text;
-  for (const Gate& gate : all) text += gate.are_same ? "" : show::screen(answer_of(gate)) + '\n';
+  for (const Gate& gate : all) {
+    const std::string sight = sight_of(gate);
+    text += gate.are_same ? "" : show::screen(answer_of(gate)) + (sight.empty() ? "" : wrapped(sight) + '\n') + '\n';
+  }
   for (const std::string& last : {note_of(all), verdict_of_same(all)}) text += last.empty() ? "" : wrapped(last) + '\n';
   return text;
 }

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -87,6 +89,32 @@ bool lost_answers_for_sure(const JudgedMetric& judged) {
   return is_of_answers(judged) && candidate.mean < baseline.mean && (baseline.mean == 1 || candidate.mean == 0);
 }
 
+// By McNemar's test of n targets of which this share differs: the root of n d^2 = (z_alpha sqrt(s) + z_beta sqrt(s -
+// d^2))^2, where at least d differ (Connor, Biometrics 43 (1987) 207).
+double targets_for(double loss, double differing, double alpha) {
+  const auto z = [](double tail) {
+    return boost::math::quantile(boost::math::complement(boost::math::normal(), tail));
+  };
+  const double s = std::max(loss, differing);
+  return std::pow((z(alpha / 2) * std::sqrt(s) + z(0.2) * std::sqrt(std::max(0.0, s - loss * loss))) / loss, 2);
+}
+
+std::optional<Sight> sight_of(const JudgedMetric& judged, double tests) {
+  const Observations& observed = judged.observations;
+  const auto* const tested = std::get_if<Tested>(&judged.findings.front().what);
+  if (observed.scale != Scale::share || !observed.is_paired || observed.trials > 1 || !tested || !tested->effect)
+    return {};
+  const double differing = tested->effect->ahead + tested->effect->behind, alpha = judged.plan.significance / tests;
+  double low = 0, high = 1;
+  while (high - low > 1e-4) {
+    const double middle = (low + high) / 2;
+    (targets_for(middle, differing, alpha) > tested->n ? low : high) = middle;
+  }
+  return Sight{
+      high, tested->n,
+      judged.plan.margin > 0 ? static_cast<int>(std::ceil(targets_for(judged.plan.margin, differing, alpha))) : 0};
+}
+
 // A metric of which all values vanished, though there are answers.
 void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
   if (std::ranges::max(values_of(judged.metrics.back().observations.groups.front())) == 0) return;
@@ -162,6 +190,8 @@ void decide(std::vector<Gate>& gates) {
       Finding& finding = judged.findings.front();
       if (lost_answers_for_sure(judged))
         finding.what = Fact{Verdict::worse, {judged.described.front().mean - judged.described.back().mean}};
+      if (&judged == &gate.judged.metrics[gate.judged.deciding])
+        gate.sight = sight_of(judged, static_cast<double>(std::max<std::ptrdiff_t>(tests, 1)));
       if (is_time(judged)) continue;
       const Verdict verdict = verdict_of(finding);
       const auto* const tested = std::get_if<Tested>(&finding.what);

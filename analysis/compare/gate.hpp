@@ -1,6 +1,7 @@
 // Is a solver worse than its baseline? A study of the two, judged like every other.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,14 +9,22 @@
 
 namespace ikbench::compare {
 
+// Of solved targets, what these could show with a chance of 0.8.
+struct Sight {
+  double smallest = 0;  // loss, a share
+  int targets = 0;      // these
+  int of_margin = 0;    // targets that would show a loss of the margin
+};
+
 struct Gate {
   std::string label;  // of both; empty: two solvers of one store
   // Without solves, once decided without values. Of two solvers, the candidate first; the last metric is the share of
   // solves that gave an answer.
   JudgedStudy judged;
   std::vector<std::string> worse, better, not_decided, not_tested;  // quantities, but time, which depends on the load
-  bool are_same = false;    // all solves, bit for bit: then nothing is left to decide
-  bool is_compared = true;  // some quantity besides the share of answers was compared, or something is worse
+  std::optional<Sight> sight = {};  // none where shares are not compared target by target
+  bool are_same = false;            // all solves, bit for bit: then nothing is left to decide
+  bool is_compared = true;          // some quantity besides the share of answers was compared, or something is worse
 };
 
 // Of a study of two solvers, the candidate first; observed and not yet judged. Throws std::invalid_argument if they
