@@ -483,7 +483,7 @@ Headline headline(const Observations& observed, const Plan& plan, const std::vec
     if (is_first_best && is_second_best) known += verdict != Verdict::not_tested;
     if (is_first_best == is_second_best || !is_difference(verdict)) continue;
     ++known;
-    if (said.usual.empty())
+    if (said.usual.empty() && std::holds_alternative<Tested>(finding.what))
       said = usually_better(observed, plan, is_first_best ? finding.first : finding.second,
                             is_first_best ? finding.second : finding.first);
   }

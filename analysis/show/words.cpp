@@ -219,16 +219,13 @@ Sentence unbeaten(const Answer& answer) {
   const auto is_undecided = [](const Finding& finding) { return verdict_of(finding) == Verdict::undecided; };
   const auto is_same = [](const Finding& finding) { return verdict_of(finding) == Verdict::same; };
   std::vector<std::string> same, others;  // same: as all before it
-  bool are_undecided = true;              // the same ones against the others
-  for (const std::string& name : rest) {
-    const std::vector<std::string> its = against(name, Verdict::same), open = against(name, Verdict::undecided);
-    const auto is_in = [](const std::vector<std::string>& names) {
-      return [&](const std::string& other) { return std::ranges::count(names, other) > 0; };
-    };
-    const bool is_another = !std::ranges::all_of(same, is_in(its));
-    if (is_another) are_undecided &= std::ranges::all_of(same, is_in(open));
-    (is_another ? others : same).push_back(name);
-  }
+  const auto is_to_all = [&](const std::string& name, const std::vector<std::string>& names, Verdict verdict) {
+    return std::ranges::all_of(
+        names, [&](const std::string& other) { return std::ranges::count(against(name, verdict), other) > 0; });
+  };
+  for (const std::string& name : rest) (is_to_all(name, same, Verdict::same) ? same : others).push_back(name);
+  const bool are_undecided =
+      std::ranges::all_of(others, [&](const std::string& name) { return is_to_all(name, same, Verdict::undecided); });
   Sentence sentence;
   if (rest.size() > 1 && are_all(rest, are_equal)) {
     const auto& found = std::get_if<Tested>(&judged.findings.front().what);
