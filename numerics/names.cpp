@@ -168,7 +168,11 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
         if (counts[words.front()][word] < counts[words.front()][words.front()]) own += ' ' + word;
       }
       const bool is_long = character_count(name) > length && !own.empty();
-      if (is_long) own = (character_count(words.front() + " …" + own) <= length ? words.front() + " …" : "…") + own;
+      if (is_long) {  // who it is stays, at least in a few letters
+        constexpr std::size_t few = 8;
+        const std::size_t taken = character_count(" …" + own);
+        own = shortened(words.front(), std::max(few, length - std::min(length, taken))) + " …" + own;
+      }
       different.insert(short_of[name] = is_long ? shortened(own, longest) : shortened(name, length));
     }
     if (length < longest || different.size() == names.size()) continue;

@@ -62,6 +62,12 @@ refused "--better solved=larger" stats index.csv
 succeeds stats index.csv --better larger
 has "$out" "'id' counts rows and is left out"
 
+# Quantities may have any name, also one that a table of ours has for itself.
+{ echo "solver,remark,verdict"; for i in 1.3 1.1 1.7 1.9 1.2; do echo "A,$i,1$i"; echo "B,2$i,2$i"; done; } >names.csv
+succeeds stats names.csv --value remark --value verdict --run row --out names --figures none
+grep -q '^A & .*1.3.* & 11.3 ' names/tables/results.tex || fail "no numbers: $(cat names/tables/results.tex)"
+! grep -q 'class="pill">1' names/report.html || fail "a number is shown as a verdict"
+
 # An input is no output.
 mkdir in && cp comma.csv in/report.md
 refused "in/report.md" stats in/report.md --out in

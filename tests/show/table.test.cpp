@@ -112,7 +112,7 @@ TEST_CASE("short names stay different, and lose what they share", "[show]") {
   const std::vector<std::string> swept{"DLS", "BFGS (ours) h=1e-07 stall=5", "BFGS (ours) h=0.001 stall=20"};
   CHECK(numerics::short_names(swept, 24)[swept[0]] == "DLS");
   CHECK(numerics::short_names(swept, 24)[swept[1]] == "BFGS … h=1e-07 stall=5");
-  CHECK(numerics::short_names(swept, 20)[swept[2]] == "… h=0.001 stall=20");
+  CHECK(numerics::short_names(swept, 20)[swept[2]] == "BFGS … h=0.001 stall=20");
   const std::string half(20, 'x');
   auto names = numerics::short_names({half + "1" + half, half + "2" + half}, 24);
   CHECK(names[half + "1" + half] != names[half + "2" + half]);
