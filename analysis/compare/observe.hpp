@@ -38,13 +38,6 @@ std::span<const Metric> metrics();
 // Throws std::invalid_argument, which lists all, if no row has this column.
 const Metric& metric_named(std::string_view column);
 
-bool gave_answer(const Solve& solve);
-// All solves are the same, bit for bit, and took as many evaluations.
-bool have_same_solves(Solves solves, Solves others);
-
-// Of all that concerns more than one metric.
-std::vector<Doubt> doubts_of(const StudyResults& study);
-
 // One observation is a run, the mean of its targets, where solves are chained or all runs have one target; else a
 // target, the mean of its runs, or of drawn targets its one solve. Of times it is the median.
 Observations observe(const StudyResults& study, const Metric& metric);

@@ -83,6 +83,11 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .answer = hash_of({record.answer_rad})});
 }
 
+// The same target, outcome and answer, bit for bit.
+bool are_same(const Solve& one, const Solve& other) {
+  return one.target == other.target && one.status == other.status && one.answer == other.answer;
+}
+
 }  // namespace
 
 void refuse_other_targets(const StudyResults& study) {
@@ -155,6 +160,41 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
     study.other_version.count += static_cast<double>(others);
   }
   return study;
+}
+
+std::vector<Solves> runs_of(Solves rest) {
+  std::vector<Solves> runs;
+  while (!rest.empty()) {
+    const auto is_other = [&](const Solve& solve) { return solve.run != rest.front().run; };
+    runs.push_back(rest.first(static_cast<std::size_t>(std::ranges::find_if(rest, is_other) - rest.begin())));
+    rest = rest.subspan(runs.back().size());
+  }
+  return runs;
+}
+
+bool is_complete(const StudyResults& study, Solves run) { return std::ssize(run) == study.definition.points; }
+
+std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view solver) {
+  std::vector<Solves> runs = runs_of(study.of(solver));
+  std::erase_if(runs, [&](Solves run) { return !is_complete(study, run); });
+  return runs;
+}
+
+bool repeats_itself(const StudyResults& study, std::string_view solver) {
+  const std::vector<Solves> runs = complete_runs_of(study, solver);
+  return runs.size() > 1 && std::ranges::all_of(runs, [&](Solves run) {
+           return std::ranges::equal(run, runs.front(), [](const Solve& one, const Solve& other) {
+             return one.answer != 0 && are_same(one, other);
+           });
+         });
+}
+
+bool gave_answer(const Solve& solve) { return !is_without_answer(solve.status) && solve.status != Status::not_finite; }
+
+bool have_same_solves(Solves solves, Solves others) {
+  return std::ranges::equal(solves, others, [](const Solve& one, const Solve& two) {
+    return one.run == two.run && one.point == two.point && are_same(one, two) && one.evaluations == two.evaluations;
+  });
 }
 
 }  // namespace ikbench::compare

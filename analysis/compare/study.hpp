@@ -54,6 +54,16 @@ struct StudyResults {
   std::span<const results::SolveRecord> first_run_of(std::string_view solver) const;
 };
 
+bool gave_answer(const Solve& solve);
+// All solves are the same, bit for bit, and took as many evaluations.
+bool have_same_solves(Solves solves, Solves others);
+
+std::vector<Solves> runs_of(Solves solves);
+bool is_complete(const StudyResults& study, Solves run);  // it has all targets
+std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view solver);
+// The same targets and answers in every run, bit for bit. Such runs are copies where a run is an observation.
+bool repeats_itself(const StudyResults& study, std::string_view solver);
+
 // What sessions say of one fact of their environment, such as "cpu".
 std::set<std::string> facts_of(const StudyResults& study, const std::string& name);
 
