@@ -110,10 +110,7 @@ void say_mistake(std::string_view text) {
   say(fmt::format("ikbench: {}{}{}", text.substr(0, end), to_do.empty() ? "" : "\n  ", to_do));
 }
 
-void say_command(std::string_view meaning, std::string_view command) {
-  say(fmt::format("  {}:", meaning));
-  write_error(fmt::format("    {}\n", printable(command)));
-}
+void say_command(std::string_view command) { write_error(fmt::format("    {}\n", printable(command))); }
 
 std::size_t text_width() { return columns_of(STDOUT_FILENO); }
 

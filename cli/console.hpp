@@ -26,8 +26,8 @@ void warn(std::string_view text);  // says "warning: " and the text
 // Says "ikbench: " and what is wrong; what to do, which follows a first "; ", begins a line.
 void say_mistake(std::string_view text);
 
-// Says when a command is right, and the command in a line of its own that never breaks, to paste.
-void say_command(std::string_view meaning, std::string_view command);
+// Says a command in a line of its own that never breaks, to paste.
+void say_command(std::string_view command);
 
 // Columns of standard output: those of the terminal, but at most 100; 100 where it is no terminal.
 std::size_t text_width();

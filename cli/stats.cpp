@@ -140,8 +140,7 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       stats(*arguments);
     } catch (const csv::Question& question) {
       say_mistake(question.what());
-      for (const csv::Answer& answer : question.answers)
-        say_command(answer.meaning, shell_command(invocation.command, answer.options));
+      for (const csv::Options& answer : question.answers) say_command(shell_command(invocation.command, answer));
       invocation.exit_code = 1;
     }
   });

@@ -13,6 +13,7 @@ namespace ikbench::csv {
 constexpr std::size_t most_groups = 100;
 
 using Column = std::optional<std::size_t>;
+using Columns = std::vector<std::size_t>;
 
 // Columns by name; what is empty is found, or is not there. Every file has a column `row`, of the number of each row.
 struct Request {
@@ -29,20 +30,16 @@ struct Request {
 // Where things are. Without a label each column of values is a group.
 struct Layout {
   Column label, block, run;  // a run has several rows
-  std::vector<std::size_t> values;
-  std::vector<std::size_t> counting;  // columns that number the rows, and are left out
+  Columns values;
+  Columns counting;  // columns that number the rows, and are left out
 };
 
-// One way to read a file: when it is right, and the options to add.
-struct Answer {
-  std::string meaning;
-  std::vector<std::string> options;
-};
+using Options = std::vector<std::string>;  // "--run", "seed"
 
-// The file can be read in several ways.
+// The file can be read in several ways: what is open, and the options to add for the likely ones, the likeliest first.
 struct Question : std::invalid_argument {
-  Question(const std::string& what, std::vector<Answer> ways) : invalid_argument(what), answers(std::move(ways)) {}
-  std::vector<Answer> answers;
+  Question(const std::string& what, std::vector<Options> ways) : invalid_argument(what), answers(std::move(ways)) {}
+  std::vector<Options> answers;
 };
 
 // Rows without a label count for nothing. Throws a Question, or std::invalid_argument as Sheet does.

@@ -87,9 +87,8 @@ Better better_of(const Sheet& sheet, const Request& request, const std::vector<s
     if (is_of_all ? said.empty() : column == title) said = way;
   }
   if (said.empty() && are_shares)
-    throw Question(
-        sheet.said(fmt::format("all values of {} are 0 or 1; say which is better", in_quotes(title))),
-        {{"1 is better", {"--better", title + "=larger"}}, {"0 is better", {"--better", title + "=smaller"}}});
+    throw Question(sheet.said(fmt::format("all values of {} are 0 or 1; say which is better", in_quotes(title))),
+                   {{"--better", title + "=larger"}, {"--better", title + "=smaller"}});
   return said == "larger" ? Better::larger : Better::smaller;
 }
 
@@ -199,49 +198,41 @@ double rounding_of(std::string_view text, double value) {
 
 // Refuses last rows with a statistic of those above, where each row has a value of all groups.
 void refuse_totals(const Sheet& sheet, const Layout& layout, const Items& items) {
-  constexpr std::size_t most_values = 100'000;      // nobody adds such rows to more
-  std::map<Index, std::vector<const Value*>> rows;  // by unit
-  if (items.values.size() > most_values) return;
-  for (const Value& item : items.values) rows[item.unit].push_back(&item);
-  const std::size_t groups = items.groups.size();
-  const auto is_whole = [&](const auto& row) { return row.second.size() == groups; };
-  if ((layout.label && !layout.block) || groups < 2 || !std::ranges::all_of(rows, is_whole)) return;
-  std::vector<std::vector<const Value*>> table;
-  for (const auto& row : rows) table.push_back(row.second);
-  for (std::size_t above = std::max<std::size_t>(table.size(), 7) - 4; above < table.size(); ++above) {
-    // Mean, sum, deviation, wins by least and most.
-    std::vector<std::vector<double>> totals(5, std::vector<double>(groups));
-    for (std::size_t g = 0; g < groups; ++g) {
-      std::vector<double> values;
-      for (std::size_t i = 0; i < above; ++i) {
-        values.push_back(table[i][g]->value);
-        const auto [least, most] = std::ranges::minmax(table[i], {}, [](const Value* each) { return each->value; });
-        totals[3][g] += values.back() == least->value, totals[4][g] += values.back() == most->value;
-      }
-      totals[1][g] = std::accumulate(values.begin(), values.end(), 0.0);
-      totals[0][g] = totals[1][g] / static_cast<double>(above);
-      for (const double value : values) totals[2][g] += (value - totals[0][g]) * (value - totals[0][g]);
-      totals[2][g] = std::sqrt(totals[2][g] / static_cast<double>(above - 1));
+  constexpr std::size_t most_values = 100'000, most_totals = 4, fewest = 3;  // nobody adds such rows to more
+  const std::size_t groups = items.groups.size(), units = items.values.size() / groups;
+  if ((layout.label && !layout.block) || groups < 2 || items.values.size() > most_values) return;
+  using Row = std::vector<double>;
+  std::vector<Row> rows(units, Row(groups));
+  for (std::size_t i = 0; i < items.values.size(); ++i) {
+    if (items.values[i].group != i / units || items.values[i].unit != items.values[i % units].unit) return;
+    rows[i % units][i / units] = items.values[i].value;
+  }
+  for (std::size_t above = std::max(units, fewest + most_totals) - most_totals; above < units; ++above) {
+    const auto last = rows.begin() + static_cast<std::ptrdiff_t>(above);
+    if (std::find(rows.begin(), last, *last) != last) continue;
+    Row mean(groups), sum(groups), deviation(groups), least(groups), most(groups);
+    for (auto row = rows.begin(); row != last; ++row) {
+      const auto [low, high] = std::ranges::minmax(*row);
+      for (std::size_t g = 0; g < groups; ++g)
+        sum[g] += (*row)[g], least[g] += (*row)[g] == low, most[g] += (*row)[g] == high;
     }
-    const auto is_like = [&](auto is_so) {  // the row, in all groups
+    for (std::size_t g = 0; g < groups; ++g) {
+      mean[g] = sum[g] / static_cast<double>(above);
+      for (auto row = rows.begin(); row != last; ++row) deviation[g] += std::pow((*row)[g] - mean[g], 2);
+      deviation[g] = std::sqrt(deviation[g] / static_cast<double>(above - 1));
+    }
+    for (const Row& total : {mean, sum, deviation, least, most}) {
+      std::size_t alike = 0;
       for (std::size_t g = 0; g < groups; ++g) {
-        if (!is_so(*table[above][g], g)) return false;
+        const Value& item = items.values[g * units + above];
+        const std::string_view text = sheet.cell(item.row, layout.values[layout.label ? 0 : g]);
+        alike += std::abs(item.value - total[g]) <= rounding_of(text, total[g]);
       }
-      return true;
-    };
-    const auto is_before = [&](const std::vector<const Value*>& row) {
-      return is_like([&](const Value& item, std::size_t g) { return item.value == row[g]->value; });
-    };
-    if (std::any_of(table.begin(), table.begin() + static_cast<std::ptrdiff_t>(above), is_before)) continue;
-    for (const std::vector<double>& total : totals) {
-      if (is_like([&](const Value& item, std::size_t g) {
-            const std::string_view text = sheet.cell(item.row, layout.values[layout.label ? 0 : g]);
-            return std::abs(item.value - total[g]) <= rounding_of(text, total[g]);
-          }))
-        sheet.refuse(table[above].front()->row, layout.values.front(),
+      if (alike == groups)
+        sheet.refuse(items.values[above].row, layout.values.front(),
                      fmt::format("is, like the other values of its row, a mean, sum, deviation or number of wins of "
                                  "those above; leave the last {} out of the file",
-                                 table.size() - above > 1 ? fmt::format("{} rows", table.size() - above) : "row"));
+                                 units - above > 1 ? fmt::format("{} rows", units - above) : "row"));
     }
   }
 }

@@ -36,7 +36,7 @@ std::string said_of(const std::string& text, const Request& request = {}) {
       csv::read(text, "data.csv", request);
     } catch (const csv::Question& question) {
       std::string said = question.what();
-      for (const csv::Answer& answer : question.answers) said += fmt::format(" [{}]", fmt::join(answer.options, " "));
+      for (const csv::Options& answer : question.answers) said += fmt::format(" [{}]", fmt::join(answer, " "));
       throw std::invalid_argument(said);
     }
   });
@@ -269,7 +269,7 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
 }
 
 TEST_CASE("wide files have a group a column, and tell where one ends early") {
-  CHECK(contains(said_of(wide), "[--block row] [--run row]"));
+  CHECK(contains(said_of(wide), "(--run row) [--block row]"));
   CHECK(finding(wide, {.run = "row"}).verdict == Verdict::better);
   CHECK(observations(wide, {.block = {"row"}}).is_paired);
   const Observations of = observations("seed,a,b\n1,1.5,4.5\n2,1.2,5\n3,2.1,6\n4,1.7,6\n5,,\n6,,5\n", {.run = "row"});
@@ -278,7 +278,7 @@ TEST_CASE("wide files have a group a column, and tell where one ends early") {
   CHECK(lost_in(of.groups[1]) == 1);
   CHECK(of.doubts.front().count == 3);
   const std::string text = "set,a,b\n2,1.5,4.5\n5,1.2,7\n3,2.1,6\n";
-  CHECK(contains(said_of(text, {.values = {"a", "b"}}), "[--block set] [--block row]"));
+  CHECK(contains(said_of(text, {.values = {"a", "b"}}), "[--block set]"));
   CHECK(csv::read(text, "data.csv", {.block = {"set"}}).observed.front().is_paired);
   CHECK(contains(said_of("a,a\n1,4\n2,5\n", {.values = {"a"}}), "2 columns 'a'"));
 }
@@ -310,7 +310,7 @@ Request with(Request request, const std::vector<std::string>& options) {
   return request;
 }
 
-std::vector<csv::Answer> asked_of(const std::string& text, const Request& request = {}) {
+std::vector<csv::Options> asked_of(const std::string& text, const Request& request = {}) {
   try {
     csv::read(text, "data.csv", request);
   } catch (const csv::Question& question) {
@@ -375,12 +375,12 @@ TEST_CASE("what can be read in several ways is asked, and every answer is read")
   };
   for (const auto& [text, first, request] : layouts) {
     CAPTURE(text, first);
-    const std::vector<csv::Answer> answers = asked_of(text, request);
+    const std::vector<csv::Options> answers = asked_of(text, request);
     std::vector<std::string> offered;
-    for (const csv::Answer& answer : answers) {
-      offered.push_back(fmt::format("{}", fmt::join(answer.options, " ")));
+    for (const csv::Options& answer : answers) {
+      offered.push_back(fmt::format("{}", fmt::join(answer, " ")));
       CAPTURE(offered.back());
-      CHECK(said_of(text, with(request, answer.options)).empty());
+      CHECK(said_of(text, with(request, answer)).empty());
     }
     CAPTURE(offered);
     CHECK(std::ranges::count(offered, first) == 1);
@@ -464,7 +464,7 @@ TEST_CASE("several columns of labels or blocks are joined") {
 
 TEST_CASE("rows of a run are averaged where asked, else refused") {
   const std::string text = "solver,run,point,e\nA,1,1,1\nA,1,2,3\nA,2,1,2\nA,2,2,6\nB,1,1,9\nB,1,2,9\nB,2,1,7\n";
-  CHECK(contains(said_of(text, {.values = {"e"}}), "[--run run] [--run point]"));
+  CHECK(contains(said_of(text, {.values = {"e"}}), "'run', 'point'"));
   CHECK(contains(said_of(text + "B,2,2,8\n", {.values = {"e"}, .block = {"point"}}), "[--run run]"));
   const Observations observed = csv::read(text, "data.csv", {.values = {"e"}, .run = "run"}).observed.front();
   CHECK(list_of(observed.groups[0]) == std::vector{2.0, 4.0});
