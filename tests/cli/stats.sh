@@ -18,6 +18,8 @@ judged() {
 judged two-columns "$data/runmeans.csv" # it needs no options
 judged constant "$data/const2.csv"
 judged negative "$data/drift.csv" --margin 1
+succeeds stats "$data/drift.csv"
+has "$out" "no margin is used"
 judged paired "$data/ten.csv" --block problem
 judged unpaired "$data/ten.csv" --label solver --run row
 judged control "$data/zero.csv" --control B --significance 0.01
