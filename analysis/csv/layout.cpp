@@ -17,16 +17,9 @@ namespace {
 using Index = std::uint32_t;
 using Rows = std::vector<Index>;
 
-// Rows by what they have in some columns, numbered from 0.
-struct Classes {
-  Rows of_row;  // as the rows are listed
-  Index count = 1;
-};
-
 // A way to read the file: what the request says, then what is likeliest.
-struct Way {
-  Column label, run;
-  Columns values, blocks;
+struct Way : Layout {
+  Columns blocks;
   bool is_wide = false;  // each column of values is a group
   Rows rows;
   Options options;                 // of what the request left open
@@ -59,7 +52,7 @@ class Finder {
     for (std::size_t i = 0; i < columns; ++i) {
       if (has(asked_, i) || std::ranges::count(request.label, title(i)) > 0) continue;
       const bool counts = sheet.counts_rows(i), is_constant = sheet.rows().size() > 1 && count(sheet.rows(), {i}) == 1;
-      (counts ? counting_ : is_constant ? constant : sheet.has_numbers(i) ? numbers_ : texts_).push_back(i);
+      (counts ? asked_.counting : is_constant ? constant : sheet.has_numbers(i) ? numbers_ : texts_).push_back(i);
     }
     for (const std::size_t column : constant) {  // of one group, or of equal values
       Columns& others = sheet.has_numbers(column) ? numbers_ : texts_;
@@ -80,23 +73,21 @@ class Finder {
       find_rows(way);
       answers.push_back(way.options);
     }
-    const Way& way = ways.front();
+    Way& way = ways.front();
     if (!way.asked.empty())
       throw Question(sheet_.said(fmt::format("it can be read in several ways; {}", fmt::join(way.asked, "; "))),
                      answers);
-    Layout layout{.label = way.label, .values = way.values, .counting = counting_};
-    if (way.run && !sheet_.counts_rows(*way.run)) layout.run = way.run;  // else each row is one
+    if (way.run && sheet_.counts_rows(*way.run)) way.run.reset();  // each row is one
     std::vector<std::string> blocks;
     for (const std::size_t column : way.blocks) blocks.push_back(title(column));
-    if (!blocks.empty()) layout.block = sheet_.joined(blocks);
-    return layout;
+    if (!blocks.empty()) way.block = sheet_.joined(blocks);
+    return way;
   }
 
  private:
   Sheet& sheet_;
-  Way asked_;                // as far as the request says
-  Columns texts_, numbers_;  // that may be labels and values
-  Columns counting_;
+  Way asked_;                             // as far as the request says
+  Columns texts_, numbers_;               // that may be labels and values
   std::map<std::size_t, Rows> texts_of_;  // as numbers, of each row of the file
 
   const std::string& title(std::size_t column) const { return sheet_.titles()[column]; }
@@ -106,8 +97,9 @@ class Finder {
     return listed(titles);
   }
 
-  Classes classes_of(const Rows& rows, const Columns& columns) {
-    Classes classes{.of_row = Rows(rows.size())};
+  // What each of the rows has in the columns, numbered from 0.
+  Rows classes_of(const Rows& rows, const Columns& columns) {
+    Rows classes(rows.size());
     for (const std::size_t column : columns) {
       Rows& texts = texts_of_[column];
       if (texts.empty()) {
@@ -118,14 +110,14 @@ class Finder {
       }
       std::unordered_map<std::uint64_t, Index> known;
       for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::uint64_t both = std::uint64_t{classes.of_row[i]} << 32 | texts[rows[i]];
-        classes.of_row[i] = known.try_emplace(both, static_cast<Index>(known.size())).first->second;
+        const std::uint64_t both = std::uint64_t{classes[i]} << 32 | texts[rows[i]];
+        classes[i] = known.try_emplace(both, static_cast<Index>(known.size())).first->second;
       }
-      classes.count = static_cast<Index>(known.size());
     }
     return classes;
   }
-  std::size_t count(const Rows& rows, const Columns& columns) { return classes_of(rows, columns).count; }
+  static std::size_t number_of(const Rows& classes) { return classes.empty() ? 0 : std::ranges::max(classes) + 1; }
+  std::size_t count(const Rows& rows, const Columns& columns) { return number_of(classes_of(rows, columns)); }
   static Columns groups_of(const Way& way) { return way.blocks + (way.label ? Columns{*way.label} : Columns()); }
 
   // Numbers as settings and labels have them: whole, in order, or repeated.
@@ -149,15 +141,15 @@ class Finder {
       auto operator<=>(const Text&) const = default;
     };
     std::erase_if(rows, [&](Index row) { return sheet_.is_missing(row, column); });
-    const Classes by_class = classes_of(rows, of_class), by_text = classes_of(rows, {column}),
-                  by_both = classes_of(rows, of_class + Columns{column});
-    std::vector<Class> classes(by_class.count);
-    std::vector<Text> texts(by_text.count);
-    Rows alike(by_both.count);
+    const Rows by_class = classes_of(rows, of_class), by_text = classes_of(rows, {column}),
+               by_both = classes_of(rows, of_class + Columns{column});
+    std::vector<Class> classes(number_of(by_class));
+    std::vector<Text> texts(number_of(by_text));
+    Rows alike(number_of(by_both));
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      Class& in = classes[by_class.of_row[i]];
-      Text& text = texts[by_text.of_row[i]];
-      const Index both = by_both.of_row[i];
+      Class& in = classes[by_class[i]];
+      Text& text = texts[by_text[i]];
+      const Index both = by_both[i];
       in.changes += in.rows++ == 0 || in.last != both;
       in.last = both;
       if (alike[both]++ == 0) ++in.different, ++text.classes;
@@ -170,7 +162,7 @@ class Finder {
     if (!sheet_.has_numbers(column)) return texts.size() > single;
     regular.erase({1, 1});
     const bool are_in_all =
-        std::ranges::all_of(texts, [&](const Text& text) { return text.classes == by_class.count; });
+        std::ranges::all_of(texts, [&](const Text& text) { return text.classes == classes.size(); });
     const auto repeats = [&](const Class& each) {
       return 2 * each.different <= each.rows && (each.changes == each.different || (are_in_all && each.different > 2));
     };
@@ -251,10 +243,10 @@ class Finder {
     if (!way.values.empty()) return way.values;
     if (numbers_.empty())
       sheet_.refuse(
-          counting_.empty()
+          way.counting.empty()
               ? "no column of numbers; name that of the values with --value"
               : fmt::format("no column of numbers but {}, which counts the rows; --value takes it all the same",
-                            titles_of({counting_.front()})));
+                            titles_of({way.counting.front()})));
     Columns values = numbers_;
     const std::size_t groups = count(way.rows, {*way.label});
     std::erase_if(values, [&](std::size_t column) {
@@ -307,17 +299,17 @@ class Finder {
       if (count(way.rows, known + others) == count(way.rows, known + needed)) needed = others;
     }
     std::ranges::copy_if(needed, std::back_inserter(texts), [&](auto column) { return !sheet_.has_numbers(column); });
-    std::string said = fmt::format(
-        "{} differ in {}: runs, whose rows are averaged (--run), problems that all had "
-        "(--block), nothing in common (--run row)",
-        rows, titles_of(open));
+    std::string metrics;
     if (!texts.empty()) {
       const auto one = *std::ranges::min_element(texts, {}, [&](auto text) { return count(way.rows, {text}); });
       const std::string where = fmt::format("{}={}", title(one), sheet_.cell(way.rows.front(), one));
-      said +=
-          fmt::format(", or metrics, of which --where {} takes one", numerics::one_line(numerics::front(where, 60)));
+      metrics = ", metrics, of which --where " + numerics::one_line(numerics::front(where, 60)) + " takes one";
     }
-    if (is_first) way.asked.push_back(said);
+    if (is_first)
+      way.asked.push_back(
+          fmt::format("{} differ in {}: runs, whose rows are averaged (--run), problems that all had "
+                      "(--block){}, or nothing that matters (--run row)",
+                      rows, titles_of(open), metrics));
     const bool are_shared = count(way.rows, groups_of(way) + texts) > count(way.rows, way.blocks + texts);
     const bool are_blocks = !texts.empty() && (!way.label || way.run || are_shared);
     way = are_blocks ? with(way, "--block", texts) : with(way, "--run", {needed.front()});

@@ -5,16 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <map>
-#include <numeric>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
-#include <unordered_set>
 
 #include "analysis/csv/sheet.hpp"
 #include "numerics/names.hpp"
@@ -32,9 +27,15 @@ struct Value {
   double value;
 };
 
+struct Mean {
+  Index group, unit, rows = 0;
+  long double sum = 0;  // by which the same rows in another order have the same mean
+};
+
 struct Items {
   std::vector<std::string> groups;
   std::vector<Value> values;  // by group and unit
+  std::vector<Mean> means;    // of each group and unit
   Index units = 0;
   std::size_t unlabelled = 0;
 };
@@ -68,6 +69,12 @@ Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t
   if (items.values.empty()) sheet.refuse("no row has a label");
   items.units = static_cast<Index>(units.size());
   std::ranges::stable_sort(items.values, {}, [](const Value& item) { return std::tuple(item.group, item.unit); });
+  for (const Value& item : items.values) {
+    if (items.means.empty() || items.means.back().group != item.group || items.means.back().unit != item.unit)
+      items.means.push_back({.group = item.group, .unit = item.unit});
+    items.means.back().sum += item.value;
+    ++items.means.back().rows;
+  }
   return items;
 }
 
@@ -106,27 +113,16 @@ Observations quantity_of(const std::string& title) {
   return observed;
 }
 
-// The values of each group: means of the rows of a unit.
+// The values of each group.
 void fill(const Layout& layout, const Items& items, Observations& observed) {
-  struct Mean {
-    Index group, unit, rows = 0;
-    long double sum = 0;  // by which the same rows in another order have the same mean
-  };
-  std::vector<Mean> means;
-  for (const Value& item : items.values) {
-    if (means.empty() || means.back().group != item.group || means.back().unit != item.unit)
-      means.push_back({.group = item.group, .unit = item.unit});
-    means.back().sum += item.value;
-    ++means.back().rows;
-  }
   std::vector<Index> most(layout.block ? items.units : 1);
   const auto most_of = [&](const Mean& mean) -> Index& { return most[layout.block ? mean.unit : 0]; };
-  for (const Mean& mean : means) most_of(mean) = std::max(most_of(mean), mean.rows);
+  for (const Mean& mean : items.means) most_of(mean) = std::max(most_of(mean), mean.rows);
   observed.is_paired = layout.block.has_value();
   if (observed.scale == Scale::share) observed.trials = static_cast<int>(std::ranges::max(most));
   std::vector<std::size_t> groups_of(items.units), all(items.groups.size());  // complete ones of a block; of a group
   std::vector<Measured> measured(items.groups.size());
-  for (const Mean& mean : means) {
+  for (const Mean& mean : items.means) {
     const auto value = static_cast<double>(mean.sum / mean.rows);
     ++all[mean.group];
     if (std::isnan(value) || mean.rows < most_of(mean)) continue;
@@ -244,12 +240,7 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
       fmt::format("Read as {} {}", items.groups.size(), layout.label ? "of " + title_of(*layout.label) : "columns");
   const Column unit = layout.block ? layout.block : layout.run;
   if (unit) text += fmt::format(" x {} of {}", items.units, title_of(*unit));
-  std::size_t rows = 1, most = 1;
-  for (std::size_t i = 1; i < items.values.size(); ++i) {
-    const Value &before = items.values[i - 1], &item = items.values[i];
-    rows = before.group == item.group && before.unit == item.unit ? rows + 1 : 1;
-    most = std::max(most, rows);
-  }
+  const Index most = std::ranges::max(items.means, {}, &Mean::rows).rows;
   if (most > 1) text += fmt::format(", means of {} rows", most);
   if (!layout.block && !layout.run) text += ", rows unrelated";
   for (const std::size_t column : layout.counting)
