@@ -31,7 +31,7 @@ class LevenbergMarquardt final : public Solver {
       list.number("damping", damping, {1e-12, 1e6}, "factor or term of the rule");
       list.count("search_iterations", search_iterations, {1, 1'000'000},
                  "after so many iterations the search begins again at a random configuration");
-      list.number("small_move", small_move, {0, 1}, "and where no joint moves by more than this [rad, m]");
+      list.number("small_move", small_move, {0, 1}, "and where each joint moves by less than this [rad, m]");
       list.number("small_error", small_error, {0, 1}, "it ends below this error [m]");
       list_bounds(list, bounds);
     }
@@ -63,7 +63,7 @@ class LevenbergMarquardt final : public Solver {
       const Configuration before = q_;
       q_ += step_;
       keep_inside(options_.bounds, problem_, q_);
-      if (!((q_ - before).cwiseAbs().maxCoeff() > options_.small_move)) searched_ = options_.search_iterations;
+      if ((q_ - before).cwiseAbs().maxCoeff() < options_.small_move) searched_ = options_.search_iterations;
       if (!q_.allFinite()) {
         q_ = before;
         searched_ = options_.search_iterations;

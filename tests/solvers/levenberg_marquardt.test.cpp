@@ -66,11 +66,14 @@ TEST_CASE("a search of Levenberg and Marquardt's method begins again at random a
 TEST_CASE("a search of Levenberg and Marquardt's method begins again where no joint moves any more", "[lm]") {
   Task task = planar_task(1);
   task.target = {-0.9, -0.1, 0};  // both joints go to their limits
-  Objective objective(task.chain, task.target);
-  Random random{Key(1)}, untouched{Key(1)};
-  const auto descent = solver("levenberg_marquardt").make({{"search_iterations", "1000000"}});
-  solve(*descent, task.problem, objective, random, {.iterations = 100});
-  CHECK(random.uniform() != untouched.uniform());
+  for (const auto& [small_move, restarts] : {std::pair("1e-9", true), {"0", false}}) {  // 0: never
+    Objective objective(task.chain, task.target);
+    Random random{Key(1)};
+    const auto descent =
+        solver("levenberg_marquardt").make({{"search_iterations", "1000000"}, {"small_move", small_move}});
+    solve(*descent, task.problem, objective, random, {.iterations = 100});
+    CHECK((descent->restarts() > 0) == restarts);
+  }
 }
 
 TEST_CASE("Levenberg and Marquardt's method solves most reachable poses within the limits, by each rule", "[lm]") {
