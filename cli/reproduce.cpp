@@ -166,6 +166,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench reproduce\n"
       "  ikbench reproduce beeson2015             TRAC-IK's table of solve rates\n"
+      "  ikbench reproduce haviland2023           six rules of Levenberg and Marquardt's method\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
       "  ikbench reproduce --readings 0 --jobs 2  faster; but times of two solves at once are not comparable");
   command->callback([arguments, &invocation, command] {

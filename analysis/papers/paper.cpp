@@ -76,6 +76,7 @@ Rates read_rates(TomlReader reader) {
   reader.texts("picked", rates.picked, "");
   read_texts(reader, "rows", rates.rows);
   read_texts(reader, "columns", rates.columns);
+  reader.text("column", rates.column, "");
   reader.refuse_unknown_keys();
   return rates;
 }
@@ -137,36 +138,42 @@ std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated) {
   std::map<std::string, std::vector<Rate>> rates;
   const results::CsvTable table = results::published::table(repeated.paper.name, plan.table);
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (const auto& [study, metrics, deciding, doubts] : repeated.studies) {
-      const auto arm = plan.rows.find(study.definition.robot);
-      if (arm == plan.rows.end() || table.cell(row, table.column("arm")) != arm->second) continue;
-      for (const auto& [solver, column] : plan.columns) {
-        const Solves solves = study.of(solver);
-        if (solves.empty()) continue;
-        const auto n = static_cast<double>(solves.size());
-        const double share = static_cast<double>(std::ranges::count(solves, results::Status::ok, &Solve::status)) / n;
-        const double printed = table.number(row, column) / 100;
-        const Interval difference = newcombe(share, n, printed, table.number(row, "n"), 1 - plan.level);
-        rates[solver].push_back(
-            {.arm = arm->second,
-             .is_picked = std::ranges::count(plan.picked, arm->first) > 0,
-             .printed = printed,
-             .share = share,
-             .interval = {std::max(0.0, printed + difference.low), std::min(1.0, printed + difference.high)},
-             .margin = study.definition.plan.margin});
-      }
+    const auto add = [&](const std::string& heading, const std::string& name, bool is_picked, const StudyResults& study,
+                         const std::string& solver, const std::string& column) {
+      const Solves solves = study.of(solver);
+      if (solves.empty()) return;
+      const auto n = static_cast<double>(solves.size());
+      const double share = static_cast<double>(std::ranges::count(solves, results::Status::ok, &Solve::status)) / n;
+      const double printed = table.number(row, column) / 100;
+      const Interval difference = newcombe(share, n, printed, table.number(row, "n"), 1 - plan.level);
+      rates[heading].push_back(
+          {.row = name,
+           .is_picked = is_picked,
+           .printed = printed,
+           .share = share,
+           .interval = {std::max(0.0, printed + difference.low), std::min(1.0, printed + difference.high)},
+           .margin = study.definition.plan.margin});
+    };
+    for (const JudgedStudy& judged : repeated.studies) {
+      const auto arm = plan.rows.find(judged.study.definition.robot);
+      if (arm == plan.rows.end() || table.cell(row, 0) != arm->second) continue;
+      for (const auto& [solver, column] : plan.columns)
+        add(solver, arm->second, std::ranges::count(plan.picked, arm->first) > 0, judged.study, solver, column);
     }
+    if (const std::string solver(table.cell(row, 0)); !plan.is_of_arms())
+      add("solved", solver, false, repeated.study().study, solver, plan.column);
   }
   return rates;
 }
 
 std::vector<std::string> rates_sentences(const Repeated& repeated) {
   std::vector<std::string> counts, sentences, undecided;
+  const bool is_of_arms = repeated.paper.rates.is_of_arms();
   for (const auto& [solver, rates] : rates_of(repeated)) {
     std::vector<std::string> others;
     for (const Rate& rate : rates) {
       if (rate.sign() == "x")  // "Jaco2 31 % (printed 26.23)"
-        others.push_back(fmt::format("{} {:.1f} % (printed {:.2f})", rate.arm, 100 * rate.share, 100 * rate.printed));
+        others.push_back(fmt::format("{} {:.1f} % (printed {:.2f})", rate.row, 100 * rate.share, 100 * rate.printed));
     }
     const auto repeat = std::ranges::count(rates, "~", &Rate::sign);
     const auto open = std::ssize(rates) - repeat - std::ssize(others);
@@ -175,13 +182,19 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
       continue;
     }
     const std::string count =
-        fmt::format("on {}{} of {}", repeat, open > 0 ? fmt::format(" (not decided on {})", open) : "", rates.size());
-    counts.push_back(fmt::format("by {} {}{}", solver, count, counts.empty() ? " arms" : ""));
-    if (!others.empty()) sentences.push_back(fmt::format("{} not on: {}.", solver, show::listed(others, ", ")));
+        fmt::format("{}{} of {}", repeat, open > 0 ? fmt::format(" (not decided on {})", open) : "", rates.size());
+    counts.push_back(fmt::format("{} {}{}", is_of_arms ? fmt::format("by {} on", solver) : "for", count,
+                                 !counts.empty() ? ""
+                                 : is_of_arms    ? " arms"
+                                                 : " solvers"));
+    if (!others.empty())
+      sentences.push_back(
+          fmt::format("{}: {}.", is_of_arms ? solver + " not on" : "Not for", show::listed(others, ", ")));
   }
   if (!undecided.empty())
-    sentences.push_back(
-        fmt::format("Too few targets to decide on any arm: the printed rates of {}.", show::listed(undecided)));
+    sentences.push_back(is_of_arms ? fmt::format("Too few targets to decide on any arm: the printed rates of {}.",
+                                                 show::listed(undecided))
+                                   : "Too few targets to decide whether any printed rate repeats.");
   if (!counts.empty())
     sentences.insert(sentences.begin(), fmt::format("The printed rates repeat {}.", show::listed(counts)));
   return sentences;
@@ -257,17 +270,17 @@ show::Table means_table(const Repeated& repeated) {
 show::Table rates_table(const Repeated& repeated) {
   const Rates& plan = repeated.paper.rates;
   show::Table table{.name = plan.table,
-                    .caption = fmt::format("Solved of {} targets an arm, here and as printed",
-                                           repeated.study().study.definition.runs),
-                    .columns = {{"arm"}},
-                    .is_of_study = false};
+                    .caption = fmt::format("Solved of {} targets{}, here and as printed",
+                                           repeated.study().study.definition.runs, plan.is_of_arms() ? " an arm" : ""),
+                    .columns = {{plan.is_of_arms() ? "arm" : "solver"}},
+                    .is_of_study = !plan.is_of_arms()};
   std::set<std::string_view> signs;
   for (const auto& [solver, rates] : rates_of(repeated)) {
     table.columns.push_back({solver, "%"});
     table.rows.resize(rates.size());  // arms, in each solver's order
     for (std::size_t i = 0; i < rates.size(); ++i) {
       const Rate& rate = rates[i];
-      if (table.rows[i].empty()) table.rows[i].emplace_back(rate.arm + (rate.is_picked ? " *" : ""));
+      if (table.rows[i].empty()) table.rows[i].emplace_back(rate.row + (rate.is_picked ? " *" : ""));
       table.rows[i].emplace_back(
           show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed), std::string(rate.sign())});
       signs.insert(rate.sign());
@@ -291,7 +304,7 @@ std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
   for (const auto& [solver, rates] : rates_of(repeated)) {
     for (const Rate& rate : rates) {
       const auto minus_printed = [&](double share) { return 100 * (share - rate.printed); };
-      rows.push_back({.label = fmt::format("{}: {}", solver, rate.arm),
+      rows.push_back({.label = repeated.paper.rates.is_of_arms() ? fmt::format("{}: {}", solver, rate.row) : rate.row,
                       .estimate = minus_printed(rate.share),
                       .low = minus_printed(rate.interval.low),
                       .high = minus_printed(rate.interval.high),

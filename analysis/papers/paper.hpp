@@ -80,13 +80,16 @@ struct Claim {
   std::string note = {};  // added to the evidence
 };
 
-// A printed table of shares solved [%], a row an arm.
+// A printed table of shares solved [%]. A row is an arm, with a column for each solver, or a solver.
 struct Rates {
   std::string table = {}, note = {};
   double level = 0;                                 // of intervals
   std::vector<std::string> picked = {};             // arms whose file or side was chosen by their shares
-  std::map<std::string, std::string> rows = {};     // name of our arm to that in its column `arm`
+  std::map<std::string, std::string> rows = {};     // name of our arm to that in its first column
   std::map<std::string, std::string> columns = {};  // solver to column
+  std::string column = {};                          // of shares, where rows are solvers
+
+  bool is_of_arms() const { return column.empty(); }
 };
 
 struct Paper {
@@ -109,10 +112,10 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
 // Of its table of means.
 PrintedRows printed_rows(const Paper& paper, const compare::JudgedMetric& judged);
 
-// A solver's share of solved targets on an arm. The interval is ours, as wide as that of the difference of the two
+// A solver's share of solved targets. The interval is ours, as wide as that of the difference of the two
 // shares: it has the printed one where the two do not differ.
 struct Rate {
-  std::string arm;  // as printed
+  std::string row;  // the arm as printed, or the solver
   bool is_picked;
   double printed, share;
   compare::Interval interval;
@@ -135,7 +138,8 @@ struct Repeated {
   const compare::JudgedStudy* part(std::string_view part) const;
 };
 
-// By solver, of the arms of all studies that the printed table has, in its order.
+// By solver, of the arms of all studies that the printed table has, in its order; or of its solvers in the paper's own
+// study, under "solved".
 std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated);
 // "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then who fails where; none if none is printed.
 std::vector<std::string> rates_sentences(const Repeated& repeated);

@@ -234,9 +234,10 @@ JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
   return {result};
 }
 
-// A claim of each solver, over all arms.
+// A claim of each solver, over all arms, or of all solvers.
 JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   JudgedClaims judged;
+  const bool is_of_arms = repeated.paper.rates.is_of_arms();
   for (const auto& [solver, rates] : rates_of(repeated)) {
     std::vector<Holds> repeats;
     for (const Rate& rate : rates)
@@ -246,7 +247,9 @@ JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
     result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", solver));
     result.holds = holds_of(repeats);
     if (std::ranges::count(repeats, Holds::undecided) < std::ssize(repeats))
-      result.number = fmt::format("on {} of {} arms", std::ranges::count(repeats, Holds::holds), repeats.size());
+      result.number =
+          fmt::format("{} {} of {} {}", is_of_arms ? "on" : "for", std::ranges::count(repeats, Holds::holds),
+                      repeats.size(), is_of_arms ? "arms" : "solvers");
   }
   return judged;
 }

@@ -46,12 +46,17 @@ for i in "${!sets[@]}"; do
 done
 unset IKBENCH_INSTRUCTION_SET
 
-# A paper of poses: an arm whole, and all with fewer poses.
+# Papers of poses: an arm or the studies whole, and all with fewer poses.
 succeeds run beeson2015 --only KDL,KDL-RR --set name=beeson2015-fanuc_m430ia2f --set robot=fanuc_m430ia2f --no-report --jobs 2 --out fanuc
-equal "fingerprint of an arm" "$(fingerprint fanuc/store.sqlite beeson2015-fanuc_m430ia2f)" "$(reference beeson2015-fanuc_m430ia2f)"
-succeeds reproduce beeson2015 --runs 500 --jobs 2 --figures none --out poses
-equal "solves of more runs" "$(sqlite3 poses/store.sqlite 'SELECT count(*) FROM solves WHERE run > 500')" 0
-kept beeson2015 < <(cut -d, -f1-5 poses/tables/solve-rates.csv) # the other columns depend on NLopt
+for study in haviland2023 haviland2023-searches; do succeeds run "$study" --no-report --jobs 2 --out six_rules; done
+for study in fanuc/beeson2015-fanuc_m430ia2f six_rules/haviland2023 six_rules/haviland2023-searches; do
+  equal "fingerprint of $study" "$(fingerprint "${study%/*}/store.sqlite" "${study#*/}")" "$(reference "${study#*/}")"
+done
+for paper in beeson2015:solve-rates haviland2023:one-search; do
+  succeeds reproduce "${paper%:*}" --runs 500 --jobs 2 --figures none --out "${paper%:*}"
+  equal "solves of more runs" "$(sqlite3 "${paper%:*}/store.sqlite" 'SELECT count(*) FROM solves WHERE run > 500')" 0
+  kept "${paper%:*}" < <(cut -d, -f1-5 "${paper%:*}/tables/${paper#*:}.csv") # the other columns depend on NLopt
+done
 
 # All readings: the same with any number of jobs.
 few=(multiverse slim2023 "${small[@]}" --dimensions bounds,IK-BA.step_factor,BA.best_of)

@@ -183,6 +183,39 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
   CHECK(contains(text(repeated(few)), "printed: ? it is wider than 10 points"));
 }
 
+TEST_CASE("a printed table of solvers has a rate for each, in one claim", "[papers]") {
+  const auto share = [](int nr, int points) {
+    return study_of({.name = "haviland2023",
+                     .paper = "haviland2023",
+                     .path = "random",
+                     .robot = "ur5",
+                     .solvers = {"LM Chan 0.1", "NR"},
+                     .runs = 1,
+                     .points = points,
+                     .tolerance_cm = 0.1},
+                    [=](SolveRecord& solve) {
+                      const int solved = solve.label == "NR" ? nr : points * 9 / 10;
+                      solve.status = solve.point <= solved ? results::Status::ok : results::Status::tolerance_missed;
+                    });
+  };
+  // Printed of 10 000: 88.90 and 90.39 %. Newcombe's interval of the difference of 86 % of 1000 and 88.90 % is -5.8 to
+  // -0.2 points.
+  const JudgedStudy as_printed = share(890, 1000), other = share(860, 1000), few = share(8, 10);
+  CHECK(claim_of(repeated(as_printed), "rate-solved").number == "for 2 of 2 solvers");
+  CHECK(holds(repeated(as_printed), "rate-solved") == Holds::holds);
+  CHECK(rates_sentences(repeated(as_printed)) ==
+        std::vector<std::string>{"The printed rates repeat for 2 of 2 solvers."});
+  CHECK(holds(repeated(other), "rate-solved") == Holds::in_part);
+  CHECK(rates_sentences(repeated(other)) == std::vector<std::string>{"The printed rates repeat for 1 of 2 solvers.",
+                                                                     "Not for: NR 86.0 % (printed 88.90)."});
+  CHECK(rates_sentences(repeated(few)) ==
+        std::vector<std::string>{"Too few targets to decide whether any printed rate repeats."});
+  const show::Table table = rates_table(repeated(as_printed));
+  CHECK(table.columns[0].name == "solver");
+  CHECK(std::get<std::string>(table.rows[0][0]) == "NR");  // in the printed order
+  CHECK(rates_figure(repeated(as_printed))->name == "printed");
+}
+
 TEST_CASE("the tally of pairs and of parts", "[papers]") {
   CHECK(holds_of(Tally{.better = 2}) == Holds::holds);
   CHECK(holds_of(Tally{.better = 2, .open = 1}) == Holds::undecided);

@@ -1,3 +1,5 @@
+#include "results/published.hpp"
+
 #include "tests/mistakes.hpp"
 #include "tests/papers/studies.hpp"
 
@@ -23,6 +25,13 @@ TEST_CASE("printed rows have their digits, and the names that a table gives by i
   REQUIRE(row_of(times, "30 bats") != nullptr);
   CHECK(row_of(times, "30 bats")->numbers.largest == 448.44);
   CHECK(row_of(times, "13 bats") == nullptr);
+}
+
+TEST_CASE("shares solved are what the printed infeasible ones leave", "[papers]") {
+  const results::CsvTable table = results::published::table("haviland2023", "one-search");
+  REQUIRE(table.rows() == 10);
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    CHECK(table.number(row, "solved_percent") == Approx(100 - table.number(row, "infeasible_percent")));
 }
 
 TEST_CASE("printed means are compared as summaries, and give the printed ANOVA but for rounding", "[papers]") {
@@ -83,6 +92,7 @@ TEST_CASE("papers are read from their files, and a mistake says where it is", "[
   CHECK(papers::papers().front().name == "slim2023");
   CHECK(paper_named("slim2023").claims.size() == 19);
   CHECK(paper_named("beeson2015").means.empty());
+  CHECK_FALSE(paper_named("haviland2023").rates.is_of_arms());
   CHECK(contains(complaint<std::invalid_argument>([&] { paper_named("slim2032"); }), "slim2023"));
   const auto read = [](const std::string& claim) { return read_paper("x", "[[claims]]\n" + claim, "x.toml"); };
   const std::string whole = "id = 'a'\nsentence = 'b'\ndecides = 'c'\n";

@@ -117,7 +117,7 @@ TEST_CASE("a store keeps the fingerprint, of numbers that are not finite too", "
 }
 
 TEST_CASE("the studies of the papers have a reference, others none", "[fingerprint]") {
-  for (const char* study : {"slim2023", "slim2023-context", "beeson2015"}) {
+  for (const char* study : {"slim2023", "slim2023-context", "beeson2015", "haviland2023"}) {
     const std::string_view reference = reference_fingerprint(study);
     CHECK(reference.size() == 32);
     CHECK(reference.find_first_not_of("0123456789abcdef") == std::string_view::npos);
