@@ -97,7 +97,7 @@ std::vector<std::pair<std::string, std::string>> all_figures() {
   std::vector<std::pair<std::string, std::string>> all;
   for (const figures::KindOfFigure& kind : figures::kinds_of_figures()) all.emplace_back(kind.name, kind.meaning);
   all.emplace_back("boxes", "of a file that stats reads");
-  all.emplace_back("printed", "of beeson2015: shares solved minus those that it prints");
+  all.emplace_back("printed", "of beeson2015, haviland2023: shares solved minus the printed ones");
   all.emplace_back("figure", "of slim2023: figure-5 to figure-18");
   return all;
 }
