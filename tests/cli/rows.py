@@ -8,6 +8,6 @@ for label in of.get("worse", [None]):
     for kind, names in keys.items():
         for row in of[kind]:
             if row.get("excluded"): row[row["excluded"]] = {"low": ">", "high": "<"}[row["excluded"]] + text(row[row["excluded"]])
-            if row["metric"] != "time" and row.get("label") == label: print(kind[:-1], *(text(row.get(name)) for name in names.split()))
+            if not row["metric"].startswith("time") and row.get("label") == label: print(kind[:-1], *(text(row.get(name)) for name in names.split()))
     for kind in ("worse", "undecided"):
         if kind in of: print(kind, *map(text, of[kind][label]))
