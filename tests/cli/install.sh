@@ -43,3 +43,11 @@ built/mine >.out 2>.err || fail "the project's program: $(<.err)"
 grep -q mine .out && grep -q random .out || fail "no verdict: $(<.out)"
 [ "$("$program" export made/store.sqlite --study mine | grep -c ',mine,')" -ge 12 ] || fail "not all solves of the project's solver"
 built/first >.out 2>.err && grep -q "^ok, " .out || fail "the first program: $(<.out) $(<.err)"
+
+# The same project with the source as a part of it, which says nothing of how that is built: as it is measured, without
+# tests. One unit shows that it compiles; all take minutes.
+"$cmake" -S project -B part -DCMAKE_CXX_COMPILER="$compiler" -DIKBENCH_SOURCE="$tree" -DBUILD_TESTING=ON \
+  -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >.log 2>&1 &&
+  "$cmake" --build part --target ikbench_numerics_portable >.log 2>&1 || fail "cannot be a part of a project: $(<.log)"
+! grep -q Catch2 part/CMakeCache.txt part/compile_commands.json || fail "a part of a project brings its tests"
+equal "sources of its own without optimization" "$(grep '"command"' part/compile_commands.json | grep -v /project/ | grep -vc -e ' -O[12] ' || true)" 0
