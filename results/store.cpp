@@ -2,10 +2,13 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -108,6 +111,16 @@ std::string checked_path(const fs::path& file, Store::Mode mode) {
                   file));
 }
 
+// SQLite calls this busy, too: network file systems without a lock daemon.
+bool lacks_locks(const std::string& file) {
+  struct flock anything {};
+  anything.l_type = F_RDLCK;
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool lacks = descriptor >= 0 && ::fcntl(descriptor, F_GETLK, &anything) != 0 && errno == ENOLCK;
+  if (descriptor >= 0) ::close(descriptor);
+  return lacks;
+}
+
 // Throws `error` as a sentence about the file (store.hpp says which exception).
 [[noreturn]] void refuse(const std::string& file, const SQLite::Exception& error) {
   switch (error.getErrorCode()) {
@@ -138,6 +151,10 @@ std::string checked_path(const fs::path& file, Store::Mode mode) {
           file, error.what()));
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
+      if (lacks_locks(file))
+        throw std::invalid_argument(fmt::format(
+            "cannot use '{}': this folder's file system has no locks; choose another with --out, or copy the store there",
+            file));
       throw std::runtime_error(
           fmt::format("another process has locked '{}'; wait until it has ended, then run again", file));
     case SQLITE_NOMEM:
