@@ -27,11 +27,16 @@ namespace {
 
 #include "source_digests.inc"
 
+// Its name; on ARM, where the kernel knows none, the numbers of its maker and part.
 std::string cpu_model() {
   std::ifstream info("/proc/cpuinfo");
+  std::string numbers;
   for (std::string line; std::getline(info, line);) {
     const std::size_t colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+    if (colon == std::string::npos) continue;
+    if (line.starts_with("model name")) return line.substr(colon + 2);
+    if (line.starts_with("CPU implementer")) numbers = "ARM " + line.substr(colon + 2);
+    if (line.starts_with("CPU part")) return numbers + ' ' + line.substr(colon + 2);
   }
   return "unknown";
 }
