@@ -1,10 +1,11 @@
-# ikbench_embed(OUTPUT FOLDER PATTERN): carries the files of FOLDER that match PATTERN in the program. Writes OUTPUT into
-# the caller's binary folder, to be included by a C++ source: a line {"NAME", R"embedded(TEXT)embedded"}, a file, by
+# ikbench_embed(OUTPUT FOLDER PATTERN...): carries the files of FOLDER that match in the program. Writes OUTPUT into the
+# caller's binary folder, to be included by a C++ source: a line {"NAME", R"embedded(TEXT)embedded"}, a file, by
 # name, which is its path within FOLDER. A file that is added or edited is found by the next build. Hidden files, which
 # editors leave, are not carried.
-function(ikbench_embed output folder pattern)
+function(ikbench_embed output folder)
   cmake_path(ABSOLUTE_PATH folder BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
-  file(GLOB_RECURSE files CONFIGURE_DEPENDS ${folder}/${pattern})
+  list(TRANSFORM ARGN PREPEND ${folder}/ OUTPUT_VARIABLE patterns)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS ${patterns})
   list(FILTER files EXCLUDE REGEX "/\\.[^/]*$")
   list(SORT files)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})

@@ -139,9 +139,12 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
   if (figures.empty()) return {};
   const auto sources = sources_of(figures, options.style);
   for (const auto& [file, text] : sources) write_file(folder / file, text);
-  if (!options.render) {
+  ChildProcess::Ran gnuplot{.succeeded = true};
+  if (options.render) gnuplot = ChildProcess::run({options.gnuplot, "--version"}, {}, {});
+  if (!options.render || !gnuplot.succeeded) {
     for (const Figure& figure : figures) remove_pictures(figure, folder, {});
-    return {};
+    if (gnuplot.succeeded) return {};
+    return {fmt::format("figures are not drawn: {}; install gnuplot, then give the command again", gnuplot.output)};
   }
 
   const TemporaryFolder workshop(folder);

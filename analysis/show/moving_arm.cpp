@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
+#include "numerics/embedded_file.hpp"
 #include "numerics/json.hpp"
 #include "numerics/units.hpp"
-#include "results/files.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::show {
@@ -113,15 +112,13 @@ std::optional<std::string> moving_arm(const StudyResults& study, const std::vect
   return text;
 }
 
-std::optional<std::string> drawing_library() {
-  for (const std::filesystem::path folder : {"/usr/share/javascript/three", "/usr/share/nodejs/three"}) {
-    const auto library = read_file(folder / "build/three.min.js");
-    const auto controls = read_file(folder / "examples/js/controls/OrbitControls.js");
-    const std::string both = library.value_or("") + '\n' + controls.value_or("") + '\n';
-    const bool is_safe = both.find("</script") == std::string::npos && both.find("<!--") == std::string::npos;
-    if (library && controls && is_safe) return both;
-  }
-  return std::nullopt;
+std::string drawing_library() {
+  const std::initializer_list<numerics::EmbeddedFile> files{
+#include "three.inc"
+  };
+  std::string library;
+  for (const numerics::EmbeddedFile& file : files) library.append(file.text) += '\n';
+  return library;
 }
 
 }  // namespace ikbench::show

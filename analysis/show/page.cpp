@@ -148,18 +148,18 @@ struct MarkdownWriter {
 }  // namespace
 
 std::string to_page(const std::string& title, const std::vector<Blocks>& sections,
-                    const std::optional<std::string>& arm, const std::optional<std::string>& library,
-                    const std::filesystem::path& folder, const std::string& program) {
+                    const std::optional<std::string>& arm, const std::filesystem::path& folder,
+                    const std::string& program) {
   const PageWriter write{folder};
   const auto script = [](std::string_view code) { return fmt::format("<script>{}</script>\n", code); };
   std::string scripts = script(template_named("page.js"));
-  if (library)
-    scripts += std::string(template_named("licence.html")) + script(*library) +
+  if (arm)
+    scripts += std::string(template_named("licence.html")) + script(drawing_library()) +
                fmt::format("<script type=\"application/json\" id=\"motion-data\">{}</script>\n", *arm) +
                script(template_named("moving_arm.js"));
   const std::span rest(sections.begin() + 1, sections.end());
   std::string text = answer(title, sections.front(), write, contents_of(rest),
-                            library ? template_named("stage.html") : std::string_view());
+                            arm ? template_named("stage.html") : std::string_view());
   for (const Blocks& blocks : rest) text += section(blocks, write);
   return filled(template_named("page.html"), {{"title", html_text(title)},
                                               {"style", std::string(template_named("page.css"))},

@@ -168,7 +168,15 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
     const auto* const figure = std::get_if<figures::Figure>(&block);
     return figure != nullptr && types_of(*figure, folder).empty();
   };
-  for (Blocks& blocks : sections) std::erase_if(blocks, is_not_drawn);
+  auto reasons = written.warnings;  // stand where the first picture is missing
+  for (Blocks& blocks : sections) {
+    const auto first = std::ranges::find_if(blocks, is_not_drawn);
+    if (first == blocks.end()) continue;
+    for (std::string& reason : reasons) reason = fmt::format("Warning: {}.", reason);
+    blocks.insert(first, reasons.begin(), reasons.end());
+    reasons.clear();
+    std::erase_if(blocks, is_not_drawn);
+  }
   std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });  // that had nothing else
   results::write_file(folder / "report.md", to_markdown(sections, folder));
   const std::string& title = report.study.definition.title;
@@ -176,12 +184,13 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   for (const std::size_t i : report.answer.order) order.push_back(report.answer.decisive().observations.groups[i].name);
   const auto control = std::ranges::find(order, report.answer.decisive().plan.control);  // beside the first
   if (control != order.end() && control != order.begin()) std::rotate(order.begin() + 1, control, control + 1);
-  const std::optional<std::string> arm = moving_arm(report.study, order);
-  const auto library = arm ? drawing_library() : std::nullopt;
-  if (arm && !library)
-    written.warnings.emplace_back("the page has no moving arm: three.js (libjs-three) is missing or cannot be read");
-  results::write_file(
-      written.page, to_page(title.empty() ? report.study.entry.name : title, sections, arm, library, folder, program));
+  std::optional<std::string> arm = moving_arm(report.study, order);
+  if (arm && drawing_library().empty()) {
+    written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
+    arm.reset();
+  }
+  results::write_file(written.page,
+                      to_page(title.empty() ? report.study.entry.name : title, sections, arm, folder, program));
   return written;
 }
 

@@ -34,8 +34,8 @@ std::vector<Blocks> sections_of(const Report& report);
 // They show the pictures that stand in `figures` of the report's folder. The page also has the moving arm, if
 // there is one and a library that draws it.
 std::string to_page(const std::string& title, const std::vector<Blocks>& sections,
-                    const std::optional<std::string>& arm, const std::optional<std::string>& library,
-                    const std::filesystem::path& folder, const std::string& program);
+                    const std::optional<std::string>& arm, const std::filesystem::path& folder,
+                    const std::string& program);
 std::string to_markdown(const std::vector<Blocks>& sections, const std::filesystem::path& folder);
 // The types of a figure's pictures that stand there: "svg", "pdf", "png".
 std::vector<std::string> types_of(const figures::Figure& figure, const std::filesystem::path& folder);
@@ -68,7 +68,7 @@ std::optional<std::string> moving_arm(const compare::StudyResults& study, const 
 // Name and meaning of each figure that some report has, whose files begin with it.
 std::vector<std::pair<std::string, std::string>> all_figures();
 
-// The installed three.js and its OrbitControls (moving_arm.cpp); nullopt if they are not installed.
-std::optional<std::string> drawing_library();
+// three.js and its OrbitControls, as they were where the program was built (moving_arm.cpp); empty without them.
+std::string drawing_library();
 
 }  // namespace ikbench::show

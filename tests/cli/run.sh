@@ -28,6 +28,11 @@ if command -v gnuplot >/dev/null; then
   equal "chosen figures" "$(cd few/figures && echo *.svg)" "differences.svg error-shares.svg"
 fi
 golden tutorial mine/results.json
+# Without gnuplot one line says so, there and on the page, and all else is there.
+PATH=/nowhere "$program" report mine/store.sqlite --out bare >.out 2>.err || fail "without gnuplot: $(<.err)"
+equal "lines without gnuplot" "$(grep -c gnuplot .err)" 1
+for file in report.md report.html; do equal "$file" "$(grep -c 'Warning: figures are not drawn' "bare/$file")" 1; done
+[ -s bare/figures/error-shares.gp ] && [ ! -e bare/figures/error-shares.svg ] || fail "without gnuplot: $(ls bare/figures)"
 
 # A study of the paper.
 paper=(slim2023 --set runs=3 --set path.points=5)
