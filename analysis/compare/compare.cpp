@@ -13,8 +13,6 @@
 namespace ikbench::compare {
 namespace {
 
-using Kind = Method::Kind;
-
 // In the order of the enum.
 constexpr std::array<std::string_view, 8> names_of_methods{"Brunner-Munzel and Mann-Whitney",
                                                            "Wilcoxon's signed ranks",
@@ -31,19 +29,19 @@ bool is_any(const Group& a, const Group& b) {
 }
 
 // What design and plan choose, never the values.
-Kind kind_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
+Method::Kind kind_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
   const auto may_repeat = [](const Group& group) {
     const auto* const measured = std::get_if<Measured>(&group.sample);
     return measured != nullptr && measured->may_repeat;
   };
   const bool is_share = observed.scale == Scale::share;
-  if (is_any<Summary>(a, b)) return Kind::welch;
-  if (is_any<Copies>(a, b)) return is_share || observed.are_logs ? Kind::paired_t : Kind::sign;
-  if (is_share && observed.trials == 1) return observed.is_paired ? Kind::mcnemar : Kind::fisher;
+  if (is_any<Summary>(a, b)) return Method::Kind::welch;
+  if (is_any<Copies>(a, b)) return is_share || observed.are_logs ? Method::Kind::paired_t : Method::Kind::sign;
+  if (is_share && observed.trials == 1) return observed.is_paired ? Method::Kind::mcnemar : Method::Kind::fisher;
   const bool by_means = is_share || observed.are_logs || plan.test == Plan::Test::means;
-  if (observed.is_paired) return by_means ? Kind::paired_t : Kind::signed_ranks;
-  if (by_means) return Kind::welch;
-  return may_repeat(a) != may_repeat(b) ? Kind::sign_and_ranks : Kind::ranks;
+  if (observed.is_paired) return by_means ? Method::Kind::paired_t : Method::Kind::signed_ranks;
+  if (by_means) return Method::Kind::welch;
+  return may_repeat(a) != may_repeat(b) ? Method::Kind::sign_and_ranks : Method::Kind::ranks;
 }
 
 std::size_t size_of(const Group& group) {
@@ -66,37 +64,39 @@ struct Pair {
 };
 
 // The smallest that data of these sizes can give.
-double smallest_p(Kind kind, std::size_t m, std::size_t n) {
-  if (kind == Kind::paired_t || kind == Kind::welch)
+double smallest_p(Method::Kind kind, std::size_t m, std::size_t n) {
+  if (kind == Method::Kind::paired_t || kind == Method::Kind::welch)
     return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
-  if (kind == Kind::signed_ranks || kind == Kind::sign || kind == Kind::mcnemar) return smallest_p_paired(n);
+  if (kind == Method::Kind::signed_ranks || kind == Method::Kind::sign || kind == Method::Kind::mcnemar)
+    return smallest_p_paired(n);
   if (std::min(m, n) < 2) return 1;
-  if (kind == Kind::sign_and_ranks) return std::max(smallest_p_paired(std::max(m, n)), smallest_p_unpaired(m, n));
+  if (kind == Method::Kind::sign_and_ranks)
+    return std::max(smallest_p_paired(std::max(m, n)), smallest_p_unpaired(m, n));
   // The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other,
   // or the other way round.
-  return smallest_p_unpaired(m, n) / (kind == Kind::fisher && m != n ? 2 : 1);
+  return smallest_p_unpaired(m, n) / (kind == Method::Kind::fisher && m != n ? 2 : 1);
 }
 
-Outcome outcome_of(Kind kind, const Prepared& numbers, double alpha) {
+Outcome outcome_of(Method::Kind kind, const Prepared& numbers, double alpha) {
   switch (kind) {
-    case Kind::ranks:
+    case Method::Kind::ranks:
       return rank_test(numbers.first, numbers.second, alpha);
-    case Kind::signed_ranks:
+    case Method::Kind::signed_ranks:
       return signed_rank_test(numbers.differences, alpha);
-    case Kind::sign:
+    case Method::Kind::sign:
       return sign_test(numbers.differences, alpha);
-    case Kind::sign_and_ranks: {
+    case Method::Kind::sign_and_ranks: {
       Outcome outcome = sign_test(numbers.differences, alpha);
       outcome.p = std::max(outcome.p, mann_whitney(numbers.first, numbers.second));
       return outcome;
     }
-    case Kind::paired_t:
+    case Method::Kind::paired_t:
       return t_test(numbers.differences, alpha);
-    case Kind::mcnemar:
+    case Method::Kind::mcnemar:
       return mcnemar(numbers.first, numbers.second, alpha);
-    case Kind::fisher:
+    case Method::Kind::fisher:
       return fisher(numbers.first, numbers.second, alpha);
-    case Kind::welch:
+    case Method::Kind::welch:
       return welch(numbers.of_first, numbers.of_second, alpha);
   }
   return {};
@@ -133,7 +133,7 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
     const Interval held = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
     return held.low >= -trial.margin && held.high <= trial.margin;
   };
-  const Kind by_means = pair.method.is_by_difference() ? Kind::paired_t : Kind::welch;
+  const Method::Kind by_means = pair.method.is_by_difference() ? Method::Kind::paired_t : Method::Kind::welch;
   trial.is_small = lies_within(trial.outcome);
   trial.is_small_in_means =
       trial.is_small && (!pair.method.is_by_ranks() || lies_within(outcome_of(by_means, numbers, alpha)));
@@ -262,8 +262,8 @@ std::optional<Open::Why> why_not(const Observations& observed, const Plan& plan,
     return std::ranges::any_of(std::array{untold(a), untold(b)},
                                [=](const Untold* its) { return its != nullptr && its->why == why; });
   };
-  const Kind kind = kind_of(observed, plan, a, b);
-  const bool is_by_t = kind == Kind::paired_t || kind == Kind::welch;
+  const Method::Kind kind = kind_of(observed, plan, a, b);
+  const bool is_by_t = kind == Method::Kind::paired_t || kind == Method::Kind::welch;
   if (is_so(Why::lost) || (is_by_t && (has_no_answer(a) || has_no_answer(b)))) return Open::Why::lost;
   if (is_so(Why::apart)) return Open::Why::apart;
   if (is_so(Why::no_spread)) return Open::Why::no_spread;
@@ -277,7 +277,7 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
   for (auto a = observed.groups.begin(); a != observed.groups.end(); ++a) {
     for (auto b = a + 1; b != observed.groups.end(); ++b) {
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
-      const Kind kind = kind_of(observed, plan, *a, *b);
+      const Method::Kind kind = kind_of(observed, plan, *a, *b);
       Pair& pair = pairs.emplace_back(
           Pair{.a = *a, .b = *b, .method = {names_of_methods[static_cast<std::size_t>(kind)], kind}});
       keep_common_blocks(pair.a, pair.b);
@@ -296,7 +296,7 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
           prepared(pair.a, pair.b, observed, pair.method, pair.takes_logs).differences;
       pair.n = static_cast<int>(std::ranges::count_if(differences, [](double each) { return each != 0; }));
       const double least = smallest_p_paired(static_cast<std::size_t>(pair.n));
-      pair.smallest_p = kind == Kind::sign ? least : std::max(least, smallest_p(kind, m, n));
+      pair.smallest_p = kind == Method::Kind::sign ? least : std::max(least, smallest_p(kind, m, n));
     }
   }
   return pairs;

@@ -19,6 +19,7 @@
 namespace ikbench::show {
 
 using namespace compare;
+using Json = numerics::OrderedJson;
 
 namespace {
 
@@ -512,8 +513,7 @@ Table anova_table(const Answer& answer) {
 }
 
 // The same members for every pair, null where nothing is known.
-numerics::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
-  using Json = numerics::OrderedJson;
+Json to_json(const JudgedMetric& judged, const Finding& finding) {
   constexpr std::array<const char*, 6> verdicts{"better", "worse", "same", "equal", "undecided", "not_tested"};
   constexpr std::array<const char*, 6> reasons{"too_few", "lost", "apart", "no_spread", "none", "few_decide"};
   const auto* const tested = std::get_if<Tested>(&finding.what);
