@@ -293,7 +293,7 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
   }
   std::ranges::stable_sort(findings, {}, places);
   for (Finding& finding : findings)
-    finding = better_first(std::move(finding), metric.plan.control, place(finding.second) < place(finding.first));
+    finding = better_first(finding, metric.plan.control, place(finding.second) < place(finding.first));
   const auto is_shared = [&](std::string Finding::*name) {
     return findings.size() > 1 && std::ranges::all_of(findings, [&](const Finding& finding) {
              return finding.*name == findings.front().*name;

@@ -86,8 +86,7 @@ Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
     for (const std::size_t i : best_first(judged, answer.metrics))
       places.emplace(judged.observations.groups[i].name, places.size());
     for (Finding& finding : judged.findings)
-      finding =
-          better_first(std::move(finding), judged.plan.control, places.at(finding.second) < places.at(finding.first));
+      finding = better_first(finding, judged.plan.control, places.at(finding.second) < places.at(finding.first));
     std::ranges::stable_sort(judged.findings, {}, [&](const Finding& finding) {
       return std::minmax({places.at(finding.first), places.at(finding.second)});
     });
