@@ -18,12 +18,22 @@ if [ -z "$sanitizers" ] && command -v strip >/dev/null; then
   ! grep -aoE "(^|[^.[:alnum:]])$tree/.{9}" stripped || fail "the program holds the path of its source"
 fi
 
-# The Debian package, as ./setup --with-package release package makes it.
-if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null; then
-  "$(dirname "$cmake")/cpack" -G DEB --config "$(dirname "$program")/CPackConfig.cmake" -B "$work/package" >.log 2>&1 || fail "no package: $(<.log)"
+equal "version of CITATION.cff" "ikbench $(sed -n 's/^version: //p' "$tree/CITATION.cff")" "$("$program" --version | cut -d' ' -f 1,2)"
+
+# The packages, as ./setup --with-package release package makes them: the program, with the libraries that it needs.
+if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null && command -v python3 >/dev/null; then
+  "$(dirname "$cmake")/cpack" --config "$(dirname "$program")/CPackConfig.cmake" -B "$work/package" >.log 2>&1 || fail "no package: $(<.log)"
   dpkg-deb -x package/ikbench_*.deb unpacked
-  has "$(dpkg-deb -f package/ikbench_*.deb Depends)" libfmt
-  equal "program of the package" "$(unpacked/usr/bin/ikbench --version)" "$("$program" --version)"
+  tar -xzf package/ikbench-*.tar.gz
+  equal "other than C's libraries" "$(dpkg-deb -f package/ikbench_*.deb Depends | tr ',' '\n' | grep -cvE ' ?lib(c6|gcc-s1|stdc\+\+6|m6|[a-z]*san[0-9])\b' || true)" 0
+  if python3 -c 'import ensurepip, venv' 2>/dev/null; then
+    python3 -m venv venv && venv/bin/pip install -q --no-index --no-deps package/ikbench-*.whl >.log 2>&1 || fail "no wheel: $(<.log)"
+  fi
+  for folder in unpacked/usr ikbench-*/ venv; do
+    [ -d "$folder" ] || continue
+    equal "program in $folder" "$(env -i "$folder/bin/ikbench" --version)" "$("$program" --version)"
+    ! ldd "$folder/bin/ikbench" | grep -F libfmt | grep -vF "/lib/ikbench/" || fail "$folder does not use its own libraries"
+  done
 fi
 
 # It runs where the source and the build are not to be seen.
