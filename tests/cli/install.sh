@@ -25,12 +25,13 @@ if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null && command
   "$(dirname "$cmake")/cpack" --config "$(dirname "$program")/CPackConfig.cmake" -B "$work/package" >.log 2>&1 || fail "no package: $(<.log)"
   dpkg-deb -x package/ikbench_*.deb unpacked
   tar -xzf package/ikbench-*.tar.gz
-  equal "other than C's libraries" "$(dpkg-deb -f package/ikbench_*.deb Depends | tr ',' '\n' | grep -cvE ' ?lib(c6|gcc-s1|stdc\+\+6|m6|[a-z]*san[0-9])\b' || true)" 0
+  equal "other than C's libraries" "$(dpkg-deb -f package/ikbench_*.deb Depends | tr ',' '\n' | grep -cvE ' ?(zlib1g|lib(c6|gcc-s1|stdc\+\+6|m6|[a-z]*san[0-9]))\b' || true)" 0
+  prefixes=(unpacked/usr ikbench-*/)
   if python3 -c 'import ensurepip, venv' 2>/dev/null; then
+    prefixes+=(venv)
     python3 -m venv venv && venv/bin/pip install -q --no-index --no-deps package/ikbench-*.whl >.log 2>&1 || fail "no wheel: $(<.log)"
   fi
-  for folder in unpacked/usr ikbench-*/ venv; do
-    [ -d "$folder" ] || continue
+  for folder in "${prefixes[@]}"; do
     equal "program in $folder" "$(env -i "$folder/bin/ikbench" --version)" "$("$program" --version)"
     ! ldd "$folder/bin/ikbench" | grep -F libfmt | grep -vF "/lib/ikbench/" || fail "$folder does not use its own libraries"
   done
