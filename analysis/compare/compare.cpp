@@ -289,7 +289,8 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
       pair.n = static_cast<int>(std::min(m, n) == 0 ? 0 : runs);
       if (const auto why = why_not(observed, plan, *a, *b)) pair.open = Open{.why = *why, .n = pair.n};
       if (pair.open || pair.is_fact || pair.n == 0) continue;
-      pair.smallest_p = has_copies ? smallest_p(kind, runs, runs) : smallest_p(kind, m, n);
+      // Against a solver that repeats itself a run has a sign at least.
+      pair.smallest_p = has_copies ? smallest_p_paired(runs) : smallest_p(kind, m, n);
       if (!pair.method.is_by_sign()) continue;
       // Runs that differ from the value of the solver that repeats itself.
       const std::vector<double> differences =
@@ -329,8 +330,12 @@ std::size_t testable(std::vector<Pair>& pairs, double significance) {
     std::erase_if(family, [&](Pair* pair) {
       if (pair->smallest_p < worst) return false;
       std::size_t n = 2;
-      while (smallest_p(pair->method.kind, n, n) >= level) ++n;
-      pair->open = Open{.why = Open::Why::too_few, .n = pair->n, .needed = static_cast<int>(n)};
+      const bool has_copies = is_any<Copies>(pair->a, pair->b);
+      while ((has_copies ? smallest_p_paired(n) : smallest_p(pair->method.kind, n, n)) >= level) ++n;
+      pair->open = Open{.why = Open::Why::too_few,
+                        .n = pair->n,
+                        .needed = static_cast<int>(n),
+                        .is_of_differences = pair->method.is_by_sign()};
       return true;
     });
   }

@@ -67,6 +67,7 @@ struct Open {
   Why why = Why::too_few;
   int n = 0;                          // observations of the smaller group, or common blocks
   int needed = 0;                     // if too few: how many, in each group, could decide
+  bool is_of_differences = false;     // n and needed are of values that differ from a solver's that repeats itself
   std::optional<Amount> amount = {};  // of few that decide
 };
 

@@ -131,8 +131,10 @@ void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
 void tell_enough_time(StudyResults& study) {
   const std::size_t half = study.solves.size() / 2;
   const auto tell = [](Solve& late, const Solve& solved) {
-    late.had_enough_time = solved.status == results::Status::ok && late.counted_by == results::CountedBy::suite &&
-                           late.evaluations >= solved.evaluations;
+    const bool is_solved = solved.status == results::Status::ok;
+    late.had_enough_time = !is_solved
+                               ? late.status != results::Status::ok  // neither is better
+                               : late.counted_by == results::CountedBy::suite && late.evaluations >= solved.evaluations;
   };
   for (std::size_t i = 0; i < half; ++i) {
     tell(study.solves[i], study.solves[half + i]);
@@ -150,7 +152,7 @@ Gate gate(StudyResults study, const std::string& label) {
     throw std::invalid_argument(fmt::format(
         "not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
         label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
-  Gate gate{.label = label, .are_same = have_same_solves(ours, theirs)};
+  Gate gate{.label = label, .are_same = have_same_solves(ours, theirs) && std::ranges::any_of(ours, gave_answer)};
   study.definition.plan.control = baseline;  // shown second
   tell_enough_time(study);
   JudgedStudy& judged = gate.judged = observe_all(std::move(study));
@@ -205,7 +207,7 @@ void decide(std::vector<Gate>& gates) {
         (verdict == Verdict::not_tested ? gate.not_tested : gate.not_decided).push_back(observed.quantity);
       gate.is_compared |= !is_of_answers(judged) && verdict != Verdict::not_tested;
     }
-    gate.is_compared |= !gate.worse.empty();
+    gate.is_compared |= !gate.worse.empty() || !gate.better.empty();
     for (JudgedMetric& judged : gate.judged.metrics) {
       for (Group& group : judged.observations.groups) {
         if (auto* const measured = std::get_if<Measured>(&group.sample)) measured->values = {};

@@ -192,7 +192,8 @@ double rounding_of(std::string_view text, double value) {
   return std::max(last, std::abs(value) * 1e-9) * (1 + 1e-6);
 }
 
-// Refuses last rows with a statistic of those above, where each row has a value of all groups.
+// Refuses last rows from the first on that has the mean or the sum of those above in each group, where each row has a
+// value of all groups, all are finite, and a digit beyond those of small counts says that it is no chance.
 void refuse_totals(const Sheet& sheet, const Layout& layout, const Items& items) {
   constexpr std::size_t most_values = 100'000, most_totals = 4, fewest = 3;  // nobody adds such rows to more
   const std::size_t groups = items.groups.size(), units = items.values.size() / groups;
@@ -206,28 +207,23 @@ void refuse_totals(const Sheet& sheet, const Layout& layout, const Items& items)
   for (std::size_t above = std::max(units, fewest + most_totals) - most_totals; above < units; ++above) {
     const auto last = rows.begin() + static_cast<std::ptrdiff_t>(above);
     if (std::find(rows.begin(), last, *last) != last) continue;
-    Row mean(groups), sum(groups), deviation(groups), least(groups), most(groups);
+    Row mean(groups), sum(groups);
     for (auto row = rows.begin(); row != last; ++row) {
-      const auto [low, high] = std::ranges::minmax(*row);
-      for (std::size_t g = 0; g < groups; ++g)
-        sum[g] += (*row)[g], least[g] += (*row)[g] == low, most[g] += (*row)[g] == high;
+      for (std::size_t g = 0; g < groups; ++g) sum[g] += (*row)[g];
     }
-    for (std::size_t g = 0; g < groups; ++g) {
-      mean[g] = sum[g] / static_cast<double>(above);
-      for (auto row = rows.begin(); row != last; ++row) deviation[g] += std::pow((*row)[g] - mean[g], 2);
-      deviation[g] = std::sqrt(deviation[g] / static_cast<double>(above - 1));
-    }
-    for (const Row& total : {mean, sum, deviation, least, most}) {
-      std::size_t alike = 0;
+    for (std::size_t g = 0; g < groups; ++g) mean[g] = sum[g] / static_cast<double>(above);
+    for (const Row& total : {mean, sum}) {
+      std::size_t alike = 0, telling = 0;
       for (std::size_t g = 0; g < groups; ++g) {
         const Value& item = items.values[g * units + above];
         const std::string_view text = sheet.cell(item.row, layout.values[layout.label ? 0 : g]);
-        alike += std::abs(item.value - total[g]) <= rounding_of(text, total[g]);
+        alike += std::isfinite(total[g]) && std::abs(item.value - total[g]) <= rounding_of(text, total[g]);
+        telling += std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; }) > 2;
       }
-      if (alike == groups)
+      if (alike == groups && telling == groups)
         sheet.refuse(items.values[above].row, layout.values.front(),
-                     fmt::format("is, like the other values of its row, a mean, sum, deviation or number of wins of "
-                                 "those above; leave the last {} out of the file",
+                     fmt::format("is, like the other values of its row, the mean or sum of those above; leave the last "
+                                 "{} out of the file",
                                  units - above > 1 ? fmt::format("{} rows", units - above) : "row"));
     }
   }

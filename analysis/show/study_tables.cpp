@@ -199,8 +199,9 @@ Table results_table(const Answer& answer) {
     counted.push_back(judged.observations.quantity);
   };
   const Observations& observed = decisive.observations;
-  add(decisive, is_share(decisive) || observed.is_of_solved ? observed.quantity
-                                                            : fmt::format("{} {}", average, observed.quantity));
+  add(decisive, is_share(decisive) || observed.is_of_solved || observed.are_logs
+                    ? observed.quantity
+                    : fmt::format("{} {}", average, observed.quantity));
   for (const JudgedMetric& judged : answer.metrics) {
     if (&judged != &decisive) add(judged, judged.observations.quantity);
   }
@@ -219,7 +220,13 @@ Table results_table(const Answer& answer) {
                       fmt::join(kinds, " or "),
                       are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun);
   }
-  const std::string level = fmt::format(" (adjusted p < {})", number_text(decisive.plan.significance));
+  const auto has_facts = [](const JudgedMetric& judged) {
+    return std::ranges::any_of(judged.findings, [](const Finding& finding) {
+      return std::holds_alternative<Fact>(finding.what) && is_difference(verdict_of(finding));
+    });
+  };
+  const std::string level = fmt::format(" (adjusted p < {}{})", number_text(decisive.plan.significance),
+                                        std::ranges::any_of(answer.metrics, has_facts) ? ", or for certain" : "");
   std::vector<std::string> sentences{key, meaning_of(marks, of_whom(answer, reference) + level)};
   if (has_words) sentences.emplace_back("1 times, or in N % of comparisons: no other ratio tells it");
   if (has_shares)

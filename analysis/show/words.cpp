@@ -56,7 +56,8 @@ std::string number_of(const Answer& answer, const JudgedMetric& judged, std::siz
 std::string quantity_of(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const bool is_mean = judged.plan.test == results::Plan::Test::means;
-  return fmt::format("{}{}", is_share(judged) ? "" : is_mean ? "mean " : "median ", judged.observations.quantity);
+  const bool has_none = is_share(judged) || judged.observations.are_logs;
+  return fmt::format("{}{}", has_none ? "" : is_mean ? "mean " : "median ", judged.observations.quantity);
 }
 
 // "DLS (solved 100 of 100 targets)", and those after it "PSO (88)".
@@ -163,6 +164,10 @@ Sentence not_tested(const Answer& answer) {
     return other.why == Open::Why::too_few && other.n == open.n && other.needed == open.needed;
   });
   const std::string numbers = numbers_of(answer, true);
+  if (is_for_all && open.is_of_differences)
+    return {
+        fmt::format("Not tested, since {} of the {} differ and it takes at least {}", open.n, answer.noun, open.needed),
+        ": " + numbers};
   if (is_for_all && open.n > 0)
     return {fmt::format("Not tested, since {} cannot decide it and it takes at least {}",
                         numerics::counted(open.n, answer.noun), open.needed),
