@@ -32,7 +32,7 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
   for (const JudgedClaim& claim : claims) {
     std::vector<std::string> remarks;
     if (!claim.section.empty()) remarks.push_back(claim.section + '.');
-    if (!claim.in_readings.empty()) remarks.push_back(fmt::format("Of readings and seeds it {}.", claim.in_readings));
+    if (!claim.in_readings.empty()) remarks.push_back(fmt::format("Of the readings it {}.", claim.in_readings));
     if (!claim.evidence.empty()) remarks.push_back(claim.evidence);
     const show::Tone tone = claim.holds == Holds::holds   ? show::Tone::good
                             : claim.holds == Holds::fails ? show::Tone::bad
@@ -57,7 +57,7 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
       parts.back().evidence = claim.decides;
     }
     for (JudgedClaim& judged : parts) {
-      if (!claim.note.empty()) judged.evidence += (judged.evidence.empty() ? "" : " ") + claim.note;
+      if (!claim.note.empty()) judged.evidence.insert(0, claim.note + (judged.evidence.empty() ? "" : " "));
       if (const auto reading = in_readings.find(judged.id);
           reading != in_readings.end() && judged.holds != Holds::undecided)
         judged.in_readings = reading->second;

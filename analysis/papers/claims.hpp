@@ -21,7 +21,7 @@ struct JudgedClaim : Claim {
   std::string number = {};       // the most telling one: "0.0017 cm, K-ABC 0.21"
   std::string rival = {};        // its part of the best rival: "K-ABC 0.21"
   std::string evidence = {};     // what tables do not say, in at most two sentences
-  std::string in_readings = {};  // "holds in 3 of 8 and fails in 4, only where none is clamped", or empty
+  std::string in_readings = {};  // "fails only where none is clamped", or empty
 };
 
 // In the order of the paper's file, with what each does in readings, by its id. A claim that the report cannot judge is

@@ -187,17 +187,19 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
     };
     const std::int64_t hold = all(&Readings::holds), fail = all(&Readings::fails), open = all(&Readings::undecided);
     const std::string fails = where(multiverse, parts, &Readings::fails);
-    result.in_readings[claim.id] =
-        fmt::format("holds in {} of {}{} and fails {}{}{}", hold, hold + fail + open,
-                    open == 0 ? "" : fmt::format(", is not decided in {}", open),
-                    fail == 0 ? "" : fmt::format("in {}", fail), fail == 0 || fails.empty() ? "" : ", ", fails);
+    result.in_readings[claim.id] = fmt::format("fails {}{}", fails.empty() ? "in some" : fails,
+                                               open == 0 ? "" : "; in some others it is not decided");
     result.table.rows.push_back(
         {claim.sentence, hold, fail, open, fails, where(multiverse, parts, &Readings::undecided)});
   }
-  result.table.notes = {fmt::format(
-      "{:.0f} readings, each with seeds 1 to {}. Each pair is judged alone, at significance / pairs. Counts depend on "
-      "which answers are listed; they are no probabilities.",
-      multiverse.readings(), multiverse.studies[0].solvers[0][0].parts.size())};
+  result.table.notes = {
+      fmt::format("{:.0f} readings, each with seeds 1 to {}. Each pair is judged alone, at significance / pairs.",
+                  multiverse.readings(), multiverse.studies[0].solvers[0][0].parts.size())};
+  show::Table on_page = result.table;  // without counts
+  for (std::vector<show::Cell>& row : on_page.rows) row.erase(row.begin() + 1, row.begin() + 4);
+  on_page.columns.erase(on_page.columns.begin() + 1, on_page.columns.begin() + 4);
+  result.table.on_page = {on_page};
+  result.table.notes.emplace_back("Counts depend on which answers are listed; they are no probabilities.");
   return result;
 }
 

@@ -109,14 +109,14 @@ Names rivals_of(const JudgedMetric& judged, const Names& own) {
   return rivals;
 }
 
-// Solvers of the companion that give the claim's solver's answers to the last bit.
+// Solvers of the companion that give the claim's solver's answers, bit for bit.
 Names same_there(const Claim& claim, const Repeated& repeated) {
   Names same;
   if (claim.from != From::others || study_of(claim, repeated) == nullptr) return same;
   const std::span<const Solve> ours = study_of(claim, repeated, false)->study.of(claim.solvers.front());
   const StudyResults& there = study_of(claim, repeated)->study;
   for (const std::string& rival : there.labels) {
-    if (is_rival(rival, claim) && have_same_solves(ours, there.of(rival))) same.push_back(name_of_rival(rival, claim));
+    if (is_rival(rival, claim) && have_same_solves(ours, there.of(rival))) same.push_back(rival);
   }
   return same;
 }
@@ -148,7 +148,7 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
     const std::optional<JudgedMetric> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
     Names rivals = rivals_of(*ours, own), means;
-    std::erase_if(rivals, [&](const std::string& rival) { return has(same, rival); });
+    for (const std::string& rival : same) std::erase(rivals, name_of_rival(rival, claim));
     here.insert(here.end(), same.size(), Holds::fails);
     Tally tally;
     for (const std::string& solver : own) {
@@ -165,7 +165,7 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
   }
   result.holds = holds_of(here);
   if (!same.empty())
-    result.evidence = fmt::format("The answers of {} are the same to the last bit.", show::listed(same));
+    result.evidence = fmt::format("There every answer of {} is the same, bit for bit.", show::listed(same));
   return {result};
 }
 
