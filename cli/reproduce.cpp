@@ -121,7 +121,9 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   if (is_slim2023) {
     if (const compare::JudgedStudy* const dobot = repeated.part("dobot"))
       of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style));
-    sentences = slim2023::sentences(claims, papers::explained_by(repeated));
+    std::vector<papers::Explained> numbers;
+    for (const papers::Repeated& reading : repeated.readings()) numbers.push_back(papers::explained_by(reading));
+    sentences = slim2023::sentences(claims, numbers);
     reported.additions = slim2023::sections(repeated, of_circle);
     reported.has_own_numbers = true;
     std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many

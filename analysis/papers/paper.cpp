@@ -109,6 +109,7 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
     reader.text(key, *field, "");
   reader.texts("studies", paper.studies, "");
   reader.texts("runs", paper.runs, "");
+  read_texts(reader, "readings", paper.readings);
   if (const toml::table* const rates = reader.subtable("rates"))
     paper.rates = read_rates(reader.nested(*rates, "rates."));
   const std::vector<const toml::table*> claims = reader.tables("claims", 1000, "1 to 1000 tables [[claims]]");
@@ -131,6 +132,19 @@ const JudgedStudy* Repeated::part(std::string_view part) const {
   const std::string name = fmt::format("{}-{}", study().study.entry.name, part);
   const auto found = std::ranges::find(studies, name, [](const JudgedStudy& each) { return each.study.entry.name; });
   return found == studies.end() ? nullptr : &*found;
+}
+
+std::vector<Repeated> Repeated::readings() const {
+  std::vector<Repeated> all{{paper, studies.first(1)}};
+  for (std::size_t i = 1; i < studies.size(); ++i) {
+    if (paper.readings.contains(studies[i].study.entry.name)) all.push_back({paper, studies.subspan(i, 1)});
+  }
+  return all;
+}
+
+std::string Repeated::reading() const {
+  const auto words = paper.readings.find(study().study.entry.name);
+  return words == paper.readings.end() ? "" : words->second;
 }
 
 std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated) {
@@ -212,9 +226,7 @@ std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& so
   std::vector<show::Cell> cells;
   for (std::size_t s = 0; s < statistics.size(); ++s) {
     const double number = ours.*statistics[s].of;
-    auto& cell = cells.emplace_back(beside(is_time ? 1000 * number : number, row, s));
-    auto* const printed = std::get_if<show::Printed>(&cell);
-    if (printed && is_time) printed->printed = in_thousandths(printed->printed);
+    auto* const printed = std::get_if<show::Printed>(&cells.emplace_back(beside(number, row, s)));
     if (printed && ranges)
       printed->sign = agrees(number, printed->printed) || can_be((*ranges)[s], printed->printed) ? '~' : 'x';
   }
@@ -229,7 +241,7 @@ void Explained::add(const show::Cell& cell) {
 }
 
 Explained explained_by(const Repeated& repeated) {
-  Explained count;
+  Explained count{.reading = repeated.reading()};
   for (const JudgedMetric& judged : repeated.study().metrics) {
     for (const PrintedRow& row : printed_rows(repeated.paper, judged)) {
       const std::vector<show::Cell> cells = beside(judged, row.solver, &row);
@@ -261,9 +273,8 @@ show::Table means_table(const Repeated& repeated) {
   if (table.columns.size() == 1)
     table.rows.clear();
   else
-    table.notes.push_back(count.all > 0
-                              ? fmt::format("{} of {} repeat: {}", count.explained, count.all, meaning_of_signs)
-                              : "Too few runs to say which numbers repeat; they leave claims open.");
+    table.notes.push_back(count.all > 0 ? std::string(meaning_of_signs)
+                                        : "Too few runs to say which numbers repeat; they leave claims open.");
   return table;
 }
 

@@ -20,8 +20,6 @@ double half_unit(std::string_view printed);                                // of
 bool agrees(double ours, std::string_view printed);                        // our number rounds to the printed digits
 bool can_be(const compare::Interval& interval, std::string_view printed);  // a number in it does
 
-std::string in_thousandths(std::string_view printed);  // "243.9" of "0.2439"
-
 // What a table of means may have, by its columns.
 struct Statistic {
   std::string_view column;
@@ -95,10 +93,11 @@ struct Rates {
 struct Paper {
   std::string name;  // in a study's `published` and in results/published
   std::string in_short = {}, citation = {}, not_repeated = {};
-  std::vector<std::string> studies = {};  // the first is its own, "first-part" its companion
-  std::vector<std::string> runs = {};     // those that take --runs
-  std::string solver = {};                // that it proposes
-  std::string means = {};                 // its table of means; empty: none is printed
+  std::vector<std::string> studies = {};             // the first is its own, "first-part" its companion
+  std::vector<std::string> runs = {};                // those that take --runs
+  std::string solver = {};                           // that it proposes
+  std::string means = {};                            // its table of means; empty: none is printed
+  std::map<std::string, std::string> readings = {};  // studies of which that table may be, with words: "20 agents"
   Rates rates = {};
   std::vector<Claim> claims = {};
 };
@@ -136,6 +135,10 @@ struct Repeated {
   const compare::JudgedStudy& study() const { return studies.front(); }
   // The companion NAME-part; null if there is none.
   const compare::JudgedStudy* part(std::string_view part) const;
+  // Each study of which the paper's table of means may be, by itself, the paper's own first.
+  std::vector<Repeated> readings() const;
+  // "20 agents (Sec. 5.3.2)"; empty if the paper's table is of one study.
+  std::string reading() const;
 };
 
 // By solver, of the arms of all studies that the printed table has, in its order; or of its solvers in the paper's own
@@ -144,13 +147,15 @@ std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated);
 // "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then who fails where; none if none is printed.
 std::vector<std::string> rates_sentences(const Repeated& repeated);
 
-// A solver's statistics beside a printed row, with signs; unknown where values are lost. Times are in ms and have no
-// sign, for machines differ.
+// A solver's statistics beside a printed row, with signs; unknown where values are lost. Times have no sign, for
+// machines differ.
 std::vector<show::Cell> beside(const compare::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
 constexpr double share_in_ranges = 0.92;  // of numbers of the same program
-constexpr std::string_view meaning_of_signs = "~ as near as new runs of our program are in 92 % of cases; x not";
+constexpr std::string_view meaning_of_signs =
+    "~ in the range that holds 92 % of such numbers of new studies by our program; x outside";
 // How many of the printed numbers have the sign ~, of how many with a sign.
 struct Explained {
+  std::string reading = {};  // Repeated::reading()
   std::size_t explained = 0, all = 0;
   std::vector<std::string> own_missed = {};  // means of the paper's own solver: "error 0.0017 cm (printed 0.0019)"
 

@@ -64,11 +64,6 @@ bool can_be(const compare::Interval& interval, std::string_view printed) {
 
 bool agrees(double ours, std::string_view printed) { return can_be({ours, ours}, printed); }
 
-std::string in_thousandths(std::string_view printed) {
-  const auto decimals = static_cast<int>(std::lround(-std::log10(2 * half_unit(printed))));
-  return fmt::format("{:.{}f}", 1000 * parsed(printed), std::max(0, decimals - 3));
-}
-
 const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver) {
   const auto row = std::ranges::find(rows, solver, &PrintedRow::solver);
   return row == rows.end() ? nullptr : &*row;

@@ -24,7 +24,7 @@ constexpr std::array<PaperMetric, 3> paper_metrics{{{"position_error_cm", "posit
                                                     {"variation_deg", "angles variation", 5, 7, 11},
                                                     {"seconds", "computing time", 6, 8, 12}}};
 
-// Solvers and their statistics by error, variation and time.
+// Of the paper's study or another reading: solvers and their statistics by error, variation and time.
 show::Table table_3(const papers::Repeated& repeated);
 // Tables 4 to 6: of error, variation and time.
 std::vector<show::Table> anova_tables(const papers::Repeated& repeated);
@@ -32,9 +32,10 @@ std::vector<show::Table> anova_tables(const papers::Repeated& repeated);
 std::optional<show::Table> table_7(const compare::StudyResults& study);
 std::optional<show::Table> table_8(const compare::StudyResults& study);
 
-// Does the paper's conclusion repeat, and how many of its numbers? On what does it depend that IK-BA is the most
-// accurate?
-std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claims, const papers::Explained& numbers);
+// Does the paper's conclusion repeat, and how many of its numbers by each reading, the study's own first? On what does
+// it depend that IK-BA is the most accurate?
+std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claims,
+                                   const std::vector<papers::Explained>& numbers);
 
 // Further sections of the report; `figures_of_circle` stand by Table 8.
 std::vector<show::Blocks> sections(const papers::Repeated& repeated,

@@ -29,20 +29,28 @@ std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& ano
            {between + within, test.df + test.df_within, unknown, unknown, unknown}}};
 }
 
-std::string first_sentence(Holds conclusion, const Explained& numbers, const std::vector<JudgedClaim>& claims) {
+std::string first_sentence(Holds conclusion, const std::vector<Explained>& numbers,
+                           const std::vector<JudgedClaim>& claims) {
   const auto [words, besides] =
       conclusion == Holds::holds     ? std::pair("repeats in its conclusion", ", and in")
       : conclusion == Holds::in_part ? std::pair("repeats in a part of its conclusion", ", and in")
       : conclusion == Holds::fails   ? std::pair("does not repeat in its conclusion", ", but in")
                                      : std::pair("is not shown to repeat in its conclusion", "; it does in");
-  if (numbers.all > 0)
-    return fmt::format(
-        "Slim et al. 2023 {}{} {} of the {} statistics of error and joint motion in Table 3; were the programs the "
-        "same, in about {:.0f}.",
-        words, besides, numbers.explained, numbers.all, share_in_ranges * static_cast<double>(numbers.all));
+  const JudgedClaim* const other = claim_named(claims, "best_compromise_50");
+  const std::string by = other != nullptr && other->holds == conclusion ? " by both readings" : "";
+  if (numbers.front().all > 0) {
+    std::string counts;
+    for (const auto& [reading, explained, all, own_missed] : numbers)
+      counts += fmt::format(
+          "{}{}{}{}", counts.empty() ? "" : ", ", explained,
+          counts.empty() ? fmt::format(" of the {} statistics of error and joint motion in Table 3", all) : "",
+          reading.empty() ? "" : " with " + reading);
+    return fmt::format("Slim et al. 2023 {}{}{} {}; were the programs the same, in about {:.0f}.", words, by, besides,
+                       counts, share_in_ranges * static_cast<double>(numbers.front().all));
+  }
   const auto open = std::ranges::count_if(  // since too few runs give no range of any number
       claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
-  return fmt::format("Slim et al. 2023 {}{}.", words,
+  return fmt::format("Slim et al. 2023 {}{}{}.", words, by,
                      open == 0 ? "" : fmt::format("; so few runs leave {} open", numerics::counted(open, "claims")));
 }
 
@@ -52,8 +60,9 @@ bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds =
 
 Table table_3(const Repeated& repeated) {
   const std::vector<std::string>& solvers = repeated.study().study.labels;
-  Table table{.name = "table-3",
-              .caption = "Table 3: statistics of the runs",
+  const std::string reading = repeated.reading();
+  Table table{.name = "table-3" + repeated.study().study.entry.name.substr(repeated.paper.name.size()),
+              .caption = fmt::format("Table 3{}{}: statistics of the runs", reading.empty() ? "" : " with ", reading),
               .columns = {{"solver"}, {"statistic"}},
               .notes = {std::string(meaning_of_signs),
                         "Printed times are of another machine and language. Our time of a run is the median of its "
@@ -65,7 +74,7 @@ Table table_3(const Repeated& repeated) {
     const Metric& metric = metric_named(column);
     const JudgedMetric* const judged = judged_of(repeated.study(), column);
     if (judged == nullptr) continue;
-    table.columns.push_back({std::string(name), std::string(metric.unit == "s" ? "ms" : metric.unit)});
+    table.columns.push_back({std::string(name), std::string(metric.unit)});
     const PrintedRows printed = printed_rows(repeated.paper, *judged);
     for (std::size_t i = 0; i < solvers.size(); ++i) {
       const std::vector<Cell> cells = beside(*judged, solvers[i], row_of(printed, solvers[i]));
@@ -160,16 +169,15 @@ std::optional<Table> table_8(const StudyResults& study) {
   return table;
 }
 
-std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const Explained& numbers) {
+std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const std::vector<Explained>& numbers) {
   const JudgedClaim *const best = claim_named(claims, "best_compromise"),
                            *const accurate = claim_named(claims, "most_accurate"),
                            *const classical = claim_named(claims, "better_than_classical");
   if (best == nullptr || accurate == nullptr || accurate->number.empty()) return {};
   std::vector<std::string> all{first_sentence(best->holds, numbers, claims)};
-  if (!numbers.own_missed.empty())
-    all.push_back(fmt::format("IK-BA's own mean {} {} not repeat by this reading of the paper.",
-                              show::listed(numbers.own_missed, " and mean "),
-                              numbers.own_missed.size() == 1 ? "does" : "do"));
+  if (const auto& [reading, explained, count, missed] = numbers.front(); !missed.empty())
+    all.push_back(fmt::format("IK-BA's own mean {} {} not repeat{}{}.", show::listed(missed, " and mean "),
+                              missed.size() == 1 ? "does" : "do", reading.empty() ? "" : " with ", reading));
   std::string words =
       fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
   if (holds(best) && holds(accurate) && holds(claim_named(claims, "least_variation")))
@@ -180,7 +188,7 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   words = fmt::format("\"{}\" {}{} ({})", accurate->sentence, accurate->holds >= Holds::undecided ? "is " : "",
                       name_of(accurate->holds), accurate->number);
   if (!accurate->in_readings.empty())
-    words += fmt::format(". Of the readings and seeds that we tried it {}", accurate->in_readings);
+    words += fmt::format(". Of the readings that we tried it {}", accurate->in_readings);
   all.push_back(words + '.');
   if (classical != nullptr && classical->holds == Holds::fails)
     all.push_back(fmt::format("More accurate, and not in the paper: {} cm.", classical->rival));
@@ -194,7 +202,9 @@ std::vector<show::Blocks> sections(const Repeated& repeated, const std::vector<f
     blocks.insert(blocks.begin(), show::Heading{std::move(heading)});
     sections.push_back(std::move(blocks));
   };
-  add("Table 3", {table_3(repeated)});
+  show::Blocks means;
+  for (const Repeated& reading : repeated.readings()) means.emplace_back(table_3(reading));
+  add("Table 3", std::move(means));
   show::Blocks anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
   for (Table& table : anova_tables(repeated)) anovas.emplace_back(std::move(table));
   add("Tables 4 to 6", std::move(anovas));

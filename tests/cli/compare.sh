@@ -4,7 +4,7 @@ source "$(dirname "$0")/common.sh"
 
 # make FOLDER SETTINGS...: the paper's six on a short path; their errors grow where they have fewer iterations.
 make() {
-  succeeds run slim2023 --set runs=8 --set path.points=3 --set stop.iterations=40 --set population=10 "${@:2}" --no-report --out "$1"
+  succeeds run slim2023-50 --set runs=8 --set path.points=3 --set stop.iterations=40 --set population=10 "${@:2}" --no-report --out "$1"
 }
 make base
 make again

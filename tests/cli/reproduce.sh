@@ -3,7 +3,7 @@
 # of threads; their claims have their verdicts.
 source "$(dirname "$0")/common.sh"
 references=$root/results/reference.inc
-studies=(slim2023 slim2023-context slim2023-all-joints slim2023-limits slim2023-bounds slim2023-elongation slim2023-time slim2023-dobot)
+studies=(slim2023 slim2023-50 slim2023-context slim2023-all-joints slim2023-limits slim2023-bounds slim2023-elongation slim2023-time slim2023-dobot)
 fingerprint() { "$program" export "$1" --study "$2" --format fingerprint | cut -d' ' -f1; }
 reference() { grep "\"$1\"" "$references" | cut -d'"' -f4; }
 
@@ -29,7 +29,7 @@ for study in "${studies[@]}"; do
 done
 golden reproduce whole/results.json
 kept claims < <(verdicts whole)
-for table in 3 4 5 7 8; do [ -s "whole/tables/table-$table.csv" ] || fail "there is no Table $table"; done
+for table in 3 3-50 4 5 7 8; do [ -s "whole/tables/table-$table.csv" ] || fail "there is no Table $table"; done
 for figure in 5 6 7 8 9 10 11 12 15 16 17 18; do [ -s "whole/figures/figure-$figure.gp" ] || fail "there is no Figure $figure"; done
 kept multiverse <whole/tables/multiverse.csv
 

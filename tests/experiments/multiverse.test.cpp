@@ -43,7 +43,7 @@ TEST_CASE("the small multiverse is part of the default one", "[multiverse]") {
   const std::set<std::string> small = sets_of(Scope::small), usual = sets_of(Scope::usual);
   CHECK(std::ranges::includes(usual, small));
   CHECK(small.size() < usual.size());
-  CHECK(small.contains("population=20"));
+  CHECK(small.contains("population=50"));
   CHECK(small.contains("bounds=initial"));
 }
 

@@ -394,7 +394,7 @@ TEST_CASE("where limits are enforced no solver takes any joint of the arm outsid
 }
 
 TEST_CASE("a refused answer leaves the arm where it was, and the record tells of that", "[runner]") {
-  Study study = load_study("slim2023");  // with the wrist's limits, some points are out of reach for some arms
+  Study study = load_study("slim2023-50");  // with the wrist's limits, some points are out of reach for some arms
   study.limits = Limits::enforced;
   study.solvers = {{"BA", "bat", {}}, {"DE", "differential_evolution", {}}};
   study.stop.iterations = 20;
