@@ -48,23 +48,6 @@ std::optional<Interval> interval_of(const JudgedMetric& judged, const Descriptio
   return Interval{100 * share.low, 100 * share.high};
 }
 
-// Why a pair says nothing of a solver's number.
-std::string reason_of(const Finding& finding) {
-  switch (std::get<Open>(finding.what).why) {
-    case Open::Why::lost:
-      return "values are missing";
-    case Open::Why::none:
-      return "nothing was solved";
-    case Open::Why::apart:
-    case Open::Why::no_spread:
-      return "not comparable (!)";
-    case Open::Why::too_few:
-    case Open::Why::few_decide:
-      break;
-  }
-  return "too few to compare";
-}
-
 // How a metric's numbers stand in the table of results.
 struct Told {
   std::string reference;
@@ -103,7 +86,7 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   Marked cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
   cell.is_best = is_of_all && !told.losers.empty() && !is_worse && !is_untested;
   if (told.are_ratios && solver != told.reference && !untold(group)) {
-    if (is_untested) return Absent{reason_of(finding)};
+    if (is_untested) return Absent{std::string(words_of(std::get<Open>(finding.what).why).of_solver)};
     if (const Amount* const amount = amount_of(finding)) {
       cell.value = amount->value, cell.to_reference = finding.scale;
       return cell;
@@ -522,7 +505,6 @@ Table anova_table(const Answer& answer) {
 // The same members for every pair, null where nothing is known.
 Json to_json(const JudgedMetric& judged, const Finding& finding) {
   constexpr std::array<const char*, 6> verdicts{"better", "worse", "same", "equal", "undecided", "not_tested"};
-  constexpr std::array<const char*, 6> reasons{"too_few", "lost", "apart", "no_spread", "none", "few_decide"};
   const auto* const tested = std::get_if<Tested>(&finding.what);
   const auto* const open = std::get_if<Open>(&finding.what);
   const Amount* const amount = amount_of(finding);
@@ -553,7 +535,7 @@ Json to_json(const JudgedMetric& judged, const Finding& finding) {
                                   : open && open->needed > 0   ? Json(open->needed)
                                                                : Json()},
           {"verdict", verdicts[static_cast<std::size_t>(verdict_of(finding))]},
-          {"reason", open                                         ? Json(reasons[static_cast<std::size_t>(open->why)])
+          {"reason", open                                         ? Json(words_of(open->why).key)
                      : std::holds_alternative<Fact>(finding.what) ? Json("certain")
                                                                   : Json()}};
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -438,21 +439,18 @@ std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
     return verdict + (are_equal(finding) || is_difference(verdict_of(finding)) ? "" : " within " + margin) +
            ", for certain";
   const auto& open = std::get<Open>(finding.what);
-  switch (open.why) {
-    case Open::Why::too_few:
-      return open.n == 0 ? verdict + ": no values" : fmt::format("{}: it takes {} values", verdict, open.needed);
-    case Open::Why::lost:
-      return verdict + ": values are missing";
-    case Open::Why::apart:
-      return verdict + ": not comparable";
-    case Open::Why::no_spread:
-      return verdict + ": one has no spread";
-    case Open::Why::none:
-      return verdict + ": one solved nothing";
-    case Open::Why::few_decide:
-      return verdict + ": few values decide the mean";
-  }
-  return verdict;
+  if (open.why == Open::Why::too_few && open.n > 0) return fmt::format("{}: it takes {} values", verdict, open.needed);
+  return fmt::format("{}: {}", verdict, words_of(open.why).of_pair);
+}
+
+ReasonWords words_of(Open::Why why) {
+  constexpr std::array<ReasonWords, 6> all{{{"too_few", "no values", "too few to compare"},
+                                            {"lost", "values are missing", "values are missing"},
+                                            {"apart", "not comparable", "not comparable (!)"},
+                                            {"no_spread", "one has no spread", "not comparable (!)"},
+                                            {"none", "one solved nothing", "nothing was solved"},
+                                            {"few_decide", "few values decide the mean", "too few to compare"}}};
+  return all[static_cast<std::size_t>(why)];
 }
 
 std::string enough_words(const Finding& finding) {

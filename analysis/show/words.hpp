@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,11 @@ std::string headline(const Answer& answer);
 
 // "better", "same within 5 %", "equal in all 20", "not decided", "not tested: it takes 5 values"
 std::string verdict_words(const compare::Finding& finding, const compare::JudgedMetric& judged);
+// Why a pair is not tested: in JSON, behind its verdict, and in place of a solver's number.
+struct ReasonWords {
+  std::string_view key, of_pair, of_solver;
+};
+ReasonWords words_of(compare::Open::Why why);
 std::string enough_words(const compare::Finding& finding);  // "about 340 could decide it"; empty if nobody knows
 std::string effect_words(const compare::Finding& finding);  // "better in 43 %, worse in 3 % of comparisons"
 std::string warning_of(const compare::Doubt& doubt);        // a sentence
