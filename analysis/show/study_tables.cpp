@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <set>
 #include <utility>
 
@@ -378,8 +377,9 @@ Tone tone_of(Verdict verdict) {
   return verdict == Verdict::better ? Tone::good : verdict == Verdict::worse ? Tone::bad : Tone::neutral;
 }
 
-// Those of these metrics that are `kept`.
-Table pairs_where(const Answer& answer, const std::function<bool(const JudgedMetric&, const Finding&)>& is_kept) {
+}  // namespace
+
+Table pairs_table(const Answer& answer) {
   Table table{.name = "pairs",
               .caption = "The first against the second",
               .columns = columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "A12", "test",
@@ -388,7 +388,6 @@ Table pairs_where(const Answer& answer, const std::function<bool(const JudgedMet
   bool has_p = false, has_effect = false;
   for (const JudgedMetric& judged : answer.metrics) {
     for (const Finding& finding : judged.findings) {
-      if (!is_kept(judged, finding)) continue;
       const auto* const tested = std::get_if<Tested>(&finding.what);
       const Amount* const amount = amount_of(finding);
       const bool has_a12 = tested && tested->effect;
@@ -420,29 +419,23 @@ Table pairs_where(const Answer& answer, const std::function<bool(const JudgedMet
   return table;
 }
 
-bool is_told(const Answer& answer, const Finding& finding) {
+Table told_pairs(const Answer& answer) {
   const bool are_many = answer.decisive().findings.size() > figures::most_drawn_pairs;
   const std::string reference = reference_of(answer);
-  const bool is_of_it = finding.first == reference || finding.second == reference;
-  return !std::holds_alternative<Open>(finding.what) && (!are_many || is_of_it || is_difference(verdict_of(finding)));
-}
-
-}  // namespace
-
-Table pairs_table(const Answer& answer) {
-  return pairs_where(answer, [](const JudgedMetric&, const Finding&) { return true; });
-}
-
-Table told_pairs(const Answer& answer) {
-  Table told =
-      pairs_where(answer, [&](const JudgedMetric&, const Finding& finding) { return is_told(answer, finding); });
-  const Table all = pairs_table(answer);
-  if (told.rows.empty()) return all;
-  if (told.rows.size() < all.rows.size())
-    told.notes.push_back(answer.decisive().findings.size() > figures::most_drawn_pairs
-                             ? fmt::format("Only decided pairs, and those of {}.", reference_of(answer))
-                             : "Only tested pairs.");
-  return told;
+  Answer told = answer;
+  for (JudgedMetric& judged : told.metrics) {
+    std::erase_if(judged.findings, [&](const Finding& finding) {
+      const bool is_of_it = finding.first == reference || finding.second == reference;
+      return std::holds_alternative<Open>(finding.what) ||
+             (are_many && !is_of_it && !is_difference(verdict_of(finding)));
+    });
+  }
+  Table all = pairs_table(answer), table = pairs_table(told);
+  if (table.rows.empty()) return all;
+  if (table.rows.size() < all.rows.size())
+    table.notes.push_back(are_many ? fmt::format("Only decided pairs, and those of {}.", reference)
+                                   : "Only tested pairs.");
+  return table;
 }
 
 Table pairs_of_article(const Answer& answer) {
