@@ -47,44 +47,37 @@ std::optional<Interval> interval_of(const JudgedMetric& judged, const Descriptio
   return Interval{100 * share.low, 100 * share.high};
 }
 
-// How a metric's numbers stand in the table of results.
-struct Told {
-  std::string reference;
-  std::set<std::string> losers;  // of the deciding metric
-  bool are_ratios = false;       // to the reference, since the numbers of two are of other targets
-};
-
-Told told_of(const Answer& answer, const JudgedMetric& judged) {
-  Told told{.reference = reference_of(answer), .losers = losers_of(answer.decisive().findings)};
+// Whether a metric's numbers stand as ratios to the reference, since those of two are of other targets.
+bool are_ratios(const JudgedMetric& judged, const std::string& reference) {
   const auto is_known = [&](const Finding& finding) {  // a reference that solved too few empties nobody's row
-    return (finding.first == told.reference || finding.second == told.reference) &&
-           !std::holds_alternative<Open>(finding.what);
+    return (finding.first == reference || finding.second == reference) && !std::holds_alternative<Open>(finding.what);
   };
-  told.are_ratios = judged.observations.is_of_solved && std::ranges::any_of(judged.findings, is_known);
-  return told;
+  return judged.observations.is_of_solved && std::ranges::any_of(judged.findings, is_known);
 }
 
 // A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
 // with the reference. Where the numbers of two are of other targets, the finding of the pair stands in its place.
-Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver, const Told& told) {
+Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver) {
   const std::vector<Group>& groups = judged.observations.groups;
   const std::size_t i = place_of(judged.observations, solver);
   if (i == groups.size()) return Absent{"not in it"};
   const Group& group = groups[i];
   if (lost_in(group) > 0 && !judged.observations.tells_incomplete) return Absent{"values are missing"};
-  const Finding* const pair = finding_of(judged, solver, told.reference);
-  const Finding finding = pair ? better_first(*pair, told.reference) : Finding();
+  const std::string reference = reference_of(answer);
+  const std::set<std::string> losers = losers_of(answer.decisive().findings);
+  const Finding* const pair = finding_of(judged, solver, reference);
+  const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const Verdict verdict = pair ? verdict_of(finding) : Verdict::undecided;
   const auto* const tested = std::get_if<Tested>(&finding.what);
   const bool is_untested = untold(group) != nullptr || (pair && verdict == Verdict::not_tested);
   const bool is_deciding = &judged == &answer.decisive(), is_of_all = is_deciding && judged.plan.control.empty();
   // Within the margin only what a headline tells is marked, so not in a gate, nor of other metrics.
   const bool matters = !tested || tested->size == Size::matters || (is_deciding && answer.verdict.empty());
-  const bool is_worse = is_of_all ? told.losers.contains(solver) : matters && verdict == Verdict::worse;
+  const bool is_worse = is_of_all ? losers.contains(solver) : matters && verdict == Verdict::worse;
   const bool is_better = matters && verdict == Verdict::better;
   Marked cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
-  cell.is_best = is_of_all && !told.losers.empty() && !is_worse && !is_untested;
-  if (told.are_ratios && solver != told.reference && !untold(group)) {
+  cell.is_best = is_of_all && !losers.empty() && !is_worse && !is_untested;
+  if (are_ratios(judged, reference) && solver != reference && !untold(group)) {
     if (is_untested) return Absent{std::string(words_of(std::get<Open>(finding.what).why).of_solver)};
     if (const Amount* const amount = amount_of(finding)) {
       cell.value = amount->value, cell.to_reference = finding.scale;
@@ -154,10 +147,9 @@ Table results_table(const Answer& answer) {
   std::vector<std::string> counts, counted;   // what numbers are of that each solver has for itself, and the metric
   const auto add = [&](const JudgedMetric& judged, const std::string& name) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit, .ends = ends_of_shares(judged)});
-    const Told told = told_of(answer, judged);
     std::set<std::string> here;
     for (auto& row : table.rows) {
-      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), told));
+      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0])));
       if (const auto* const absent = std::get_if<Absent>(&row.back())) here.insert(absent->why);
       const auto* const marked = std::get_if<Marked>(&row.back());
       if (!marked) continue;
@@ -170,7 +162,7 @@ Table results_table(const Answer& answer) {
         kinds.insert(marked->to_reference == Scale::ratio ? "ratios to it" : "differences from it");
     }
     for (const std::string& reason : here) reasons.push_back(reason), without.push_back(judged.observations.quantity);
-    if (!judged.observations.is_of_solved || told.are_ratios || judged.findings.empty()) return;
+    if (!judged.observations.is_of_solved || are_ratios(judged, reference) || judged.findings.empty()) return;
     std::vector<std::string> solved;
     for (const std::size_t i : answer.order) {
       const std::string& solver = decisive.observations.groups[i].name;
