@@ -488,41 +488,41 @@ Table anova_table(const Answer& answer) {
 }
 
 // The same members for every pair, null where nothing is known.
-Json to_json(const JudgedMetric& judged, const Finding& finding) {
+numerics::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
   constexpr std::array<const char*, 6> verdicts{"better", "worse", "same", "equal", "undecided", "not_tested"};
-  const auto* const tested = std::get_if<Tested>(&finding.what);
-  const auto* const open = std::get_if<Open>(&finding.what);
-  const Amount* const amount = amount_of(finding);
-  const Interval* const ends = amount && amount->interval ? &*amount->interval : nullptr;
-  const Effect* const effect = tested && tested->effect ? &*tested->effect : nullptr;
-  const auto number = [](bool is_known, double value) {
-    return is_known && std::isfinite(value) ? Json(value) : Json();
-  };
-  return {{"metric", judged.observations.quantity},
-          {"first", finding.first},
-          {"second", finding.second},
-          {"estimate", number(amount, amount ? amount->value : 0)},
-          {"low", number(ends, ends ? ends->low : 0)},
-          {"high", number(ends, ends ? ends->high : 0)},
-          {"excluded", ends && ends->excludes_low    ? Json("low")
-                       : ends && ends->excludes_high ? Json("high")
-                                                     : Json()},
-          {"unit", amount ? Json(unit_of(finding, judged)) : Json()},
-          {"p", number(tested, tested ? tested->p : 0)},
-          {"a12", number(effect, effect ? effect->a12() : 0)},
-          {"ahead", number(effect, effect ? effect->ahead : 0)},
-          {"behind", number(effect, effect ? effect->behind : 0)},
-          {"test", tested ? Json(tested->test) : Json()},
-          {"n", tested ? Json(tested->n)
-                : open ? Json(open->n)
-                       : Json()},
-          {"n_that_could_decide", tested && tested->enough > 0 ? Json(tested->enough)
-                                  : open && open->needed > 0   ? Json(open->needed)
-                                                               : Json()},
-          {"verdict", verdicts[static_cast<std::size_t>(verdict_of(finding))]},
-          {"reason", open                                         ? Json(words_of(open->why).key)
-                     : std::holds_alternative<Fact>(finding.what) ? Json("certain")
-                                                                  : Json()}};
+  numerics::OrderedJson json{{"metric", judged.observations.quantity}, {"first", finding.first}};
+  json["second"] = finding.second;
+  for (const char* member : {"estimate", "low", "high", "excluded", "unit", "p", "a12", "ahead", "behind", "test", "n",
+                             "n_that_could_decide", "verdict", "reason"})
+    json[member] = nullptr;
+  if (const Amount* const amount = amount_of(finding)) {
+    json["estimate"] = amount->value;
+    json["unit"] = unit_of(finding, judged);
+    if (const auto& ends = amount->interval) {
+      json["low"] = ends->low;
+      json["high"] = ends->high;
+      if (ends->excludes_low || ends->excludes_high) json["excluded"] = ends->excludes_low ? "low" : "high";
+    }
+  }
+  if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
+    json["p"] = tested->p;
+    if (const auto& effect = tested->effect) {
+      json["a12"] = effect->a12();
+      json["ahead"] = effect->ahead;
+      json["behind"] = effect->behind;
+    }
+    json["test"] = tested->test;
+    json["n"] = tested->n;
+    if (tested->enough > 0) json["n_that_could_decide"] = tested->enough;
+  } else if (const auto* const open = std::get_if<Open>(&finding.what)) {
+    json["n"] = open->n;
+    if (open->needed > 0) json["n_that_could_decide"] = open->needed;
+    json["reason"] = words_of(open->why).key;
+  } else {
+    json["reason"] = "certain";
+  }
+  json["verdict"] = verdicts[static_cast<std::size_t>(verdict_of(finding))];
+  return json;
 }
 
 numerics::OrderedJson to_json(const Answer& answer) {
