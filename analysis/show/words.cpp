@@ -187,35 +187,26 @@ Sentence unbeaten(const Answer& answer) {
     }
     return others;
   };
-  std::set<std::string> tested;
-  for (const Finding& finding : judged.findings) {
-    if (verdict_of(finding) != Verdict::not_tested) tested.insert({finding.first, finding.second});
-  }
-  if (tested.empty()) return not_tested(answer);
   std::vector<std::string> rest, apart, losers, winners;
   const auto beaten = [&](const std::string& solver) { return against(solver, Verdict::better).size(); };
   for (const std::size_t i : answer.order) {
     const std::string& name = solver_name(judged, i);
-    if (!tested.contains(name))
+    const auto is_test = [&](const Finding& finding) {
+      return (finding.first == name || finding.second == name) && verdict_of(finding) != Verdict::not_tested;
+    };
+    if (std::ranges::none_of(judged.findings, is_test))
       apart.push_back(name);
     else if (against(name, Verdict::worse).empty())
       rest.push_back(name);
   }
+  if (apart.size() == answer.order.size()) return not_tested(answer);
   const bool do_untested_lead = !apart.empty() && apart.front() == solver_name(judged, answer.order.front());
-  const std::size_t first = do_untested_lead ? answer.order.front()
-                            : rest.empty()   ? answer.order.front()
-                                             : place_of(judged.observations, rest.front());
+  const std::size_t first =
+      do_untested_lead || rest.empty() ? answer.order.front() : place_of(judged.observations, rest.front());
   const auto told = [&](std::vector<std::string> names) {
     for (std::string& name : names) name = with_number(answer, name, first);
     return names_of(names);
   };
-  const auto leader = std::ranges::max_element(rest, {}, beaten);
-  for (const std::size_t i : answer.order) {
-    const std::vector<std::string> better = against(solver_name(judged, i), Verdict::worse);
-    if (better.empty()) continue;
-    losers.push_back(with_number(answer, solver_name(judged, i), first));
-    winners.push_back(leader != rest.end() && std::ranges::count(better, *leader) > 0 ? *leader : better.front());
-  }
   // What is said of several is so of each pair of them.
   const auto are_all = [&](const std::vector<std::string>& names, auto is_so) {
     return std::ranges::all_of(judged.findings, [&](const Finding& finding) {
@@ -223,48 +214,48 @@ Sentence unbeaten(const Answer& answer) {
     });
   };
   const auto is_undecided = [](const Finding& finding) { return verdict_of(finding) == Verdict::undecided; };
-  const auto is_same = [](const Finding& finding) { return verdict_of(finding) == Verdict::same; };
   std::vector<std::string> same, others;  // same: as all before it
-  const auto is_to_all = [&](const std::string& name, const std::vector<std::string>& names, Verdict verdict) {
-    return std::ranges::all_of(
-        names, [&](const std::string& other) { return std::ranges::count(against(name, verdict), other) > 0; });
+  const auto is_to_same = [&](const std::string& name, Verdict verdict) {
+    const std::vector<std::string> such = against(name, verdict);
+    return std::ranges::all_of(same, [&](const std::string& other) { return std::ranges::count(such, other) > 0; });
   };
-  for (const std::string& name : rest) (is_to_all(name, same, Verdict::same) ? same : others).push_back(name);
+  for (const std::string& name : rest) (is_to_same(name, Verdict::same) ? same : others).push_back(name);
   const bool are_undecided =
-      std::ranges::all_of(others, [&](const std::string& name) { return is_to_all(name, same, Verdict::undecided); });
+      std::ranges::all_of(others, [&](const std::string& name) { return is_to_same(name, Verdict::undecided); });
   Sentence sentence;
+  bool are_numbers_told = false, are_losers_told = false;
   if (rest.size() > 1 && are_all(rest, are_equal)) {
     const auto& found = std::get_if<Tested>(&judged.findings.front().what);
     sentence.subject =
         fmt::format("{} are {}: {} {}", names_of(rest),
                     found ? fmt::format("equal in all {}", numerics::counted(found->n, answer.noun)) : "the same",
                     quantity_of(answer), number_of(answer, judged, first, first));
-  } else if (rest.size() > 1 && are_all(rest, is_same)) {
-    sentence = {fmt::format("{} are the same within {}", names_of(rest), margin_words(judged)),
-                ": " + numbers_of(answer, true)};
-    losers.clear();  // their numbers are told
-    for (const std::size_t i : answer.order) {
-      if (!against(solver_name(judged, i), Verdict::worse).empty()) losers.push_back(solver_name(judged, i));
-    }
   } else if (same.size() > 1 && are_undecided) {
-    sentence = {fmt::format("{} are the same within {}, not decided against {}", names_of(same), margin_words(judged),
-                            names_of(others)),
+    sentence = {fmt::format("{} are the same within {}{}", names_of(same), margin_words(judged),
+                            others.empty() ? "" : ", not decided against " + names_of(others)),
                 ": " + numbers_of(answer, true)};
+    are_numbers_told = others.empty();
   } else if (rest.size() == 1 && beaten(rest.front()) > 0) {
     const std::vector<std::string> open = against(rest.front(), Verdict::undecided);
     sentence = {fmt::format("{} is better than {}", told(rest), told(against(rest.front(), Verdict::better))),
                 open.empty() ? "" : "; not decided against " + told(open)};
-    losers.clear();
+    are_losers_told = true;
   } else if (rest.size() > 1 && are_all(rest, is_undecided)) {
     sentence.subject = "Not decided between " + told(rest);
   } else if (!rest.empty()) {
     sentence.subject = "Nobody is shown to beat " + told(rest);
   }
-  for (const auto& [winner, names] : by_word(winners, losers)) {
-    if (losers.empty()) break;
+  const auto leader = std::ranges::max_element(rest, {}, beaten);
+  for (const std::size_t i : answer.order) {
+    const std::string& name = solver_name(judged, i);
+    const std::vector<std::string> better = against(name, Verdict::worse);
+    if (better.empty() || are_losers_told) continue;
+    losers.push_back(are_numbers_told ? name : with_number(answer, name, first));
+    winners.push_back(leader != rest.end() && std::ranges::count(better, *leader) > 0 ? *leader : better.front());
+  }
+  for (const auto& [winner, names] : by_word(winners, losers))
     sentence.rest +=
         fmt::format("; {} {} worse than {}", names, std::ranges::count(winners, winner) == 1 ? "is" : "are", winner);
-  }
   if (do_untested_lead) {
     const std::string of_others = sentence.subject + sentence.rest;
     return {"Not tested: " + told(apart), of_others.empty() ? "" : ". Of the others: " + of_others};
