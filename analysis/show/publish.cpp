@@ -20,11 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::array<std::string_view, 8> types_of_files{".csv", ".dat", ".gp", ".md", ".pdf", ".png", ".svg", ".tex"};
 constexpr std::array<const char*, 4> own_files{"report.html", "report.md", "results.json", "solves.csv"};
-
-bool has_word(std::string_view words, std::string_view word) {
-  return words.find(fmt::format(" {} ", word)) != std::string_view::npos;
-}
 
 // A table or figure of reports, without its number. One that is not here outlives its report.
 bool is_own(const fs::path& folder, std::string_view name) {
@@ -44,8 +41,7 @@ std::vector<std::string> files_of_earlier(const fs::path& folder) {
     const fs::path file(entry.get<std::string>());
     const std::string stem = file.stem();
     const std::string_view name(stem.data(), stem.find_last_not_of("0123456789") + 1);
-    if (is_own(file.parent_path(), name) &&
-        has_word(" .csv .dat .gp .md .pdf .png .svg .tex ", file.extension().string()))
+    if (is_own(file.parent_path(), name) && std::ranges::count(types_of_files, file.extension().string()) > 0)
       files.push_back(file);
   }
   return files;

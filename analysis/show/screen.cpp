@@ -26,11 +26,10 @@ std::string screen(const Answer& whole, const std::string& page) {
   if (!notes.empty()) text += paragraph(fmt::format("{}", fmt::join(notes, " ")), "");
   const auto pairs = pair_rows(answer);
   text += in_columns(pairs);
-  const auto is_open = [](const JudgedMetric& judged) {
-    return std::ranges::any_of(judged.findings, [](const Finding& each) { return !enough_words(each).empty(); });
-  };
-  const bool is_any_open =
-      is_open(answer.decisive()) || (answer.order.size() == 2 && std::ranges::any_of(answer.metrics, is_open));
+  const bool is_any_open = std::ranges::any_of(answer.metrics, [&](const JudgedMetric& judged) {
+    return (answer.order.size() == 2 || &judged == &answer.decisive()) &&
+           std::ranges::any_of(judged.findings, [](const Finding& each) { return !enough_words(each).empty(); });
+  });
   const std::string enough =
       is_any_open
           ? fmt::format("(about N would): so many {} of a new study, with another seed, would probably decide it.",

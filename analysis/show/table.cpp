@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -207,14 +208,6 @@ std::string latex_cell(const Cell& cell, const Column& column) {
   return std::visit(read, cell);
 }
 
-std::string pill(const std::string& words, Tone tone) {
-  return fmt::format("<span class=\"pill{}\">{}</span>",
-                     tone == Tone::good  ? " good"
-                     : tone == Tone::bad ? " bad"
-                                         : "",
-                     words);
-}
-
 }  // namespace
 
 std::vector<Column> columns_of(const std::vector<std::string>& names) {
@@ -331,9 +324,13 @@ std::string to_html(const Table& whole) {
   const Table table = for_readers(whole);
   const std::vector<Kinds> kinds = kinds_of(table);
   const Rows rows = readable(table, html_text);
-  const auto cell_of = [&](std::size_t r, std::size_t c) {  // digits align, without the mark
-    const auto* const marked = r == 0 ? nullptr : std::get_if<Marked>(&table.rows[r - 1][c]);
+  const auto cell_of = [&](std::size_t r, std::size_t c) {                        // digits align, without the mark
+    constexpr std::array<const char*, 3> pills{"pill", "pill good", "pill bad"};  // by tone
+    const Cell* const cell = r == 0 ? nullptr : &table.rows[r - 1][c];
     std::string text = rows[r][c];
+    if (const auto* const judgement = std::get_if<Judgement>(cell))
+      return fmt::format("<span class=\"{}\">{}</span>", pills[static_cast<std::size_t>(judgement->tone)], text);
+    const auto* const marked = std::get_if<Marked>(cell);
     if (marked && !marked->mark.empty())
       text.replace(text.size() - marked->mark.size() - 1, std::string::npos,
                    fmt::format("<i>{}</i>", html_text(marked->mark)));
@@ -345,13 +342,13 @@ std::string to_html(const Table& whole) {
     const std::vector<std::string>& row = rows[r];
     std::string text;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      const auto* const judgement = r == 0 ? nullptr : std::get_if<Judgement>(&table.rows[r - 1][c]);
+      const bool is_judgement = r > 0 && std::holds_alternative<Judgement>(table.rows[r - 1][c]);
       text += fmt::format("<{}{}>{}</{}>", tag,
-                          kinds[c].printed                                    ? " class=\"number printed\""
-                          : !kinds[c].texts                                   ? " class=\"number\""
-                          : !judgement && character_count(row[c]) > long_text ? " class=\"long\""
-                                                                              : "",
-                          judgement ? pill(row[c], judgement->tone) : cell_of(r, c), tag.substr(0, tag.find(' ')));
+                          kinds[c].printed                                       ? " class=\"number printed\""
+                          : !kinds[c].texts                                      ? " class=\"number\""
+                          : !is_judgement && character_count(row[c]) > long_text ? " class=\"long\""
+                                                                                 : "",
+                          cell_of(r, c), tag.substr(0, tag.find(' ')));
     }
     return fmt::format("<tr>{}</tr>\n", text);
   };

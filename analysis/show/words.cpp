@@ -100,12 +100,6 @@ std::string numbers_of(const Answer& answer, bool is_named) {
   return text;
 }
 
-std::string all_of(const JudgedMetric& judged) {
-  std::vector<std::string> names;
-  for (const Group& group : judged.observations.groups) names.push_back(group.name);
-  return names_of(names);
-}
-
 // Empty unless all solvers solved all targets.
 std::string all_solved(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
@@ -115,7 +109,9 @@ std::string all_solved(const Answer& answer) {
   const bool have_one_n = std::ranges::count(judged.described, n, &Description::n) == std::ssize(judged.described);
   const std::string what =
       counts(judged) && have_one_n && n > 1 ? "all " + numerics::counted(n, answer.noun) : "every target";
-  return fmt::format("{}{} solved {}", all_of(judged), judged.described.size() == 2 ? " both" : "", what);
+  std::vector<std::string> names;
+  for (const Group& group : judged.observations.groups) names.push_back(group.name);
+  return fmt::format("{}{} solved {}", names_of(names), names.size() == 2 ? " both" : "", what);
 }
 
 std::string usual(const JudgedMetric& judged) {
@@ -164,16 +160,11 @@ Sentence not_tested(const Answer& answer) {
     const auto& other = std::get<Open>(finding.what);
     return other.why == Open::Why::too_few && other.n == open.n && other.needed == open.needed;
   });
-  const std::string numbers = numbers_of(answer, true);
-  if (is_for_all && open.is_of_differences)
-    return {
-        fmt::format("Not tested, since {} of the {} differ and it takes at least {}", open.n, answer.noun, open.needed),
-        ": " + numbers};
-  if (is_for_all && open.n > 0)
-    return {fmt::format("Not tested, since {} cannot decide it and it takes at least {}",
-                        numerics::counted(open.n, answer.noun), open.needed),
-            ": " + numbers};
-  return {"Not tested", ": " + numbers};
+  const std::string so_few = open.is_of_differences ? fmt::format("{} of the {} differ", open.n, answer.noun)
+                                                    : numerics::counted(open.n, answer.noun) + " cannot decide it";
+  const std::string why = fmt::format(", since {} and it takes at least {}", so_few, open.needed);
+  const bool is_told = is_for_all && (open.n > 0 || open.is_of_differences);
+  return {"Not tested" + (is_told ? why : ""), ": " + numbers_of(answer, true)};
 }
 
 // Where no solver is best: those that none is shown to beat, and whom the one of them beats that beats most.
@@ -274,18 +265,14 @@ std::vector<Finding> findings_of_best(const JudgedMetric& judged) {
   return findings;
 }
 
-Size size_of(const Finding& finding) {
-  const auto* const tested = std::get_if<Tested>(&finding.what);
-  return tested ? tested->size : Size::matters;
-}
-
 // ", by less than 5 %", of all or of some that the best ones beat.
 std::string by_little(const JudgedMetric& judged) {
   std::set<std::string> who;
   bool are_all = true;
   for (const Finding& finding : findings_of_best(judged)) {
     if (!is_difference(verdict_of(finding))) continue;
-    const bool is_little = size_of(finding) == Size::small;
+    const auto* const tested = std::get_if<Tested>(&finding.what);
+    const bool is_little = tested && tested->size == Size::small;
     are_all &= is_little;
     if (is_little) who.insert(verdict_of(finding) == Verdict::better ? finding.second : finding.first);
   }
@@ -309,11 +296,10 @@ std::string where_alike(const Answer& answer) {
   const std::size_t first = answer.order[0];
   const auto* const tested = std::get_if<Tested>(&judged.findings.front().what);
   if (answer.order.size() != 2 || !tested || !tested->effect) return "";
-  const auto number = [&](std::size_t group) { return number_of(answer, judged, group, first); };
   const auto its = shown_average(judged, first), other = shown_average(judged, answer.order[1]);
   if (number_text(its.value) != number_text(other.value) || counts(judged)) return "";
   const auto& [ahead, behind] = *tested->effect;
-  return fmt::format(": both have {} {}; {}", quantity_of(answer), number(first),
+  return fmt::format(": both have {} {}; {}", quantity_of(answer), number_of(answer, judged, first, first),
                      judged.observations.is_paired
                          ? fmt::format("better in {:.0f}, worse in {:.0f} of {} {}", ahead * tested->n,
                                        behind * tested->n, tested->n, answer.noun)
