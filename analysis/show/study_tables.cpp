@@ -57,14 +57,14 @@ bool are_ratios(const JudgedMetric& judged, const std::string& reference) {
 
 // A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
 // with the reference. Where the numbers of two are of other targets, the finding of the pair stands in its place.
-Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver) {
+Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver,
+                 const std::set<std::string>& losers) {
   const std::vector<Group>& groups = judged.observations.groups;
   const std::size_t i = place_of(judged.observations, solver);
   if (i == groups.size()) return Absent{"not in it"};
   const Group& group = groups[i];
   if (lost_in(group) > 0 && !judged.observations.tells_incomplete) return Absent{"values are missing"};
   const std::string reference = reference_of(answer);
-  const std::set<std::string> losers = losers_of(answer.decisive().findings);
   const Finding* const pair = finding_of(judged, solver, reference);
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const Verdict verdict = pair ? verdict_of(finding) : Verdict::undecided;
@@ -139,17 +139,22 @@ Table results_table(const Answer& answer) {
   const JudgedMetric& decisive = answer.decisive();
   for (const std::size_t i : answer.order) table.rows.push_back({decisive.observations.groups[i].name});
   const std::string reference = reference_of(answer);
+  const std::set<std::string> losers = losers_of(decisive.findings);
   const bool are_means = decisive.plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
   bool has_numbers = false, has_quartiles = false, has_shares = false, has_words = false;
   std::set<std::string> kinds, marks;
   std::vector<std::string> reasons, without;  // of "-", and the metric that has it
   std::vector<std::string> counts, counted;   // what numbers are of that each solver has for itself, and the metric
-  const auto add = [&](const JudgedMetric& judged, const std::string& name) {
-    table.columns.push_back({.name = name, .unit = judged.observations.unit, .ends = ends_of_shares(judged)});
+  for (const JudgedMetric& judged : answer.metrics) {
+    const Observations& observed = judged.observations;
+    const bool is_average = &judged == &decisive && !is_share(judged) && !observed.is_of_solved && !observed.are_logs;
+    table.columns.push_back({.name = (is_average ? average + " " : "") + observed.quantity,
+                             .unit = observed.unit,
+                             .ends = ends_of_shares(judged)});
     std::set<std::string> here;
     for (auto& row : table.rows) {
-      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0])));
+      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), losers));
       if (const auto* const absent = std::get_if<Absent>(&row.back())) here.insert(absent->why);
       const auto* const marked = std::get_if<Marked>(&row.back());
       if (!marked) continue;
@@ -161,23 +166,16 @@ Table results_table(const Answer& answer) {
       if (marked->to_reference)
         kinds.insert(marked->to_reference == Scale::ratio ? "ratios to it" : "differences from it");
     }
-    for (const std::string& reason : here) reasons.push_back(reason), without.push_back(judged.observations.quantity);
-    if (!judged.observations.is_of_solved || are_ratios(judged, reference) || judged.findings.empty()) return;
+    for (const std::string& reason : here) reasons.push_back(reason), without.push_back(observed.quantity);
+    if (!observed.is_of_solved || are_ratios(judged, reference) || judged.findings.empty()) continue;
     std::vector<std::string> solved;
     for (const std::size_t i : answer.order) {
       const std::string& solver = decisive.observations.groups[i].name;
-      const std::size_t place = place_of(judged.observations, solver);
+      const std::size_t place = place_of(observed, solver);
       if (place < judged.described.size()) solved.push_back(fmt::format("{} {}", solver, judged.described[place].n));
     }
     counts.push_back(fmt::format("{}s of the {} that each solved ({})", average, answer.noun, fmt::join(solved, ", ")));
-    counted.push_back(judged.observations.quantity);
-  };
-  const Observations& observed = decisive.observations;
-  add(decisive, is_share(decisive) || observed.is_of_solved || observed.are_logs
-                    ? observed.quantity
-                    : fmt::format("{} {}", average, observed.quantity));
-  for (const JudgedMetric& judged : answer.metrics) {
-    if (&judged != &decisive) add(judged, judged.observations.quantity);
+    counted.push_back(observed.quantity);
   }
   std::string key = !has_numbers ? "" : are_means ? "Means" : "Medians";
   if (has_numbers && has_quartiles) key += are_means ? " (quartiles of values)" : " (quartiles)";
