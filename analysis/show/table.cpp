@@ -320,12 +320,12 @@ std::string to_latex(const Table& whole) {
 }
 
 std::string to_html(const Table& whole) {
-  constexpr std::size_t long_text = 28;  // breaks anywhere
+  constexpr std::size_t long_text = 28;                                         // breaks anywhere
+  constexpr std::array<const char*, 3> pills{"pill", "pill good", "pill bad"};  // by tone
   const Table table = for_readers(whole);
   const std::vector<Kinds> kinds = kinds_of(table);
   const Rows rows = readable(table, html_text);
-  const auto cell_of = [&](std::size_t r, std::size_t c) {                        // digits align, without the mark
-    constexpr std::array<const char*, 3> pills{"pill", "pill good", "pill bad"};  // by tone
+  const auto cell_of = [&](std::size_t r, std::size_t c) {  // digits align, without the mark
     const Cell* const cell = r == 0 ? nullptr : &table.rows[r - 1][c];
     std::string text = rows[r][c];
     if (const auto* const judgement = std::get_if<Judgement>(cell))
