@@ -289,8 +289,8 @@ TEXTBOOK(newton, {}, 0);
 TEXTBOOK(kdl_newton, {{"accuracy", "1e-300"}, {"iterations", "100"}}, 100);
 #endif
 
-// ---- the whole helix study, slim2023-50: six solvers, 2400 solves, with timing and verifier, without store and report;
-// by one thread and by two
+// ---- the whole helix study, slim2023-50: six solvers, 2400 solves, with timing and verifier, without store and
+// report; by one thread and by two
 
 void whole_study(benchmark::State& state) {
   const experiments::Study study = experiments::load_study("slim2023-50");
