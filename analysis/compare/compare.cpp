@@ -57,6 +57,7 @@ struct Pair {
   Group a, b;  // of the blocks that both have
   Method method;
   bool takes_logs = false;  // ranks of a ratio are of logarithms
+  bool are_ratios = false;  // that, or the values are logarithms
   bool is_fact = false;
   double smallest_p = 1;
   int n = 0;
@@ -191,9 +192,8 @@ int enough_of(const Trial& trial, double p, double alpha, int n) {
 std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan& plan, const Pair& pair,
                                         const Trial& trial, bool is_same, double tests) {
   const Outcome& outcome = trial.outcome;
-  const bool are_ratios = pair.takes_logs || observed.are_logs;
-  const auto shown = [&](double value) { return are_ratios ? std::exp(value) : value; };
-  const double none = are_ratios ? 1 : 0;
+  const auto shown = [&](double value) { return pair.are_ratios ? std::exp(value) : value; };
+  const double none = pair.are_ratios ? 1 : 0;
   Tested tested{.p = std::min(1.0, outcome.p * tests),
                 .effect = effect_of(observed, pair, trial.numbers),
                 .test = pair.method.name,
@@ -229,7 +229,6 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
 }
 
 Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair, const Trial& trial) {
-  const bool are_ratios = pair.takes_logs || observed.are_logs;
   const auto of = [&](const Group& group) {
     const double value = values_of(group).front();
     return observed.are_logs ? std::exp(value) : value;
@@ -238,7 +237,7 @@ Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair, c
   return {.verdict = is_worse_than_margin(observed, plan, one, other)   ? Verdict::worse
                      : is_worse_than_margin(observed, plan, other, one) ? Verdict::better
                                                                         : Verdict::same,
-          .amount = {.value = are_ratios ? std::exp(trial.outcome.estimate) : trial.outcome.estimate}};
+          .amount = {.value = pair.are_ratios ? std::exp(trial.outcome.estimate) : trial.outcome.estimate}};
 }
 
 // Keeps the values of blocks that both have.
@@ -282,6 +281,7 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
           Pair{.a = *a, .b = *b, .method = {names_of_methods[static_cast<std::size_t>(kind)], kind}});
       keep_common_blocks(pair.a, pair.b);
       pair.takes_logs = observed.scale == Scale::ratio && pair.method.is_by_ranks();
+      pair.are_ratios = pair.takes_logs || observed.are_logs;
       const std::size_t m = size_of(pair.a), n = size_of(pair.b);
       const bool has_copies = is_any<Copies>(*a, *b);
       pair.is_fact = std::holds_alternative<Copies>(a->sample) && std::holds_alternative<Copies>(b->sample);
@@ -421,11 +421,10 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan, std
   const double alpha = plan.significance / tests;
   std::vector<Finding> findings;
   for (const Pair& pair : pairs) {
-    const bool are_ratios = pair.takes_logs || observed.are_logs;
     Finding& finding = findings.emplace_back(
         Finding{.first = pair.a.name,
                 .second = pair.b.name,
-                .scale = observed.scale == Scale::ratio && !are_ratios ? Scale::difference : observed.scale});
+                .scale = observed.scale == Scale::ratio && !pair.are_ratios ? Scale::difference : observed.scale});
     if (pair.open) {
       finding.what = *pair.open;
       continue;

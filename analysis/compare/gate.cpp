@@ -183,17 +183,17 @@ void decide(std::vector<Gate>& gates) {
   };
   for (const Gate& gate : gates)
     tests += gate.are_same ? 0 : std::ranges::count_if(gate.judged.metrics, takes_significance);
+  tests = std::max<std::ptrdiff_t>(tests, 1);
   for (Gate& gate : gates) {
     gate.is_compared = gate.are_same;
     for (JudgedMetric& judged : gate.judged.metrics) {
-      judged = judge(std::move(judged.observations), judged.plan,
-                     static_cast<std::size_t>(std::max<std::ptrdiff_t>(tests, 1)));
+      judged = judge(std::move(judged.observations), judged.plan, static_cast<std::size_t>(tests));
       const Observations& observed = judged.observations;
       Finding& finding = judged.findings.front();
       if (lost_answers_for_sure(judged))
         finding.what = Fact{Verdict::worse, {judged.described.front().mean - judged.described.back().mean}};
       if (&judged == &gate.judged.metrics[gate.judged.deciding])
-        gate.sight = sight_of(judged, static_cast<double>(std::max<std::ptrdiff_t>(tests, 1)));
+        gate.sight = sight_of(judged, static_cast<double>(tests));
       if (is_time(judged)) continue;
       const Verdict verdict = verdict_of(finding);
       const auto* const tested = std::get_if<Tested>(&finding.what);
