@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/normal.hpp>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -176,13 +175,11 @@ std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, 
 // About how many observations could decide what these did not, with a chance of 0.8: that the difference is as large
 // as here, by the root law of every test here; or that it lies within the margin, by that of the interval.
 int enough_of(const Trial& trial, double p, double alpha, int n) {
-  const boost::math::normal normal;
-  const auto z = [&](double tail) { return boost::math::quantile(boost::math::complement(normal, tail)); };
-  const double wanted = z(alpha / 2) + z(0.2);
-  double times = p < 1 ? std::pow(wanted / z(p / 2), 2) : std::numeric_limits<double>::infinity();
+  const double wanted = critical_z(alpha) + critical_z(0.4);
+  double times = p < 1 ? std::pow(wanted / critical_z(p), 2) : std::numeric_limits<double>::infinity();
   if (const auto& ends = trial.outcome.interval; ends && std::abs(trial.outcome.estimate) < trial.margin) {
     const double half = (ends->high - ends->low) / 2, room = trial.margin - std::abs(trial.outcome.estimate);
-    times = std::min(times, std::pow(half / room * wanted / z(alpha / 2), 2));
+    times = std::min(times, std::pow(half / room * wanted / critical_z(alpha), 2));
   }
   const double all = std::ceil(static_cast<double>(n) * times);
   return all > n && all < 1e6 ? static_cast<int>(all) : 0;

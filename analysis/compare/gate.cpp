@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
@@ -92,11 +91,9 @@ bool lost_answers_for_sure(const JudgedMetric& judged) {
 // By McNemar's test of n targets of which this share differs: the root of n d^2 = (z_alpha sqrt(s) + z_beta sqrt(s -
 // d^2))^2, where at least d differ (Connor, Biometrics 43 (1987) 207).
 double targets_for(double loss, double differing, double alpha) {
-  const auto z = [](double tail) {
-    return boost::math::quantile(boost::math::complement(boost::math::normal(), tail));
-  };
   const double s = std::max(loss, differing);
-  return std::pow((z(alpha / 2) * std::sqrt(s) + z(0.2) * std::sqrt(std::max(0.0, s - loss * loss))) / loss, 2);
+  return std::pow(
+      (critical_z(alpha) * std::sqrt(s) + critical_z(0.4) * std::sqrt(std::max(0.0, s - loss * loss))) / loss, 2);
 }
 
 std::optional<Sight> sight_of(const JudgedMetric& judged, double tests) {

@@ -25,7 +25,6 @@ constexpr std::size_t exact_unpaired = 100, exact_paired = 1000;
 
 double number(auto count) { return static_cast<double>(count); }
 int sign_of(double value) { return (value > 0) - (value < 0); }
-double critical_z(double alpha) { return bm::quantile(bm::complement(bm::normal(), alpha / 2)); }
 
 // Student's t of an estimate with this standard error. Without one, p is the smallest that permutations give.
 Outcome t_of(double estimate, double error, double df, double smallest_p, double alpha) {
@@ -220,6 +219,8 @@ Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std
 }
 
 }  // namespace
+
+double critical_z(double alpha) { return bm::quantile(bm::complement(bm::normal(), alpha / 2)); }
 
 Summary summarise(Values values) {
   const double shift = values.front(), n = number(values.size());

@@ -25,6 +25,8 @@ struct Outcome {
   std::optional<Interval> interval = {};  // none where so few values, or values without spread, give none
 };
 
+double critical_z(double alpha);  // of the normal distribution, two-sided
+
 // Two passes, shifted by the first value. sd is 0 if it is rounding. Needs a value.
 Summary summarise(Values values);
 
