@@ -12,15 +12,53 @@
 namespace ikbench::compare {
 namespace {
 
-// In the order of the enum.
-constexpr std::array<std::string_view, 8> names_of_methods{"Brunner-Munzel and Mann-Whitney",
-                                                           "Wilcoxon's signed ranks",
-                                                           "sign test",
-                                                           "sign test and Mann-Whitney",
-                                                           "paired t",
-                                                           "McNemar's exact",
-                                                           "Welch's t",
-                                                           "Fisher's exact"};
+// What a test does with two groups.
+struct Method {
+  enum class By { ranks, signs, means, shares };
+
+  std::string_view name;
+  By by;
+  bool is_by_difference;
+  double (*smallest_p)(std::size_t m, std::size_t n);  // that data of these sizes can give
+  Outcome (*test)(const Prepared& its, double alpha);
+
+  bool is_by_ranks() const { return by == By::ranks || by == By::signs; }
+};
+
+using By = Method::By;
+
+double smallest_of_means(std::size_t m, std::size_t n) {
+  return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
+}
+double smallest_of_differences(std::size_t, std::size_t n) { return smallest_p_paired(n); }
+double smallest_of_both(std::size_t m, std::size_t n) { return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n); }
+
+constexpr Method unpaired_ranks{"Brunner-Munzel and Mann-Whitney", By::ranks, false, smallest_of_both,
+                                [](auto& its, double alpha) { return rank_test(its.first, its.second, alpha); }};
+constexpr Method signed_ranks{"Wilcoxon's signed ranks", By::ranks, true, smallest_of_differences,
+                              [](auto& its, double alpha) { return signed_rank_test(its.differences, alpha); }};
+constexpr Method signs{"sign test", By::signs, true, smallest_of_differences,
+                       [](auto& its, double alpha) { return sign_test(its.differences, alpha); }};
+constexpr Method signs_and_ranks{
+    "sign test and Mann-Whitney", By::signs, true,
+    [](std::size_t m, std::size_t n) { return std::max(smallest_p_paired(std::max(m, n)), smallest_of_both(m, n)); },
+    [](auto& its, double alpha) {
+      Outcome outcome = sign_test(its.differences, alpha);
+      outcome.p = std::max(outcome.p, mann_whitney(its.first, its.second));
+      return outcome;
+    }};
+constexpr Method paired_t{"paired t", By::means, true, smallest_of_means,
+                          [](auto& its, double alpha) { return t_test(its.differences, alpha); }};
+constexpr Method unpaired_t{"Welch's t", By::means, false, smallest_of_means,
+                            [](auto& its, double alpha) { return welch(its.of_first, its.of_second, alpha); }};
+constexpr Method paired_shares{"McNemar's exact", By::shares, true, smallest_of_differences,
+                               [](auto& its, double alpha) { return mcnemar(its.first, its.second, alpha); }};
+// The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other, or
+// the other way round.
+constexpr Method unpaired_shares{
+    "Fisher's exact", By::shares, false,
+    [](std::size_t m, std::size_t n) { return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n) / (m != n ? 2 : 1); },
+    [](auto& its, double alpha) { return fisher(its.first, its.second, alpha); }};
 
 template <class Is>
 bool is_any(const Group& a, const Group& b) {
@@ -28,19 +66,19 @@ bool is_any(const Group& a, const Group& b) {
 }
 
 // What design and plan choose, never the values.
-Method::Kind kind_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
+const Method& method_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
   const auto may_repeat = [](const Group& group) {
     const auto* const measured = std::get_if<Measured>(&group.sample);
     return measured != nullptr && measured->may_repeat;
   };
   const bool is_share = observed.scale == Scale::share;
-  if (is_any<Summary>(a, b)) return Method::Kind::welch;
-  if (is_any<Copies>(a, b)) return is_share || observed.are_logs ? Method::Kind::paired_t : Method::Kind::sign;
-  if (is_share && observed.trials == 1) return observed.is_paired ? Method::Kind::mcnemar : Method::Kind::fisher;
+  if (is_any<Summary>(a, b)) return unpaired_t;
+  if (is_any<Copies>(a, b)) return is_share || observed.are_logs ? paired_t : signs;
+  if (is_share && observed.trials == 1) return observed.is_paired ? paired_shares : unpaired_shares;
   const bool by_means = is_share || observed.are_logs || plan.test == Plan::Test::means;
-  if (observed.is_paired) return by_means ? Method::Kind::paired_t : Method::Kind::signed_ranks;
-  if (by_means) return Method::Kind::welch;
-  return may_repeat(a) != may_repeat(b) ? Method::Kind::sign_and_ranks : Method::Kind::ranks;
+  if (observed.is_paired) return by_means ? paired_t : signed_ranks;
+  if (by_means) return unpaired_t;
+  return may_repeat(a) != may_repeat(b) ? signs_and_ranks : unpaired_ranks;
 }
 
 std::size_t size_of(const Group& group) {
@@ -54,7 +92,7 @@ bool has_no_answer(const Group& group) {
 
 struct Pair {
   Group a, b;  // of the blocks that both have
-  Method method;
+  const Method* method;
   bool takes_logs = false;  // ranks of a ratio are of logarithms
   bool are_ratios = false;  // that, or the values are logarithms
   bool is_fact = false;
@@ -62,45 +100,6 @@ struct Pair {
   int n = 0;
   std::optional<Open> open = {};
 };
-
-// The smallest that data of these sizes can give.
-double smallest_p(Method::Kind kind, std::size_t m, std::size_t n) {
-  if (kind == Method::Kind::paired_t || kind == Method::Kind::welch)
-    return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
-  if (kind == Method::Kind::signed_ranks || kind == Method::Kind::sign || kind == Method::Kind::mcnemar)
-    return smallest_p_paired(n);
-  if (std::min(m, n) < 2) return 1;
-  if (kind == Method::Kind::sign_and_ranks)
-    return std::max(smallest_p_paired(std::max(m, n)), smallest_p_unpaired(m, n));
-  // The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other,
-  // or the other way round.
-  return smallest_p_unpaired(m, n) / (kind == Method::Kind::fisher && m != n ? 2 : 1);
-}
-
-Outcome outcome_of(Method::Kind kind, const Prepared& numbers, double alpha) {
-  switch (kind) {
-    case Method::Kind::ranks:
-      return rank_test(numbers.first, numbers.second, alpha);
-    case Method::Kind::signed_ranks:
-      return signed_rank_test(numbers.differences, alpha);
-    case Method::Kind::sign:
-      return sign_test(numbers.differences, alpha);
-    case Method::Kind::sign_and_ranks: {
-      Outcome outcome = sign_test(numbers.differences, alpha);
-      outcome.p = std::max(outcome.p, mann_whitney(numbers.first, numbers.second));
-      return outcome;
-    }
-    case Method::Kind::paired_t:
-      return t_test(numbers.differences, alpha);
-    case Method::Kind::mcnemar:
-      return mcnemar(numbers.first, numbers.second, alpha);
-    case Method::Kind::fisher:
-      return fisher(numbers.first, numbers.second, alpha);
-    case Method::Kind::welch:
-      return welch(numbers.of_first, numbers.of_second, alpha);
-  }
-  return {};
-}
 
 // A pair on one scale: its numbers, what the test says of them, and whether a difference lies within the margin there.
 struct Trial {
@@ -111,10 +110,10 @@ struct Trial {
 };
 
 Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair, bool takes_logs, double alpha) {
-  Trial trial{.numbers = prepared(pair.a, pair.b, observed, pair.method, takes_logs), .outcome = {}};
+  Trial trial{.numbers = prepared(pair.a, pair.b, observed, pair.method->is_by_difference, takes_logs), .outcome = {}};
   const Prepared& numbers = trial.numbers;
   const Summary &first = numbers.of_first, &second = numbers.of_second;
-  trial.outcome = outcome_of(pair.method.kind, numbers, alpha);
+  trial.outcome = pair.method->test(numbers, alpha);
   std::optional<Interval>& interval = trial.outcome.interval;
   if (observed.scale == Scale::share) {
     if (interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
@@ -133,10 +132,10 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
     const Interval held = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
     return held.low >= -trial.margin && held.high <= trial.margin;
   };
-  const Method::Kind by_means = pair.method.is_by_difference() ? Method::Kind::paired_t : Method::Kind::welch;
+  const Method& by_means = pair.method->is_by_difference ? paired_t : unpaired_t;
   trial.is_small = lies_within(trial.outcome);
   trial.is_small_in_means =
-      trial.is_small && (!pair.method.is_by_ranks() || lies_within(outcome_of(by_means, numbers, alpha)));
+      trial.is_small && (!pair.method->is_by_ranks() || lies_within(by_means.test(numbers, alpha)));
   trial.outcome.estimate = numbers.unbound(trial.outcome.estimate);
   if (interval) interval->low = numbers.unbound(interval->low), interval->high = numbers.unbound(interval->high);
   return trial;
@@ -161,7 +160,7 @@ double share_larger(const std::vector<double>& first, std::vector<double> second
 std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, const Prepared& numbers) {
   if (observed.are_logs) return {};
   double larger = 0, smaller = 0;
-  if (pair.method.is_by_difference()) {
+  if (pair.method->is_by_difference) {
     const auto n = static_cast<double>(numbers.differences.size());
     larger = static_cast<double>(std::ranges::count_if(numbers.differences, [](double each) { return each > 0; })) / n;
     smaller = static_cast<double>(std::ranges::count_if(numbers.differences, [](double each) { return each < 0; })) / n;
@@ -193,7 +192,7 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
   const double none = pair.are_ratios ? 1 : 0;
   Tested tested{.p = std::min(1.0, outcome.p * tests),
                 .effect = effect_of(observed, pair, trial.numbers),
-                .test = pair.method.name,
+                .test = pair.method->name,
                 .n = pair.n};
   std::optional<Interval> interval;
   if (std::isfinite(outcome.estimate)) {
@@ -210,7 +209,7 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
     if (tested.amount) tested.amount->interval = interval;
     return tested;
   }
-  if (pair.method.is_by_t() && observed.scale != Scale::share && !observed.are_logs &&
+  if (pair.method->by == By::means && observed.scale != Scale::share && !observed.are_logs &&
       (does_one_value_decide(pair.a) || does_one_value_decide(pair.b)))
     return Open{.why = Open::Why::few_decide, .n = pair.n, .amount = tested.amount};
   const int direction = outcome.direction;
@@ -258,8 +257,7 @@ std::optional<Open::Why> why_not(const Observations& observed, const Plan& plan,
     return std::ranges::any_of(std::array{untold(a), untold(b)},
                                [=](const Untold* its) { return its != nullptr && its->why == why; });
   };
-  const Method::Kind kind = kind_of(observed, plan, a, b);
-  const bool is_by_t = kind == Method::Kind::paired_t || kind == Method::Kind::welch;
+  const bool is_by_t = method_of(observed, plan, a, b).by == By::means;
   if (is_so(Why::lost) || (is_by_t && (has_no_answer(a) || has_no_answer(b)))) return Open::Why::lost;
   if (is_so(Why::apart)) return Open::Why::apart;
   if (is_so(Why::no_spread)) return Open::Why::no_spread;
@@ -273,11 +271,9 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
   for (auto a = observed.groups.begin(); a != observed.groups.end(); ++a) {
     for (auto b = a + 1; b != observed.groups.end(); ++b) {
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
-      const Method::Kind kind = kind_of(observed, plan, *a, *b);
-      Pair& pair = pairs.emplace_back(
-          Pair{.a = *a, .b = *b, .method = {names_of_methods[static_cast<std::size_t>(kind)], kind}});
+      Pair& pair = pairs.emplace_back(Pair{.a = *a, .b = *b, .method = &method_of(observed, plan, *a, *b)});
       keep_common_blocks(pair.a, pair.b);
-      pair.takes_logs = observed.scale == Scale::ratio && pair.method.is_by_ranks();
+      pair.takes_logs = observed.scale == Scale::ratio && pair.method->is_by_ranks();
       pair.are_ratios = pair.takes_logs || observed.are_logs;
       const std::size_t m = size_of(pair.a), n = size_of(pair.b);
       const bool has_copies = is_any<Copies>(*a, *b);
@@ -287,14 +283,13 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
       if (const auto why = why_not(observed, plan, *a, *b)) pair.open = Open{.why = *why, .n = pair.n};
       if (pair.open || pair.is_fact || pair.n == 0) continue;
       // Against a solver that repeats itself a run has a sign at least.
-      pair.smallest_p = has_copies ? smallest_p_paired(runs) : smallest_p(kind, m, n);
-      if (!pair.method.is_by_sign()) continue;
+      pair.smallest_p = has_copies ? smallest_p_paired(runs) : pair.method->smallest_p(m, n);
+      if (pair.method->by != By::signs) continue;
       // Runs that differ from the value of the solver that repeats itself.
       const std::vector<double> differences =
-          prepared(pair.a, pair.b, observed, pair.method, pair.takes_logs).differences;
+          prepared(pair.a, pair.b, observed, pair.method->is_by_difference, pair.takes_logs).differences;
       pair.n = static_cast<int>(std::ranges::count_if(differences, [](double each) { return each != 0; }));
-      const double least = smallest_p_paired(static_cast<std::size_t>(pair.n));
-      pair.smallest_p = kind == Method::Kind::sign ? least : std::max(least, smallest_p(kind, m, n));
+      pair.smallest_p = std::max(pair.smallest_p, smallest_p_paired(static_cast<std::size_t>(pair.n)));
     }
   }
   return pairs;
@@ -308,8 +303,8 @@ Headline usually_better(const Observations& observed, const Plan& plan, const st
   keep_common_blocks(better, other);
   const auto is_worse = [&](double one, double two) { return is_worse_than_margin(observed, plan, one, two); };
   const Description its = describe(better), theirs = describe(other);
-  const Method method{"", kind_of(observed, plan, better, other)};
-  const bool is_median_worse = method.is_by_ranks() && is_worse(its.median, theirs.median);
+  const bool is_median_worse =
+      method_of(observed, plan, better, other).is_by_ranks() && is_worse(its.median, theirs.median);
   if (!is_median_worse && !is_worse(its.mean, theirs.mean)) return {};
   return {.usual = winner, .other = loser, .is_median_worse = is_median_worse};
 }
@@ -328,11 +323,11 @@ std::size_t testable(std::vector<Pair>& pairs, double significance) {
       if (pair->smallest_p < worst) return false;
       std::size_t n = 2;
       const bool has_copies = is_any<Copies>(pair->a, pair->b);
-      while ((has_copies ? smallest_p_paired(n) : smallest_p(pair->method.kind, n, n)) >= level) ++n;
+      while ((has_copies ? smallest_p_paired(n) : pair->method->smallest_p(n, n)) >= level) ++n;
       pair->open = Open{.why = Open::Why::too_few,
                         .n = pair->n,
                         .needed = static_cast<int>(n),
-                        .is_of_differences = pair->method.is_by_sign()};
+                        .is_of_differences = pair->method->by == By::signs};
       return true;
     });
   }
@@ -404,7 +399,7 @@ bool can_decide(const Observations& observed, const Plan& plan) {
   testable(pairs, plan.significance);
   return std::ranges::any_of(pairs, [&](const Pair& pair) {
     return !pair.open && !pair.is_fact &&
-           !prepared(pair.a, pair.b, observed, pair.method, pair.takes_logs).are_all_equal;
+           !prepared(pair.a, pair.b, observed, pair.method->is_by_difference, pair.takes_logs).are_all_equal;
   });
 }
 

@@ -62,7 +62,7 @@ const Untold* untold(const Group& group) { return std::get_if<Untold>(&group.sam
 
 int lost_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }
 
-Prepared prepared(const Group& first, const Group& second, const Observations& observed, const Method& method,
+Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,
                   bool takes_logs) {
   const std::span<const double> of_first = values_of(first), of_second = values_of(second);
   std::vector<double> all(of_first.begin(), of_first.end());
@@ -84,7 +84,7 @@ Prepared prepared(const Group& first, const Group& second, const Observations& o
   numbers.second.assign(all.begin() + std::ssize(of_first), all.end());
   numbers.of_first = summary_of(first, numbers.first);
   numbers.of_second = summary_of(second, numbers.second);
-  if (method.is_by_difference()) {
+  if (is_by_difference) {
     numbers.differences = differences_of(first, second, numbers, takes_logs);
     numbers.are_all_equal = std::ranges::count(numbers.differences, 0.0) == std::ssize(numbers.differences);
   } else {

@@ -10,19 +10,6 @@
 
 namespace ikbench::compare {
 
-// What a test does with two groups.
-struct Method {
-  std::string_view name;
-  enum class Kind { ranks, signed_ranks, sign, sign_and_ranks, paired_t, mcnemar, welch, fisher } kind;
-
-  bool is_by_t() const { return kind == Kind::paired_t || kind == Kind::welch; }
-  bool is_by_sign() const { return kind == Kind::sign || kind == Kind::sign_and_ranks; }
-  bool is_by_ranks() const { return kind == Kind::ranks || kind == Kind::signed_ranks || is_by_sign(); }
-  bool is_by_difference() const {
-    return kind == Kind::signed_ranks || is_by_sign() || kind == Kind::paired_t || kind == Kind::mcnemar;
-  }
-};
-
 // Copies are one value. A group that is printed has a summary and no values.
 struct Prepared {
   std::vector<double> first, second;
@@ -41,7 +28,7 @@ struct Prepared {
 
 // Values below the floor count as it where logarithms are taken; those that differ by no more than the rounding are
 // equal. Paired values without blocks belong together by their places.
-Prepared prepared(const Group& first, const Group& second, const Observations& observed, const Method& method,
+Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,
                   bool takes_logs);
 
 }  // namespace ikbench::compare
