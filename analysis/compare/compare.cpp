@@ -86,10 +86,6 @@ std::size_t size_of(const Group& group) {
   return values_of(group).size();
 }
 
-bool has_no_answer(const Group& group) {
-  return std::ranges::any_of(values_of(group), [](double value) { return std::isinf(value); });
-}
-
 struct Pair {
   Group a, b;  // of the blocks that both have
   const Method* method;
@@ -251,18 +247,14 @@ void keep_common_blocks(Group& one, Group& other) {
   keep(*b, a->blocks);
 }
 
-std::optional<Open::Why> why_not(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
-  using Why = Untold::Why;
-  const auto is_so = [&](Why why) {
-    return std::ranges::any_of(std::array{untold(a), untold(b)},
-                               [=](const Untold* its) { return its != nullptr && its->why == why; });
-  };
-  const bool is_by_t = method_of(observed, plan, a, b).by == By::means;
-  if (is_so(Why::lost) || (is_by_t && (has_no_answer(a) || has_no_answer(b)))) return Open::Why::lost;
-  if (is_so(Why::apart)) return Open::Why::apart;
-  if (is_so(Why::no_spread)) return Open::Why::no_spread;
-  if (is_so(Why::none)) return Open::Why::none;
-  return {};
+std::optional<Open::Why> why_not(const Method& method, const Group& a, const Group& b) {
+  std::optional<Open::Why> first;
+  for (const Group* const group : {&a, &b}) {
+    const bool has_no_answer = std::ranges::any_of(values_of(*group), [](double value) { return std::isinf(value); });
+    if (method.by == By::means && has_no_answer) return Open::Why::lost;
+    if (const Untold* const its = untold(*group)) first = std::min(its->why, first.value_or(its->why));
+  }
+  return first;
 }
 
 // The pairs that the plan asks for.
@@ -280,7 +272,7 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
       pair.is_fact = std::holds_alternative<Copies>(a->sample) && std::holds_alternative<Copies>(b->sample);
       const std::size_t runs = has_copies ? std::max(m, n) : std::min(m, n);
       pair.n = static_cast<int>(std::min(m, n) == 0 ? 0 : runs);
-      if (const auto why = why_not(observed, plan, *a, *b)) pair.open = Open{.why = *why, .n = pair.n};
+      if (const auto why = why_not(*pair.method, *a, *b)) pair.open = Open{.why = *why, .n = pair.n};
       if (pair.open || pair.is_fact || pair.n == 0) continue;
       // Against a solver that repeats itself a run has a sign at least.
       pair.smallest_p = has_copies ? smallest_p_paired(runs) : pair.method->smallest_p(m, n);

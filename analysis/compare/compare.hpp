@@ -56,14 +56,7 @@ struct Fact {
 };
 
 struct Open {
-  enum class Why {
-    too_few,    // no data of this size could decide
-    lost,       // a group has observations without a value
-    apart,      // a group was timed or counted otherwise, or ended by the clock
-    no_spread,  // a group is printed without one
-    none,       // a group solved nothing
-    few_decide  // one value is more than half of a group's sum, so the means would show nothing better
-  };
+  using Why = Untold::Why;
   Why why = Why::too_few;
   int n = 0;                          // observations of the smaller group, or common blocks
   int needed = 0;                     // if too few: how many, in each group, could decide

@@ -34,12 +34,15 @@ struct Summary {  // as papers print it
   double mean = 0;
   double sd = 0;  // divided by n - 1
 };
-struct Untold {  // not compared; what there is can be described
-  enum class Why {
-    lost,       // observations have no value
-    apart,      // timed or counted otherwise, or ended by the clock
-    no_spread,  // a printed deviation of 0, which would decide everything
-    none        // nothing was solved, so nothing has a cost
+struct Untold {     // not compared; what there is can be described
+  enum class Why {  // of several, the first
+    lost,           // observations have no value
+    apart,          // timed or counted otherwise, or ended by the clock
+    no_spread,      // a printed deviation of 0, which would decide everything
+    none,           // nothing was solved, so nothing has a cost
+    // Of two groups that are both told:
+    too_few,    // no data of this size could decide
+    few_decide  // one value is more than half of a group's sum, so the means would show nothing better
   };
   Why why = Why::lost;
   int lost = 0;  // observations without a value
