@@ -90,7 +90,7 @@ struct Pair {
   Group a, b;  // of the blocks that both have
   const Method* method;
   bool takes_logs = false;  // ranks of a ratio are of logarithms
-  bool are_ratios = false;  // that, or the values are logarithms
+  bool are_ratios = false;  // amounts are, since numbers are logarithms
   bool is_fact = false;
   double smallest_p = 1;
   int n = 0;
@@ -101,8 +101,8 @@ struct Pair {
 struct Trial {
   Prepared numbers;
   Outcome outcome;
-  bool is_small = false, is_small_in_means = false;
   double margin = 0;
+  bool is_small = false, is_same = false;  // as it is shown; and in the means, if no rare failure can be missed
 };
 
 Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair, bool takes_logs, double alpha) {
@@ -130,19 +130,15 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
   };
   const Method& by_means = pair.method->is_by_difference ? paired_t : unpaired_t;
   trial.is_small = lies_within(trial.outcome);
-  trial.is_small_in_means =
-      trial.is_small && (!pair.method->is_by_ranks() || lies_within(by_means.test(numbers, alpha)));
   trial.outcome.estimate = numbers.unbound(trial.outcome.estimate);
   if (interval) interval->low = numbers.unbound(interval->low), interval->high = numbers.unbound(interval->high);
+  // Equal values say nothing of failures that are rarer than so many can show.
+  const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : numbers.are_all_equal;
+  const double rare = plan.margin > 0 ? plan.margin : Plan().margin;  // an absolute margin is none of shares
+  const bool can_fail = are_equal && 1 - wilson(1, std::min(first.n, second.n), alpha).low > rare;
+  trial.is_same =
+      trial.is_small && !can_fail && (!pair.method->is_by_ranks() || lies_within(by_means.test(numbers, alpha)));
   return trial;
-}
-
-// Equal values say nothing of failures that are rarer than so many can show.
-bool can_fail(const Trial& trial, const Plan& plan, double alpha) {
-  const std::optional<Interval>& interval = trial.outcome.interval;
-  const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : trial.numbers.are_all_equal;
-  const double share = plan.margin > 0 ? plan.margin : Plan().margin;  // an absolute margin is none of shares
-  return are_equal && 1 - wilson(1, std::min(trial.numbers.of_first.n, trial.numbers.of_second.n), alpha).low > share;
 }
 
 double share_larger(const std::vector<double>& first, std::vector<double> second) {
@@ -182,7 +178,11 @@ int enough_of(const Trial& trial, double p, double alpha, int n) {
 
 // The verdict of p, with an amount that cannot refute it.
 std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan& plan, const Pair& pair,
-                                        const Trial& trial, bool is_same, double tests) {
+                                        double tests) {
+  const double alpha = plan.significance / tests;
+  const Trial trial = trial_of(observed, plan, pair, pair.takes_logs, alpha);
+  const bool is_same = trial.is_same || (pair.takes_logs && observed.absolute_margin > 0 &&
+                                         trial_of(observed, plan, pair, false, alpha).is_same);
   const Outcome& outcome = trial.outcome;
   const auto shown = [&](double value) { return pair.are_ratios ? std::exp(value) : value; };
   const double none = pair.are_ratios ? 1 : 0;
@@ -200,8 +200,7 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
     if (interval) interval = Interval{std::min(none, interval->low), std::max(none, interval->high)};
     const bool has_width = interval && interval->low < interval->high;
     if (!is_same && !has_width) interval.reset();  // most values are equal, but not all
-    if (tested.verdict == Verdict::undecided)
-      tested.enough = enough_of(trial, outcome.p, plan.significance / tests, pair.n);
+    if (tested.verdict == Verdict::undecided) tested.enough = enough_of(trial, outcome.p, alpha, pair.n);
     if (tested.amount) tested.amount->interval = interval;
     return tested;
   }
@@ -220,7 +219,8 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
   return tested;
 }
 
-Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair, const Trial& trial) {
+Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair) {
+  const double estimate = trial_of(observed, plan, pair, pair.takes_logs, plan.significance).outcome.estimate;
   const auto of = [&](const Group& group) {
     const double value = values_of(group).front();
     return observed.are_logs ? std::exp(value) : value;
@@ -229,7 +229,7 @@ Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair, c
   return {.verdict = is_worse_than_margin(observed, plan, one, other)   ? Verdict::worse
                      : is_worse_than_margin(observed, plan, other, one) ? Verdict::better
                                                                         : Verdict::same,
-          .amount = {.value = pair.are_ratios ? std::exp(trial.outcome.estimate) : trial.outcome.estimate}};
+          .amount = {.value = pair.are_ratios ? std::exp(estimate) : estimate}};
 }
 
 // Keeps the values of blocks that both have.
@@ -402,28 +402,18 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan, std
   const auto shares = static_cast<double>(metrics);
   const double tests =
       shares * static_cast<double>(std::max<std::size_t>(1, testable(pairs, plan.significance / shares)));
-  const double alpha = plan.significance / tests;
   std::vector<Finding> findings;
   for (const Pair& pair : pairs) {
     Finding& finding = findings.emplace_back(
         Finding{.first = pair.a.name,
                 .second = pair.b.name,
                 .scale = observed.scale == Scale::ratio && !pair.are_ratios ? Scale::difference : observed.scale});
-    if (pair.open) {
+    if (pair.open)
       finding.what = *pair.open;
-      continue;
-    }
-    const Trial trial = trial_of(observed, plan, pair, pair.takes_logs, alpha);
-    if (pair.is_fact) {
-      finding.what = fact_of(observed, plan, pair, trial);
-      continue;
-    }
-    bool is_same = trial.is_small_in_means && !can_fail(trial, plan, alpha);
-    if (pair.takes_logs && observed.absolute_margin > 0) {
-      const Trial plain = trial_of(observed, plan, pair, false, alpha);
-      is_same |= plain.is_small_in_means && !can_fail(plain, plan, alpha);
-    }
-    finding.what = judged(observed, plan, pair, trial, is_same, tests);
+    else if (pair.is_fact)
+      finding.what = fact_of(observed, plan, pair);
+    else
+      finding.what = judged(observed, plan, pair, tests);
   }
   return findings;
 }
