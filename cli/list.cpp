@@ -94,8 +94,8 @@ Rows list_of(std::string_view kind) {
     rows = {{"METRIC", "UNIT", "BETTER", "OF", "WHAT"}};
     for (const compare::Metric& metric : compare::metrics())
       rows.push_back({std::string(metric.column), std::string(metric.unit),
-                      metric.kind == compare::Kind::share ? "larger" : "smaller", metric.is_of_run ? "run" : "solve",
-                      std::string(metric.name)});
+                      metric.kind == compare::Kind::share ? "larger" : "smaller",
+                      metric.kind == compare::Kind::run ? "run" : "solve", std::string(metric.name)});
   } else {
     rows = {{"NAME", "IN USE"}};
     for (const InstructionSet set : instruction_sets())

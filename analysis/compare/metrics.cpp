@@ -24,24 +24,15 @@ double orientation_angle_deg(double orientation_error) {
 }
 
 constexpr std::array rows{
-#define ROW(is_of_run, column, slug, name, unit, kind, scale, floor, rounding, told, ...) \
-  Metric{column,                                                                          \
-         slug,                                                                            \
-         name,                                                                            \
-         unit,                                                                            \
-         Kind::kind,                                                                      \
-         Scale::scale,                                                                    \
-         floor,                                                                           \
-         rounding,                                                                        \
-         Told::told,                                                                      \
-         is_of_run,                                                                       \
-         [](const Solve& solve, [[maybe_unused]] const StudyResults& study) -> double { return __VA_ARGS__; }},
-#define METRIC(...) ROW(false, __VA_ARGS__)
-#define RUN_METRIC(...) ROW(true, __VA_ARGS__)
+#define METRIC(column, slug, name, unit, kind, scale, floor, rounding, told, ...) \
+  Metric{                                                                         \
+      column,     slug,                                                           \
+      name,       unit,                                                           \
+      Kind::kind, Scale::scale,                                                   \
+      floor,      rounding,                                                       \
+      Told::told, [](const Solve& solve, [[maybe_unused]] const StudyResults& study) -> double { return __VA_ARGS__; }},
 #include "analysis/compare/metrics.inc"
 #undef METRIC
-#undef RUN_METRIC
-#undef ROW
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ enum class Scale { ratio, difference, share };
 // What is known of a group: one of these.
 struct Measured {
   std::vector<double> values = {};  // infinite: no answer, worse than any
-  std::vector<int> blocks = {};     // where paired: of each value, rising; none where all groups have the same
+  std::vector<int> blocks = {};     // where paired: of each value, rising; none: those of all groups are the same
   bool may_repeat = false;          // all values are equal, and nobody knows whether the solver repeats itself
 };
 struct Copies {  // of one value, since the solver repeats itself

@@ -13,21 +13,9 @@ using namespace results;
 
 namespace {
 
-// What one observation is.
-struct Design {
-  bool are_runs = false;  // a run, else a target
-  bool is_paired = false;
-  int solves = 1;  // that make it
-};
-
-Design design_of(const StudyResults& study, bool of_run) {
-  const bool is_drawn = study.definition.draws_targets;
-  const bool are_runs = of_run || study.definition.compares_runs();
-  return {.are_runs = are_runs,
-          .is_paired = is_drawn || !are_runs,
-          .solves = are_runs   ? study.definition.points
-                    : is_drawn ? 1
-                               : study.definition.runs};
+// An observation is a run, else a target.
+bool are_runs(const StudyResults& study, const Metric& metric) {
+  return metric.kind == Kind::run || study.definition.compares_runs();
 }
 
 // Below it errors are equal; 0 where the study has none.
@@ -40,7 +28,7 @@ double tolerance_of(const StudyResults& study, const Metric& metric) {
 // What failed has no cost of an answer; along a path it has, for the next solve starts from there.
 bool is_of_solved(const StudyResults& study, const Metric& metric) {
   const bool is_cost = metric.kind == Kind::cost || metric.kind == Kind::time;
-  return is_cost && !metric.is_of_run && study.definition.has_tolerance() && !study.definition.is_chained();
+  return is_cost && study.definition.has_tolerance() && !study.definition.is_chained();
 }
 
 struct Value {
@@ -49,23 +37,22 @@ struct Value {
 };
 
 // Of the solves, by block; an observation is made of those of one.
-std::vector<Value> values_of(const StudyResults& study, const Metric& metric, const Design& design,
-                             std::string_view solver) {
+std::vector<Value> values_of(const StudyResults& study, const Metric& metric, std::string_view solver) {
   const Definition& definition = study.definition;
-  const bool of_solved = is_of_solved(study, metric);
+  const bool of_runs = are_runs(study, metric), of_solved = is_of_solved(study, metric);
   const double least = tolerance_of(study, metric);
   // Where the arm stayed is no error of a solver that never moved it.
   const bool is_unknown = metric.kind == Kind::error && std::ranges::none_of(study.of(solver), gave_answer);
   std::vector<Value> values;
   for (const Solves run : runs_of(study.of(solver))) {
-    if (design.are_runs && !is_complete(study, run)) continue;
-    if (metric.is_of_run) {
+    if (of_runs && !is_complete(study, run)) continue;
+    if (metric.kind == Kind::run) {
       values.push_back({run.front().run, metric.value(run.back(), study)});
       continue;
     }
     for (const Solve& solve : run) {
       if (of_solved && solve.status != Status::ok) continue;
-      const int block = design.are_runs            ? solve.run
+      const int block = of_runs                    ? solve.run
                         : definition.draws_targets ? (solve.run - 1) * definition.points + solve.point
                                                    : solve.point;
       const double value = is_unknown ? unknown : metric.value(solve, study);
@@ -101,14 +88,14 @@ std::vector<Value> spent_by_solved(std::vector<Value> spent, const std::vector<V
   return spent;
 }
 
-Group group_of(const StudyResults& study, const Metric& metric, const Design& design, const std::string& solver) {
+Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, const std::string& solver) {
   Group group{.name = solver};
   const double least = tolerance_of(study, metric);
-  const std::vector<Value> all = values_of(study, metric, design, solver);
+  const std::vector<Value> all = values_of(study, metric, solver);
   if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.at_most = least;
   std::vector<Value> values = means_of(all, metric.kind == Kind::time);
   if (metric.kind == Kind::spent) {
-    const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), design, solver));
+    const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver));
     if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
       group.sample = Untold{.why = Untold::Why::none};
       return group;
@@ -123,59 +110,50 @@ Group group_of(const StudyResults& study, const Metric& metric, const Design& de
       continue;
     }
     measured.values.push_back(value);
-    if (design.is_paired) measured.blocks.push_back(block);
+    if (is_paired) measured.blocks.push_back(block);
   }
   const bool are_equal = measured.values.size() > 1 &&
                          std::ranges::count(measured.values, measured.values.front()) == std::ssize(measured.values);
   if (lost > 0)
     group.sample = Untold{.why = Untold::Why::lost, .lost = lost, .values = std::move(measured.values)};
-  else if (!design.is_paired && are_equal && repeats_itself(study, solver))
+  else if (!is_paired && are_equal && repeats_itself(study, solver))
     group.sample = Copies{measured.values.front(), static_cast<int>(measured.values.size())};
   else
     group.sample = std::move(measured);
   return group;
 }
 
-// A group that lost values stays so: the stronger reason.
-void leave_apart(Group& group) {
-  if (untold(group)) return;
-  const std::span<const double> values = compare::values_of(group);
-  group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
-}
-
 }  // namespace
 
 Observations observe(const StudyResults& study, const Metric& metric) {
-  const Design design = design_of(study, metric.is_of_run);
+  const Definition& definition = study.definition;
+  const bool of_runs = are_runs(study, metric);
   Observations observed{.metric = std::string(metric.slug),
                         .quantity = std::string(metric.name),
                         .unit = std::string(metric.unit),
                         .better = metric.kind == Kind::share ? Better::larger : Better::smaller,
                         .scale = metric.scale,
-                        .absolute_margin = metric.unit == "cm" ? study.definition.plan.margin_cm : 0,
+                        .absolute_margin = metric.unit == "cm" ? definition.plan.margin_cm : 0,
                         .floor = metric.floor,
                         .rounding = metric.rounding,
-                        .is_paired = design.is_paired,
+                        .is_paired = definition.draws_targets || !of_runs,
                         .is_of_solved = is_of_solved(study, metric),
                         .are_logs = metric.kind == Kind::spent,
-                        .trials = design.solves};
+                        .trials = of_runs                    ? definition.points
+                                  : definition.draws_targets ? 1
+                                                             : definition.runs};
   std::vector<Group>& groups = observed.groups;
-  for (const std::string& solver : study.labels) groups.push_back(group_of(study, metric, design, solver));
+  for (const std::string& solver : study.labels) groups.push_back(group_of(study, metric, observed.is_paired, solver));
   observed.doubts = metric.unit == "s" ? doubts_of_times(study) : doubts_of_clock(study);
   if (metric.column.starts_with("evaluations"))
     std::ranges::move(doubts_of_evaluations(study), std::back_inserter(observed.doubts));
   for (const Doubt& doubt : observed.doubts) {
     for (Group& group : groups) {
-      if (doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0) leave_apart(group);
+      const bool is_apart = doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0;
+      if (!is_apart || untold(group)) continue;  // a group that lost values stays so: the stronger reason
+      const std::span<const double> values = compare::values_of(group);
+      group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
     }
-  }
-  std::vector<Measured*> compared;
-  for (Group& group : groups) {
-    if (auto* const measured = std::get_if<Measured>(&group.sample)) compared.push_back(measured);
-  }
-  const auto has_same_blocks = [&](const Measured* group) { return group->blocks == compared.front()->blocks; };
-  if (std::ranges::all_of(compared, has_same_blocks)) {
-    for (Measured* const group : compared) group->blocks.clear();
   }
   return observed;
 }

@@ -13,8 +13,9 @@ namespace ikbench::compare {
 
 // share: solved or not. error: a distance from the target. cost: effort for an answer; with a tolerance, only of
 // targets that both solvers of a pair solved. time: a cost that is compared only where times are comparable. spent: all
-// that attempts took, by the number of targets solved, so that who fails pays for it.
-enum class Kind { share, error, cost, time, spent };
+// that attempts took, by the number of targets solved, so that who fails pays for it. run: its last solve has the value
+// of all.
+enum class Kind { share, error, cost, time, spent, run };
 
 // In which reports: where a study has a tolerance, costs are of what was solved; if some of it was not, what was spent
 // stands in place of evaluations and time.
@@ -30,7 +31,6 @@ struct Metric {
   double floor;     // of ratios: a smaller value counts as this
   double rounding;  // values that differ by no more are equal
   Told told;
-  bool is_of_run;                                                  // its value is that of the last solve of a run
   double (*value)(const Solve& solve, const StudyResults& study);  // NaN: the solve has none
 };
 
