@@ -104,11 +104,7 @@ void say(std::string_view text) { write_error(wrapped(text, columns_of(STDERR_FI
 
 void warn(std::string_view text) { say(fmt::format("warning: {}", text)); }
 
-void say_mistake(std::string_view text) {
-  const std::size_t end = text.find("; ");
-  const std::string_view to_do = end == std::string_view::npos ? std::string_view() : text.substr(end + 2);
-  say(fmt::format("ikbench: {}{}{}", text.substr(0, end), to_do.empty() ? "" : "\n  ", to_do));
-}
+void say_mistake(std::string_view text) { say(fmt::format("ikbench: {}", text)); }
 
 void say_command(std::string_view command) { write_error(fmt::format("    {}\n", printable(command))); }
 
