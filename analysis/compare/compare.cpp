@@ -251,7 +251,8 @@ std::optional<Open::Why> why_not(const Method& method, const Group& a, const Gro
   std::optional<Open::Why> first;
   for (const Group* const group : {&a, &b}) {
     const bool has_no_answer = std::ranges::any_of(values_of(*group), [](double value) { return std::isinf(value); });
-    if (method.by == By::means && has_no_answer) return Open::Why::lost;
+    if (method.by == By::means && has_no_answer)
+      first = std::min(Open::Why::infinite, first.value_or(Open::Why::infinite));
     if (const Untold* const its = untold(*group)) first = std::min(its->why, first.value_or(its->why));
   }
   return first;

@@ -37,6 +37,7 @@ struct Summary {  // as papers print it
 struct Untold {     // not compared; what there is can be described
   enum class Why {  // of several, the first
     lost,           // observations have no value
+    infinite,       // means cannot count those without an answer
     apart,          // timed or counted otherwise, or ended by the clock
     no_spread,      // a printed deviation of 0, which would decide everything
     none,           // nothing was solved, so nothing has a cost

@@ -405,8 +405,14 @@ std::string margin_words(const JudgedMetric& judged) {
 std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
   const std::string margin = margin_words(judged), verdict(compare::name_of(verdict_of(finding)));
   if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
-    const std::string in_all = fmt::format("{} in all {}", verdict, tested->n);
-    if (are_equal(finding)) return in_all;
+    const auto size_of = [&](const std::string& name) {
+      return judged.described[place_of(judged.observations, name)].n;
+    };
+    const int n = judged.observations.is_paired ? tested->n : size_of(finding.first), other = size_of(finding.second);
+    if (are_equal(finding))
+      return fmt::format(
+          "{} in all {}", verdict,
+          judged.observations.is_paired || n == other ? fmt::to_string(n) : fmt::format("{} and {}", n, other));
     if (tested->verdict == Verdict::same) return "same within " + margin;
     return verdict + (tested->size == Size::small           ? ", by less than " + margin
                       : tested->size == Size::usually_small ? ", usually by less than " + margin
@@ -421,12 +427,14 @@ std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
 }
 
 ReasonWords words_of(Open::Why why) {
-  constexpr std::array<ReasonWords, 6> all{{{"too_few", "no values", "too few to compare"},
-                                            {"lost", "values are missing", "values are missing"},
-                                            {"apart", "not comparable", "not comparable (!)"},
-                                            {"no_spread", "one has no spread", "not comparable (!)"},
-                                            {"none", "one solved nothing", "nothing was solved"},
-                                            {"few_decide", "few values decide the mean", "too few to compare"}}};
+  constexpr std::array<ReasonWords, 7> all{
+      {{"lost", "values are missing", "values are missing"},
+       {"infinite", "infinite values have no mean", "infinite values have no mean"},
+       {"apart", "not comparable", "not comparable (!)"},
+       {"no_spread", "one has no spread", "not comparable (!)"},
+       {"none", "one solved nothing", "nothing was solved"},
+       {"too_few", "no values", "too few to compare"},
+       {"few_decide", "few values decide the mean", "too few to compare"}}};
   return all[static_cast<std::size_t>(why)];
 }
 
