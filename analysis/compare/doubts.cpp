@@ -109,22 +109,25 @@ std::vector<std::string> copies_of_others(const StudyResults& study) {
   return copies;
 }
 
-// Solvers whose solves, nearly all, a limit of the study ends: the one of most and the one of fewest evaluations.
+// Whom a limit of the study gives fewest evaluations, and whom most. Of who is not limited it is what a solve took.
 void add_of_budgets(Doubts& doubts, const StudyResults& study) {
   if (study.definition.stop.seconds > 0) return;
   std::string fewest, most;
   double few = std::numeric_limits<double>::infinity(), many = 0;
   for (const std::string& solver : study.labels) {
-    double evaluations = 0, limited = 0, uncounted = 0;
+    double limited = 0, spent = 0, largest = 0;
     const Solves all = study.of(solver);
+    if (!std::ranges::all_of(all, [](const Solve& its) { return its.counted_by == CountedBy::suite; })) continue;
     for (const Solve& solve : all) {
-      evaluations += static_cast<double>(solve.evaluations) / static_cast<double>(all.size());
-      limited += solve.stop_reason == StopReason::iterations || solve.stop_reason == StopReason::evaluations;
-      uncounted += solve.counted_by != CountedBy::suite;
+      const auto evaluations = static_cast<double>(solve.evaluations);
+      largest = std::max(largest, evaluations);
+      if (solve.stop_reason != StopReason::iterations && solve.stop_reason != StopReason::evaluations) continue;
+      ++limited, spent += evaluations;
     }
-    if (uncounted > 0 || evaluations == 0 || limited < 0.9 * static_cast<double>(all.size())) continue;
-    if (evaluations < few) few = evaluations, fewest = solver;
-    if (evaluations > many) many = evaluations, most = solver;
+    const bool is_limited = limited >= 0.1 * static_cast<double>(all.size()) && spent > 0;
+    const double budget = is_limited ? spent / limited : largest;
+    if (is_limited && budget < few) few = budget, fewest = solver;
+    if (budget > many) many = budget, most = solver;
   }
   if (many < 2 * few) return;
   doubts.push_back({.kind = DoubtKind::budgets_differ,
@@ -229,6 +232,21 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
   add_of_plan(doubts, study);
   add_of_repeats(doubts, study);
   add(doubts, study.other_version);
+  return doubts;
+}
+
+std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& both) {
+  const numerics::StopRule &a = both.definition.stop, &b = baseline.definition.stop;
+  std::vector<Doubt> doubts;
+  const auto add = [&](const char* unit, auto ours, auto theirs) {
+    if (ours == theirs) return;
+    doubts.push_back({.kind = DoubtKind::budgets_differ,
+                      .who = both.labels,
+                      .what = fmt::format("budgets differ: {} and {} {} a solve", ours, theirs, unit)});
+  };
+  add("iterations", a.iterations, b.iterations);
+  add("evaluations", a.evaluations, b.evaluations);
+  add("s", a.seconds, b.seconds);
   return doubts;
 }
 

@@ -43,5 +43,7 @@ std::vector<Doubt> doubts_of(const StudyResults& study);
 std::vector<Doubt> doubts_of_times(const StudyResults& study);
 std::vector<Doubt> doubts_of_clock(const StudyResults& study);  // what solvers reach in seconds depends on the load
 std::vector<Doubt> doubts_of_evaluations(const StudyResults& study);
+// Limits of a solve that two versions had, one doubt each.
+std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& both);
 
 }  // namespace ikbench::compare

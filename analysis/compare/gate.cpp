@@ -50,25 +50,10 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults both) {
   return both;
 }
 
-// Limits of a solve that the two had, one doubt each.
-std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& both) {
-  const numerics::StopRule &a = both.definition.stop, &b = baseline.definition.stop;
-  std::vector<Doubt> doubts;
-  const auto add = [&](const char* unit, auto ours, auto theirs) {
-    if (ours == theirs) return;
-    doubts.push_back({.kind = DoubtKind::budgets_differ,
-                      .who = both.labels,
-                      .what = fmt::format("budgets differ: {} and {} {} a solve", ours, theirs, unit)});
-  };
-  add("iterations", a.iterations, b.iterations);
-  add("evaluations", a.evaluations, b.evaluations);
-  add("s", a.seconds, b.seconds);
-  return doubts;
-}
-
 // Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
 Observations observed_answers(const StudyResults& study, bool machine_decides) {
-  Observations observed{.metric = "answers", .quantity = "answered", .better = Better::larger, .scale = Scale::share};
+  Observations observed{
+      .metric = "answers", .quantity = "answered", .better = Better::larger, .scale = Scale::share, .is_paired = true};
   for (const std::string& solver : study.labels) {
     Measured answers;
     for (const Solve& solve : study.of(solver))
@@ -205,11 +190,6 @@ void decide(std::vector<Gate>& gates) {
       gate.is_compared |= !is_of_answers(judged) && verdict != Verdict::not_tested;
     }
     gate.is_compared |= !gate.worse.empty() || !gate.better.empty();
-    for (JudgedMetric& judged : gate.judged.metrics) {
-      for (Group& group : judged.observations.groups) {
-        if (auto* const measured = std::get_if<Measured>(&group.sample)) measured->values = {};
-      }
-    }
   }
 }
 

@@ -50,7 +50,6 @@ TEST_CASE("Else a target is one: a drawn one's only solve, a fixed one's mean ov
   CHECK(of_drawn.trials == 1);
   CHECK(list_of(group(of_drawn, "A")).size() == 20);
   CHECK(list_of(group(of_drawn, "A"))[4] == 21);
-  CHECK(std::get<Measured>(group(of_drawn, "A").sample).blocks.empty());
   const Observations of_fixed = observed(study(fixed_targets, number_errors));
   CHECK(of_fixed.is_paired);
   CHECK(of_fixed.trials == 5);
