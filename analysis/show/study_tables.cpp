@@ -245,12 +245,13 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
     }
     all_marks.merge(marks);
   }
-  bool has_empty = false;
+  std::set<std::string> reasons;
   for (auto& row : table.rows) {
-    row.resize(table.columns.size());
-    has_empty |= std::ranges::any_of(row, [](const Cell& cell) {
-      return std::holds_alternative<std::monostate>(cell) || std::holds_alternative<Absent>(cell);
-    });
+    row.resize(table.columns.size(), Absent{"not in the study"});
+    for (Cell& cell : row) {
+      if (std::holds_alternative<std::monostate>(cell)) cell = Absent{"not in the study"};
+      if (const auto* const absent = std::get_if<Absent>(&cell)) reasons.insert(absent->why);
+    }
   }
   const bool are_shares =
       std::ranges::all_of(studies, [](const Answer& answer) { return is_share(answer.decisive()); });
@@ -259,8 +260,8 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
   for (const auto& [reference, where] : by_word(references, referring)) told.push_back(reference + " (" + where + ")");
   std::vector<std::string> sentences{
       are_shares ? "" : "Shown: " + listed(shown), "In the order of the first study that has the solver",
-      meaning_of(all_marks, listed(told, " or ")), has_empty ? "-: not in the study or without a value" : "",
-      "Each study is judged alone"};
+      meaning_of(all_marks, listed(told, " or ")),
+      reasons.empty() ? "" : fmt::format("-: {}", fmt::join(reasons, " or ")), "Each study is judged alone"};
   std::erase(sentences, "");
   table.notes = {fmt::format("{}.", fmt::join(sentences, ". ")),
                  are_shares ? fmt::format("Brackets: {} % intervals.", fmt::join(levels, " and "))
@@ -276,10 +277,16 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
     const auto count = [&](Verdict verdict) {
       return std::ranges::count_if(judged.findings, [=](const Finding& its) { return verdict_of(its) == verdict; });
     };
-    verdicts.push_back(control.empty() || !best_of(judged).empty()
-                           ? headline_of(answer).subject
-                           : fmt::format("against the control {}, {} better and {} worse", control,
-                                         count(Verdict::better), count(Verdict::worse)));
+    if (control.empty() || !best_of(judged).empty()) {
+      verdicts.push_back(headline_of(answer).subject);
+      continue;
+    }
+    std::vector<std::string> counts;
+    for (const Verdict verdict :
+         {Verdict::better, Verdict::worse, Verdict::same, Verdict::equal, Verdict::undecided, Verdict::not_tested}) {
+      if (count(verdict) > 0) counts.push_back(fmt::format("{} {}", count(verdict), name_of(verdict)));
+    }
+    verdicts.push_back(fmt::format("against the control {}, {}", control, listed(counts)));
   }
   for (const auto& [what, where] : by_word(verdicts, names)) parts.push_back(fmt::format("{}: {}", where, what));
   return fmt::format("{}.", fmt::join(parts, ".\n"));

@@ -212,7 +212,7 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
   CHECK(std::get<std::string>(table.rows[0][0]) == "A");
   CHECK(std::get<Marked>(table.rows[1][1]).mark == "*");
   CHECK(std::get<Marked>(table.rows[1][2]).is_best);
-  CHECK(std::holds_alternative<std::monostate>(table.rows[2][1]));
+  CHECK(std::get<Absent>(table.rows[2][1]).why == "not in the study");
   CHECK(found_in_studies({of(20, 5)}, {"one"}) == "one: A is better than B.");
   const Answer with_colon = answer_of({judged(shares({{"I: A", solved(20)}, {"B", solved(5)}}))});
   CHECK(contains(found_in_studies({with_colon}, {"one"}), "one: I: A is better than B."));
@@ -232,7 +232,7 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
   CHECK(turned.columns[1].name == "A");
   CHECK(std::get<std::string>(turned.rows[1][0]) == "on-two");
   CHECK(std::get<Marked>(turned.rows[0][2]).mark == "*");
-  CHECK(std::holds_alternative<std::monostate>(turned.rows[1][1]));
+  CHECK(std::holds_alternative<Absent>(turned.rows[1][1]));
 }
 
 TEST_CASE("a table says no more below it than it has", "[show]") {
