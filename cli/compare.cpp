@@ -193,7 +193,8 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
   for (const Gate& gate : all) {
     const std::string& label = gate.label.empty() ? gate.judged.study.labels.front() : gate.label;
     numerics::OrderedJson report = show::to_json(answer_of(gate));
-    for (const char* rows : {"groups", "tests", "findings"}) {
+    report["tests"] = numerics::OrderedJson::array();  // of all solvers at once: a gate has two
+    for (const char* rows : {"groups", "findings"}) {
       for (auto& row : report[rows]) row["label"] = label;
     }
     for (auto& doubt : report["doubts"]) doubt = label + ": " + doubt.get<std::string>();
