@@ -1,4 +1,5 @@
-// Describes groups, and tests whether they differ at all, as the paper's Tables 3 to 6 do.
+// Describes groups, and tests whether they differ at all: what articles print beside the verdicts of pairs, which
+// decide.
 #pragma once
 
 #include <limits>
@@ -23,15 +24,22 @@ struct Description {
 
 Description describe(const Group& group);
 Description described(const std::vector<double>& values);
+// Of values that rise, which are not none.
+double quantile(const std::vector<double>& sorted, double share);
 
+// Chi-squared of ranks have neither degrees of freedom within nor sums of squares.
 struct TestOfAll {
-  double statistic = 0;
-  double df = 0, df_within = 0;
-  double p = 1;
-  double ss_between = 0, ss_within = 0;  // of ANOVA
+  std::string_view name;
+  double statistic = unknown;
+  double df = unknown, df_within = unknown;
+  double p = unknown;
+  double ss_between = unknown, ss_within = unknown;
 };
 
-// None for fewer than two groups, paired ones, copies, lost values, or groups without spread.
+// One-way, of paired groups that of repeated measures (Fisher 1925). None for fewer than two groups, copies, lost or
+// infinite values, or groups without spread.
 std::optional<TestOfAll> anova(const Observations& observed);
+// Kruskal and Wallis (J. Am. Stat. Assoc. 47 (1952) 583), of paired groups Friedman (32 (1937) 675); both with ties.
+std::optional<TestOfAll> test_of_ranks(const Observations& observed);
 
 }  // namespace ikbench::compare

@@ -62,15 +62,17 @@ const Untold* untold(const Group& group) { return std::get_if<Untold>(&group.sam
 
 int lost_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }
 
+void settle(std::vector<double>& values, const Observations& observed, bool has_floor) {
+  for (double& value : values) value = has_floor ? std::max(value, observed.floor) : value;
+  remove_rounding(values, observed.rounding);
+}
+
 Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,
                   bool takes_logs) {
   const std::span<const double> of_first = values_of(first), of_second = values_of(second);
   std::vector<double> all(of_first.begin(), of_first.end());
   all.insert(all.end(), of_second.begin(), of_second.end());
-  if (takes_logs) {
-    for (double& value : all) value = std::max(value, observed.floor);
-  }
-  remove_rounding(all, observed.rounding);
+  settle(all, observed, takes_logs);
   if (takes_logs) std::ranges::transform(all, all.begin(), [](double value) { return std::log(value); });
   Prepared numbers;
   // A stand-in that no difference, mean or shift of the others comes near, and whose square is still exact enough.

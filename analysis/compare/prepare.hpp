@@ -26,6 +26,9 @@ struct Prepared {
   }
 };
 
+// Makes values equal that differ by no more than the rounding, or lie below a floor.
+void settle(std::vector<double>& values, const Observations& observed, bool has_floor);
+
 // Values below the floor count as it where logarithms are taken; those that differ by no more than the rounding are
 // equal. Paired values without blocks belong together by their places.
 Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,

@@ -107,6 +107,20 @@ std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view colu
                    });
 }
 
+std::pair<Average, std::string_view> average_that_decides(const StudyResults& study) {
+  const bool are_means = study.definition.plan.test == results::Plan::Test::means;
+  return are_means ? std::pair(Average::mean, "mean") : std::pair(Average::median, "median");
+}
+
+std::optional<Figure> by_point_of(const JudgedStudy& judged, std::string_view column, const Look& look) {
+  if (!is_path(judged.study)) return std::nullopt;
+  const auto [average, name] = average_that_decides(judged.study);
+  const Metric& metric = metric_named(column);
+  std::string caption = fmt::format("{} by point: {}s.", metric.name, name);
+  caption[0] = static_cast<char>(std::toupper(caption[0]));
+  return curves(about_of(judged.study, metric, caption), "point", by_point(judged.study, column, look, average));
+}
+
 std::string first_points(const StudyResults& study) {
   return study.definition.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";
 }
@@ -143,20 +157,42 @@ std::optional<Figure> time_boxes(const JudgedStudy& judged, const Look& look) {
 }
 
 std::optional<Figure> motion_boxes(const JudgedStudy& judged, const Look& look) {
-  return not_compared(judged, time).empty() ? std::nullopt : boxes_of(judged, motion, look);
+  return boxes_of(judged, motion, look);
 }
 
 std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& look) {
-  return curves(about_of(judged.study, metric_named(error), "Error by iteration: medians."), "iteration",
-                by_iteration(judged.study, look, Average::median));
+  const auto [average, name] = average_that_decides(judged.study);
+  return curves(about_of(judged.study, metric_named(error), fmt::format("Error by iteration: {}s.", name)), "iteration",
+                by_iteration(judged.study, look, average));
 }
 
 std::optional<Figure> error_by_point(const JudgedStudy& judged, const Look& look) {
-  if (!is_path(judged.study) || error_by_iteration(judged, look)) return std::nullopt;
-  const bool are_means = judged.study.definition.plan.test == results::Plan::Test::means;
-  const std::string caption = fmt::format("Error by point: {}s.", are_means ? "mean" : "median");
-  return curves(about_of(judged.study, metric_named(error), caption), "point",
-                by_point(judged.study, error, look, are_means ? Average::mean : Average::median));
+  return by_point_of(judged, error, look);
+}
+
+std::optional<Figure> motion_by_point(const JudgedStudy& judged, const Look& look) {
+  return by_point_of(judged, motion, look);
+}
+
+std::optional<Figure> time_by_point(const JudgedStudy& judged, const Look& look) {
+  return not_compared(judged, time).empty() ? by_point_of(judged, time, look) : std::nullopt;
+}
+
+std::optional<Figure> time_tail(const JudgedStudy& judged, const Look& look) {
+  constexpr std::ptrdiff_t fewest = 300;
+  const StudyResults& study = judged.study;
+  const Metric& metric = metric_named(time);
+  std::vector<Successes> all;
+  for (const std::string& solver : drawn_solvers(study, look)) {
+    if (std::ranges::count(not_compared(judged, time), solver) > 0 || std::ssize(study.of(solver)) < fewest) continue;
+    Successes& successes = all.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
+    for (const Solve& solve : study.of(solver)) {
+      if (const double seconds = metric.value(solve, study); !std::isnan(seconds))
+        successes.costs.push_back(drawn_unit(study, metric.unit).factor * std::max(seconds, metric.floor));
+    }
+    successes.attempts = successes.costs.size();
+  }
+  return tails(about_of(study, metric, "Share of solves that took at least a time."), all);
 }
 
 std::optional<Figure> solved_by_evaluations(const JudgedStudy& judged, const Look& look) {

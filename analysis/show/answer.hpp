@@ -62,6 +62,8 @@ std::string what_decides(const Answer& answer);  // what a verdict on another me
 std::string of_pairs(const Answer& answer);  // what estimates are of, where they are not those of the averages shown
 Table descriptives_table(const Answer& answer);
 Table anova_table(const Answer& answer);
+// Times of single solves up to the rarest, and how many failed, whatever an observation is made of.
+Table solves_table(const compare::StudyResults& study, const std::vector<std::string>& solvers);
 
 // The answer as data: headline, groups, tests, findings and doubts.
 nlohmann::ordered_json to_json(const Answer& answer);

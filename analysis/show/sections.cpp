@@ -44,7 +44,10 @@ std::vector<Blocks> sections_of(const Report& report) {
   numbers.in_article = {descriptives_table(brief)};
   add("Who is better?", {std::move(pairs)});
   if (!report.has_own_numbers) {
-    add("All numbers", {std::move(numbers)});
+    std::vector<std::string> solvers;
+    for (const std::size_t i : report.answer.order)
+      solvers.push_back(report.answer.decisive().observations.groups[i].name);
+    add("All numbers", {std::move(numbers), solves_table(report.study, solvers)});
     add("All solvers at once", {anova_table(report.answer)});
   }
   Blocks warnings;

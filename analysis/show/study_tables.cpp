@@ -482,13 +482,93 @@ Table descriptives_table(const Answer& answer) {
 Table anova_table(const Answer& answer) {
   Table table{.name = "anova",
               .caption = "Do the solvers differ at all?",
-              .columns = {{"metric"}, {"test"}, {"statistic"}, {"df"}, {"df within"}, {.name = "p", .role = Role::p}}};
+              .columns = {{"metric"},
+                          {"test"},
+                          {"source"},
+                          {"SS"},
+                          {"df"},
+                          {"MS"},
+                          {"statistic"},
+                          {.name = "p", .role = Role::p},
+                          {"eta squared"}}};
+  std::vector<std::string> left_out, where;
   for (const JudgedMetric& judged : answer.metrics) {
-    if (is_share(judged) || judged.plan.test != results::Plan::Test::means) continue;
-    if (const auto test = compare::anova(judged.observations))
-      table.rows.push_back({judged.observations.quantity, "ANOVA (F)", test->statistic, std::llround(test->df),
-                            std::llround(test->df_within), test->p});
+    if (is_share(judged) || judged.observations.are_logs) continue;
+    Observations observed = judged.observations;
+    std::vector<std::string> without;
+    std::erase_if(observed.groups, [&](const Group& group) {
+      const auto* const measured = std::get_if<Measured>(&group.sample);
+      const bool has_chance = std::holds_alternative<Summary>(group.sample) ||
+                              (measured && !measured->may_repeat && !measured->values.empty());
+      if (!has_chance) without.push_back(group.name);
+      return !has_chance;
+    });
+    const std::string& quantity = observed.quantity;
+    const std::size_t before = table.rows.size();
+    if (const auto f = anova(observed)) {
+      table.rows.push_back({quantity, std::string(f->name), "between", f->ss_between, std::llround(f->df),
+                            f->ss_between / f->df, f->statistic, f->p, f->ss_between / (f->ss_between + f->ss_within)});
+      table.rows.push_back({quantity,
+                            std::string(f->name),
+                            "within",
+                            f->ss_within,
+                            std::llround(f->df_within),
+                            f->ss_within / f->df_within,
+                            {},
+                            {},
+                            {}});
+    }
+    if (const auto ranks = test_of_ranks(observed))
+      table.rows.push_back({quantity,
+                            std::string(ranks->name),
+                            "between",
+                            {},
+                            std::llround(ranks->df),
+                            {},
+                            ranks->statistic,
+                            ranks->p,
+                            {}});
+    if (without.empty() || table.rows.size() == before) continue;
+    left_out.push_back(names_of(without)), where.push_back(quantity);
   }
+  table.notes = {"Statistics: F of ANOVA, chi-squared of ranks. The pairs decide, whatever these say."};
+  for (const auto& [who, metrics] : by_word(left_out, where))
+    table.notes.push_back(fmt::format("Without {}, where no value has chance in it ({}).", who, metrics));
+  return table;
+}
+
+Table solves_table(const StudyResults& study, const std::vector<std::string>& solvers) {
+  Table table{.name = "solves",
+              .caption = "Single solves",
+              .columns = {{"solver"},
+                          {"solves"},
+                          {"failed"},
+                          {"median", "ms"},
+                          {"95 %", "ms"},
+                          {"99 %", "ms"},
+                          {"99.9 %", "ms"},
+                          {"largest", "ms"}}};
+  const Metric& time = metric_named("seconds");
+  for (const std::string& solver : solvers) {
+    const Solves all = study.of(solver);
+    std::vector<double> times;
+    std::int64_t failed = 0;
+    for (const Solve& solve : all) {
+      failed += study.definition.has_tolerance() ? solve.status != results::Status::ok : !gave_answer(solve);
+      if (const double seconds = time.value(solve, study); std::isfinite(seconds)) times.push_back(1000 * seconds);
+    }
+    if (all.size() < 2) continue;
+    std::ranges::sort(times);
+    auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(all), failed});
+    for (const double share : {0.5, 0.95, 0.99, 0.999}) {
+      const bool is_beyond = static_cast<double>(times.size()) * (1 - share) < 1 - 1e-9;  // rarer than so many can show
+      row.push_back(times.empty() ? Cell()
+                    : is_beyond   ? Cell("at least " + number_text(times.back()))
+                                  : Cell(quantile(times, share)));
+    }
+    row.push_back(times.empty() ? Cell() : Cell(times.back()));
+  }
+  table.notes = {"Time of each solve that gave an answer, solved or not."};
   return table;
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 // The rows of an ANOVA: between, within, total; sum of squares, degrees of freedom, mean square, F, p.
 std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& anova) {
-  const TestOfAll test = anova.value_or(TestOfAll{unknown, unknown, unknown, unknown, unknown, unknown});
+  const TestOfAll test = anova.value_or(TestOfAll{});
   const double between = test.ss_between, within = test.ss_within;
   return {{{between, test.df, between / test.df, test.statistic, test.p},
            {within, test.df_within, within / test.df_within, unknown, unknown},

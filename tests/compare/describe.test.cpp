@@ -68,6 +68,32 @@ TEST_CASE("ANOVA of PlantGrowth is that of R", "[describe]") {
   CHECK(test.ss_within == Approx(10.49209).epsilon(1e-6));
 }
 
+TEST_CASE("tests of all have the numbers of R, with ties and in blocks", "[describe]") {
+  // InsectSprays: aov 34.70, kruskal.test 54.691.
+  const Observations sprays = observed({{10, 7, 20, 14, 14, 12, 10, 23, 17, 20, 14, 13},
+                                        {11, 17, 21, 11, 16, 14, 17, 17, 19, 21, 7, 13},
+                                        {0, 1, 7, 2, 3, 1, 2, 1, 3, 0, 1, 4},
+                                        {3, 5, 12, 6, 4, 3, 5, 5, 5, 5, 2, 4},
+                                        {3, 5, 3, 5, 3, 6, 1, 1, 3, 2, 6, 4},
+                                        {11, 9, 15, 22, 15, 16, 13, 10, 26, 26, 24, 13}});
+  CHECK(anova(sprays)->statistic == Approx(34.70228).epsilon(1e-6));
+  CHECK(test_of_ranks(sprays)->statistic == Approx(54.69134).epsilon(1e-6));
+  CHECK(test_of_ranks(sprays)->df == 5);
+  // OrchardSprays by row of the orchard: friedman.test 45.809, aov with Error(row) 20.908.
+  Observations orchard = observed({{12, 4, 5, 5, 4, 2, 3, 2},
+                                   {8, 6, 8, 14, 4, 7, 10, 4},
+                                   {84, 29, 13, 9, 17, 16, 15, 19},
+                                   {57, 28, 39, 36, 22, 27, 20, 51},
+                                   {43, 95, 114, 39, 51, 55, 47, 61},
+                                   {87, 114, 44, 57, 20, 90, 69, 71},
+                                   {80, 72, 60, 77, 92, 24, 72, 71},
+                                   {130, 72, 127, 69, 86, 81, 81, 76}});
+  orchard.is_paired = true;
+  CHECK(anova(orchard)->statistic == Approx(20.9082518).epsilon(1e-8));
+  CHECK(anova(orchard)->df_within == 49);
+  CHECK(test_of_ranks(orchard)->statistic == Approx(45.8086697).epsilon(1e-8));
+}
+
 TEST_CASE("ANOVA has the digits that NIST certifies, also where many equal leading ones cost some", "[describe]") {
   for (const auto& [name, digits] :
        {std::pair{"SiRstv", 1e-9}, {"AtmWtAg", 1e-9}, {"SmLs04", 1e-9}, {"SmLs07", 1e-4}}) {

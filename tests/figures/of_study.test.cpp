@@ -34,8 +34,8 @@ std::vector<Figure> figures_of_study(const StudyResults& study) {
 TEST_CASE("a path has curves by point, the path and the joints", "[of_study]") {
   const StudyResults asked = study({.rest = planar_arm}, differ);
   const std::vector<Figure> figures = figures_of_study(asked);
-  CHECK(names_of(figures) ==
-        Names{"overview", "error-boxes", "time-boxes", "error-by-point", "differences", "path", "joints"});
+  CHECK(names_of(figures) == Names{"overview", "error-boxes", "time-boxes", "motion-boxes", "error-by-point",
+                                   "motion-by-point", "time-by-point", "differences", "path", "joints"});
   const ScratchFolder folder;
   CHECK(drawn_as_svg(figures, folder.path) == "");
   CHECK(contains(figures[1].caption, "a dot is the mean of a run"));

@@ -308,13 +308,15 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   CHECK(contains(studies_table({second}, {"one"}).notes[0], "* worse than another solver (one)"));
 }
 
-TEST_CASE("means that are not paired have a test of all solvers", "[show]") {
+TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
   compare::Observations of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
   const results::Plan by_means{.test = results::Plan::Test::means};
-  CHECK(anova_table(answer_of({judged(of, by_means)})).rows.size() == 1);
-  CHECK(anova_table(answer_of({judged(of)})).rows.empty());
+  CHECK(anova_table(answer_of({judged(of, by_means)})).rows.size() == 3);
+  CHECK(anova_table(answer_of({judged(of)})).rows.size() == 3);
   of.is_paired = true;
-  CHECK(anova_table(answer_of({judged(of, by_means)})).rows.empty());
+  CHECK(std::get<std::string>(anova_table(answer_of({judged(of)})).rows[0][1]) == "ANOVA of repeated measures");
+  of.groups[1].sample = compare::Copies{2, 20};
+  CHECK(anova_table(answer_of({judged(of)})).rows.empty());
 }
 
 TEST_CASE("values below the floor of a ratio are told once", "[show]") {
