@@ -533,7 +533,7 @@ Table anova_table(const Answer& answer) {
   }
   table.notes = {"Statistics: F of ANOVA, chi-squared of ranks. The pairs decide, whatever these say."};
   for (const auto& [who, metrics] : by_word(left_out, where))
-    table.notes.push_back(fmt::format("Without {}, where no value has chance in it ({}).", who, metrics));
+    table.notes.push_back(fmt::format("Without {}: no chance in its values, or not compared ({}).", who, metrics));
   return table;
 }
 

@@ -248,7 +248,6 @@ TEST_CASE("a table says no more below it than it has", "[show]") {
   CHECK(pairs_table(of_few).notes.empty());
   CHECK(descriptives_table(of_errors).notes[0].find("Wilson") == std::string::npos);
   CHECK(descriptives_table(of_shares).notes[0].find("Wilson") != std::string::npos);
-  CHECK(anova_table(of_errors).notes.empty());
   Answer of_none = of(numbers("value", "value", "", {{"A", {}}, {"B", {}}}));
   of_none.direction = "smaller is better";
   CHECK(results_table(of_none).notes == std::vector<std::string>{"-: without a value (value)."});
