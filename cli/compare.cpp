@@ -10,6 +10,7 @@
 #include "analysis/compare/gate.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
+#include "analysis/show/words.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
@@ -116,7 +117,8 @@ std::string verdict_of(const Gate& gate) {
                     baseline = gate.label.empty() ? solvers.back() : "before";
   if (!gate.is_compared)
     return fmt::format("{} is not compared with {}: {}.", candidate, baseline, why_not_compared(gate));
-  const bool is_worse = !gate.worse.empty(), is_open = !gate.not_decided.empty() || !gate.not_tested.empty();
+  const bool is_worse = !gate.worse.empty(), is_open = !gate.not_decided.empty() || !gate.not_tested.empty(),
+             is_within = !gate.worse_by_little.empty();
   std::vector<std::string> parts;
   if (is_worse) parts.push_back("in " + show::listed(gate.worse));
   if (!gate.better.empty()) parts.push_back((is_worse ? "better in " : "in ") + show::listed(gate.better));
@@ -124,8 +126,12 @@ std::string verdict_of(const Gate& gate) {
                                  is_worse               ? "worse than"
                                  : !gate.better.empty() ? "better than"
                                  : is_open              ? "not shown to be worse than"
+                                 : is_within            ? "not worse by more than the margin than"
                                                         : "not worse than",
                                  baseline, parts.empty() ? "" : ": ", show::listed(parts, ", "));
+  if (!gate.worse_by_little.empty())
+    text += fmt::format(" Worse by less than {}: {}.", show::margin_words(gate.judged.metrics[gate.judged.deciding]),
+                        show::listed(gate.worse_by_little));
   if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));
   if (!gate.not_tested.empty()) text += fmt::format(" Not tested: {}.", show::listed(gate.not_tested));
   return text;
@@ -199,11 +205,14 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
     }
     for (auto& doubt : report["doubts"]) doubt = label + ": " + doubt.get<std::string>();
     if (!gate.are_same) sentences.push_back(verdict_of(gate));
+    report["metric"] = {{label, report["metric"]}};
     for (const auto& [member, value] : report.items()) {
-      if (!value.is_array() || !json.contains(member))
-        json[member] = value;
-      else
+      if (value.is_array() && json.contains(member))
         json[member].insert(json[member].end(), value.begin(), value.end());
+      else if (value.is_object() && json.contains(member))
+        json[member].update(value);
+      else
+        json[member] = value;
     }
     json["worse"][label] = gate.worse;
     json["better"][label] = gate.better;

@@ -126,16 +126,19 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
                                                    : std::max(observed.absolute_margin, relative);
   const auto lies_within = [&](const Outcome& outcome) {  // values without spread have their difference alone
     const Interval held = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
-    return held.low >= -trial.margin && held.high <= trial.margin;
+    const double rounding = 1e-9 * trial.margin;
+    return held.low >= -trial.margin - rounding && held.high <= trial.margin + rounding;
   };
   const Method& by_means = pair.method->is_by_difference ? paired_t : unpaired_t;
   trial.is_small = lies_within(trial.outcome);
   trial.outcome.estimate = numbers.unbound(trial.outcome.estimate);
   if (interval) interval->low = numbers.unbound(interval->low), interval->high = numbers.unbound(interval->high);
-  // Equal values say nothing of failures that are rarer than so many can show.
+  // Equal values, and few that differ by one number, say nothing of failures that are rarer than so many can show.
   const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : numbers.are_all_equal;
+  const bool has_width = interval && interval->low < interval->high;
   const double rare = plan.margin > 0 ? plan.margin : Plan().margin;  // an absolute margin is none of shares
-  const bool can_fail = are_equal && 1 - wilson(1, std::min(first.n, second.n), alpha).low > rare;
+  const bool can_fail = (are_equal || (!has_width && trial.outcome.p >= alpha)) &&
+                        1 - wilson(1, std::min(first.n, second.n), alpha).low > rare;
   trial.is_same =
       trial.is_small && !can_fail && (!pair.method->is_by_ranks() || lies_within(by_means.test(numbers, alpha)));
   return trial;
@@ -317,10 +320,14 @@ std::size_t testable(std::vector<Pair>& pairs, double significance) {
       std::size_t n = 2;
       const bool has_copies = is_any<Copies>(pair->a, pair->b);
       while ((has_copies ? smallest_p_paired(n) : pair->method->smallest_p(n, n)) >= level) ++n;
+      // Of signs and ranks, what falls short.
+      const bool do_signs =
+          pair->method->by == By::signs && smallest_p_paired(static_cast<std::size_t>(pair->n)) >= level;
+      const std::size_t smaller = std::min(size_of(pair->a), size_of(pair->b));
       pair->open = Open{.why = Open::Why::too_few,
-                        .n = pair->n,
+                        .n = pair->method->by == By::signs && !do_signs ? static_cast<int>(smaller) : pair->n,
                         .needed = static_cast<int>(n),
-                        .is_of_differences = pair->method->by == By::signs};
+                        .is_of_differences = do_signs};
       return true;
     });
   }

@@ -185,6 +185,7 @@ void decide(std::vector<Gate>& gates) {
                             !is_of_answers(judged));
       const bool matters = is_difference(verdict) && !(tested && tested->size == Size::small);
       if (matters) (verdict == Verdict::worse ? gate.worse : gate.better).push_back(observed.quantity);
+      if (!matters && verdict == Verdict::worse) gate.worse_by_little.push_back(observed.quantity);
       if (is_open && !gate.are_same)
         (verdict == Verdict::not_tested ? gate.not_tested : gate.not_decided).push_back(observed.quantity);
       gate.is_compared |= !is_of_answers(judged) && verdict != Verdict::not_tested;

@@ -21,7 +21,8 @@ struct Gate {
   // Without solves, once decided without values. Of two solvers, the candidate first; the last metric is the share of
   // solves that gave an answer.
   JudgedStudy judged;
-  std::vector<std::string> worse, better, not_decided, not_tested;  // quantities, but time, which depends on the load
+  // Quantities, but time, which depends on the load. worse_by_little: by less than the margin, which is no loss.
+  std::vector<std::string> worse, better, worse_by_little, not_decided, not_tested;
   std::optional<Sight> sight = {};  // none where shares are not compared target by target
   bool are_same = false;            // all solves, bit for bit: then nothing is left to decide
   bool is_compared = true;          // some quantity besides the share of answers was compared, or something is worse

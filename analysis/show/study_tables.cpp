@@ -69,10 +69,16 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const Verdict verdict = pair ? verdict_of(finding) : Verdict::undecided;
   const auto* const tested = std::get_if<Tested>(&finding.what);
-  const bool is_untested = untold(group) != nullptr || (pair && verdict == Verdict::not_tested);
   const bool is_deciding = &judged == &answer.decisive(), is_of_all = is_deciding && judged.plan.control.empty();
-  // Within the margin only what a headline tells is marked, so not in a gate, nor of other metrics.
-  const bool matters = !tested || tested->size == Size::matters || (is_deciding && answer.verdict.empty());
+  const auto is_test_of_it = [&](const Finding& its) {
+    return (its.first == solver || its.second == solver) && verdict_of(its) != Verdict::not_tested;
+  };
+  const bool is_untested = untold(group) != nullptr ||
+                           (is_of_all && !judged.findings.empty() ? std::ranges::none_of(judged.findings, is_test_of_it)
+                                                                  : pair && verdict == Verdict::not_tested);
+  // Within the margin only what a headline tells is marked, so not of other metrics, nor in a gate what is no loss.
+  const bool matters = !tested || tested->size == Size::matters ||
+                       (answer.verdict.empty() ? is_deciding : tested->size == Size::usually_small);
   const bool is_worse = is_of_all ? losers.contains(solver) : matters && verdict == Verdict::worse;
   const bool is_better = matters && verdict == Verdict::better;
   Marked cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
@@ -578,7 +584,7 @@ numerics::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding
   numerics::OrderedJson json{{"metric", judged.observations.quantity}, {"first", finding.first}};
   json["second"] = finding.second;
   for (const char* member : {"estimate", "low", "high", "excluded", "unit", "p", "a12", "ahead", "behind", "test", "n",
-                             "n_that_could_decide", "verdict", "reason"})
+                             "n_that_could_decide", "verdict", "size", "reason"})
     json[member] = nullptr;
   if (const Amount* const amount = amount_of(finding)) {
     json["estimate"] = amount->value;
@@ -596,6 +602,8 @@ numerics::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding
       json["ahead"] = effect->ahead;
       json["behind"] = effect->behind;
     }
+    constexpr std::array<const char*, 3> sizes{"matters", "usually_small", "small"};
+    if (is_difference(tested->verdict)) json["size"] = sizes[static_cast<std::size_t>(tested->size)];
     json["test"] = tested->test;
     json["n"] = tested->n;
     if (tested->enough > 0) json["n_that_could_decide"] = tested->enough;

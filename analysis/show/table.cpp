@@ -10,6 +10,7 @@
 #include "analysis/show/block.hpp"
 #include "analysis/show/text.hpp"
 #include "numerics/json.hpp"
+#include "numerics/number.hpp"
 #include "results/csv.hpp"
 
 namespace ikbench::show {
@@ -220,8 +221,14 @@ std::string interval_text(const compare::Interval& interval, Number number, cons
   const auto end = [&](double value) {
     return std::isinf(value) ? "no bound" : number(value, digits_apart(value, ends));
   };
-  return fmt::format("{}{} to {}{}", interval.excludes_low ? "above " : "", end(interval.low),
-                     interval.excludes_high ? "below " : "", end(interval.high));
+  // Of an end so near that no digits tell it, what was read.
+  const auto read = [&](double value) {
+    const double shown = numerics::number_from(number_text(value, digits_apart(value, ends))).value_or(value);
+    return std::ranges::count(ends, shown) > 0 ? shown : value;
+  };
+  return fmt::format("{}{} to {}{}", interval.excludes_low || interval.low > read(interval.low) ? "above " : "",
+                     end(interval.low), interval.excludes_high || interval.high < read(interval.high) ? "below " : "",
+                     end(interval.high));
 }
 
 std::string to_csv(const Table& table) {

@@ -62,11 +62,17 @@ std::string quantity_of(const Answer& answer) {
 }
 
 // "DLS (solved 100 of 100 targets)", and those after it "PSO (88)".
-std::string with_number(const Answer& answer, const std::string& name, std::size_t first) {
+std::string with_number(const Answer& answer, const std::string& name, std::size_t first,
+                        const std::string& more = "") {
   const JudgedMetric& judged = answer.decisive();
   const std::size_t group = place_of(judged.observations, name);
-  return fmt::format("{} ({}{})", name, group == first ? quantity_of(answer) + " " : "",
-                     number_of(answer, judged, group, first));
+  return fmt::format("{} ({}{}{})", name, group == first ? quantity_of(answer) + " " : "",
+                     number_of(answer, judged, group, first), more);
+}
+
+bool is_by_little(const Finding& finding) {
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  return tested && is_difference(tested->verdict) && tested->size == Size::small;
 }
 
 // How many of the first in this order have its number.
@@ -194,8 +200,12 @@ Sentence unbeaten(const Answer& answer) {
   const bool do_untested_lead = !apart.empty() && apart.front() == solver_name(judged, answer.order.front());
   const std::size_t first =
       do_untested_lead || rest.empty() ? answer.order.front() : place_of(judged.observations, rest.front());
-  const auto told = [&](std::vector<std::string> names) {
-    for (std::string& name : names) name = with_number(answer, name, first);
+  const auto told = [&](std::vector<std::string> names, const std::string& winner = "") {
+    for (std::string& name : names) {
+      const Finding* const pair = winner.empty() ? nullptr : finding_of(judged, winner, name);
+      name =
+          with_number(answer, name, first, pair && is_by_little(*pair) ? "; by less than " + margin_words(judged) : "");
+    }
     return names_of(names);
   };
   // What is said of several is so of each pair of them.
@@ -228,8 +238,9 @@ Sentence unbeaten(const Answer& answer) {
     are_numbers_told = others.empty();
   } else if (rest.size() == 1 && beaten(rest.front()) > 0) {
     const std::vector<std::string> open = against(rest.front(), Verdict::undecided);
-    sentence = {fmt::format("{} is better than {}", told(rest), told(against(rest.front(), Verdict::better))),
-                open.empty() ? "" : "; not decided against " + told(open)};
+    sentence = {
+        fmt::format("{} is better than {}", told(rest), told(against(rest.front(), Verdict::better), rest.front())),
+        open.empty() ? "" : "; not decided against " + told(open)};
     are_losers_told = true;
   } else if (rest.size() > 1 && are_all(rest, is_undecided)) {
     sentence.subject = "Not decided between " + told(rest);
@@ -242,7 +253,10 @@ Sentence unbeaten(const Answer& answer) {
     const std::vector<std::string> better = against(name, Verdict::worse);
     if (better.empty() || are_losers_told) continue;
     losers.push_back(are_numbers_told ? name : with_number(answer, name, first));
-    winners.push_back(leader != rest.end() && std::ranges::count(better, *leader) > 0 ? *leader : better.front());
+    const std::string& winner =
+        leader != rest.end() && std::ranges::count(better, *leader) > 0 ? *leader : better.front();
+    const Finding* const pair = finding_of(judged, winner, name);
+    winners.push_back(winner + (is_by_little(*pair) ? ", by less than " + margin_words(judged) : ""));
   }
   for (const auto& [winner, names] : by_word(winners, losers))
     sentence.rest +=
@@ -268,11 +282,10 @@ std::vector<Finding> findings_of_best(const JudgedMetric& judged) {
 // ", by less than 5 %", of all or of some that the best ones beat.
 std::string by_little(const JudgedMetric& judged) {
   std::set<std::string> who;
-  bool are_all = true;
+  bool are_all = judged.headline.best.size() == 1;  // else it would speak of them
   for (const Finding& finding : findings_of_best(judged)) {
     if (!is_difference(verdict_of(finding))) continue;
-    const auto* const tested = std::get_if<Tested>(&finding.what);
-    const bool is_little = tested && tested->size == Size::small;
+    const bool is_little = is_by_little(finding);
     are_all &= is_little;
     if (is_little) who.insert(verdict_of(finding) == Verdict::better ? finding.second : finding.first);
   }

@@ -20,6 +20,7 @@ succeeds compare $base $again --json
 quiet
 json 'of["exit_code"] == 0 and len(of["worse"]) == 6 and not any(of["worse"].values()) and of["files"] == []'
 ends 3 compare $base $fewer --json
+json 'all(row["metric"] in of["direction"] for row in of["findings"]) and of["metric"].keys() == of["worse"].keys()'
 json '[label for label in of["worse"] if "error" in of["worse"][label]] == ["DE", "PSO", "K-ABC", "MO-PSO"]'
 golden compare-stores
 ends 3 compare $fewer $base --label K-ABC --label DE --json

@@ -221,6 +221,20 @@ TEST_CASE("better by less than the margin needs both intervals within", "[compar
   CHECK_FALSE(far.is_within_margin);
 }
 
+TEST_CASE("few constant values are not the same because they have no spread", "[compare]") {
+  Observations of = groups_of({{1, 1, 1}, {1.01, 1.01, 1.01}});
+  CHECK(only(compared(of, by_means)).verdict == Verdict::undecided);
+  CHECK(only(compared(paired(of), by_means)).verdict == Verdict::undecided);
+  // An interval that ends at the margin, whatever the last bit of a unit.
+  std::vector<double> a(20, 10), b(20, 10);
+  std::fill_n(a.begin(), 7, 10.5), std::fill_n(b.begin(), 12, 10.5);
+  const Verdict in_cm = only(compared(groups_of({a, b}), by_ranks)).verdict;
+  for (std::vector<double>* const all : {&a, &b}) {
+    for (double& value : *all) value *= 10;
+  }
+  CHECK(only(compared(groups_of({a, b}), by_ranks)).verdict == in_cm);
+}
+
 TEST_CASE("a constant ratio within the margin is no plain better", "[compare]") {
   for (const Plan& plan : {by_ranks, by_means}) {
     for (const bool is_paired : {false, true}) {

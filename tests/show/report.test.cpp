@@ -307,6 +307,21 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   CHECK(contains(studies_table({second}, {"one"}).notes[0], "* worse than another solver (one)"));
 }
 
+TEST_CASE("a leader that no test reached is marked, and the winner of the others is the best", "[show]") {
+  const auto by = [](double first, int n) {
+    std::vector<double> values;
+    for (int i = 0; i < n; ++i) values.push_back(first + 0.1 * i);
+    return values;
+  };
+  const Answer of =
+      answer_of({judged(numbers("error", "error", "mm", {{"A", by(1, 2)}, {"B", by(2, 7)}, {"C", by(3, 7)}}))});
+  const Table table = results_table(of);
+  const auto cell = [&](std::size_t row) { return std::get<Marked>(table.rows[row][1]); };
+  CHECK((cell(0).mark == "!" && !cell(0).is_best));
+  CHECK((cell(1).mark.empty() && cell(1).is_best));
+  CHECK(cell(2).mark == "*");
+}
+
 TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
   compare::Observations of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
   const results::Plan by_means{.test = results::Plan::Test::means};
