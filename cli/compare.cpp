@@ -26,18 +26,18 @@ using namespace compare;
 namespace {
 
 struct CompareArguments {
-  std::string a, b, store, study, margin, output;
+  std::string a, b, store, study, margin, time_margin, output;
   std::vector<std::string> labels;
   bool is_strict = false, is_json = false;
 };
 
 // "5%".
-double margin_from(const std::string& text) {
+double margin_from(const std::string& text, const char* option = "--margin") {
   const auto value = text.ends_with('%') ? numerics::number_from(text.substr(0, text.size() - 1)) : std::nullopt;
   const double share = value ? *value / 100 : -1;
   if (!(share >= 0 && share <= results::margins_percent.second / 100))
-    throw std::invalid_argument(
-        fmt::format("--margin {}; expected a share from 0% to {}%, such as 5%", text, results::margins_percent.second));
+    throw std::invalid_argument(fmt::format("{} {}; expected a share from 0% to {}%, such as 5%", option, text,
+                                            results::margins_percent.second));
   return share;
 }
 
@@ -96,7 +96,10 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
   for (const std::string& label : labels) {
     if (std::ranges::count(labels, label) > 1)
       throw std::invalid_argument(fmt::format("the label {} is given twice", label));
-    all.push_back(gate(a.study_of({label}, arguments), b.study_of({label}, arguments)));
+    all.push_back(gate(a.study_of({label}, arguments), b.study_of({label}, arguments),
+                       arguments.time_margin.empty()
+                           ? std::nullopt
+                           : std::optional(margin_from(arguments.time_margin, "--time-margin"))));
   }
   decide(all);
   return all;
@@ -130,12 +133,14 @@ std::string verdict_of(const Gate& gate) {
                                                         : "not worse than",
                                  baseline, parts.empty() ? "" : ": ", show::listed(parts, ", "));
   if (!gate.worse_by_little.empty())
-    text += fmt::format(" Worse by less than {}: {}.", show::margin_words(gate.judged.metrics[gate.judged.deciding]),
-                        show::listed(gate.worse_by_little));
+    text += fmt::format(" Worse by less than the margin: {}.", show::listed(gate.worse_by_little));
   if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));
   if (!gate.not_tested.empty()) text += fmt::format(" Not tested: {}.", show::listed(gate.not_tested));
   return text;
 }
+
+// Something may differ.
+bool is_told(const Gate& gate) { return !gate.are_same || gate.judged.study.are_in_turn; }
 
 // Of all that are the same, bit for bit, in one; empty if none are.
 std::string verdict_of_same(const std::vector<Gate>& all) {
@@ -146,7 +151,7 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
     names.push_back(gate.label.empty() ? show::listed(gate.judged.study.labels) : gate.label);
     solves += gate.judged.metrics.back().described.front().n;
     for (const compare::JudgedMetric& judged : show::answer_of(gate.judged).metrics) {
-      if (gate.label.empty() || judged.observations.unit != "ms") continue;
+      if (gate.label.empty() || is_told(gate) || judged.observations.unit != "ms") continue;
       times.push_back(fmt::format("{} {} and {} ms", gate.label,
                                   show::number_text(show::shown_average(judged, 1).value),
                                   show::number_text(show::shown_average(judged, 0).value)));
@@ -177,16 +182,24 @@ std::string sight_of(const Gate& gate) {
 
 // What all labels that differ have in common; empty if none does.
 std::string note_of(const std::vector<Gate>& all) {
-  if (std::ranges::all_of(all, &Gate::are_same)) return "";
-  return fmt::format("p and intervals are adjusted for all labels and metrics tested. Times {}decide nothing.",
-                     all.front().label.empty() ? "" : "of two sessions are not compared, and ");
+  if (std::ranges::none_of(all, is_told)) return "";
+  const JudgedStudy& judged = all.front().judged;
+  const auto time =
+      std::ranges::find_if(judged.metrics, [](const JudgedMetric& its) { return its.observations.unit == "s"; });
+  const std::string times = !judged.study.are_in_turn ? "decide nothing"
+                            : time == judged.metrics.end()
+                                ? "are not known"
+                                : fmt::format("decide by a margin of {}", show::margin_words(*time));
+  return fmt::format(
+      "p and intervals are adjusted for all labels and metrics tested. Times {}{}.",
+      all.front().label.empty() || judged.study.are_in_turn ? "" : "of two sessions are not compared, and ", times);
 }
 
 std::string screen_of(const std::vector<Gate>& all) {
   std::string text;
   for (const Gate& gate : all) {
     const std::string sight = sight_of(gate);
-    text += gate.are_same ? "" : show::screen(answer_of(gate)) + (sight.empty() ? "" : wrapped(sight) + '\n') + '\n';
+    text += !is_told(gate) ? "" : show::screen(answer_of(gate)) + (sight.empty() ? "" : wrapped(sight) + '\n') + '\n';
   }
   for (const std::string& last : {note_of(all), verdict_of_same(all)}) text += last.empty() ? "" : wrapped(last) + '\n';
   return text;
@@ -204,7 +217,7 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
       for (auto& row : report[rows]) row["label"] = label;
     }
     for (auto& doubt : report["doubts"]) doubt = label + ": " + doubt.get<std::string>();
-    if (!gate.are_same) sentences.push_back(verdict_of(gate));
+    if (is_told(gate)) sentences.push_back(verdict_of(gate));
     report["metric"] = {{label, report["metric"]}};
     for (const auto& [member, value] : report.items()) {
       if (value.is_array() && json.contains(member))
@@ -229,7 +242,7 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
 std::string markdown_of(const std::vector<Gate>& all) {
   std::string text;
   for (const Gate& gate : all) {
-    if (gate.are_same) continue;
+    if (!is_told(gate)) continue;
     const show::Answer answer = answer_of(gate);
     text += fmt::format("**{}**\n\n{}\n{}\n", show::markdown_text(verdict_of(gate)),
                         show::to_markdown(show::results_table(answer)), show::to_markdown(show::pairs_table(answer)));
@@ -257,6 +270,10 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       ->excludes(store);
   command->add_option("--margin", arguments->margin,
                       "relative difference that matters, such as 10%; default: that of the baseline's plan");
+  command
+      ->add_option("--time-margin", arguments->time_margin,
+                   "with two stores that were solved in turn (cli/gate.sh with OLD): times decide, by this margin")
+      ->excludes(store);
   command->add_flag("--strict", arguments->is_strict, "exit with 4 if nothing is worse but something is not decided");
   command->add_option("-o,--output", arguments->output, "also write the verdict as Markdown to this file")
       ->check(not_empty());
@@ -268,7 +285,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "Exit codes: 0 nothing is worse, 3 something is worse, perhaps by more than the margin, 4 with --strict something "
       "is not decided or not tested, 1 not compared: a mistake, A and B differ in more than solvers, or nothing could "
       "be compared.\n"
-      "Times are shown and decide nothing.");
+      "Times are shown and decide nothing without --time-margin.");
   command->callback([arguments, &invocation] {
     const std::vector<Gate> all = compare_all(*arguments);
     invocation.exit_code = exit_code(all, arguments->is_strict);

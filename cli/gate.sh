@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # Runs a study and compares its store with a baseline, as action.yml does: STUDY=my.toml BASELINE=old.sqlite cli/gate.sh
 # MARGIN (5%; default: the plan's), STRICT (true: not decided fails too), OUT (ikbench-gate), IKBENCH (the program).
+# With OLD, an older ikbench, in place of BASELINE both solve the study in turn, so that times decide, too: TURNS (20),
+# at most the study's runs or targets; TIME_MARGIN (10%).
 # Writes OUT/store.sqlite and OUT/verdict.md. Exit code 0: passed or no baseline; else that of ikbench run or compare.
 set -uo pipefail
 program=${IKBENCH:-ikbench} study=${STUDY:-} baseline=${BASELINE:-} out=${OUT:-ikbench-gate}
@@ -18,13 +20,27 @@ ended() {  # ended OUTCOME CODE
 }
 refuse() { echo "gate: $1" >&2; ended failed 1; }
 [[ -n $study ]] || refuse "STUDY is not set; expected the study"
+old=${OLD:-} turns=${TURNS:-20} time_margin=
+[[ -z $old ]] || baseline=$out/before/store.sqlite time_margin=${TIME_MARGIN:-10%}
 [[ -n $baseline ]] || refuse "BASELINE is not set; expected the store of the baseline"
+[[ $turns =~ ^[1-9][0-9]{0,3}$ ]] || refuse "TURNS is $turns; expected a number from 1 to 9999"
 [[ ${STRICT:-false} =~ ^(true|false)$ ]] || refuse "STRICT is $STRICT; expected true or false"
 [[ $(realpath -m "$baseline") != "$(realpath -m "$out/store.sqlite")" ]] || refuse "BASELINE is the new store; choose another OUT"
 rm -f -- "$out/verdict.md"  # of an earlier call
-"$program" run "$study" --no-report --out="$out" || ended failed $?
+solve() { "$1" run "$study" --shard "$i/$turns" --out="$2/shards/$i" || ended failed $?; }
+if [[ -z $old ]]; then
+  "$program" run "$study" --no-report --out="$out" || ended failed $?
+else  # who begins a turn alternates
+  rm -rf -- "$out"/{,before/}{shards,store.sqlite}
+  for ((i = 1; i <= turns; i++)); do
+    ((i % 2)) && solve "$old" "$out/before"
+    solve "$program" "$out"
+    ((i % 2)) || solve "$old" "$out/before"
+  done >/dev/null
+  for each in "$out/before" "$out"; do "$program" merge "$each" "$each/shards" || ended failed $?; done
+fi
 [[ -e $baseline || -L $baseline ]] || { echo "No baseline: keep $out/store.sqlite as $baseline."; ended no-baseline 0; }
-options=(${MARGIN:+--margin="$MARGIN"})
+options=(${MARGIN:+--margin="$MARGIN"} ${time_margin:+--time-margin="$time_margin"})
 [[ ${STRICT:-} != true ]] || options+=(--strict)
 "$program" compare "$baseline" "$out/store.sqlite" -o "$out/verdict.md" "${options[@]}"
 code=$?

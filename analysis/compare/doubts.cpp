@@ -171,15 +171,17 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   if (!doubts.empty() && doubts.front().who.empty()) return doubts;
   constexpr std::size_t fewest_turns = 5;  // at being first: fewer leave a drift of the machine in the times
   const auto takes_turns = [&](const auto& solver) { return runs_of(study.of(solver)).size() >= fewest_turns; };
-  if (study.labels.size() > 1 && std::ranges::none_of(study.labels, takes_turns))
+  if (!study.are_in_turn && study.labels.size() > 1 && std::ranges::none_of(study.labels, takes_turns))
     return {{.kind = DoubtKind::times_not_comparable, .what = "one solver after the other"}};
   const auto add_of = [&](std::vector<std::string> who, const char* what) {  // one reason is enough
     for (const Doubt& told : doubts)
       std::erase_if(who, [&](const std::string& solver) { return std::ranges::count(told.who, solver) > 0; });
     add(doubts, {.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = what});
   };
-  add_of(measured_apart(study), "measured in another session");
-  add_of(copies_of_others(study), "all solves are another's, bit for bit");
+  if (!study.are_in_turn) {
+    add_of(measured_apart(study), "measured in another session");
+    add_of(copies_of_others(study), "all solves are another's, bit for bit");
+  }
   std::vector<std::string> programs = study.labels;
   std::erase_if(programs, [&](const std::string& solver) {
     return std::ranges::none_of(study.of(solver), is_timed(Timing::process));

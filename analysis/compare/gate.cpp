@@ -65,6 +65,11 @@ Observations observed_answers(const StudyResults& study, bool machine_decides) {
 
 bool is_time(const JudgedMetric& judged) { return judged.observations.unit == "s"; }
 
+// What takes a part of the significance.
+bool may_decide(const Gate& gate, const JudgedMetric& judged) {
+  return is_time(judged) ? gate.judged.study.are_in_turn : !gate.are_same;
+}
+
 bool is_of_answers(const JudgedMetric& judged) { return judged.observations.metric == "answers"; }
 
 // Without chance any loss of answers is a loss where none was missing or none is left.
@@ -146,13 +151,19 @@ Gate gate(StudyResults study, const std::string& label) {
   return gate;
 }
 
-Gate gate(StudyResults baseline, StudyResults candidate) {
+Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> time_margin) {
   refuse_other_task(baseline, candidate);
   const std::string label = candidate.labels.front();
-  Gate both = gate(study_of_both(baseline, std::move(candidate)), label);
+  StudyResults study = study_of_both(baseline, std::move(candidate));
+  study.are_in_turn = time_margin.has_value();
+  Gate both = gate(std::move(study), label);
   refuse_vanished(both.judged, label);
   for (JudgedMetric& metric : both.judged.metrics) {
-    if (is_time(metric)) metric.observations.doubts = {};  // of two stores times are never comparable
+    if (!is_time(metric)) continue;
+    if (time_margin)
+      metric.plan.margin = *time_margin;
+    else
+      metric.observations.doubts = {};  // of two sessions times are never comparable
   }
   std::ranges::move(doubts_of_limits(baseline, both.judged.study), std::back_inserter(both.judged.doubts));
   return both;
@@ -160,11 +171,10 @@ Gate gate(StudyResults baseline, StudyResults candidate) {
 
 void decide(std::vector<Gate>& gates) {
   std::ptrdiff_t tests = 0;
-  const auto takes_significance = [](const JudgedMetric& judged) {  // equal values cannot be worse by chance
-    return !is_time(judged) && can_decide(judged.observations, judged.plan);
-  };
   for (const Gate& gate : gates)
-    tests += gate.are_same ? 0 : std::ranges::count_if(gate.judged.metrics, takes_significance);
+    tests += std::ranges::count_if(gate.judged.metrics, [&](const JudgedMetric& judged) {
+      return may_decide(gate, judged) && can_decide(judged.observations, judged.plan);
+    });
   tests = std::max<std::ptrdiff_t>(tests, 1);
   for (Gate& gate : gates) {
     gate.is_compared = gate.are_same;
@@ -176,7 +186,7 @@ void decide(std::vector<Gate>& gates) {
         finding.what = Fact{Verdict::worse, {judged.described.front().mean - judged.described.back().mean}};
       if (&judged == &gate.judged.metrics[gate.judged.deciding])
         gate.sight = sight_of(judged, static_cast<double>(tests));
-      if (is_time(judged)) continue;
+      if (is_time(judged) && !gate.judged.study.are_in_turn) continue;
       const Verdict verdict = verdict_of(finding);
       const auto* const tested = std::get_if<Tested>(&finding.what);
       // Equal shares of runs may be those of other targets.
@@ -186,7 +196,7 @@ void decide(std::vector<Gate>& gates) {
       const bool matters = is_difference(verdict) && !(tested && tested->size == Size::small);
       if (matters) (verdict == Verdict::worse ? gate.worse : gate.better).push_back(observed.quantity);
       if (!matters && verdict == Verdict::worse) gate.worse_by_little.push_back(observed.quantity);
-      if (is_open && !gate.are_same)
+      if (is_open && may_decide(gate, judged))
         (verdict == Verdict::not_tested ? gate.not_tested : gate.not_decided).push_back(observed.quantity);
       gate.is_compared |= !is_of_answers(judged) && verdict != Verdict::not_tested;
     }

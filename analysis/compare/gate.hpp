@@ -21,19 +21,19 @@ struct Gate {
   // Without solves, once decided without values. Of two solvers, the candidate first; the last metric is the share of
   // solves that gave an answer.
   JudgedStudy judged;
-  // Quantities, but time, which depends on the load. worse_by_little: by less than the margin, which is no loss.
+  // Quantities; time only if the two were solved in turn. worse_by_little: by less than the margin, which is no loss.
   std::vector<std::string> worse, better, worse_by_little, not_decided, not_tested;
   std::optional<Sight> sight = {};  // none where shares are not compared target by target
-  bool are_same = false;            // all solves, bit for bit: then nothing is left to decide
+  bool are_same = false;            // all solves, bit for bit: then nothing is left to decide but time
   bool is_compared = true;          // some quantity besides the share of answers was compared, or something is worse
 };
 
 // Of a study of two solvers, the candidate first; observed and not yet judged. Throws std::invalid_argument if they
 // have not the same solves.
 Gate gate(StudyResults study, const std::string& label = "");
-// Of one solver in two stores, by the baseline's plan. Throws also if the tasks differ, or if the candidate lacks all
-// values of a metric.
-Gate gate(StudyResults baseline, StudyResults candidate);
+// Of one solver in two stores, by the baseline's plan. If they were solved in turn, times decide by a margin of their
+// own. Throws also if the tasks differ, or if the candidate lacks all values of a metric.
+Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> time_margin = {});
 // Judges all, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
 // no more compares than it says.
 void decide(std::vector<Gate>& gates);

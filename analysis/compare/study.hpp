@@ -46,6 +46,7 @@ struct StudyResults {
   std::vector<Solve> solves;                // by solver, run and point; only current ones
   std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace
   std::vector<results::Session> sessions;   // that made them
+  bool are_in_turn = false;  // two versions solved run by run in turn, so sessions do not set times apart
   Doubt other_version = {.kind = DoubtKind::other_version};  // solves that stand in the store instead of missing ones
 
   // By run and point.

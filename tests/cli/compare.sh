@@ -70,6 +70,9 @@ gate 0 no-baseline
 cp ikbench-gate/store.sqlite baseline.sqlite
 gate 0 passed OUT=same STRICT=true
 [ -s same/verdict.md ] && cmp same/verdict.md summary.md || fail "no verdict in the summary: $(<summary.md)"
+gate 0 passed OUT=turns OLD="$program" TURNS=2 TIME_MARGIN=99% BASELINE=
+equal "solves of the old program" "$(column turns/before/store.sqlite evaluations mine)" "$(column turns/store.sqlite evaluations mine)"
+gate 1 failed OUT=turns OLD="$program" TURNS=1000
 sed 's/errors := evaluate(swarm):/told := evaluate(3 * swarm):\n        errors = told[:size]/' "$pso" >mine.py
 gate 3 worse OUT=thrice MARGIN=10%
 equal "evaluations" "$(column thrice/store.sqlite evaluations mine | awk '{ n += $1 } END { print n }')" \
