@@ -27,21 +27,19 @@ void add_export(CLI::App& app, Invocation&) {
     std::string store, study, format = "csv", file = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("export", "Write all solves as CSV, or for other programs");
+  CLI::App* command = app.add_subcommand("export", "Write all solves as CSV, or their fingerprint");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   command
       ->add_option("--format", arguments->format,
-                   "csv: a row for each solve; iohprofiler: a folder for IOHanalyzer, of a study with trace = "
-                   "\"best_error\"; fingerprint: a hash of every bit but of times")
-      ->check(CLI::IsMember({"csv", "iohprofiler", "fingerprint"}))
+                   "csv: a row for each solve; fingerprint: a hash of every bit but of times")
+      ->check(CLI::IsMember({"csv", "fingerprint"}))
       ->capture_default_str();
-  command->add_option("-o,--output", arguments->file, "file to write, or new folder; - for standard output")
+  command->add_option("-o,--output", arguments->file, "file to write; - for standard output")
       ->capture_default_str();
   command->footer(
       "Examples:\n"
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
-      "  ikbench export out/slim2023/store.sqlite --format iohprofiler -o ioh\n"
       "  ikbench export out/slim2023/store.sqlite --format fingerprint\n"
       "Columns: ikbench list columns");
   command->callback([arguments] {
@@ -53,9 +51,6 @@ void add_export(CLI::App& app, Invocation&) {
       if (arguments->file == "-") return fmt::print("{}", line);
       return write_through(arguments->file, [&](const Write& write) { write(line); });
     }
-    const bool is_folder = arguments->format == "iohprofiler";
-    if (is_folder && arguments->file == "-")
-      throw std::invalid_argument("--format iohprofiler is a folder; expected -o FOLDER");
     store.at_one_moment([&] {
       const bool has_bar = arguments->file != "-" || isatty(STDOUT_FILENO) == 0;  // else it would be among the solves
       const std::int64_t all = store.number_of_solves(study);
@@ -69,9 +64,7 @@ void add_export(CLI::App& app, Invocation&) {
           if (bar) bar->show(progress);
         });
       };
-      if (is_folder) {
-        for (const std::string& warning : write_iohprofiler(study, pass, arguments->file)) warn(warning);
-      } else if (arguments->file == "-") {
+      if (arguments->file == "-") {
         // main checks that it could be written
         write_csv(pass, [](std::string_view part) { std::fwrite(part.data(), 1, part.size(), stdout); });
       } else {

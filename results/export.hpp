@@ -1,9 +1,7 @@
 // Writes the solves of a study for other programs.
 #pragma once
 
-#include <filesystem>
 #include <functional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,13 +28,5 @@ using PassSolves = std::function<void(const TakeSolve& take)>;
 // improvements have up to one element per iteration, so only the store has them. Values that are not finite are NaN,
 // Inf or -Inf; evaluations that nobody counted are empty.
 void write_csv(const PassSolves& pass, const Write& write);
-
-// The format of IOHprofiler (Doerr, Wang, Ye, van Rijn and Baeck 2018), for IOHanalyzer and IOHinspector: a folder for
-// each solver, with IOHprofiler_f1_target.json, data_f1_target/IOHprofiler_f1_DIM7.dat and so on. If a program gave no
-// answer, evaluation 1 has the error at the start and is the last. Returns a warning for each solver that is left out.
-// Throws std::invalid_argument for a study without traces, or with more points or runs than IOHprofiler's numbers, and
-// for a folder that is not empty.
-std::vector<std::string> write_iohprofiler(const StoredStudy& study, const PassSolves& pass,
-                                           const std::filesystem::path& folder);
 
 }  // namespace ikbench::results

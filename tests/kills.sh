@@ -207,7 +207,7 @@ kill_disk() { # full while solves are stored, merged, exported and drawn: exit c
   as_whole small/run/store.sqlite "a full disk"
   mount -o remount,size=200m small
   succeeds run slim2023 --set runs=2 --set trace=best_error --out few --no-report
-  for format in csv iohprofiler report; do
+  for format in csv report; do
     local command=(export few/store.sqlite --format $format -o small/$format)
     [ $format != report ] || command=(report few/store.sqlite --out small/report)
     succeeds "${command[@]}"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Exports are what other programs read: CSV, a folder for IOHprofiler, a fingerprint.
+# Exports are what other programs read: CSV, a fingerprint.
 source "$(dirname "$0")/common.sh"
 traced=(slim2023 "${small[@]}" --set trace=best_error --no-report)
 succeeds run "${traced[@]}" --out made
@@ -35,15 +35,6 @@ done
 code=${PIPESTATUS[0]}
 [ "$code" = 0 ] || [ "$code" = 141 ] || fail "export | head: exit code $code"
 
-# IOHprofiler.
-succeeds export made/store.sqlite --format iohprofiler -o ioh
-[ -z "$err" ] || fail "a solver of the paper is left out: $err"
-refused 'ioh' export made/store.sqlite --format iohprofiler -o ioh
-cp made/store.sqlite flange.sqlite
-sqlite3 flange.sqlite "UPDATE studies SET definition = json_set(definition, '$.search', 'flange')"
-succeeds export flange.sqlite --format iohprofiler -o flange
-searched() { find "$1" -name '*.dat' | sed 's/.*_DIM//; s/.dat//' | sort -u; }
-equal "searched joints" "$(searched ioh) $(searched flange)" "4 6"
 # The SQL of the docs counts no solve of an older program, and has the means of the report.
 cp -r made asked
 sqlite3 asked/store.sqlite "CREATE TEMP TABLE older AS SELECT * FROM solves; UPDATE older SET series = 'older@' || series; INSERT INTO solves SELECT * FROM older"
