@@ -503,9 +503,8 @@ Table anova_table(const Answer& answer) {
     Observations observed = judged.observations;
     std::vector<std::string> without;
     std::erase_if(observed.groups, [&](const Group& group) {
-      const auto* const measured = std::get_if<Measured>(&group.sample);
       const bool has_chance = std::holds_alternative<Summary>(group.sample) ||
-                              (measured && !measured->may_repeat && !measured->values.empty());
+                              (std::holds_alternative<Measured>(group.sample) && !values_of(group).empty());
       if (!has_chance) without.push_back(group.name);
       return !has_chance;
     });
