@@ -26,8 +26,8 @@ struct MultiverseArguments {
   std::string paper, out;
   std::vector<std::string> dimensions;
   Overrides overrides;
-  int seeds = 1, jobs = 1;
-  bool list = false, small = false;
+  int seeds = 1, jobs = 1, departures = 2;
+  bool list = false, small = false, explain = false;
 };
 
 // Lists every question with its answers, the default first.
@@ -54,13 +54,21 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
 void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& arguments,
                     const std::vector<Dimension>& varied, const Plan& plan) {
   const std::filesystem::path folder = folder_for(paper.name + "-multiverse", arguments.out);
+  const std::size_t departures = arguments.explain ? static_cast<std::size_t>(arguments.departures) : any_departures;
   const papers::SolvedMultiverse multiverse = solved_multiverse(
-      paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides}, arguments.jobs);
-  const show::Table table = papers::judged(paper, multiverse, plan).table;
+      paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .departures = departures},
+      arguments.jobs);
   refuse_links(folder);
-  show::write_table(table, table, folder / "tables", program_name());
-  fmt::print("{}Table: {}\n", printable(show::to_text(table)),
-             printable((folder / "tables" / "multiverse.csv").string()));
+  const auto tell = [&](const show::Table& table, bool is_short) {
+    show::write_table(table, table, folder / "tables", program_name());
+    fmt::print("{}Table: {}\n", is_short ? printable(show::to_text(table)) : "",
+               printable((folder / "tables" / (table.name + ".csv")).string()));
+  };
+  if (!arguments.explain) return tell(papers::judged(paper, multiverse, plan).table, true);
+  const papers::Explanation explanation = papers::explained(paper, multiverse);
+  tell(explanation.numbers, true);
+  tell(explanation.rows, true);
+  tell(explanation.readings, false);
 }
 
 }  // namespace
@@ -79,6 +87,15 @@ void add_multiverse(CLI::App& app, Invocation&) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes(small);
+  CLI::Option* explain = command->add_flag(
+      "--explain", arguments->explain,
+      "instead of claims: for each printed mean that is not the default's, the fewest departures that have it");
+  explain->excludes("--list");
+  command
+      ->add_option("--departures", arguments->departures, "of --explain, at most: 1 take seconds, 2 minutes, 3 hours")
+      ->check(whole_number({1, 100}))
+      ->capture_default_str()
+      ->needs(explain);
   command->add_option("--seeds", arguments->seeds, "number of seeds, counted from 1; each is a study of its own")
       ->check(whole_number({1, 1000}))
       ->capture_default_str();
@@ -93,7 +110,8 @@ void add_multiverse(CLI::App& app, Invocation&) {
       "Examples:\n"
       "  ikbench multiverse slim2023 --list\n"
       "  ikbench multiverse slim2023 --small --seeds 2 --out out/small\n"
-      "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n\n"
+      "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n"
+      "  ikbench multiverse slim2023 --explain --seeds 3 --jobs 2\n\n"
       "A reading is one choice for every question. Each solver is solved once for each of its own choices; claims are "
       "judged in all combinations.");
   command->callback([arguments] {
@@ -101,9 +119,9 @@ void add_multiverse(CLI::App& app, Invocation&) {
     const std::vector<Dimension> all = dimensions(arguments->paper);
     if (all.empty())
       throw std::invalid_argument(fmt::format("the program has no open questions of {}", arguments->paper));
-    const std::vector<Dimension> varied = arguments->dimensions.empty()
-                                              ? within(arguments->small ? Scope::small : Scope::usual, all)
-                                              : named(arguments->dimensions, all);
+    const Scope scope = arguments->small ? Scope::small : arguments->explain ? Scope::none : Scope::usual;
+    const std::vector<Dimension> varied =
+        arguments->dimensions.empty() ? within(scope, all) : named(arguments->dimensions, all);
     refuse_varied(arguments->overrides, varied);
     const Study study = load_study(paper.name, arguments->overrides);
     check_plan(study);

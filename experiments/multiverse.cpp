@@ -123,6 +123,7 @@ void refuse_too_many(const std::vector<Dimension>& dimensions, std::string_view 
 // Lists all choices that are possible together.
 struct Combinations {
   const std::vector<Dimension>& dimensions;
+  std::size_t departures;  // at most
 
   // The choices in the dimensions of one owner (a solver, or "" for the study), given others, which are not repeated.
   std::vector<Chosen> of(std::string_view owner, const Chosen& given) const {
@@ -136,7 +137,9 @@ struct Combinations {
           larger.push_back(chosen);
           continue;
         }
+        const std::size_t before = departures_of(given) + departures_of(chosen);
         for (const Choice& each : possible) {
+          if (before == departures && each.alternative != 0) break;
           larger.push_back(chosen);
           larger.back().push_back(each);
         }
@@ -178,8 +181,9 @@ void refuse_varied(const Overrides& overrides, const std::vector<Dimension>& dim
   }
 }
 
-Multiverse choices_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers) {
-  const Combinations combinations{dimensions};
+Multiverse choices_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers,
+                      std::size_t departures) {
+  const Combinations combinations{dimensions, departures};
   Multiverse all{.dimensions = dimensions, .solvers = solvers, .studies = {}};
   double settings = 0;
   for (const Chosen& chosen : combinations.of("", {})) {
@@ -199,7 +203,7 @@ Multiverse choices_of(const std::vector<Dimension>& dimensions, const std::vecto
 MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimension>& dimensions,
                                const MultiverseRequest& request) {
   refuse_varied(request.overrides, dimensions);
-  MultiversePlan plan{choices_of(dimensions, labels_of(load_study(name, request.overrides))), {}};
+  MultiversePlan plan{choices_of(dimensions, labels_of(load_study(name, request.overrides)), request.departures), {}};
   std::map<std::string, std::size_t> places;  // in the plan's parts, by series key
   for (Multiverse::OfStudy& of_study : plan.studies) {
     Overrides all = request.overrides;

@@ -26,6 +26,16 @@ struct JudgedMultiverse {
   show::Table table;                               // "multiverse"; readings, each seed of one by itself
 };
 
+// What readings explain of the table of means: which of its numbers may be theirs, with the runs of all seeds together.
+struct Explanation {
+  show::Table numbers;   // "explained": those that the default's cannot be, each with the fewest departures by which
+  show::Table rows;      // "rows": of each solver, the best reading, and on whose row another of its readings is
+  show::Table readings;  // "readings": of each solver, all that were tried, by how much of its own row they explain
+};
+
+// Of readings with few departures (MultiverseRequest::departures), the default among them.
+Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse);
+
 JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::Plan& plan);
 
 }  // namespace ikbench::papers

@@ -227,8 +227,7 @@ std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& so
   for (std::size_t s = 0; s < statistics.size(); ++s) {
     const double number = ours.*statistics[s].of;
     auto* const printed = std::get_if<show::Printed>(&cells.emplace_back(beside(number, row, s)));
-    if (printed && ranges)
-      printed->sign = agrees(number, printed->printed) || can_be((*ranges)[s], printed->printed) ? '~' : 'x';
+    if (printed && ranges) printed->sign = repeats(number, (*ranges)[s], printed->printed) ? '~' : 'x';
   }
   return cells;
 }

@@ -150,6 +150,8 @@ std::vector<std::string> rates_sentences(const Repeated& repeated);
 // A solver's statistics beside a printed row, with signs; unknown where values are lost. Times have no sign, for
 // machines differ.
 std::vector<show::Cell> beside(const compare::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
+// Whether a statistic of ours rounds to the printed digits, or a new study's may.
+bool repeats(double ours, const compare::Interval& range, std::string_view printed);
 constexpr double share_in_ranges = 0.92;  // of numbers of the same program
 constexpr std::string_view meaning_of_signs =
     "~ in the range that holds 92 % of such numbers of new studies by our program; x outside";

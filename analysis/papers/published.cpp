@@ -64,6 +64,10 @@ bool can_be(const compare::Interval& interval, std::string_view printed) {
 
 bool agrees(double ours, std::string_view printed) { return can_be({ours, ours}, printed); }
 
+bool repeats(double ours, const compare::Interval& range, std::string_view printed) {
+  return agrees(ours, printed) || can_be(range, printed);
+}
+
 const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver) {
   const auto row = std::ranges::find(rows, solver, &PrintedRow::solver);
   return row == rows.end() ? nullptr : &*row;

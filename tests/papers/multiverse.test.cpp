@@ -118,6 +118,50 @@ TEST_CASE("the smallest sets of answers without which a claim does not fail are 
   CHECK(words(by_default, "better_than_ba") == "fails in some seeds of the default, too");
 }
 
+TEST_CASE("the fewest departures that have a printed number explain it, and rows of others are counted", "[papers]") {
+  const auto between = [](double low, double high) {
+    std::vector<double> values;
+    for (int run = 0; run < 20; ++run) values.push_back(low + (high - low) * run / 19);
+    return Group{.sample = Measured{values}};
+  };
+  SolvedMultiverse multiverse;
+  multiverse.dimensions = {dimension("way", ""), dimension("a", "IK-BA")};
+  multiverse.solvers = {"IK-BA", "BA"};
+  for (const std::size_t way : {0U, 1U}) {  // the motion of MO-PSO at first, as IK-BA's with both departures
+    auto& study = multiverse.studies.emplace_back();
+    study.chosen = {{0, way}};
+    study.solvers.resize(2);
+    for (const std::size_t a : {0U, 1U}) {
+      multiverse.means.push_back(
+          {a == 0 ? between(1, 2) : between(0.0016, 0.0022), way == 0 || a == 0 ? between(30, 160) : between(73, 102)});
+      study.solvers[0].push_back({.chosen = {{1, a}}, .parts = {multiverse.means.size() - 1}});
+    }
+    multiverse.means.push_back({between(20, 30), between(20, 30)});
+    study.solvers[1].push_back({.chosen = {}, .parts = {multiverse.means.size() - 1}});
+  }
+  const Explanation result = explained(paper_named("slim2023"), multiverse);
+  const auto row = [&](const std::string& solver, const std::string& begin) {
+    for (const std::vector<show::Cell>& cells : result.numbers.rows) {
+      if (std::get<std::string>(cells[0]) == solver && std::get<std::string>(cells[1]).starts_with(begin)) return cells;
+    }
+    FAIL("no row of " << begin);
+    return std::vector<show::Cell>();
+  };
+  const auto has = [](const std::vector<show::Cell>& cells, std::int64_t departures, const std::string& best) {
+    CHECK(std::get<std::int64_t>(cells[2]) == departures);
+    CHECK(std::get<std::int64_t>(cells[3]) == 1);
+    CHECK(std::get<std::string>(cells[4]) == best);
+  };
+  has(row("IK-BA", "error, mean 0.0019 cm"), 1, "a=1");
+  has(row("IK-BA", "joint motion, std 7.8247 deg"), 2, "way=1 and a=1");
+  has(row("IK-BA", "all 10"), 2, "way=1 and a=1");
+  CHECK(std::get<std::string>(row("BA", "joint motion, all 5")[2]) == "none tried");
+  REQUIRE(result.rows.rows.size() == 2);
+  CHECK(std::get<std::int64_t>(result.rows.rows[0][2]) == 10);
+  CHECK(std::get<std::string>(result.rows.rows[0][5]).ends_with("(MO-PSO)"));
+  CHECK(result.readings.rows.size() == 4 + 2);
+}
+
 TEST_CASE("a solver that diverges is not tested", "[papers]") {
   SolvedMultiverse multiverse = small(few_runs);
   for (auto& study : multiverse.studies) {
