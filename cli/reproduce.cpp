@@ -122,9 +122,19 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
     if (const compare::JudgedStudy* const dobot = repeated.part("dobot"))
       of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style));
     std::vector<papers::Explained> numbers;
-    for (const papers::Repeated& reading : repeated.readings()) numbers.push_back(papers::explained_by(reading));
+    show::Blocks by_other;
+    for (const papers::Repeated& reading : repeated.readings()) {
+      numbers.push_back(papers::explained_by(reading));
+      if (reading.suffix().empty()) continue;
+      by_other.emplace_back(show::Heading{"Figures with " + reading.reading()});
+      for (figures::Figure& figure : slim2023::figures_of(reading.study(), look)) {
+        figure.name += reading.suffix();
+        by_other.emplace_back(std::move(figure));
+      }
+    }
     sentences = slim2023::sentences(claims, numbers);
     reported.additions = slim2023::sections(repeated, of_circle);
+    reported.additions.push_back(std::move(by_other));
     reported.has_own_numbers = true;
     std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many
                   [](const compare::JudgedMetric& each) { return each.observations.metric == "evaluations"; });

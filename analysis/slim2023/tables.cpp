@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "analysis/show/text.hpp"
@@ -29,6 +30,8 @@ std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& ano
            {between + within, test.df + test.df_within, unknown, unknown, unknown}}};
 }
 
+std::string with(const std::string& reading) { return reading.empty() ? "" : " with " + reading; }
+
 std::string first_sentence(Holds conclusion, const std::vector<Explained>& numbers,
                            const std::vector<JudgedClaim>& claims) {
   const auto [words, besides] =
@@ -44,7 +47,7 @@ std::string first_sentence(Holds conclusion, const std::vector<Explained>& numbe
       counts += fmt::format(
           "{}{}{}{}", counts.empty() ? "" : ", ", explained,
           counts.empty() ? fmt::format(" of the {} statistics of error and joint motion in Table 3", all) : "",
-          reading.empty() ? "" : " with " + reading);
+          with(reading));
     return fmt::format("Slim et al. 2023 {}{}{} {}; were the programs the same, in about {:.0f}.", words, by, besides,
                        counts, share_in_ranges * static_cast<double>(numbers.front().all));
   }
@@ -60,9 +63,8 @@ bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds =
 
 Table table_3(const Repeated& repeated) {
   const std::vector<std::string>& solvers = repeated.study().study.labels;
-  const std::string reading = repeated.reading();
-  Table table{.name = "table-3" + repeated.study().study.entry.name.substr(repeated.paper.name.size()),
-              .caption = fmt::format("Table 3{}{}: statistics of the runs", reading.empty() ? "" : " with ", reading),
+  Table table{.name = "table-3" + repeated.suffix(),
+              .caption = fmt::format("Table 3{}: statistics of the runs", with(repeated.reading())),
               .columns = {{"solver"}, {"statistic"}},
               .notes = {std::string(meaning_of_signs),
                         "Printed times are of another machine and language. Our time of a run is the median of its "
@@ -90,10 +92,11 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
     const std::string number = fmt::format("table-{}", anova);
     const JudgedMetric* const judged = judged_of(repeated.study(), column);
     if (judged == nullptr) continue;
-    Table& table = tables.emplace_back(
-        Table{.name = number,
-              .caption = fmt::format("Table {}: ANOVA of the {} [{}]", anova, name, metric_named(column).unit),
-              .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
+    Table& table =
+        tables.emplace_back(Table{.name = number + repeated.suffix(),
+                                  .caption = fmt::format("Table {}{}: ANOVA of the {} [{}]", anova,
+                                                         with(repeated.reading()), name, metric_named(column).unit),
+                                  .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
     const results::CsvTable printed = results::published::table(repeated.paper.name, number);
     const std::optional<TestOfAll> ours_of_all = compare::anova(judged->observations);
     if (!ours_of_all) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
@@ -176,8 +179,8 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   if (best == nullptr || accurate == nullptr || accurate->number.empty()) return {};
   std::vector<std::string> all{first_sentence(best->holds, numbers, claims)};
   if (const auto& [reading, explained, count, missed] = numbers.front(); !missed.empty())
-    all.push_back(fmt::format("IK-BA's own mean {} {} not repeat{}{}.", show::listed(missed, " and mean "),
-                              missed.size() == 1 ? "does" : "do", reading.empty() ? "" : " with ", reading));
+    all.push_back(fmt::format("IK-BA's own mean {} {} not repeat{}.", show::listed(missed, " and mean "),
+                              missed.size() == 1 ? "does" : "do", with(reading)));
   std::string words =
       fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
   if (holds(best) && holds(accurate) && holds(claim_named(claims, "least_variation")))
@@ -202,11 +205,12 @@ std::vector<show::Blocks> sections(const Repeated& repeated, const std::vector<f
     blocks.insert(blocks.begin(), show::Heading{std::move(heading)});
     sections.push_back(std::move(blocks));
   };
-  show::Blocks means;
-  for (const Repeated& reading : repeated.readings()) means.emplace_back(table_3(reading));
+  show::Blocks means, anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
+  for (const Repeated& reading : repeated.readings()) {
+    means.emplace_back(table_3(reading));
+    std::ranges::move(anova_tables(reading), std::back_inserter(anovas));
+  }
   add("Table 3", std::move(means));
-  show::Blocks anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
-  for (Table& table : anova_tables(repeated)) anovas.emplace_back(std::move(table));
   add("Tables 4 to 6", std::move(anovas));
   for (const JudgedStudy& judged : repeated.studies) {
     if (auto table = table_7(judged.study)) times.emplace_back(std::move(*table));
