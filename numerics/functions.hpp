@@ -23,5 +23,10 @@ double arc_tangent(double y, double x);
 double exponential(double x);
 // x to the power of n >= 0, by multiplication.
 double power(double x, int n);
+// The product of two vectors, added up as other sums of Eigen are: its own dot() has another order from version 5 on.
+template <class A, class B>
+double dot(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
+  return a.cwiseProduct(b).sum();
+}
 
 }  // namespace ikbench::numerics

@@ -47,10 +47,10 @@ Pose first_frame(const Axis& first) {
   const Eigen::Vector3d z = first.direction;
   const Eigen::Vector3d across = std::abs(z.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
   Pose frame = Pose::Identity();
-  frame.linear().col(0) = (across - z.dot(across) * z).normalized();
+  frame.linear().col(0) = (across - dot(z, across) * z).normalized();
   frame.linear().col(1) = z.cross(frame.linear().col(0));
   frame.linear().col(2) = z;
-  frame.translation() = first.point - z.dot(first.point) * z;
+  frame.translation() = first.point - dot(z, first.point) * z;
   return frame;
 }
 
@@ -59,20 +59,20 @@ Pose first_frame(const Axis& first) {
 DhLink link_to(const Axis& next, const Pose& frame) {
   const Eigen::Vector3d x = frame.linear().col(0), y = frame.linear().col(1), z = frame.linear().col(2);
   const Eigen::Vector3d way = next.point - frame.translation(), cross = z.cross(next.direction);
-  const double sine = cross.norm(), cosine = z.dot(next.direction);
+  const double sine = cross.norm(), cosine = dot(z, next.direction);
   DhLink link;
   Eigen::Vector3d normal;
   if (sine < all_but_parallel) {
-    normal = way - z.dot(way) * z;
+    normal = way - dot(z, way) * z;
     normal = normal.norm() < tiny ? x : normal.normalized();
   } else {
     normal = cross / sine;
-    link.d = meant_length(way.cross(next.direction).dot(cross) / (sine * sine));
+    link.d = meant_length(dot(way.cross(next.direction), cross) / (sine * sine));
   }
-  if (normal.dot(x) < -tiny) normal = -normal;
-  link.a = meant_length(way.dot(normal));
-  link.offset = meant_angle(arc_tangent(normal.dot(y), normal.dot(x)), tiny);
-  link.alpha = meant_angle(arc_tangent(cross.dot(normal), cosine), tiny);
+  if (dot(normal, x) < -tiny) normal = -normal;
+  link.a = meant_length(dot(way, normal));
+  link.offset = meant_angle(arc_tangent(dot(normal, y), dot(normal, x)), tiny);
+  link.alpha = meant_angle(arc_tangent(dot(cross, normal), cosine), tiny);
   return link;
 }
 
@@ -83,7 +83,7 @@ Frame frame_of(const Pose& pose) {
   const double level = std::sqrt(R(0, 0) * R(0, 0) + R(1, 0) * R(1, 0));  // 0 where x points up or down
   const double yaw = level > tiny ? arc_tangent(R(1, 0), R(0, 0)) : 0;
   const Eigen::Vector3d y(-sin_cos(yaw).sine, sin_cos(yaw).cosine, 0);  // of the frame before it rolls
-  const double roll = arc_tangent(R.col(1).dot(R.col(0).cross(y)), R.col(1).dot(y));
+  const double roll = arc_tangent(dot(R.col(1), R.col(0).cross(y)), dot(R.col(1), y));
   Frame frame{pose.translation(), {roll, arc_tangent(-R(2, 0), level), yaw}};
   frame.position = frame.position.unaryExpr(&meant_length);
   frame.rpy = frame.rpy.unaryExpr([](double angle) { return meant_angle(angle, tiny); });
@@ -182,7 +182,7 @@ std::vector<std::string> snap(Description& description, double within) {
     set_axis(Eigen::Vector3d::Unit(largest) * (joint.axis[largest] < 0 ? -1 : 1), joint.axis_digits.norm());
     if (last != nullptr) {
       const Eigen::Vector3d before = R.transpose() * last->axis;
-      set_axis((before.dot(joint.axis) < 0 ? -before : before).normalized(),
+      set_axis((dot(before, joint.axis) < 0 ? -before : before).normalized(),
                std::sqrt(squares + joint.axis_digits.squaredNorm()));
     }
     last = &joint;

@@ -30,12 +30,12 @@ Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& R) {
   Eigen::Vector3d axis = 0.5 * (R.col(largest) + R.row(largest).transpose());
   axis[largest] -= cosine;
   axis /= axis.norm();
-  return (axis.dot(skew) < 0 ? -angle : angle) * axis;
+  return (dot(axis, skew) < 0 ? -angle : angle) * axis;
 }
 
 Eigen::Vector3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const Eigen::Vector3d cross = from.cross(to);
-  const double sine = cross.norm(), angle = arc_tangent(sine, from.dot(to));
+  const double sine = cross.norm(), angle = arc_tangent(sine, dot(from, to));
   return sine > 0 ? Eigen::Vector3d(angle / sine * cross) : Eigen::Vector3d(angle * from.unitOrthogonal());
 }
 

@@ -103,7 +103,7 @@ class DampedLeastSquares final : public Solver {
     candidate_ = q_ + step_;
     Eigen::Matrix<double, rows, 1> moved = Eigen::Matrix<double, rows, 1>::Zero();
     for (Eigen::Index j = 0; j < step_.size(); ++j) moved += step_[j] * jacobian_.col(j).head<rows>();
-    return mu_ * step_.squaredNorm() + moved.dot(to_go_.head<rows>());
+    return mu_ * step_.squaredNorm() + dot(moved, to_go_.head<rows>());
   }
 
   template <int rows>

@@ -6,7 +6,11 @@
 #include <limits>
 #include <numeric>
 
+#include "numerics/functions.hpp"
+
 namespace ikbench::solvers {
+
+using numerics::dot;
 
 namespace {
 
@@ -66,7 +70,7 @@ double step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, doub
   Eigen::Matrix<double, rows, 1> x = to_go.head<rows>();
   const double smallest = solve_damped(J, mu, x);
   step.resize(J.cols());
-  for (Eigen::Index joint = 0; joint < J.cols(); ++joint) step[joint] = J.col(joint).dot(x);
+  for (Eigen::Index joint = 0; joint < J.cols(); ++joint) step[joint] = dot(J.col(joint), x);
   return smallest;
 }
 
@@ -96,7 +100,7 @@ robots::Configuration pseudo_inverse_of_rows(const Eigen::MatrixXd& jacobian, co
     turned = false;
     for (int i = 0; i < rows; ++i) {
       for (int k = i + 1; k < rows; ++k) {
-        const double ii = J.col(i).squaredNorm(), kk = J.col(k).squaredNorm(), ik = J.col(i).dot(J.col(k));
+        const double ii = J.col(i).squaredNorm(), kk = J.col(k).squaredNorm(), ik = dot(J.col(i), J.col(k));
         if (!(std::abs(ik) > 1e-15 * std::sqrt(ii * kk))) continue;
         turned = turned || std::min(ii, kk) > negligible;
         const double cotangent = (kk - ii) / (2 * ik);  // of twice the angle

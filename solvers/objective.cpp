@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "numerics/functions.hpp"
 #include "robots/rotation.hpp"
 
 namespace ikbench::solvers {
@@ -36,7 +37,7 @@ Linearized Objective::evaluate_linear(const robots::ConfigurationRef& q, Eigen::
   const robots::Pose reached = arm_.pose_jacobian(q, jacobian.topRows<6>());
   const Eigen::Vector3d z = reached.linear().col(2);
   for (Eigen::Index j = 0; j < jacobian.cols() && goal_.kind == GoalKind::axis; ++j)
-    jacobian.col(j).tail<3>() -= z.dot(jacobian.col(j).tail<3>()) * z;
+    jacobian.col(j).tail<3>() -= numerics::dot(z, jacobian.col(j).tail<3>()) * z;
   jacobian.bottomRows<3>() *= goal_.rotation_weight;
 
   const Eigen::Vector3d away = goal_.target.translation() - reached.translation();

@@ -122,3 +122,13 @@ TEST_CASE("a power is the product of its factors", "[functions]") {
       CHECK(last_places(power(x, n), truth) < n + 1);  // half an ulp per product, and squares grow it
   }
 }
+
+TEST_CASE("a product of vectors has the same order of sums with every version of Eigen", "[functions]") {
+  Dice dice;
+  for (int i = 0; i < 1000; ++i) {
+    Eigen::Matrix<double, 6, 1> a, b, p;
+    for (int k = 0; k < 6; ++k) p[k] = (a[k] = dice.between(-1, 1)) * (b[k] = dice.between(-1, 1));
+    REQUIRE(dot(a, b) == (p[0] + (p[1] + p[2])) + (p[3] + (p[4] + p[5])));
+    REQUIRE(dot(a.head<3>(), b.head<3>()) == p[0] + (p[1] + p[2]));
+  }
+}
