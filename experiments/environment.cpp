@@ -5,9 +5,13 @@
 #include <sys/utsname.h>
 #include <time.h>
 #include <unistd.h>
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+#endif
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <limits>
@@ -99,6 +103,15 @@ bool is_debug_build() {
 #else
   return true;
 #endif
+}
+
+std::filesystem::path own_program() {
+#ifdef __APPLE__
+  std::array<char, 4096> path{};
+  auto size = static_cast<std::uint32_t>(path.size());
+  if (_NSGetExecutablePath(path.data(), &size) == 0) return path.data();
+#endif
+  return "/proc/self/exe";
 }
 
 std::string program_name() {

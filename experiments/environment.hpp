@@ -2,6 +2,7 @@
 // so that an edited solver differs from the one before; comments and white space do not count.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -15,7 +16,8 @@ double stolen_seconds();
 double thread_seconds();  // processor time [s] of this thread
 // Times of a debug or sanitized build say nothing about a solver.
 bool is_debug_build();
-std::string program_name();  // "ikbench 1.0.0 (COMMIT, source DIGEST)", for what it writes
+std::filesystem::path own_program();  // the file that runs
+std::string program_name();           // "ikbench 1.0.0 (COMMIT, source DIGEST)", for what it writes
 // Digest of what all solvers share: arms, kernels, random numbers, the loop, targets, the verifier (CMakeLists.txt
 // lists it).
 std::string shared_source_digest();

@@ -30,8 +30,11 @@ using namespace results;
 
 namespace {
 
-// Counts how often the system took the processor from this thread.
+// Counts how often the system took the processor from this thread; where nobody counts that, from the process.
 double thread_interruptions() {
+#ifndef RUSAGE_THREAD
+  constexpr int RUSAGE_THREAD = RUSAGE_SELF;
+#endif
   rusage usage{};
   getrusage(RUSAGE_THREAD, &usage);
   return static_cast<double>(usage.ru_nivcsw);

@@ -361,7 +361,7 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
 
 std::string source_digest_of(const SolverEntry& entry) {
   if (entry.program) return entry.program->digest;
-  return entry.own ? digest_of_file("/proc/self/exe") : solver_source_digest(entry.solver);
+  return entry.own ? digest_of_file(own_program()) : solver_source_digest(entry.solver);
 }
 
 std::string library_of(const SolverEntry& entry) { return entry.program ? "" : info_of(entry).library; }

@@ -19,15 +19,33 @@
 
 #include "numerics/names.hpp"
 
+extern char** environ;  // which the headers of some systems leave to us
+
 namespace ikbench::results {
 
 namespace {
 
 constexpr std::size_t kept_errors = 4000;  // bytes
 
+#ifndef __GLIBC__
+// Elsewhere no call closes all descriptors: a forked process closes one after the other, and what starts a program
+// leaves each to close itself.
+void closefrom(int first) {
+  for (int descriptor = ::getdtablesize(); descriptor-- > first;) ::close(descriptor);
+}
+int posix_spawn_file_actions_addclosefrom_np(posix_spawn_file_actions_t*, int) { return 0; }
+#endif
+#ifdef __APPLE__  // whose programs start without our descriptors when told so
+int pipe2(int* ends, int) { return ::pipe(ends); }
+int clock_getcpuclockid(pid_t, clockid_t*) { return ENOSYS; }
+constexpr short start_flags = POSIX_SPAWN_CLOEXEC_DEFAULT;
+#else
+constexpr short start_flags = 0;
+#endif
+
 struct Pipe {
   Pipe() {
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
       throw std::runtime_error(fmt::format("cannot open a pipe: {}; raise ulimit -n", std::strerror(errno)));
   }
   ~Pipe() {
@@ -59,7 +77,7 @@ pid_t start_guard(int lifeline) {
   ::setpgid(0, 0);
   for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGPIPE}) ::signal(signal, SIG_IGN);
   ::dup2(lifeline, STDIN_FILENO);
-  ::closefrom(STDIN_FILENO + 1);
+  closefrom(STDIN_FILENO + 1);
   pid_t process = 0;
   while (::read(STDIN_FILENO, &process, sizeof(process)) > 0) {  // its number, then nothing until the end
   }
@@ -87,14 +105,15 @@ int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem
   ::posix_spawnattr_init(&attributes);
   if (!folder.empty()) ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   for (int i = 0; i < 3; ++i) ::posix_spawn_file_actions_adddup2(&actions, descriptors[static_cast<std::size_t>(i)], i);
-  ::posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
   sigset_t none, all;
   ::sigemptyset(&none);
   ::sigfillset(&all);
   ::posix_spawnattr_setsigmask(&attributes, &none);
   ::posix_spawnattr_setsigdefault(&attributes, &all);
   ::posix_spawnattr_setpgroup(&attributes, group);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  ::posix_spawnattr_setflags(&attributes,
+                             start_flags | POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   const int error = ::posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), variables.data());
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
@@ -156,7 +175,7 @@ bool ChildProcess::is_running() {
 double ChildProcess::cpu_seconds() const {
   clockid_t clock{};
   timespec time{};
-  if (has_ended_ || ::clock_getcpuclockid(process_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
+  if (has_ended_ || clock_getcpuclockid(process_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
