@@ -1,6 +1,7 @@
 // Numbers as text and back, the same in every locale: the shortest text that gives the same double again.
 #pragma once
 
+#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,12 @@ namespace ikbench::numerics {
 // Writes NaN, Inf or -Inf for values that are not finite, as R and Python read them.
 std::string text_of(double value);
 void append(std::string& text, double value);  // of a finite value
+
+// std::from_chars, also where the library has none of doubles.
+std::from_chars_result read_number(const char* begin, const char* end, double& value);
+inline std::from_chars_result read_number(const char* begin, const char* end, int& value) {
+  return std::from_chars(begin, end, value);
+}
 
 // The whole text as a number, ignoring blanks around it; nothing if it is no number, or too large or too small for a
 // double.

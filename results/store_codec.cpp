@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <system_error>
@@ -51,7 +50,7 @@ void read_numbers(std::string_view array, std::vector<double>& numbers) {
   const char *at = array.data() + 1, *const end = array.data() + array.size() - 1;
   for (const char* next = at; at < end; at = next + 1) {
     double& number = numbers.emplace_back();
-    const auto [stop, error] = std::from_chars(at, end, number);
+    const auto [stop, error] = read_number(at, end, number);
     next = stop;
     if (error == std::errc{} && (next == end || *next == ',')) continue;
     next = std::find(at, end, ',');

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <stdexcept>
 
 #include "numerics/names.hpp"
+#include "numerics/number.hpp"
 
 namespace ikbench::solvers {
 
@@ -18,7 +18,7 @@ namespace {
 template <class Number>
 bool parse(std::string_view text, Number& value) {
   const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  const auto [rest, error] = read_number(text.data(), end, value);
   return error == std::errc() && rest == end;
 }
 

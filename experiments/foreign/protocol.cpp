@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <deque>
@@ -44,7 +43,7 @@ bool take_number(const char*& at, const char* end, double& value) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   while (*at == ' ') ++at;
   const char* const first = at + (*at == '-' ? 1 : 0);
-  const auto [next, error] = std::from_chars(at, end, value);
+  const auto [next, error] = read_number(at, end, value);
   if (error != std::errc{} || !is_digit(*first) || (*first == '0' && is_digit(first[1]))) return false;
   const char* const point = std::find(std::exchange(at, next), next, '.');
   return point == next || is_digit(point[1]);
