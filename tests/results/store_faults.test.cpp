@@ -1,8 +1,28 @@
 // A store in adversity: wrong files, damage, kill -9, rivals, no permission to write.
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cstdarg>
+
 #include "tests/results/samples.hpp"
+
+#ifdef __GLIBC__
+// In front of the C library's, for SQLite too: locks as network file systems without a lock daemon answer them.
+bool has_locks = true;
+extern "C" int fcntl64(int descriptor, int command, ...) {
+  va_list rest;
+  va_start(rest, command);
+  void* const argument = va_arg(rest, void*);
+  va_end(rest);
+  if (has_locks || (command != F_SETLK && command != F_GETLK))
+    return static_cast<int>(syscall(SYS_fcntl, descriptor, command, argument));
+  errno = ENOLCK;
+  return -1;
+}
+extern "C" int fcntl(int, int, ...) __attribute__((alias("fcntl64")));
+#endif
 
 namespace {
 
@@ -415,3 +435,16 @@ TEST_CASE("a reader needs no permission to write, neither to the store nor to it
   CHECK(exit_code(reader) == 0);
   std::filesystem::permissions(folder.path, perms::owner_all);
 }
+
+#ifdef __GLIBC__
+TEST_CASE("a folder without locks is told as such", "[store][faults]") {
+  const ScratchFolder folder;
+  const auto file = folder.path / "a.ikb";
+  write_store(file);
+  has_locks = false;
+  const std::string said = refusal(file, Store::Mode::write);
+  has_locks = true;
+  CHECK_THAT(said, ContainsSubstring("this folder's file system has no locks"));
+  read_everything(file);
+}
+#endif
