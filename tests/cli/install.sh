@@ -22,7 +22,10 @@ equal "version of CITATION.cff" "ikbench $(sed -n 's/^version: //p' "$tree/CITAT
 
 # The packages, as ./setup --with-package release package makes them: the program, with the libraries that it needs.
 if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null && command -v python3 >/dev/null; then
-  "$(dirname "$cmake")/cpack" --config "$(dirname "$program")/CPackConfig.cmake" -B "$work/package" >.log 2>&1 || fail "no package: $(<.log)"
+  for folder in again package; do
+    "$(dirname "$cmake")/cpack" --config "$(dirname "$program")/CPackConfig.cmake" -B "$work/$folder" >.log 2>&1 || fail "no package: $(<.log)"
+  done
+  equal "packages made again" "$(cd again && sha256sum ikbench*)" "$(cd package && sha256sum ikbench*)"
   dpkg-deb -x package/ikbench_*.deb unpacked
   tar -xzf package/ikbench-*.tar.gz
   equal "other than C's libraries" "$(dpkg-deb -f package/ikbench_*.deb Depends | tr ',' '\n' | grep -cvE ' ?(zlib1g|lib(c6|gcc-s1|stdc\+\+6|m6|[a-z]*san[0-9]))\b' || true)" 0
