@@ -31,7 +31,7 @@ struct RobotArguments {
   std::string robot, out;
   UrdfChoice urdf;
   std::vector<double> at;
-  bool shows_links = false;
+  bool shows_links = false, shows_urdf = false;
 };
 
 // The first 12 digits: conversions leave digits of their own beyond.
@@ -139,6 +139,7 @@ void add_robot(CLI::App& app, Invocation&) {
   command->add_option("--tip", arguments->urdf.tip,
                       "link of a URDF file to which the arm is read; default: the end after most joints");
   command->add_flag("--links", arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
+  command->add_flag("--urdf", arguments->shows_urdf, "print the arm as a URDF file, and nothing else");
   command->add_option("--out", arguments->out, "also draw the arm into this folder: robot.svg, .pdf, .png");
   command->footer(
       "Examples:\n"
@@ -157,6 +158,10 @@ void add_robot(CLI::App& app, Invocation&) {
     }
     const Robot arm =
         is_arm_file(arguments->robot) ? load_robot(arguments->robot, arguments->urdf) : robot(arguments->robot);
+    if (arguments->shows_urdf) {
+      fmt::print("{}", urdf_of(arm, arm.chain));
+      return;
+    }
     const Configuration q = joints_at(arm, arguments->at);
     const std::string where_tool_is = tool_text(arm, q);
     fmt::print("{}{}\n", robot_text(arm), wrapped(where_tool_is));

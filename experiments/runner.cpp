@@ -195,10 +195,10 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
 std::vector<std::string> tell_of_programs(const Work& work, Store& store, std::int64_t session) {
   std::vector<std::string> sentences;
   for (const SolveRunner& solve_runner : work.solve_runners) {
-    const std::string failure = solve_runner.last_failure();
-    if (failure.empty()) continue;
-    sentences.push_back(fmt::format("{}: last failure: {}", solve_runner.label(), failure));
-    store.add_to_session(session, {{"program." + solve_runner.label(), "last failure: " + failure}});
+    const std::string odd = solve_runner.odd();
+    if (odd.empty()) continue;
+    sentences.push_back(fmt::format("{}: {}", solve_runner.label(), odd));
+    store.add_to_session(session, {{"program." + solve_runner.label(), odd}});
   }
   return sentences;
 }

@@ -49,11 +49,12 @@ bool same_bits(const Numbers& a, const Numbers& b) {
 
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
 
-// The text of the arm's URDF file; empty if it is of none.
-std::string urdf_of(const Study& study, const SolverEntry& entry) {
+// The text of the arm's URDF file; empty if it is of none, or some of its joints are not searched.
+std::string own_urdf(const Study& study, const SolverEntry& entry, bool are_all_searched) {
   const std::filesystem::path file = entry.program->folder / study.robot;
   std::error_code none;
-  return is_urdf_file(study.robot) && std::filesystem::is_regular_file(file, none) ? text_of_file(file) : "";
+  const bool is_whole = are_all_searched && is_urdf_file(study.robot) && std::filesystem::is_regular_file(file, none);
+  return is_whole ? text_of_file(file) : "";
 }
 
 // Compares bit for bit.
@@ -112,8 +113,9 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::stri
       is_counted_(entry.program || info_of(entry).is_counted) {
   if (!entry.program) return;
   conversations_ = std::make_unique<Conversations>(
-      entry.program, robot_message(arm, task_.arm(), task_.goal(Pose::Identity()), urdf_of(study, entry),
-                                   entry.program->hello, options_));
+      entry.program,
+      robot_message(arm, task_.arm(), task_.goal(Pose::Identity()),
+                    own_urdf(study, entry, task_.arm().joints() == arm.joints()), entry.program->hello, options_));
 }
 
 std::unique_ptr<Solver> SolveRunner::make_solver() const {
@@ -125,7 +127,7 @@ void SolveRunner::count_failure(Solver& solver) const {
   if (conversations_) static_cast<ForeignSolver&>(solver).count_failure();
 }
 
-std::string SolveRunner::last_failure() const { return conversations_ ? conversations_->last_failure() : ""; }
+std::string SolveRunner::odd() const { return conversations_ ? conversations_->odd() : ""; }
 
 SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const Configuration& start, int run,
                                       int point) const {
@@ -202,6 +204,9 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
     answer = start;
     verified = verify(arm_, target, start, answer, turns_freely);
   }
+  constexpr int one_in = 10;  // solves of a program is asked twice
+  if (conversations_ && !is_without_answer(status) && (run + point) % one_in == 0)
+    conversations_->note_repeat(same_bits(timed(solver, target, start, run, point).answer, median.answer));
   const Account* const account = median.account ? &*median.account : nullptr;
   SolveRecord record{
       .study = study_.name,
@@ -271,11 +276,13 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
   return is_in_order(status) && is_late(timed) ? Status::over_budget : status;
 }
 
-// Solvers that stop by themselves may take too much: programs and libraries. A library's time is that of its thread.
+// Solvers that stop by themselves may take too much: programs and libraries. On a busy machine they wait, so processor
+// time counts where it is less; of a program, if it tells its own time, since it may sleep.
 bool SolveRunner::is_late(const Timed& timed) const {
   if (!entry_.program && info_of(entry_).library.empty()) return false;
   if (timed.account && timed.account->went_on) return true;
-  return is_over({.seconds = timed.account ? timed.seconds : std::min(timed.seconds, timed.cpu_seconds),
+  const double cpu = timed.cpu_seconds, told = timed.account ? timed.account->claimed_seconds : timed.seconds;
+  return is_over({.seconds = std::isnan(told) ? timed.seconds : std::max(std::min(told, cpu), least_told(cpu)),
                   .evaluations = timed.solution.evaluations,
                   .iterations = timed.solution.iterations},
                  study_.stop);

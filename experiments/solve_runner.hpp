@@ -26,10 +26,10 @@ class SolveRunner {
   const std::string& key() const { return key_; }  // of its series
   // Makes a solver for any number of solves, one after the other: starting it anew makes it forget all.
   std::unique_ptr<solvers::Solver> make_solver() const;
-  // If it is a program that failed in its last solve, this becomes last_failure, and the third in a row gives it up.
-  // Not for a solve that is not stored.
+  // If it is a program that failed in its last solve, this becomes the last failure, and the third in a row gives it
+  // up. Not for a solve that is not stored.
   void count_failure(solvers::Solver& solver) const;
-  std::string last_failure() const;  // of its program, if there was one
+  std::string odd() const;  // of its program: a failure, or answers that it does not repeat; empty: nothing
   // Both throw std::runtime_error, with label, run and point, if the solver throws (std::invalid_argument, if it throws
   // that) or answers with other than one number for each joint.
   // Solves once, untimed, if repeats are timed, so that the first is no slower than the others.

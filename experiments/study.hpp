@@ -22,8 +22,8 @@ using results::Limits, results::Search, results::Start, results::StudyBounds, re
 
 struct Program;  // foreign/program.hpp
 
-// The treatment of a solver whose library this program was built without: refuse the study, or leave the solver out and
-// say so.
+// The treatment of a solver whose library this program was built without, or of a program that does not start: refuse
+// the study, or leave the solver out and say so.
 enum class IfMissing { refuse, leave_out };
 
 struct SolverEntry {

@@ -219,7 +219,7 @@ Robot read_arm(const TomlReader& reader, Study& study) {
 
 constexpr std::array<std::string_view, 2> if_missing_choices{"refuse", "leave_out"};
 
-// An entry that may be left out and whose solver this program was built without.
+// An entry that may be left out and whose library this program was built without.
 std::optional<LeftOut> left_out_of(TomlReader entry) {
   IfMissing if_missing = IfMissing::refuse;
   const std::string solver = entry.table()["solver"].value_or(std::string());
@@ -233,7 +233,7 @@ std::optional<LeftOut> left_out_of(TomlReader entry) {
   return left_out;
 }
 
-// Starts the program to read its name and options.
+// Starts the program to read its name and options. Throws LeftOut if it does not start and may be left out.
 std::shared_ptr<const Program> read_program(TomlReader& reader) {
   constexpr std::string_view key = "process";
   ProgramChoice choice;
@@ -243,6 +243,11 @@ std::shared_ptr<const Program> read_program(TomlReader& reader) {
   try {
     return meet(choice, folder_of(reader, key));
   } catch (const std::invalid_argument& error) {
+    IfMissing if_missing = IfMissing::refuse;
+    reader.choice("if_missing", if_missing, if_missing_choices);
+    LeftOut left_out{choice.process[0], error.what()};
+    reader.text("label", left_out.label);
+    if (if_missing == IfMissing::leave_out) throw left_out;
     throw reader.mistake(key, fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
   }
 }
@@ -429,7 +434,13 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
       study.left_out.push_back(*left_out);
       continue;
     }
-    for (SolverEntry& entry : read_entry(of_entry)) {
+    std::vector<SolverEntry> entries;
+    try {
+      entries = read_entry(of_entry);
+    } catch (const LeftOut& left_out) {
+      study.left_out.push_back(left_out);
+    }
+    for (SolverEntry& entry : entries) {
       if (!labels.insert(entry.label).second) {
         throw std::invalid_argument(
             fmt::format("{}label \"{}\" is used twice; expected a different label for each of [[solvers]]",

@@ -47,6 +47,10 @@ constexpr std::array<std::string_view, 11> names_of(Status) {
 constexpr std::array<std::string_view, 4> names_of(Timing) { return {"clean", "parallel", "debug_build", "process"}; }
 constexpr std::array<std::string_view, 3> names_of(CountedBy) { return {"suite", "solver", "nobody"}; }
 
+// The least time [s] that a program may tell of a solve that took so much processor time [s]: with two threads, and a
+// millisecond of messages.
+constexpr double least_told(double cpu_seconds) { return cpu_seconds / 2.2 - 0.001; }
+
 // True if the solver gave no answer within its budget.
 constexpr bool is_without_answer(Status status) { return status >= Status::crashed; }
 // True if the arm stayed where it was, and the record's answer is that.

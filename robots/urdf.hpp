@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "robots/robot.hpp"
 
@@ -18,5 +19,13 @@ std::string link_tree(std::string_view text, const std::filesystem::path& file);
 // std::invalid_argument says where, what is wrong, and what is expected. The arm gets the name of the file without its
 // ending.
 Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const UrdfChoice& choice);
+
+// An arm as a URDF file's text: of `chain`, its joints or the first of them, and its limits. A coupled joint is
+// followed by one that mimics it.
+std::string urdf_of(const Robot& arm, const Chain& chain);
+// The names in it: those of the arm's own file, else joint_1, ..., from "base" to "tool".
+std::vector<std::string> joint_names(const Robot& arm);
+inline std::string base_link_of(const Robot& arm) { return arm.base_link.empty() ? "base" : arm.base_link; }
+inline std::string tip_link_of(const Robot& arm) { return arm.tip_link.empty() ? "tool" : arm.tip_link; }
 
 }  // namespace ikbench::robots

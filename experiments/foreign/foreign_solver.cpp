@@ -56,6 +56,21 @@ std::string Conversations::last_failure() const {
   return last_failure_;
 }
 
+void Conversations::note_repeat(bool is_same) {
+  const std::scoped_lock lock(mutex_);
+  ++repeated_;
+  differed_ += is_same ? 0 : 1;
+}
+
+std::string Conversations::odd() const {
+  const std::scoped_lock lock(mutex_);
+  std::string told = last_failure_.empty() ? "" : "last failure: " + last_failure_;
+  if (differed_ > 0)
+    told += fmt::format("{}it answers otherwise when it is asked again, {} of {} times", told.empty() ? "" : "; ",
+                        differed_, repeated_);
+  return told;
+}
+
 template <class Talk>
 void ForeignSolver::guarded(Talk&& talk) {
   if (account_.failure) return;

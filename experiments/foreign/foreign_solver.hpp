@@ -48,6 +48,8 @@ class Conversations {
   void give_back(Conversation conversation);
   void note(std::string failure);
   std::string last_failure() const;  // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
+  void note_repeat(bool is_same);    // of a solve that was asked twice
+  std::string odd() const;           // its last failure, and how often it answered otherwise when asked again
 
   const std::shared_ptr<const Program> program;
   const std::string robot;
@@ -56,6 +58,7 @@ class Conversations {
   mutable std::mutex mutex_;
   std::vector<Conversation> idle_;
   std::string last_failure_;
+  int repeated_ = 0, differed_ = 0;
 };
 
 // solvers::solve drives it like any other solver; `start` is the whole conversation. If the program fails, the error is

@@ -12,6 +12,7 @@
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
+#include "robots/urdf.hpp"
 #include "solvers/bounds.hpp"
 
 namespace ikbench::experiments {
@@ -173,7 +174,6 @@ Hello Message::hello() const {
     hello.goals.push_back(goal.get<std::string>());
   }
   if (hello.goals.empty()) fail("\"goals\" of position, axis and pose");
-  hello.wants_urdf = json_->value("urdf", OrderedJson(false)) == true;
   return hello;
 }
 
@@ -234,9 +234,10 @@ std::string robot_message(const Robot& arm, const Chain& searched, const Goal& g
     const std::string& text = options.at(option.name);
     values[option.name] = option.choices.empty() ? numerics::parsed_ordered_json(text) : OrderedJson(text);
   }
+  const std::vector<std::string> names = joint_names(arm);
   for (const DhLink& link : searched.links()) {
     const auto index = static_cast<Eigen::Index>(joints.size());
-    joints.push_back({{"name", fmt::format("joint_{}", index + 1)},
+    joints.push_back({{"name", names[joints.size()]},
                       {"type", link.joint == Joint::turns    ? "revolute"
                                : link.joint == Joint::slides ? "prismatic"
                                                              : "coupled"},
@@ -247,22 +248,18 @@ std::string robot_message(const Robot& arm, const Chain& searched, const Goal& g
                       {"lower", arm.limits.lower[index]},
                       {"upper", arm.limits.upper[index]}});
   }
-  const std::vector<std::string> names = joint_names(arm.description);
-  for (std::size_t j = 0; j < std::min(names.size(), joints.size()); ++j) joints[j]["name"] = names[j];
-  const std::string tip = arm.tip_link.empty() ? "tool" : arm.tip_link;
-  OrderedJson json{{"message", "robot"},
-                   {"name", arm.name},
-                   {"options", values},
-                   {"goal", goal_names[static_cast<std::size_t>(goal.kind)]},
-                   {"rotation_weight", goal.rotation_weight},
-                   {"claim_slack", claim_slack(arm)},
-                   {"joints", joints},
-                   {"base_link", arm.base_link.empty() ? "base" : arm.base_link},
-                   {"base", numbers(searched.base().pose().matrix().transpose().reshaped())},
-                   {"tip_link", searched.joints() == arm.joints() ? tip : "last joint searched"},
-                   {"tool", numbers(searched.tool().pose().matrix().transpose().reshaped())}};
-  if (hello.wants_urdf && !urdf.empty()) json["urdf"] = urdf;
-  return line_of(json);
+  return line_of({{"message", "robot"},
+                  {"name", arm.name},
+                  {"options", values},
+                  {"goal", goal_names[static_cast<std::size_t>(goal.kind)]},
+                  {"rotation_weight", goal.rotation_weight},
+                  {"claim_slack", claim_slack(arm)},
+                  {"joints", joints},
+                  {"base_link", base_link_of(arm)},
+                  {"base", numbers(searched.base().pose().matrix().transpose().reshaped())},
+                  {"tip_link", tip_link_of(arm)},
+                  {"tool", numbers(searched.tool().pose().matrix().transpose().reshaped())},
+                  {"urdf", urdf.empty() ? urdf_of(arm, searched) : urdf}});
 }
 
 std::string solve_message(const Problem& problem, const Goal& goal, const StopRule& stop, std::uint32_t seed) {

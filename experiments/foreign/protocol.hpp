@@ -32,7 +32,6 @@ struct Hello {
   std::string name, version;
   std::vector<HelloOption> options;
   std::vector<std::string> goals;  // that it solves for: position, axis, pose
-  bool wants_urdf = false;
 
   bool solves(solvers::GoalKind goal) const;
 };
@@ -68,7 +67,7 @@ class Message {
 };
 
 // What is the same for all solves. `searched` has the joints before the wrist, or all; of `goal` the target does not
-// matter; `urdf` is the text of the arm's file, if it is of one.
+// matter; `urdf` is the text of the arm's file; empty: it is written here.
 std::string robot_message(const robots::Robot& arm, const robots::Chain& searched, const solvers::Goal& goal,
                           const std::string& urdf, const Hello& hello, const solvers::Settings& options);
 std::string solve_message(const solvers::Problem& problem, const solvers::Goal& goal, const solvers::StopRule& stop,

@@ -124,6 +124,18 @@ for wrong in "option w|options = { w = 2 }" 'missing.py|files = ["missing.py"]';
   refused "${wrong%|*}" run mistake.toml
 done
 
+# Some solves are asked twice, and it is told who answers otherwise then.
+study forgets "$(entry good fine)" "$(printf '[[solvers]]\nlabel = "other"\nprocess = ["env", "FAULT=remembers", "python3", "planted.py"]\n')"
+succeeds run forgets.toml --no-report --out forgets
+has "$err" "other: it answers otherwise when it is asked again, 1 of 1 times"
+has_no "$err" "good: it answers"
+
+# A program that does not start may be left out.
+study missing "$(entry there fine)" '[[solvers]]' 'label = "gone"' 'process = ["false"]' 'if_missing = "leave_out"'
+succeeds run missing.toml --no-report --out missing
+has "$err" "gone"
+equal "solvers" "$(sqlite3 missing/store.sqlite "SELECT group_concat(label) FROM series")" "DLS,there"
+
 # Any end of ikbench ends its programs.
 left() { pgrep -f "faulty.py until-$1-$$\$" | wc -l; }
 for signal in INT KILL; do

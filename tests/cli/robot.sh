@@ -33,6 +33,14 @@ equal "tool of the written arm" "$(unwrapped | tail -n 1)" "$where"
 succeeds robot gen3.urdf --out picture
 [ -s picture/robot.gp ] && [ -s picture/robot.dat ] || fail "there is no picture"
 
+# An arm of the library as a URDF file is the same arm.
+"$program" robot dobot_magician --urdf | grep -q '<mimic joint="joint_2" multiplier="-1"/>' || fail "no joint mimics"
+"$program" robot franka_panda --urdf >panda.urdf
+succeeds robot franka_panda --at 10,-20,30,-40,50,60,70
+where=$(unwrapped | tail -n 1)
+succeeds robot panda.urdf --at 10,-20,30,-40,50,60,70
+equal "tool by the URDF file" "$(unwrapped | tail -n 1)" "$where"
+
 # The file is the one beside the study, from wherever the program is called; a copy of the arm is the same arm, and one
 # that was edited another.
 succeeds run my_study.toml "${small[@]}" --figures none --out made

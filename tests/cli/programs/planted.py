@@ -54,6 +54,6 @@ for line in sys.stdin:
         say(message="solved", **answer(told))
         if "again" == FAULT: time.sleep(0.02), say(message="solved", q=[0] * 7)
 if "twice" == FAULT: say(message="solved", q=[0] * 7)
-if "stays" == FAULT and solves > 4:  # only the one whose end is looked at: each is waited for
+if "stays" == FAULT and solves > 24:  # only the one whose end is looked at: each is waited for
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     time.sleep(1000)
