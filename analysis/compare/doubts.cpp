@@ -73,8 +73,10 @@ std::vector<Doubt> doubts_of_load(const StudyResults& study) {
   if (!doubts.empty()) return {doubts.front()};
   add_counts(doubts, study, doubt_of("the machine was busy"), [&](const std::string& solver) {
     const auto disturbed = std::ranges::count_if(study.of(solver), &Solve::was_disturbed);
-    const auto clean = std::ranges::count_if(study.of(solver), is_timed(Timing::clean));
-    return std::pair(disturbed > 1 && 10 * disturbed > clean ? disturbed : 0, clean);
+    const auto timed = std::ranges::count_if(study.of(solver), [](const Solve& solve) {
+      return solve.timing == Timing::clean || (solve.timing == Timing::process && solve.is_told);
+    });
+    return std::pair(disturbed > 1 && 10 * disturbed > timed ? disturbed : 0, timed);
   });
   return doubts;
 }
@@ -137,6 +139,23 @@ void add_of_budgets(Doubts& doubts, const StudyResults& study) {
                     .what = fmt::format("budgets differ: {:.0f} and {:.0f} evaluations a solve", many, few)});
 }
 
+// Who has kinematics of its own stops by a rule of its own, and may not know what the study asks.
+void add_of_near_misses(Doubts& doubts, const StudyResults& study) {
+  const numerics::StopRule& stop = study.definition.stop;
+  const auto is_near = [](double error, double tolerance) { return tolerance == 0 || error <= 2 * tolerance; };
+  for (const std::string& solver : study.labels) {
+    double near = 0, missed = 0;
+    for (const Solve& solve : study.of(solver)) {
+      if (solve.status != Status::tolerance_missed || solve.counted_by == CountedBy::suite) continue;
+      ++missed;
+      near += is_near(solve.position_error_cm, stop.tolerance_cm()) &&
+              (!study.definition.has_direction() || is_near(solve.orientation_error_deg, stop.tolerance_deg()));
+    }
+    if (near >= 2 && 2 * near > missed)
+      doubts.push_back({.kind = DoubtKind::near_misses, .who = {solver}, .count = near, .of = missed});
+  }
+}
+
 // By the stored plan: a command may judge by another.
 void add_of_plan(Doubts& doubts, const StudyResults& study) {
   const numerics::Json plan = numerics::parsed_json(study.entry.definition)["analysis"];
@@ -182,11 +201,17 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
     add_of(measured_apart(study), "measured in another session");
     add_of(copies_of_others(study), "all solves are another's, bit for bit");
   }
-  std::vector<std::string> programs = study.labels;
-  std::erase_if(programs, [&](const std::string& solver) {
-    return std::ranges::none_of(study.of(solver), is_timed(Timing::process));
-  });
-  if (programs.size() < study.labels.size()) add_of(std::move(programs), "messages are in them");
+  std::vector<std::string> silent, short_ones;
+  for (const std::string& solver : study.labels) {
+    const Solves all = study.of(solver);
+    const auto tells_none = [](const Solve& solve) {
+      return solve.timing == Timing::process && !solve.is_told && gave_answer(solve);
+    };
+    if (std::ranges::any_of(all, tells_none)) silent.push_back(solver);
+    if (10 * std::ranges::count_if(all, &Solve::is_told_short) > std::ssize(all)) short_ones.push_back(solver);
+  }
+  if (silent.size() < study.labels.size()) add_of(std::move(silent), "messages are in them");
+  add_of(std::move(short_ones), "it tells less than half of its processor time");
   return doubts;
 }
 
@@ -227,6 +252,7 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
       [](const Solve& solve) { return solve.status == Status::claimed_but_wrong; });
   add(doubts, study, {.kind = DoubtKind::outside_limits}, &Solve::is_outside_limits);
   add_of_budgets(doubts, study);
+  add_of_near_misses(doubts, study);
   if (const int count = study.definition.out_of_reach; count > 0)
     doubts.push_back({.kind = DoubtKind::out_of_reach,
                       .count = static_cast<double>(count),
@@ -269,6 +295,9 @@ std::string words_of(const Doubt& doubt) {
       return fmt::format("{} solves claimed an error that is wrong, and do not count as solved ({})", share, who);
     case DoubtKind::outside_limits:
       return fmt::format("{} answers outside the joint limits ({})", share, who);
+    case DoubtKind::near_misses:
+      return fmt::format("{} unsolved answers of {} are within twice the tolerance: does it know the tolerance?", share,
+                         who);
     case DoubtKind::budgets_differ:
     case DoubtKind::counted_otherwise:
       return fmt::format("{} ({})", what, who);

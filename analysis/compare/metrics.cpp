@@ -1,5 +1,4 @@
 #include <array>
-#include <cmath>
 
 #include "analysis/compare/describe.hpp"
 #include "analysis/compare/observe.hpp"
@@ -14,13 +13,6 @@ constexpr double rounding_deg = 1e-9 / numerics::degree;
 
 double of_answer(const Solve& solve, double value) {
   return results::is_without_answer(solve.status) ? unknown : value;
-}
-
-// Of the record's orientation_error, ||R - Rd|| / ||Rd||: for two rotations ||R - Rd|| is sqrt(8) sin(angle / 2), and
-// ||Rd|| is sqrt(3). NaN stays NaN.
-double orientation_angle_deg(double orientation_error) {
-  const double sine = orientation_error * std::sqrt(3.0 / 8);
-  return 2 * std::asin(sine > 1 ? 1.0 : sine) / numerics::degree;
 }
 
 constexpr std::array rows{

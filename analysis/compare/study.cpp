@@ -45,6 +45,12 @@ struct Bend {
   }
 };
 
+// Of ||R - Rd|| / ||Rd||: for two rotations ||R - Rd|| is sqrt(8) sin(angle / 2), and ||Rd|| is sqrt(3). NaN stays NaN.
+double angle_deg(double orientation_error) {
+  const double sine = orientation_error * std::sqrt(3.0 / 8);
+  return 2 * std::asin(sine > 1 ? 1.0 : sine) / numerics::degree;
+}
+
 // Adds a record to a study; they come by solver, run and point. The bend is of its run until here.
 void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   if (record.run < 1 || record.point < 1)
@@ -57,6 +63,9 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   const bool is_of_first_run = earlier.empty() || earlier.front().run == record.run;
   if (earlier.empty() || earlier.back().run != record.run) bend = {};
   if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < most_drawn)) study.drawn.push_back(record);
+  const bool is_told = std::isfinite(record.claimed_seconds);
+  const double seconds = is_told ? record.claimed_seconds : record.seconds;
+  const bool is_alone = record.timing == Timing::clean || (record.timing == Timing::process && is_told);
   study.solves.push_back(
       {.run = record.run,
        .point = record.point,
@@ -67,14 +76,15 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .timing = record.timing,
        .counted_by = record.counted_by,
        .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
-       .was_disturbed =
-           record.timing == Timing::clean && record.cpu_seconds > 0 && record.seconds > 1.1 * record.cpu_seconds,
+       .was_disturbed = is_alone && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
+       .is_told = is_told,
+       .is_told_short = is_told && seconds < least_told(record.cpu_seconds),
        .position_error_cm = record.position_error_cm,
-       .orientation_error = record.orientation_error,
+       .orientation_error_deg = angle_deg(record.orientation_error),
        .variation_deg = record.variation_deg,
        .variation_m = record.variation_m,
        .largest_move_deg = record.largest_move_deg,
-       .seconds = record.seconds,
+       .seconds = seconds,
        .bend_deg = bend.with(record.answer_rad),
        .evaluations = record.evaluations,
        .iterations = record.iterations,

@@ -28,9 +28,11 @@ struct Solve {
   results::Timing timing = results::Timing::clean;
   results::CountedBy counted_by = results::CountedBy::suite;
   bool is_outside_limits = false;
-  bool was_disturbed = false;    // clean, and took more than 10 % longer than its processor time
+  bool was_disturbed = false;  // took more than 10 % longer than its processor time; of solves at once not known
+  // Of a program: whether it told its own time, and whether its processor time, messages included, is too long for it.
+  bool is_told = false, is_told_short = false;
   bool had_enough_time = false;  // whatever the clock says: as many evaluations as another version needed
-  double position_error_cm = 0, orientation_error = 0, variation_deg = 0, variation_m = 0;
+  double position_error_cm = 0, orientation_error_deg = 0, variation_deg = 0, variation_m = 0;
   double largest_move_deg = 0, seconds = 0;
   double bend_deg = 0;  // mean second difference of all joint angles of its run until here; NaN: not known
   std::int64_t evaluations = 0, iterations = 0;

@@ -109,6 +109,9 @@ Answer answer_of(const JudgedStudy& judged) {
       all.notes.push_back(fmt::format("In ratios, {} below {} {} counts as that.", observed.quantity,
                                       number_text(observed.floor), observed.unit));
   }
+  const auto is_of_time = [](const JudgedMetric& metric) { return metric.observations.unit == "s"; };
+  if (std::ranges::any_of(judged.metrics, is_of_time) && std::ranges::any_of(judged.study.solves, &Solve::is_told))
+    all.notes.emplace_back("Times of programs are told by them.");
   return all;
 }
 

@@ -245,6 +245,36 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
   };
   CHECK(apart(times(study(chained, in_process("B")))) == "B");
   CHECK(apart(times(study(chained, in_process("AB")))).empty());
+  // What a program tells is its time, if its processor time leaves room for it.
+  const auto told = [](double seconds, double cpu) {
+    return [=](SolveRecord& solve) {
+      if (solve.label != "B") return;
+      solve.timing = Timing::process;
+      solve.claimed_seconds = seconds;
+      solve.cpu_seconds = cpu;
+    };
+  };
+  CHECK(apart(times(study(chained, told(0.01, 0.0105)))).empty());
+  CHECK(list_of(group(times(study(chained, told(0.01, 0.0105))), "B")).front() == 0.01);
+  CHECK(apart(times(study(chained, told(0.01, 0.05)))) == "B");   // of more threads, or told too short
+  CHECK(apart(times(study(chained, told(0.01, 0.005)))) == "B");  // it waited
+}
+
+TEST_CASE("Who stops just beyond the tolerance is asked whether it knows it") {
+  const auto missed = [](int near, CountedBy by) {
+    return [=](SolveRecord& solve) {
+      solve.counted_by = by;
+      solve.status = results::Status::tolerance_missed;
+      solve.position_error_cm = solve.point <= near ? 0.0199 : 1;
+    };
+  };
+  const auto asked = [&](int near, CountedBy by) {
+    const Asked with_tolerance{.rest = R"(, "stop": {"tolerance_cm": 0.01})"};
+    return std::ranges::count(doubts_of(study(with_tolerance, missed(near, by))), DoubtKind::near_misses, &Doubt::kind);
+  };
+  CHECK(asked(3, CountedBy::nobody) == 2);
+  CHECK(asked(2, CountedBy::nobody) == 0);
+  CHECK(asked(3, CountedBy::suite) == 0);
 }
 
 TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is a doubt") {
