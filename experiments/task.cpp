@@ -60,7 +60,7 @@ Configuration Task::completed(const Configuration& found, const Pose& target, co
     answer = start;
     answer.head(found.size()) = found;
   }
-  wrap(answer);
+  wrap(answer, start);
   return answer;
 }
 
@@ -69,10 +69,11 @@ void Task::turn_near(Eigen::Vector3d& branch, const Eigen::Vector3d& near) const
   for (Eigen::Index j = 0; j < 3; ++j) branch[j] = near[j] + std::remainder(branch[j] - near[j], whole_turn);
 }
 
-void Task::wrap(Configuration& answer) const {
+void Task::wrap(Configuration& answer, const Configuration& start) const {
   if (study_.wrap == Wrap::no) return;
   for (Eigen::Index j = 0; j < answer.size(); ++j) {
     if (arm_.chain.slides(j)) continue;
+    if (study_.wrap == Wrap::nearest) answer[j] += whole_turn * std::round((start[j] - answer[j]) / whole_turn);
     answer[j] = turned_inside(answer[j], arm_.limits.lower[j], arm_.limits.upper[j]);
   }
 }

@@ -45,9 +45,9 @@ void list_fields(Fields& io, StudyData& study) {
       "recorded: answers outside the joint limits are kept and reported; enforced: candidates are clamped, the wrist "
       "takes a branch inside the limits, and an answer outside is refused, so the arm stays where it was");
   io.choice(
-      "wrap", study.wrap, {"no", "into_limits"},
+      "wrap", study.wrap, {"no", "into_limits", "nearest"},
       "into_limits: after a solve, joints outside their limits are turned back inside by whole turns where that is "
-      "possible, for every solver; the pose stays");
+      "possible, for every solver; nearest: all joints, to where they are nearest to the start; the pose stays");
   io.choice("start", study.start, names_of(study.start),
             "a solve starts where the previous one left the arm, at initial_deg, in the middle of the joint limits, at "
             "random within them, or near a solution of a random target");

@@ -72,9 +72,9 @@ enum class StudyBounds { per_solver, initial, clamp };
 // wrist; an answer outside is refused, and the arm stays where it was.
 enum class Limits { recorded, enforced };
 
-// into_limits: turns revolute joints of an answer back inside their limits by whole turns, where possible. No pose
-// changes.
-enum class Wrap { no, into_limits };
+// into_limits: turns revolute joints of an answer back inside their limits by whole turns, where possible. nearest: to
+// the whole turn inside that is nearest to the start, as controllers do. No pose changes.
+enum class Wrap { no, into_limits, nearest };
 
 // The start of each solve of a run: the previous answer, the initial configuration, the middle of the limits, a
 // configuration drawn from seed, run and point, or one near the configuration that the target was made of.

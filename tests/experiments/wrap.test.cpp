@@ -1,4 +1,4 @@
-// wrap = "into_limits": answers turned back by whole turns.
+// wrap: answers turned by whole turns.
 #include "tests/experiments/samples.hpp"
 
 namespace {
@@ -49,4 +49,29 @@ TEST_CASE("wrapped answers differ by whole turns, reach the same and are outside
   CAPTURE(outside, outside_wrapped, turned);
   CHECK(turned > 0);
   CHECK(outside_wrapped < outside);
+}
+
+TEST_CASE("the nearest answers differ by whole turns, move no farther, and no turn inside the limits is nearer",
+          "[wrap]") {
+  Study study = study_without_limits(Wrap::into_limits);
+  study.robot = "ur5e";  // two turns for each joint
+  const std::vector<SolveRecord> wrapped = solves_of(study);
+  study.wrap = Wrap::nearest;
+  const std::vector<SolveRecord> nearest = solves_of(study);
+  const JointLimits limits = robot("ur5e").limits;
+  int nearer = 0;
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    CHECK(nearest[i].position_error_cm == Approx(wrapped[i].position_error_cm).margin(1e-7));
+    CHECK(nearest[i].variation_deg <= wrapped[i].variation_deg + 1e-6);
+    nearer += nearest[i].variation_deg < wrapped[i].variation_deg - 1 ? 1 : 0;
+    for (std::size_t j = 0; j < nearest[i].answer_rad.size(); ++j) {
+      const auto at = static_cast<Eigen::Index>(j);
+      const double q = nearest[i].answer_rad[j], start = nearest[i].start_rad[j];
+      const double turns = (q - wrapped[i].answer_rad[j]) / turn, other = q + (q < start ? turn : -turn);
+      CHECK(turns == Approx(std::round(turns)).margin(1e-9));
+      const bool is_possible = other >= limits.lower[at] && other <= limits.upper[at];
+      CHECK((!is_possible || std::abs(q - start) <= std::abs(other - start) + 1e-9));
+    }
+  }
+  CHECK(nearer > 0);
 }
