@@ -66,6 +66,7 @@ gate() {
   equal "outcome ($*)" "$(tail -n 2 outputs | head -n 1)" "outcome=$outcome"
 }
 cp "$pso" mine.py
+cp "$root/docs/examples/ikbench.py" .
 gate 0 no-baseline
 cp ikbench-gate/store.sqlite baseline.sqlite
 gate 0 passed OUT=same STRICT=true
@@ -73,7 +74,7 @@ gate 0 passed OUT=same STRICT=true
 gate 0 passed OUT=turns OLD="$program" TURNS=2 TIME_MARGIN=99% BASELINE=
 equal "solves of the old program" "$(column turns/before/store.sqlite evaluations mine)" "$(column turns/store.sqlite evaluations mine)"
 gate 1 failed OUT=turns OLD="$program" TURNS=1000
-sed 's/errors := evaluate(swarm):/told := evaluate(3 * swarm):\n        errors = told[:size]/' "$pso" >mine.py
+sed 's/errors := problem.evaluate(swarm):/told := problem.evaluate(3 * swarm):\n        errors = told[:size]/' "$pso" >mine.py
 gate 3 worse OUT=thrice MARGIN=10%
 equal "evaluations" "$(column thrice/store.sqlite evaluations mine | awk '{ n += $1 } END { print n }')" \
   "$((3 * $(column baseline.sqlite evaluations mine | awk '{ n += $1 } END { print n }')))"

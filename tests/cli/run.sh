@@ -6,6 +6,7 @@ source "$(dirname "$0")/common.sh"
 awk '/^```toml mine.toml/ { shown = 1; next } /^```/ { shown = 0 } shown' "$root/docs/tutorial.md" >mine.toml
 sed -i '0,/^\[\[solvers\]\]/s//&\ncolour = "#00FF00"/' mine.toml
 cp "$root/docs/examples/pso.py" mine.py
+cp "$root/docs/examples/ikbench.py" .
 succeeds run mine.toml --out mine
 quiet
 debug=0 # times of a debug build are not compared: two lines more, a picture less

@@ -1,0 +1,134 @@
+"""What a Python program has to say to ikbench (docs/reference/protocol.md). A library takes ten lines:
+
+    import ikbench, some_library
+
+    def prepare(robot):  # once; what it returns goes to solve
+        return some_library.from_urdf(robot.urdf, robot.base_link, robot.tip_link)
+
+    def solve(library, problem):  # joint values, or None where there is no answer
+        return library.ik(problem.matrix, problem.start)
+
+    ikbench.run("some_library", prepare, solve, goals=["pose"])
+
+It tells ikbench how long `solve` took, and turns angles that are outside their limits back by whole turns."""
+import json, math, os, random, sys, tempfile, time
+
+
+class Declined(Exception):
+    """Raised by prepare or solve: why this arm or target cannot be solved."""
+
+
+class _Members:
+    def __init__(self, members):
+        for key, value in members.items():
+            setattr(self, key, _Members(value) if key in ("budget", "tolerance") else value)
+
+
+class Robot(_Members):
+    """The members of the message `robot`; `names`, `lower` and `upper` of its joints (None: it turns without end), and
+    `file`, in which its URDF text is."""
+
+    def __init__(self, message):
+        super().__init__(message)
+        self.names, self.lower, self.upper = ([joint[key] for joint in self.joints] for key in ("name", "lower", "upper"))
+        self.turns = [joint["type"] == "revolute" for joint in self.joints]
+        self.file = os.path.join(tempfile.mkdtemp(), "arm.urdf")
+        with open(self.file, "w") as file:
+            file.write(self.urdf)
+
+    def require(self, *, turning=False, bounded=False):
+        """Declines joints that slide or are coupled, or turn without end."""
+        if turning and not all(self.turns):
+            raise Declined("joints that turn, alone")
+        if bounded and None in self.lower:
+            raise Declined("joints with limits, alone")
+
+
+class Problem(_Members):
+    """The members of the message `solve`; of a pose also `matrix`, 4 rows of 4, and `rotation`, 3 rows of 3."""
+
+    def __init__(self, message, ask):
+        super().__init__(message)
+        self.position, turn = self.target["position"], self.target.get("rotation", [1, 0, 0, 0, 1, 0, 0, 0, 1])
+        self.rotation = [turn[0:3], turn[3:6], turn[6:9]]
+        self.matrix = [row + [x] for row, x in zip(self.rotation, self.position)] + [[0, 0, 0, 1]]
+        self.random, self._ask, self.evaluated, self._began = random.Random(self.seed), ask, False, time.perf_counter()
+
+    def left(self):
+        """Seconds of its budget that are left; infinite where there is none."""
+        return self._began + self.budget.seconds - time.perf_counter() if self.budget.seconds else math.inf
+
+    def starts(self):
+        """Where to begin: the start, then random values inside the limits, while time is left (without a budget of time
+        twenty)."""
+        yield self.start
+        for _ in range(10**9 if self.budget.seconds else 19):
+            if self.left() <= 0:
+                return
+            yield [self.random.uniform(low, high) for low, high in zip(self.lower, self.upper)]
+
+    def evaluate(self, candidates):
+        """Their errors, None of one beyond the budget; or None where the solve is over, so return."""
+        self.evaluated = True
+        told = self._ask({"message": "evaluate", "candidates": candidates})
+        return None if told["over"] else told["errors"]
+
+
+def inside(q, turns, lower, upper):
+    """Turns angles that are outside by whole turns, to where they are nearest to the middle."""
+    middle = [(low + high) / 2 for low, high in zip(lower, upper)]
+    return [m + math.remainder(x - m, 2 * math.pi) if turn and not low <= x <= high else x
+            for x, m, turn, low, high in zip(q, middle, turns, lower, upper)]
+
+
+def _option(name, value):
+    default, low, high, meaning = value if isinstance(value, tuple) else (value, -math.inf, math.inf, name)
+    option = {"name": name, "meaning": meaning}
+    if isinstance(default, list):
+        return {**option, "default": default[0], "choices": default}
+    bounds = {key: bound for key, bound in (("low", low), ("high", high)) if math.isfinite(bound)}
+    return {**option, "type": "integer" if isinstance(default, int) else "number", "default": default, **bounds}
+
+
+def run(name, prepare, solve, *, version="", options={}, goals=["position", "axis", "pose"]):
+    """Says hello and answers until the input ends. `options` by name: a default, or (default, low, high, meaning); a
+    list has the choices, the default first. Their values are robot.options."""
+    out = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)  # what a library prints is no message
+
+    def say(message):
+        out.write(json.dumps(message) + "\n")
+        out.flush()
+
+    def ask(message):
+        say(message)
+        return json.loads(sys.stdin.readline())
+
+    say({"message": "hello", "ikbench": 2, "name": name, "version": version, "goals": goals,
+         "options": [_option(*each) for each in options.items()]})
+    for line in sys.stdin:
+        told = json.loads(line)
+        try:
+            if told["message"] == "robot":
+                robot, prepared, why = Robot(told), None, None
+                prepared = prepare(robot)
+                continue
+            if why:
+                raise Declined(why)
+            problem = Problem(told, ask)
+            clocks = time.perf_counter, time.process_time  # who waits for the processor is not slow
+            began = [clock() for clock in clocks]
+            q = solve(prepared, problem)
+            seconds = min(clock() - then for clock, then in zip(clocks, began))
+            answer = {"message": "solved"}
+            if not problem.evaluated:  # else ikbench's time is in it
+                answer["seconds"] = seconds
+            if q is not None or not problem.evaluated:
+                answer["q"] = inside([float(x) for x in (problem.start if q is None else q)], robot.turns, problem.lower,
+                                     problem.upper)
+            say(answer)
+        except Declined as declined:
+            why = str(declined)
+            if told["message"] == "solve":
+                say({"message": "declined", "why": why})
+                why = None if prepared is not None else why
