@@ -40,7 +40,8 @@ std::string some_arm(std::string_view first = "revolute", std::string_view secon
     const std::string after = j < 8 ? fmt::format("link_{}", j) : "tool";
     text += fmt::format(
         "<link name='{0}'/><joint name='joint_{1}' type='{2}'><parent link='{3}'/><child link='{0}'/>"
-        "<origin xyz='{4} 0 0' rpy='{5} 0 0'/><axis xyz='0 0 1'/><limit lower='{6}' upper='{7}'/></joint>",
+        "<origin xyz='{4} 0 0' rpy='{5} 0 0'/><axis xyz='0 0 1'/>"
+        "<limit lower='{6}' upper='{7}' effort='1000' velocity='1000'/></joint>",
         after, j,
         j == 1   ? first
         : j == 2 ? second
@@ -52,9 +53,14 @@ std::string some_arm(std::string_view first = "revolute", std::string_view secon
   return text + "</robot>";
 }
 
+Configuration inside(const Robot& arm, const Configuration& q) {
+  return q.cwiseMax(arm.limits.lower).cwiseMin(arm.limits.upper);
+}
+
 // The first of the poses that are asked, or another.
 Goal some_goal(const Robot& arm, GoalKind kind, double beyond, int which = 0) {
-  Pose pose = arm.chain.forward(Configuration::LinSpaced(arm.joints(), 0.3 - 0.07 * which, 0.7 + 0.03 * which));
+  const Configuration q = Configuration::LinSpaced(arm.joints(), 0.3 - 0.07 * which, 0.7 + 0.03 * which);
+  Pose pose = arm.chain.forward(inside(arm, q));
   pose.translation().x() += beyond;
   return kind == GoalKind::position ? Goal(pose.translation()) : Goal(pose, 0.25, kind);
 }
@@ -75,7 +81,7 @@ struct Solving {
         all(program, robot_message(arm, arm.chain, goal, urdf, program->hello, options_of(program->hello, {}))) {}
 
   Tried once(const StopRule& stop = usual, int which = 0) {
-    const Problem problem{.start = Configuration::Constant(arm.joints(), 0.1),
+    const Problem problem{.start = inside(arm, Configuration::Constant(arm.joints(), 0.1)),
                           .lower = arm.limits.lower,
                           .upper = arm.limits.upper,
                           .population = 20};
@@ -99,7 +105,8 @@ struct Solving {
 
 class Checks {
  public:
-  explicit Checks(const ProgramChoice& choice) {
+  // `urdf`: the arm that turns and has limits; empty: one of ours.
+  Checks(const ProgramChoice& choice, const std::string& urdf) : urdf_(urdf.empty() ? some_arm() : urdf) {
     try {
       check(meet(choice, {}));
     } catch (const std::invalid_argument& error) {
@@ -110,6 +117,8 @@ class Checks {
   std::vector<CheckLine> lines;
 
  private:
+  const std::string urdf_;
+
   void line(std::string what, std::string wrong, std::string seen = {}) {
     lines.push_back({std::move(what), wrong.empty(), wrong.empty() ? std::move(seen) : std::move(wrong)});
   }
@@ -125,7 +134,7 @@ class Checks {
         line(fmt::format("it answers for {}", name), "", "its hello names other goals");
         continue;
       }
-      auto solving = std::make_unique<Solving>(program, some_arm(), kind);
+      auto solving = std::make_unique<Solving>(program, urdf_, kind);
       const Tried tried = answers(name, *solving);
       if (usually || tried.account.failure == Status::declined) continue;
       if (tried.account.failure || !tried.q.allFinite()) return;  // the other checks would say the same
@@ -134,8 +143,8 @@ class Checks {
     }
     if (!usually) return line("it solves one of these", "it declines them all");
     const GoalKind kind = usually->goal.kind;
-    Solving afresh(program, some_arm(), kind), turning(program, some_arm("continuous"), kind),
-        shifting(program, some_arm("revolute", "prismatic"), kind), hopeless(program, some_arm(), kind, 10);
+    Solving afresh(program, urdf_, kind), turning(program, some_arm("continuous"), kind),
+        shifting(program, some_arm("revolute", "prismatic"), kind), hopeless(program, urdf_, kind, 10);
     answers("a joint that turns without end", turning);
     answers("a joint that slides", shifting);
     same(*usually, afresh, first);
@@ -227,13 +236,18 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
   command->add_option("--patience", choice->patience, "seconds after which a solve is given up")
       ->check(number_in({0.1, 3600}))
       ->capture_default_str();
+  auto robot_name = std::make_shared<std::string>();
+  command->add_option("--robot", *robot_name,
+                      "an arm of ikbench list robots, for a solver that knows some kinds of arms alone");
   command->footer(
       "Examples:\n"
       "  ikbench check-solver -- python3 my_solver.py\n"
+      "  ikbench check-solver --robot ur5e -- python3 my_closed_form.py\n"
       "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
       "Exit code 1 where a check fails. docs/reference/protocol.md describes what a program has to say.");
-  command->callback([choice, &invocation] {
-    const std::vector<CheckLine> lines = Checks(*choice).lines;
+  command->callback([choice, robot_name, &invocation] {
+    const std::string urdf = robot_name->empty() ? "" : urdf_of(robot(*robot_name), robot(*robot_name).chain);
+    const std::vector<CheckLine> lines = Checks(*choice, urdf).lines;
     const auto failed = std::ranges::count(lines, false, &CheckLine::passed);
     if (failed > 0) invocation.exit_code = 1;
     fmt::print("{}\n\n", failed == 0 ? fmt::format("All {} checks passed.", lines.size())

@@ -75,10 +75,12 @@ class Problem(_Members):
 
 
 def inside(q, turns, lower, upper):
-    """Turns angles that are outside by whole turns, to where they are nearest to the middle."""
+    """Turns angles that are outside by whole turns, to where they are nearest to the middle; what is 1e-7 outside, by
+    single precision or other digits of a limit, comes inside."""
     middle = [(low + high) / 2 for low, high in zip(lower, upper)]
-    return [m + math.remainder(x - m, 2 * math.pi) if turn and not low <= x <= high else x
-            for x, m, turn, low, high in zip(q, middle, turns, lower, upper)]
+    turned = [m + math.remainder(x - m, 2 * math.pi) if turn and not low - 1e-7 <= x <= high + 1e-7 else x
+              for x, m, turn, low, high in zip(q, middle, turns, lower, upper)]
+    return [min(max(x, low), high) if low - 1e-7 <= x <= high + 1e-7 else x for x, low, high in zip(turned, lower, upper)]
 
 
 def _option(name, value):

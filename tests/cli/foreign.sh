@@ -60,7 +60,8 @@ is stuck stuck "16 timed_out"
 ! pgrep -f "stuck.py of-$$\$" >/dev/null || fail "a stuck program is left"
 
 # Who asks counts here. Who asks too little to have found its answer, or answers another one, has kinematics of its own.
-sed 's/size, joints = problem\["population"\]/size, joints = 1000/' "$examples/pso.py" >many.py
+cp "$examples/ikbench.py" .
+sed 's/size, joints = problem.population/size, joints = 1000/' "$examples/pso.py" >many.py
 study many '[[solvers]]' 'label = "many"' 'process = ["python3", "many.py"]' \
   "$(entry once "asks once")" "$(entry first "asks at first")"
 succeeds run many.toml --set stop.evaluations=100 --no-report --out many
