@@ -277,12 +277,12 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
 }
 
 // Solvers that stop by themselves may take too much: programs and libraries. On a busy machine they wait, so processor
-// time counts where it is less; of a program, if it tells its own time, since it may sleep.
+// time counts where it is less.
 bool SolveRunner::is_late(const Timed& timed) const {
   if (!entry_.program && info_of(entry_).library.empty()) return false;
   if (timed.account && timed.account->went_on) return true;
-  const double cpu = timed.cpu_seconds, told = timed.account ? timed.account->claimed_seconds : timed.seconds;
-  return is_over({.seconds = std::isnan(told) ? timed.seconds : std::max(std::min(told, cpu), least_told(cpu)),
+  return is_over({.seconds = timed.account ? own_seconds(*timed.account, timed.seconds)
+                                           : std::min(timed.seconds, timed.cpu_seconds),
                   .evaluations = timed.solution.evaluations,
                   .iterations = timed.solution.iterations},
                  study_.stop);

@@ -18,6 +18,16 @@ class Declined(Exception):
     """Raised by prepare or solve: why this arm or target cannot be solved."""
 
 
+class _Clock:
+    """Seconds since it was made: of the wall or, if that is less, of the processor: who waits for it is not slow."""
+
+    def __init__(self):
+        self._wall, self._processor = time.perf_counter(), time.process_time()
+
+    def seconds(self):
+        return min(time.perf_counter() - self._wall, time.process_time() - self._processor)
+
+
 class _Members:
     def __init__(self, members):
         for key, value in members.items():
@@ -52,11 +62,11 @@ class Problem(_Members):
         self.position, turn = self.target["position"], self.target.get("rotation", [1, 0, 0, 0, 1, 0, 0, 0, 1])
         self.rotation = [turn[0:3], turn[3:6], turn[6:9]]
         self.matrix = [row + [x] for row, x in zip(self.rotation, self.position)] + [[0, 0, 0, 1]]
-        self.random, self._ask, self.evaluated, self._began = random.Random(self.seed), ask, False, time.perf_counter()
+        self.random, self._ask, self.evaluated, self._clock = random.Random(self.seed), ask, False, _Clock()
 
     def left(self):
         """Seconds of its budget that are left; infinite where there is none."""
-        return self._began + self.budget.seconds - time.perf_counter() if self.budget.seconds else math.inf
+        return self.budget.seconds - self._clock.seconds() if self.budget.seconds else math.inf
 
     def starts(self):
         """Where to begin: the start, then random values inside the limits, while time is left (without a budget of time
@@ -118,10 +128,9 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
             if why:
                 raise Declined(why)
             problem = Problem(told, ask)
-            clocks = time.perf_counter, time.process_time  # who waits for the processor is not slow
-            began = [clock() for clock in clocks]
+            clock = _Clock()
             q = solve(prepared, problem)
-            seconds = min(clock() - then for clock, then in zip(clocks, began))
+            seconds = clock.seconds()
             answer = {"message": "solved"}
             if not problem.evaluated:  # else ikbench's time is in it
                 answer["seconds"] = seconds

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -32,6 +33,11 @@ void add_best(Account& account, std::int64_t evaluations, double best, double at
 }
 
 }  // namespace
+
+double own_seconds(const Account& account, double wall) {
+  const double told = account.claimed_seconds, cpu = account.cpu_seconds;
+  return std::isnan(told) ? wall : std::max(std::min(told, cpu), least_told(cpu));
+}
 
 Conversation Conversations::take() {
   const std::scoped_lock lock(mutex_);

@@ -30,6 +30,10 @@ struct Account {
   double claimed_seconds = std::numeric_limits<double>::quiet_NaN();
 };
 
+// What a program took by its own word [s], if its processor time leaves room for that; on a busy machine no more than
+// that. `wall` if it tells nothing, since it may sleep.
+double own_seconds(const Account& account, double wall);
+
 // A process of a program, and what is kept from solve to solve.
 struct Conversation {
   std::unique_ptr<ChildProcess> child = {};  // null until it is needed, and after a failure
