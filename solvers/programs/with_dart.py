@@ -1,0 +1,41 @@
+# /// script
+# requires-python = "==3.12.*"
+# dependencies = ["dartpy==6.20.3"]
+# ///
+"""DART: the inverse kinematics of a body, with its gradient descent by the Jacobian's damped pseudo-inverse; from random
+starts. Its bounds are of components, so they are the tolerance by the square root of 3."""
+import dartpy as dart
+
+import ikbench
+import numpy as np
+
+
+def prepare(robot):
+    robot.require(turning=True, bounded=True)
+    loader = dart.utils.DartLoader()
+    loader.setOptions(dart.utils.DartLoaderOptions(defaultRootJointType=dart.utils.DartLoaderRootJointType.FIXED))
+    arm = loader.parseSkeleton(robot.file)
+    tip = arm.getBodyNode(robot.tip_link)
+    target = dart.dynamics.SimpleFrame(dart.dynamics.Frame.World(), "target", dart.math.Isometry3())
+    module = tip.getOrCreateIK()
+    module.setTarget(target)
+    return arm, [arm.getDof(name) for name in robot.names], target, module
+
+
+def solve(prepared, problem):
+    arm, joints, target, module = prepared
+    pose = dart.math.Isometry3()
+    pose.set_translation(problem.position)
+    pose.set_rotation(problem.rotation)
+    target.setTransform(pose)
+    bounds = np.array([problem.tolerance.rotation] * 3 + [problem.tolerance.position] * 3) / 3**0.5
+    module.getErrorMethod().setBounds(-bounds, bounds)
+    module.getSolver().setNumMaxIterations(100)
+    for start in problem.starts():
+        for joint, value in zip(joints, start):
+            joint.setPosition(value)
+        if module.solveAndApply(True):
+            return [joint.getPosition() for joint in joints]
+
+
+ikbench.run("dart", prepare, solve, version="6.20.3", goals=["pose"])

@@ -1,0 +1,46 @@
+# /// script
+# dependencies = ["ik-geo==1.0.3", "numpy"]
+# ///
+"""ik-geo: closed forms by subproblems, of six joints. Its user says of which family the arm is: here that which answers
+most of ten poses rightly. Of its answers inside the limits the nearest to the start."""
+import ik_geo
+
+import ikbench
+import numpy as np
+from product_of_exponentials import axes_of, forward, nearest
+
+closed_forms = ["spherical_two_parallel", "spherical_two_intersecting", "spherical", "three_parallel_two_intersecting",
+                "three_parallel"]
+
+
+def answers(arm, rotation, place):  # it takes a rotation column by column
+    return [np.array(q) for q, is_least_squares in arm.get_ik(rotation.T, place) if not is_least_squares]
+
+
+def rightly(arm, axes, ways):
+    count = 0
+    for q in np.random.default_rng(1).uniform(-2, 2, (10, 6)):
+        rotation, place = forward(axes, ways, q)
+        reached = [forward(axes, ways, answer) for answer in answers(arm, rotation, place)]
+        count += any(np.abs(R - rotation).max() + np.abs(p - place).max() < 1e-8 for R, p in reached)
+    return count
+
+
+def prepare(robot):
+    robot.require(turning=True, bounded=True)
+    axes, ways, tool = axes_of(robot)
+    if len(axes) != 6:
+        raise ikbench.Declined("arms of six joints, alone; of seven the user would lock one")
+    arms = [getattr(ik_geo.Robot, family)(axes, ways) for family in closed_forms]
+    arm = max(arms, key=lambda its: rightly(its, axes, ways))
+    if rightly(arm, axes, ways) < 5:
+        raise ikbench.Declined("no kinematic family of closed form")
+    return robot, arm, tool
+
+
+def solve(prepared, problem):
+    robot, arm, tool = prepared
+    return nearest(answers(arm, np.array(problem.rotation) @ tool.T, problem.position), robot, problem)
+
+
+ikbench.run("ik_geo", prepare, solve, version="1.0.3", goals=["pose"])

@@ -1,0 +1,46 @@
+# /// script
+# dependencies = ["pin==4.1.0"]
+# ///
+"""Pinocchio: the closed-loop inverse kinematics of its own example (steps of 0.1, damping 1e-12, 1000 iterations),
+which knows no limits; from random starts until an answer, turned by whole turns, is inside them."""
+import pinocchio as pin
+
+import ikbench
+import numpy as np
+from numpy.linalg import norm, solve as solved
+
+
+def prepare(robot):
+    robot.require(bounded=True)
+    model = pin.buildModelFromXML(robot.urdf)
+    return robot, model, model.createData(), model.getFrameId(robot.tip_link), model.getFrameId(robot.base_link)
+
+
+def descend(model, data, tip, target, q, problem):
+    for _ in range(1000):
+        pin.forwardKinematics(model, data, q)
+        off = pin.updateFramePlacement(model, data, tip).actInv(target)
+        if norm(off.translation) < problem.tolerance.position and norm(pin.log3(off.rotation)) < problem.tolerance.rotation:
+            return q
+        if problem.left() <= 0:
+            return None
+        error = pin.log6(off).vector
+        jacobian = -pin.Jlog6(off.inverse()) @ pin.computeFrameJacobian(model, data, q, tip)
+        speed = -jacobian.T @ solved(jacobian @ jacobian.T + 1e-12 * np.eye(6), error)
+        q = pin.integrate(model, q, speed * 1e-1)
+
+
+def solve(prepared, problem):
+    robot, model, data, tip, base = prepared
+    pin.framesForwardKinematics(model, data, pin.neutral(model))
+    target = data.oMf[base] * pin.SE3(np.array(problem.matrix))
+    for start in problem.starts():
+        q = descend(model, data, tip, target, np.array(start), problem)
+        if q is None:
+            continue
+        q = ikbench.inside(q, robot.turns, problem.lower, problem.upper)
+        if all(low <= x <= high for x, low, high in zip(q, problem.lower, problem.upper)):
+            return q
+
+
+ikbench.run("pinocchio_clik", prepare, solve, version="4.1.0", goals=["pose"])

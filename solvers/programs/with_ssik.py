@@ -1,0 +1,44 @@
+# /// script
+# dependencies = ["ssik[urdf]==8.2.0"]
+# ///
+"""ssik: closed forms and eliminations, with its compiled backend: its prebuilt arm where one has the same kinematics up
+to the tool, else one derived from the URDF file. The answer that is nearest to the start."""
+import ssik
+
+import ikbench
+import numpy as np
+from product_of_exponentials import axes_of, forward
+
+
+def prepare(robot):
+    robot.require(turning=True, bounded=True)
+    axes, ways, tool = axes_of(robot)
+
+    def tool_of(arm, q):  # in the frame of its tool
+        rotation, place = forward(axes, ways, q)
+        whole = np.eye(4)
+        whole[:3, :3], whole[:3, 3] = rotation @ tool, place
+        return np.linalg.inv(arm.fk(q)) @ whole
+
+    some = np.random.default_rng(1).uniform(-1, 1, (3, len(axes)))
+    for its in ssik.list_arms():
+        if its.dof == len(axes):
+            arm = ssik.Manipulator.from_prebuilt(its.name)
+            tools = [tool_of(arm, q) for q in some]
+            if max(np.abs(each - tools[0]).max() for each in tools) < 1e-9:
+                return arm, np.linalg.inv(tools[0])
+    try:
+        arm = ssik.Manipulator.from_urdf(robot.file, base=robot.base_link, ee=robot.tip_link)
+        arm.prepare()
+    except (ValueError, NotImplementedError) as error:
+        raise ikbench.Declined(str(error)[:100])
+    return arm, np.eye(4)
+
+
+def solve(prepared, problem):
+    arm, tool = prepared
+    found = arm.solve(np.array(problem.matrix) @ tool, q_seed=problem.start, max_solutions=1)
+    return found[0].q if found else None
+
+
+ikbench.run("ssik", prepare, solve, version="8.2.0", goals=["pose"])

@@ -1,0 +1,34 @@
+# /// script
+# dependencies = ["pytracik==0.0.3"]
+# ///
+"""TRAC-IK (pytracik): solve type Speed, in its two threads, until the time is up.
+
+Its epsilon bounds each component of the twist, so it is the tolerance by the square root of 3."""
+import functools
+
+import pytracik
+from trac_ik.trac_ik import quaternion_from_matrix
+
+import ikbench
+import numpy as np
+
+
+def prepare(robot):
+    robot.require(turning=True)
+
+    @functools.cache
+    def solver(seconds, tolerance):  # both belong to its construction
+        return pytracik.TRAC_IK(robot.base_link, robot.tip_link, robot.urdf, seconds, tolerance / 3**0.5,
+                                pytracik.SolveType.Speed)
+    return solver
+
+
+def solve(solver, problem):
+    w, x, y, z = quaternion_from_matrix(np.array(problem.matrix))
+    tolerance = min(problem.tolerance.position, problem.tolerance.rotation)
+    found = pytracik.ik(solver(problem.budget.seconds or 0.1, tolerance), np.array(problem.start), *problem.position,
+                        x, y, z, w)
+    return found[1:] if found[0] >= 0 else None
+
+
+ikbench.run("trac_ik", prepare, solve, version="pytracik 0.0.3", goals=["pose"])
