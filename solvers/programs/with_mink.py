@@ -1,5 +1,5 @@
 # /// script
-# dependencies = ["mink==1.3.0", "mujoco==4.0.0", "daqp"]
+# dependencies = ["mink==1.3.0", "mujoco==4.0.0", "daqp==0.11.0"]
 # ///
 """mink (MuJoCo's kinematics): solve_ik with a frame task and the limits of joints, by the solver daqp; from random
 starts, each for at most 200 steps."""

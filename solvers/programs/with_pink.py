@@ -1,5 +1,5 @@
 # /// script
-# dependencies = ["pin-pink==4.4.0", "daqp"]
+# dependencies = ["pin-pink==4.4.0", "daqp==0.11.0"]
 # ///
 """Pink: solve_ik with a frame task and the limits of joints, by the solver daqp; from random starts, each for at most
 200 steps."""

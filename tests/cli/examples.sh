@@ -43,6 +43,12 @@ for python in python3 /usr/bin/python3; do
   break
 done
 
+# Each program around a library pins its version, and the study of libraries has it.
+for file in "$root"/solvers/programs/with_*.py; do
+  sed -n '/^# dependencies/p' "$file" | grep -q '==' || fail "$file pins no version"
+  grep -qF "\"$(basename "$file")\"" "$root/solvers/programs/libraries.toml" || fail "libraries.toml lacks $file"
+done
+
 # A path from a program that writes poses, as a CSV.
 python3 "$root/docs/examples/rectangle.py" >rectangle.csv
 sed -e 's/robot = .*/robot = "ur5e.urdf"\nruns = 2\ninitial_deg = [0, -90, 90, -90, -90, 0]\nstop = { iterations = 100, tolerance_cm = 0.001, tolerance_deg = 0.01 }/' \
