@@ -3,7 +3,7 @@
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 2
 for program in "${@:-with_*.py}"; do
   for file in $program; do
-    place=.environments/${file%.py}
+    place=../../build/libraries/${file%.py}
     python=$(sed -n 's/^# requires-python = "==\(.*\)\.\*"$/\1/p' "$file")
     uv venv --quiet --allow-existing ${python:+--python "$python"} "$place" &&
       uv pip install --quiet --only-binary :all: --python "$place/bin/python" --requirements "$file" ||
