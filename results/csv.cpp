@@ -23,9 +23,9 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 // Reads the text once, row by row, and counts lines for its messages.
 class Reader {
  public:
-  Reader(std::string_view text, std::string_view source, char separator,
+  Reader(std::string_view text, std::string_view source, const CsvForm& form,
          std::vector<std::unique_ptr<const std::string>>& unquoted)
-      : rest_(text), source_(source), separator_(separator), unquoted_(unquoted) {
+      : rest_(text), source_(source), separator_(form.separator), unquoted_(unquoted), line_(form.first_line) {
     if (text.size() > max_csv_bytes) refuse(fmt::format("{} bytes; expected at most {}", text.size(), max_csv_bytes));
     take(byte_order_mark);
   }
@@ -38,10 +38,13 @@ class Reader {
     cells_.clear();
     if (rest_.empty()) return cells_;
     do {
+      while (separator_ == ' ' && take(" ")) {
+      }
       if (cells_.size() == max_csv_columns)
         refuse(fmt::format("too many columns; expected at most {}", max_csv_columns));
       cells_.push_back(take("\"") ? quoted_cell() : plain_cell());
     } while (take({&separator_, 1}));
+    if (separator_ == ' ' && cells_.size() > 1 && cells_.back().empty()) cells_.pop_back();  // blanks at the end
     if (!rest_.empty() && !take_line_end()) {
       refuse(rest_.front() == '\r' ? "a lone carriage return; expected lines to end in LF or CRLF"
                                    : "text after a closing quote; expected a separator or the end of the line");
@@ -105,7 +108,7 @@ class Reader {
   std::string_view source_;
   char separator_;
   std::vector<std::unique_ptr<const std::string>>& unquoted_;
-  std::size_t line_ = 1;
+  std::size_t line_;
   std::size_t row_line_ = 1;
 };
 
@@ -164,13 +167,15 @@ std::string csv_text(std::istream& stream, std::string_view source) {
   return text;
 }
 
-CsvTable parse_csv(std::string_view text, std::string_view source, char separator) {
+CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm& form) {
   CsvTable table;
-  Reader reader(text, source, separator, table.unquoted_);
+  Reader reader(text, source, form, table.unquoted_);
   const std::vector<std::string_view>* row = &reader.row();
   if (row->empty()) reader.refuse_row("the file is empty; expected a line with the names of the columns");
   table.header.assign(row->begin(), row->end());
-  for (row = &reader.row(); !row->empty(); row = &reader.row()) {
+  if (form.has_header) row = &reader.row();
+  for (std::size_t i = 0; i < table.header.size() && !form.has_header; ++i) table.header[i] = std::to_string(i + 1);
+  for (; !row->empty(); row = &reader.row()) {
     if (row->size() != table.header.size())
       reader.refuse_row(fmt::format("{} cells; expected {} as in the header", row->size(), table.header.size()));
     table.lines_.push_back(reader.row_line());

@@ -16,6 +16,12 @@ namespace ikbench::results {
 constexpr std::size_t max_csv_bytes = std::size_t{1} << 28;
 constexpr std::size_t max_csv_columns = 10'000;
 
+struct CsvForm {
+  char separator = ',';        // ' ': any number of blanks
+  std::size_t first_line = 1;  // number of the text's first line in its file
+  bool has_header = true;      // else columns are named "1", "2" ...
+};
+
 // Also of millions of rows: cells are views of the text, which must outlive the table. Quoted cells are kept without
 // their quotes.
 class CsvTable {
@@ -31,7 +37,7 @@ class CsvTable {
   std::size_t line(std::size_t row) const { return lines_[row]; }  // where it begins, from 1
 
  private:
-  friend CsvTable parse_csv(std::string_view text, std::string_view source, char separator);
+  friend CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm& form);
 
   std::vector<std::string_view> cells_;  // row by row
   std::vector<std::size_t> lines_;
@@ -42,9 +48,9 @@ class CsvTable {
 void expect_text(std::string_view text, std::string_view source);
 // Reads the whole text, or just more than the readers below take: a stream may have no end. Refuses what is no text.
 std::string csv_text(std::istream& stream, std::string_view source);
-// `source` is the text's name in messages ("data.csv"). Another separator may take the comma's place. Malformed text
-// throws std::invalid_argument with source:line.
-CsvTable parse_csv(std::string_view text, std::string_view source, char separator = ',');
+// `source` is the text's name in messages ("data.csv"). Malformed text throws
+// std::invalid_argument with source:line.
+CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm& form = {});
 
 // Appends a cell, or one line of CSV, to `text`.
 void append_csv_cell(std::string& text, std::string_view cell);

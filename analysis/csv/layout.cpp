@@ -321,7 +321,7 @@ class Finder {
     way.asked.push_back(titles_of(way.values) +
                         " are groups; rows are problems that all had (--block row, or the column "
                         "that names them) or unrelated (--run row)");
-    const bool takes_all = way.options.empty() && way.values.size() > 2;
+    const bool takes_all = way.options.empty() && way.values.size() > 2 && way.counting.empty();
     const auto names_rows = [&](std::size_t column) {
       return count(way.rows, {column}) == way.rows.size() &&
              (!has(way, column) || (takes_all && column == way.values.front() && is_setting(column)));

@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/csv/sheet.hpp"
+#include "results/sheet.hpp"
 
 namespace ikbench::csv {
+
+using results::Sheet, results::in_quotes, results::listed;
 
 constexpr std::size_t most_groups = 100;
 

@@ -11,7 +11,6 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "analysis/csv/sheet.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
 
@@ -20,6 +19,7 @@ namespace {
 
 using namespace compare;
 using numerics::lower_case;
+using results::is_one_of, results::Words;
 using Index = std::uint32_t;
 
 struct Value {

@@ -1,5 +1,6 @@
-// A user's CSV as pandas, R and spreadsheets write it: comma, semicolon or tab, point or comma in numbers. A mistake in
-// it throws std::invalid_argument: FILE:LINE:COLUMN, what is wrong and what to do.
+// A user's table as pandas, R, spreadsheets and recorders write it: cells parted by a comma, semicolon, tab, bar or
+// blanks, point or comma in numbers, comments before the header or the header as the last of them. A mistake in it
+// throws std::invalid_argument: FILE:LINE:COLUMN, what is wrong and what to do.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 #include "results/csv.hpp"
 
-namespace ikbench::csv {
+namespace ikbench::results {
 
 constexpr std::ptrdiff_t most_lines = 10'000'000;  // of solves a study may have as many
 
@@ -22,8 +23,10 @@ std::string listed(const std::vector<std::string>& titles);
 
 class Sheet {
  public:
+  // `optional`: columns are named "1", "2" ... where the first line has numbers alone.
+  enum class Header { required, optional };
   // The mark of decimals is found where it is 0. The text must outlive the sheet.
-  Sheet(std::string_view text, std::string_view source, char decimal);
+  Sheet(std::string_view text, std::string_view source, char decimal, Header header = Header::required);
 
   // Takes the rows with this value in this column alone: "metric=error".
   void choose(std::string_view condition);
@@ -54,7 +57,7 @@ class Sheet {
  private:
   std::string source_;
   char separator_;
-  results::CsvTable table_;
+  CsvTable table_;
   std::vector<std::string> titles_;
   std::vector<std::uint32_t> rows_;
   std::vector<std::vector<std::string>> joined_;  // columns after the file's
@@ -63,4 +66,4 @@ class Sheet {
   char decimal_of(std::size_t column) const;
 };
 
-}  // namespace ikbench::csv
+}  // namespace ikbench::results

@@ -1,4 +1,4 @@
-#include "analysis/csv/sheet.hpp"
+#include "results/sheet.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,7 @@
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
 
-namespace ikbench::csv {
+namespace ikbench::results {
 
 using numerics::lower_case, numerics::trimmed;
 
@@ -68,7 +68,7 @@ bool begins_with_number(std::string_view text) {
          (rest.find_first_of("0123456789") == std::string_view::npos || trimmed(rest).starts_with('(') || rest[0] < 0);
 }
 
-// What the header has most often outside quotes.
+// What the first line has most often outside quotes; blanks if nothing else parts it.
 char separator_of(std::string_view text) {
   std::string header;
   bool is_quoted = false;
@@ -77,8 +77,32 @@ char separator_of(std::string_view text) {
     if (!is_quoted) header += c;
   }
   const auto count = [&](char separator) { return std::ranges::count(header, separator); };
-  constexpr std::string_view separators = "\t;,";
-  return *std::ranges::max_element(separators, {}, count);
+  constexpr std::string_view separators = ",\t;|";
+  const char most = *std::ranges::max_element(separators, {}, count);
+  return count(most) == 0 && count(' ') > 0 ? ' ' : most;
+}
+
+bool is_comment(std::string_view text) { return text.starts_with('#') || text.starts_with('%'); }
+
+// Takes comments from the front and returns how many lines these are. The last one stays, without its mark, if it has
+// as many cells as the line that follows.
+std::size_t take_comments(std::string_view& text) {
+  std::size_t lines = 0;
+  for (; is_comment(text); ++lines) {
+    const std::string_view line = text.substr(0, text.find('\n')), names = trimmed(line.substr(1));
+    const std::string_view after = text.substr(std::min(line.size() + 1, text.size()));
+    const char separator = separator_of(names);
+    const auto cells = [&](std::string_view of) {
+      std::string row(trimmed(of.substr(0, of.find_first_of("\r\n"))));
+      if (separator == ' ') row.erase(std::ranges::unique(row).begin(), row.end());
+      return std::ranges::count(row, separator);
+    };
+    if (names.starts_with(separator)) break;  // the mark is a name itself
+    const bool is_header = !is_comment(after) && cells(names) > 0 && cells(names) == cells(after);
+    text.remove_prefix(is_header ? static_cast<std::size_t>(names.data() - text.data()) : text.size() - after.size());
+    if (is_header) break;
+  }
+  return lines;
 }
 
 }  // namespace
@@ -95,15 +119,19 @@ std::string listed(const std::vector<std::string>& titles) {
   return std::string(numerics::front(fmt::format("{}", fmt::join(titles, ", ")), 300));
 }
 
-Sheet::Sheet(std::string_view text, std::string_view source, char decimal)
-    : source_(source), separator_(separator_of(text)) {
-  results::expect_text(text, source);
+Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Header header) : source_(source) {
+  expect_text(text, source);
+  CsvForm form{.first_line = 1 + take_comments(text)};
+  form.separator = separator_ = separator_of(text);
   if (std::ranges::count(text, '\n') > most_lines + 1)
     refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", most_lines));
-  table_ = results::parse_csv(text, source, separator_);
+  table_ = parse_csv(text, source, form);
+  form.has_header = header == Header::required || !std::ranges::all_of(table_.header, is_number);
+  if (!form.has_header) table_ = parse_csv(text, source, form);
   for (const std::string& title : table_.header) titles_.emplace_back(trimmed(title));
   decimals_.assign(titles_.size(), decimal);
-  if (const auto number = std::ranges::find_if(titles_, is_number); number != titles_.end())
+  const auto number = std::ranges::find_if(titles_, is_number);
+  if (form.has_header && number != titles_.end())
     refuse(fmt::format("{} in the header; expected names of columns in the first line", in_quotes(*number)));
   for (std::uint32_t row = 0; row < table_.rows(); ++row) {
     std::size_t empty = 0;
@@ -111,7 +139,8 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal)
     if (empty < titles_.size()) rows_.push_back(row);
   }
   if (titles_.size() == 1)
-    refuse("one column, but names of groups and values take two; cells are parted by a comma, semicolon or tab");
+    refuse(
+        "one column, but names of groups and values take two; cells are parted by a comma, semicolon, tab, bar or blanks");
   if (rows_.empty()) refuse("no rows below the header; expected at least one");
 }
 
@@ -231,7 +260,8 @@ char Sheet::decimal_of(std::size_t column) const {
   // Where commas part cells, points are of decimals.
   if (marks.empty() && separator_ == ',' && text.find(',') == std::string_view::npos) return '.';
   refuse(*doubtful, column,
-         fmt::format("is {} with --decimal . and {} with --decimal , and no cell tells which: say it",
+         fmt::format("is {} with a decimal point and {} with a decimal comma, and no cell tells which: write a digit "
+                     "more, or say --decimal (ikbench stats)",
                      *parsed(text, '.'), *parsed(text, ',')));
 }
 
@@ -263,4 +293,4 @@ void Sheet::refuse(std::size_t row, std::size_t column, std::string_view what) c
                                           in_quotes(cell(row, column)), in_quotes(titles_[column]), what));
 }
 
-}  // namespace ikbench::csv
+}  // namespace ikbench::results
