@@ -10,6 +10,7 @@
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
+#include "numerics/units.hpp"
 
 namespace ikbench::numerics {
 
@@ -126,6 +127,7 @@ void TomlReader::on_number(Name name, double& field, double unit, std::pair<doub
   const std::optional<double> value = as_number(*node);
   if (!value || !(*value >= range.first && *value <= range.second))
     fail_number(name.key, *node, fmt::format("a number from {} to {}", range.first, range.second));
+  refuse_doubt(name.key, *node, *value, unit);
   field = *value * unit;
 }
 
@@ -140,8 +142,16 @@ void TomlReader::on_numbers(Name name, std::vector<double>& field, double unit, 
   for (const toml::node& element : *array) {
     const std::optional<double> value = as_number(element);
     if (!value || !(std::abs(*value) <= 1e6)) fail(name.key, element, expected + " within +-1e6");
+    refuse_doubt(name.key, element, *value, unit);
     field.push_back(*value * unit);
   }
+}
+
+void TomlReader::refuse_doubt(std::string_view key, const toml::node& node, double value, double unit) const {
+  const std::string_view doubt = is_of_text_ && unit == degree ? doubt_of_angle(value, unit) : "";
+  if (!doubt.empty())
+    throw std::invalid_argument(
+        fmt::format("{}{}{} is {}, which {}", where(node.source(), key), prefix_, key, value, doubt));
 }
 
 const toml::node* TomlReader::find(std::string_view key) {
@@ -174,9 +184,10 @@ std::vector<const toml::table*> TomlReader::tables(std::string_view key, std::si
   return found;
 }
 
-void TomlReader::refuse_unknown_keys() const {
+void TomlReader::refuse_unknown_keys(std::string_view source) const {
   for (const auto& [key, node] : table_) {
-    if (std::find(known_.begin(), known_.end(), key.str()) == known_.end()) {
+    if ((source.empty() || node.source().begin.line == 0 || node.source().path) &&
+        std::find(known_.begin(), known_.end(), key.str()) == known_.end()) {
       throw std::invalid_argument(where(key.source(), key.str()) + unknown_name("key", key.str(), known_));
     }
   }

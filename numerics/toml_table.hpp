@@ -47,8 +47,8 @@ class TomlReader : public Fields {
   TomlReader part(std::string_view key);
   // The same for a key that must be given, whose value must be a list of 1 to `most` tables.
   std::vector<const toml::table*> tables(std::string_view key, std::size_t most, std::string_view expected);
-  // Call it after all keys were read.
-  void refuse_unknown_keys() const;
+  // Call it after all keys were read. Of `source` alone, override_source, if it is not empty.
+  void refuse_unknown_keys(std::string_view source = "") const;
 
   // An exception about the value of a key, or about its absence.
   std::invalid_argument mistake(std::string_view key, std::string_view message) const;
@@ -76,6 +76,8 @@ class TomlReader : public Fields {
   void on_number(Name name, double& field, double unit, std::pair<double, double> range) override;
   void on_numbers(Name name, std::vector<double>& field, double unit, int size) override;
 
+  // Refuses angles that seem to be in another unit.
+  void refuse_doubt(std::string_view key, const toml::node& node, double value, double unit) const;
   static std::optional<double> as_number(const toml::node& node);    // nothing if not finite
   static std::vector<std::string> texts_in(const toml::node& node);  // empty if no list
 
