@@ -62,11 +62,12 @@ std::vector<Path> paths();
 // The path of the kind `poses`.
 Path path_through(std::vector<robots::Pose> poses);
 
-// Poses from a CSV file of any origin. The first line names the columns, in any order, with their units: x, y and z,
-// each with _m, _cm or _mm; and qw, qx, qy, qz (of length 1 to 1 %, then made exact); or roll, pitch, yaw, each with
-// _deg or _rad (Rz(yaw) Ry(pitch) Rx(roll)); or nothing for a tool that points straight down. Blanks about a cell are
-// skipped, and what results/csv.hpp skips. Anything else, a number that is not finite or beyond 1e6, no row, or more
-// than 100000 rows throws std::invalid_argument with file, line and column.
+// Poses from a table of any origin (results/sheet.hpp). The header names the columns, in any order and case, with their
+// units: x, y and z in m, cm or mm, of one thing ("pose.position.x", "x [mm]"), without a unit m; and w, x, y, z of
+// another (of length 1 to 1 %, then made exact); or roll, pitch, yaw in deg or rad (Rz(yaw) Ry(pitch) Rx(roll)); or
+// nothing for a tool that points straight down. Columns before them that never fall are left out. Rows may also be 12
+// or 16 numbers of a matrix. Anything else, a number that is not finite, lengths and angles that seem to be in another
+// unit, no row, or more than 100000 rows throws std::invalid_argument with file, line and column.
 std::vector<robots::Pose> poses_from_csv(std::string_view text, std::string_view file);
 
 constexpr std::pair<std::int64_t, std::int64_t> point_counts{1, 100'000};

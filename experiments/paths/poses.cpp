@@ -1,23 +1,22 @@
 // Single poses: from a study file or a program, or from a CSV file beside the study.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
-#include <span>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "experiments/path.hpp"
 #include "numerics/inputs.hpp"
 #include "numerics/names.hpp"
-#include "numerics/number.hpp"
 #include "numerics/units.hpp"
-#include "results/csv.hpp"
+#include "results/sheet.hpp"
+#include "robots/arm_fields.hpp"
 #include "robots/rotation.hpp"
 
 namespace ikbench::experiments {
@@ -29,114 +28,183 @@ using namespace results;
 namespace {
 
 constexpr std::string_view expected_columns =
-    "x, y and z with _m, _cm or _mm, such as x_cm; and qw, qx, qy, qz, or roll, pitch and yaw with _deg or _rad";
+    "x, y and z with _m, _cm or _mm, such as x_cm; qw, qx, qy, qz, or roll, pitch and yaw with _deg or _rad; or 12 or 16 "
+    "columns for the rows of a 4 x 4 matrix";
 constexpr std::size_t most_rows = 100'000;
 
-using ColumnNames = std::span<const std::string_view>;
-constexpr std::array<std::string_view, 3> position_names{"x", "y", "z"}, rpy_names{"roll", "pitch", "yaw"};
-constexpr std::array<std::string_view, 4> quaternion_names{"qw", "qx", "qy", "qz"};
+using Group = std::vector<std::size_t>;  // columns
+using Parts = std::initializer_list<std::string_view>;
 
-using EndOfName = std::pair<std::string_view, double>;  // the end of a column's name, and the unit that it means
-using Units = std::span<const EndOfName>;
-constexpr std::array length_units{EndOfName{"_m", 1}, EndOfName{"_cm", centimetre}, EndOfName{"_mm", 1e-3}};
-constexpr std::array angle_units{EndOfName{"_deg", degree}, EndOfName{"_rad", 1}};
-constexpr std::array no_unit{EndOfName{"", 1}};
+// What the name of a column says: "pose.position.x [mm]" is x of "pose.position.", in mm.
+struct ColumnName {
+  std::string whole, part;
+  std::string_view unit;
 
-struct Column {
-  std::size_t place;
-  double unit;
-  std::string_view name;
-};
-
-// Quotes a text for a message.
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  text = text.substr(0, longest);
-  return is_plain(text) ? fmt::format("\"{}\"", text) : "bytes that are no text";
-}
-
-struct Table {
-  CsvTable csv;
-  std::string_view file;
-  std::size_t row = 0;  // from 1; 0: the names of the columns
-
-  std::string_view cell(std::size_t place) const {
-    return trimmed(row == 0 ? csv.header[place] : csv.cell(row - 1, place));
-  }
-  [[noreturn]] void refuse(std::string_view what) const {
-    throw std::invalid_argument(fmt::format("{}:{}: {}", file, row == 0 ? 1 : csv.line(row - 1), what));
-  }
-
-  double number(const Column& column) const {
-    const std::optional<double> value = number_from(cell(column.place));
-    constexpr double most = 1e6;
-    if (value && std::fabs(*value) <= most) return *value * column.unit;
-    refuse(fmt::format("column {} ({}) is {}; expected a number from -1e6 to 1e6", column.place + 1, column.name,
-                       shown(cell(column.place))));
-  }
-};
-
-// Finds the columns of a group; none if the header has none of them. A group must be complete.
-std::vector<Column> columns_of(ColumnNames names, Units units, const Table& table, std::vector<bool>& used) {
-  std::vector<Column> found;
-  std::vector<std::string_view> missing;
-  for (const std::string_view name : names) {
-    const std::size_t before = found.size();
-    for (std::size_t place = 0; place < table.csv.header.size(); ++place) {
-      for (const auto& [ending, unit] : units) {
-        if (table.cell(place) != std::string(name) + std::string(ending)) continue;
-        if (found.size() > before) table.refuse(fmt::format("there are two columns for {}; expected one", name));
-        found.push_back({place, unit, table.cell(place)});
-        used[place] = true;
+  explicit ColumnName(std::string_view title) : whole(lower_case(title)) {
+    const bool is_bracketed = whole.ends_with(']') || whole.ends_with(')');
+    const std::size_t at = is_bracketed ? whole.find_last_of("[(") : whole.rfind('_');
+    if (at != std::string::npos) {
+      const std::string end = whole.substr(at + 1, whole.size() - at - (is_bracketed ? 2 : 1));
+      for (const std::string_view known : {"m", "cm", "mm", "deg", "rad"}) {
+        if (end == known) unit = known;
       }
+      if (is_bracketed || !unit.empty()) whole = trimmed(whole.substr(0, at));
     }
-    if (found.size() == before) missing.push_back(name);
+    for (const std::string_view known : {"roll", "pitch", "yaw", "x", "y", "z", "w"}) {
+      if (!part.empty() || !whole.ends_with(known)) continue;
+      part = known;
+      whole.resize(whole.size() - known.size());
+    }
   }
-  if (!found.empty() && !missing.empty()) {
-    table.refuse(fmt::format("the column for {} is missing; expected {}", fmt::join(missing, ", "), expected_columns));
-  }
-  return found;
-}
-
-struct Columns {
-  std::vector<Column> position, quaternion, rpy;
 };
 
-Columns columns_in(const Table& table) {
-  std::vector<bool> used(table.csv.header.size(), false);
-  Columns columns{.position = columns_of(position_names, length_units, table, used),
-                  .quaternion = columns_of(quaternion_names, no_unit, table, used),
-                  .rpy = columns_of(rpy_names, angle_units, table, used)};
-  if (const auto unknown = std::ranges::find(used, false); unknown != used.end()) {
-    const auto place = static_cast<std::size_t>(unknown - used.begin());
-    table.refuse(fmt::format("column {} is {}; expected {}", place + 1, shown(table.cell(place)), expected_columns));
-  }
-  if (columns.position.empty()) table.refuse(fmt::format("there is no position; expected {}", expected_columns));
-  if (!columns.quaternion.empty() && !columns.rpy.empty())
-    table.refuse("there are two kinds of rotation; expected a quaternion, or roll, pitch and yaw");
-  return columns;
-}
-
-template <class Numbers>
-Numbers numbers_in(const std::vector<Column>& columns, const Table& table) {
-  Numbers values;
-  for (std::size_t i = 0; i < columns.size(); ++i) values[static_cast<Eigen::Index>(i)] = table.number(columns[i]);
-  return values;
-}
-
-Eigen::Matrix3d rotation_in(const Columns& columns, const Table& table) {
-  if (!columns.quaternion.empty()) {
-    const auto q = numbers_in<Eigen::Vector4d>(columns.quaternion, table);
-    constexpr double tolerance = 0.01;
-    if (!(std::fabs(q.norm() - 1) <= tolerance)) {
-      table.refuse(fmt::format("the quaternion has the length {:.6g}; expected 1", q.norm()));
+// Where a file has what, by the structure of its columns' names: w, x, y and z of one thing are a quaternion.
+class PoseColumns {
+ public:
+  explicit PoseColumns(Sheet& sheet) : sheet_(sheet) {
+    for (const std::string& title : sheet.titles()) names_.emplace_back(title);
+    for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {  // after a column of times
+      const std::size_t size = names_.size() - first;
+      if (matrix_.empty() && (size == 12 || size == 16) && (first == 0 || never_falls(0)) && are_matrices(first))
+        for (std::size_t i = 0; i < size; ++i) matrix_.push_back(first + i);
     }
+    if (!matrix_.empty()) {
+      position_ = {matrix_[3], matrix_[7], matrix_[11]};
+      return;
+    }
+    quaternion_ = the_only({"w", "x", "y", "z"}, "");
+    rpy_ = the_only({"roll", "pitch", "yaw"}, "deg rad");
+    position_ = the_only({"x", "y", "z"}, "m cm mm");
+    refuse_others();
+  }
+
+  Pose pose_in(std::size_t row) {
+    Pose pose = Pose::Identity();
+    pose.linear() = rotation_in(row);
+    for (std::size_t i = 0; i < 3; ++i) pose.translation()[static_cast<Eigen::Index>(i)] = length(row, position_[i]);
+    return pose;
+  }
+
+ private:
+  Sheet& sheet_;
+  std::vector<ColumnName> names_;
+  Group position_, quaternion_, rpy_, matrix_;
+
+  double number(std::size_t row, std::size_t column) {
+    const double value = sheet_.number(row, column);
+    if (!std::isfinite(value)) sheet_.refuse(row, column, "is no number");
+    return value;
+  }
+
+  // [m]
+  double length(std::size_t row, std::size_t column) {
+    const std::string_view unit = names_[column].unit;
+    const double value = number(row, column) * (unit == "mm" ? 1e-3 : unit == "cm" ? centimetre : 1);
+    const double most = unit.empty() ? 10 : lengths_m.second;
+    if (std::abs(value) <= most) return value;
+    sheet_.refuse(row, column,
+                  fmt::format("is {:g} m; expected at most {:g} m, or the unit in the name: x_mm, x_cm", value, most));
+  }
+
+  // [rad]
+  double angle(std::size_t row, std::size_t column) {
+    const double value = number(row, column), unit = names_[column].unit == "deg" ? degree : 1;
+    if (const std::string_view doubt = doubt_of_angle(value, unit); !doubt.empty()) sheet_.refuse(row, column, doubt);
+    return value * unit;
+  }
+
+  Eigen::Matrix3d rotation_in(std::size_t row) {
+    if (!matrix_.empty()) {
+      const Eigen::Matrix3d R = matrix_in(row, matrix_.front()).topLeftCorner<3, 3>();
+      return Eigen::Quaterniond(R).normalized().toRotationMatrix();
+    }
+    if (!rpy_.empty()) return rotation_from_rpy({angle(row, rpy_[0]), angle(row, rpy_[1]), angle(row, rpy_[2])});
+    if (quaternion_.empty()) return rotation(Tool::down);
+    Eigen::Vector4d q;
+    for (std::size_t i = 0; i < 4; ++i) q[static_cast<Eigen::Index>(i)] = number(row, quaternion_[i]);
+    constexpr double tolerance = 0.01;
+    if (!(std::fabs(q.norm() - 1) <= tolerance))
+      sheet_.refuse(row, quaternion_.front(),
+                    fmt::format("is of a quaternion with the length {:.6g}; expected 1", q.norm()));
     const Eigen::Vector4d unit = q / q.norm();
     return Eigen::Quaterniond(unit[0], unit[1], unit[2], unit[3]).toRotationMatrix();
   }
-  if (!columns.rpy.empty()) return rotation_from_rpy(numbers_in<Eigen::Vector3d>(columns.rpy, table));
-  return rotation(Tool::down);
-}
+
+  // From the columns that begin there; without a last line it is that of poses.
+  Eigen::Matrix4d matrix_in(std::size_t row, std::size_t first) {
+    Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
+    for (std::size_t i = 0; i < 16 && first + i < names_.size(); ++i)
+      T(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = sheet_.number(row, first + i);
+    return T;
+  }
+
+  bool are_matrices(std::size_t first) {
+    for (std::size_t column = first; column < names_.size(); ++column) {
+      if (!sheet_.has_numbers(column)) return false;
+    }
+    return std::ranges::all_of(sheet_.rows(), [&](auto row) {
+      const Eigen::Matrix4d T = matrix_in(row, first);
+      const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
+      return R.isUnitary(0.01) && R.determinant() > 0 && T.row(3) == Eigen::RowVector4d(0, 0, 0, 1);
+    });
+  }
+
+  // As times, numbers of rows and names of frames do.
+  bool never_falls(std::size_t column) {
+    const auto falls = [&, has_numbers = sheet_.has_numbers(column)](auto before, auto after) {
+      return has_numbers ? !(sheet_.number(before, column) <= sheet_.number(after, column))
+                         : sheet_.cell(before, column) != sheet_.cell(after, column);
+    };
+    return std::ranges::adjacent_find(sheet_.rows(), falls) == sheet_.rows().end();
+  }
+
+  // The columns that are these parts of one thing, in a unit of these or none; empty if there are none.
+  Group the_only(const Parts& parts, std::string_view units) {
+    std::vector<Group> found;
+    for (const ColumnName& one : names_) {
+      if (one.part != *parts.begin()) continue;
+      Group group;
+      for (const std::string_view part : parts) {
+        const std::size_t before = group.size();
+        for (std::size_t column = 0; column < names_.size(); ++column) {
+          const ColumnName& name = names_[column];
+          if (name.part == part && name.whole == one.whole && units.find(name.unit) != std::string_view::npos)
+            group.push_back(column);
+        }
+        if (group.size() > before + 1)
+          sheet_.refuse(fmt::format("two columns for {}{}; expected one", one.whole, part));
+      }
+      if (group.size() == parts.size() && std::ranges::count(quaternion_, group.front()) == 0) found.push_back(group);
+    }
+    if (found.size() > 1)
+      sheet_.refuse(fmt::format("{} and {} may be meant; take one out of the file",
+                                in_quotes(sheet_.titles()[found[0].front()]),
+                                in_quotes(sheet_.titles()[found[1].front()])));
+    return found.empty() ? Group() : found.front();
+  }
+
+  // Of the other columns, those before the pose may be times, numbers and names of frames.
+  void refuse_others() {
+    bool is_before = !position_.empty();
+    for (std::size_t column = 0; column < names_.size(); ++column) {
+      const bool is_used = std::ranges::any_of(std::array{&position_, &quaternion_, &rpy_}, [&](const Group* group) {
+        return std::ranges::count(*group, column) > 0;
+      });
+      is_before = is_before && !is_used;
+      if (!is_used && !(is_before && never_falls(column)))
+        sheet_.refuse(fmt::format("{} is no part of a position or rotation; expected {}",
+                                  in_quotes(sheet_.titles()[column]), expected_columns));
+    }
+    if (position_.empty()) sheet_.refuse(fmt::format("there is no position; expected {}", expected_columns));
+    if (!quaternion_.empty() && !rpy_.empty())
+      sheet_.refuse("there are two kinds of rotation; expected a quaternion, or roll, pitch and yaw");
+    for (const std::size_t column : rpy_) {
+      if (names_[column].unit.empty())
+        sheet_.refuse(fmt::format("{0} has no unit; name it {1}_deg or {1}_rad", in_quotes(sheet_.titles()[column]),
+                                  names_[column].part));
+    }
+  }
+};
 
 class Poses : public PathKind {
  public:
@@ -168,7 +236,7 @@ class CsvPath final : public Poses {
   void list_fields(Fields& io) override {
     io.text("file", file_,
             "beside the study. Columns: x, y, z in _m, _cm or _mm; then qw, qx, qy, qz, or roll, pitch, yaw in _deg or "
-            "_rad; without these the tool points straight down",
+            "_rad; without these the tool points straight down. Or the 12 or 16 numbers of a matrix",
             InKey::no);
   }
 
@@ -196,18 +264,11 @@ class CsvPath final : public Poses {
 }  // namespace
 
 std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file) {
-  Table table{parse_csv(text, file), file};
-  const Columns columns = columns_in(table);
+  Sheet sheet(text, file, 0, Sheet::Header::optional);
+  if (sheet.rows().size() > most_rows) sheet.refuse(fmt::format("expected at most {} poses", most_rows));
+  PoseColumns columns(sheet);
   std::vector<Pose> poses;
-  while (table.row < table.csv.rows()) {
-    ++table.row;
-    if (poses.size() == most_rows) table.refuse(fmt::format("expected at most {} poses", most_rows));
-    Pose pose = Pose::Identity();
-    pose.linear() = rotation_in(columns, table);
-    pose.translation() = numbers_in<Eigen::Vector3d>(columns.position, table);
-    poses.push_back(pose);
-  }
-  if (poses.empty()) table.refuse("there is no pose; expected a line for each, below the names of the columns");
+  for (const std::size_t row : sheet.rows()) poses.push_back(columns.pose_in(row));
   return poses;
 }
 

@@ -16,7 +16,7 @@ std::string refusal(const std::string& text) {
 constexpr const char* quaternions = "x_cm,y_cm,z_cm,qw,qx,qy,qz\n60,0,35,1,0,0,0\n60,-2.5,35,0.7071,0,0,0.7071\n";
 
 std::string study_text(const std::string& file) {
-  return "[path]\nkind = \"csv\"\nfile = \"" + file + "\"\n[[solvers]]\nsolver = \"bat\"\n";
+  return "robot = \"kuka_iiwa14\"\n[path]\nkind = \"csv\"\nfile = \"" + file + "\"\n[[solvers]]\nsolver = \"bat\"\n";
 }
 
 }  // namespace
@@ -61,14 +61,56 @@ TEST_CASE("byte-order mark, carriage returns, blanks, quotes and empty lines cha
   }
 }
 
+TEST_CASE("the same poses are read from sheets of spreadsheets and from what robots record", "[csv]") {
+  const Eigen::Matrix3d turned = rotation_from_rpy({0.3, -0.2, 1.2});
+  const Eigen::Quaterniond q(turned);
+  const auto numbers = [](std::vector<double> values, std::string_view separator, int digits = 12) {
+    std::string text;
+    for (const double value : values) text += fmt::format("{}{:.{}f}", text.empty() ? "" : separator, value, digits);
+    return text;
+  };
+  const std::string tum = numbers({0.4, 0.1, 0.3, q.x(), q.y(), q.z(), q.w()}, " ");
+  const std::string w_first = numbers({0.4, 0.1, 0.3, q.w(), q.x(), q.y(), q.z()}, ",");
+  std::string rows, commas = numbers({0.4, 0.1, 0.3, q.w(), q.x(), q.y(), q.z()}, ";");
+  std::ranges::replace(commas, '.', ',');
+  for (Eigen::Index i = 0; i < 3; ++i)
+    rows += numbers({turned(i, 0), turned(i, 1), turned(i, 2), std::array{0.4, 0.1, 0.3}[static_cast<std::size_t>(i)]},
+                    " ") +
+            ' ';
+  const std::string degrees = numbers({0.3 / degree, -0.2 / degree, 1.2 / degree}, ",");
+  for (
+      const std::string& text : std::vector<std::string>{
+          "# ground truth\n# timestamp tx ty tz qx qy qz qw\n1311868164.36 " + tum + "\n1311868164.40 " + tum + "\n",
+          "timestamp tx ty tz qx qy qz qw\n1 " + tum + "\n2 " + tum,
+          "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z []\n1," +
+              w_first + "\n2," + w_first + "\n",
+          "%time,field.header.seq,field.header.frame_id,field.pose.position.x,field.pose.position.y,"
+          "field.pose.position.z,field.pose.orientation.w,field.pose.orientation.x,field.pose.orientation.y,"
+          "field.pose.orientation.z\n7,1,base," +
+              w_first + "\n7,2,base," + w_first + "\n",
+          ";X_m;Y_m;Z_m;QW;QX;QY;QZ\n0;" + commas + "\n1;" + commas + "\n",
+          "x_m\ty_m\tz_m\troll_rad\tpitch_rad\tyaw_rad\n0.4\t0.1\t0.3\t0.3\t-0.2\t1.2\n0.4\t0.1\t0.3\t0.3\t-0.2\t1.2\n",
+          "i,x [mm],y [mm],z [mm],Roll [deg],Pitch [deg],Yaw [deg]\n1,400,100,300," + degrees + "\n2,400,100,300," +
+              degrees + "\n",
+          rows + "\n" + rows + "\n", rows + "0 0 0 1\n" + rows + "0 0 0 1", "1 " + rows + "\n2 " + rows}) {
+    CAPTURE(text);
+    const std::vector<Pose> poses = poses_in(text);
+    REQUIRE(poses.size() == 2);
+    for (const Pose& pose : poses) {
+      CHECK((pose.translation() - Eigen::Vector3d(0.4, 0.1, 0.3)).norm() < 1e-12);
+      CHECK((pose.linear() - turned).norm() < 1e-11);
+      CHECK(pose.linear().isUnitary(1e-14));
+    }
+  }
+}
+
 TEST_CASE("every mistake is told with its line, its column and what was expected", "[csv]") {
   check_mistakes("poses", "path.csv:", poses_in);
-  CHECK_THAT(refusal("x_m,y_m,z_m\n1,\x01,3\n"),
-             ContainsSubstring("path.csv:2: column 2 (y_m) is bytes that are no text"));
+  CHECK_THAT(refusal("x_m,y_m,z_m\n1,\x01,3\n"), ContainsSubstring("path.csv:2:2: ' ' in column 'y_m'"));
   std::string long_file = "x_m,y_m,z_m\n";
   for (int i = 0; i < 100'000; ++i) long_file += "1,2,3\n";
   CHECK(poses_in(long_file).size() == 100'000);
-  CHECK_THAT(refusal(long_file + "1,2,3\n"), ContainsSubstring("path.csv:100002: expected at most 100000 poses"));
+  CHECK_THAT(refusal(long_file + "1,2,3\n"), ContainsSubstring("path.csv: expected at most 100000 poses"));
 }
 
 TEST_CASE("random changes and random bytes are read, or refused with their line", "[csv][fuzz]") {
@@ -110,10 +152,10 @@ TEST_CASE("a CSV file that is missing, elsewhere or too large is refused", "[csv
     write_text(folder.path / "study/my.toml", study_text(file));
     return complaint<std::invalid_argument>([&] { load_study((folder.path / "study/my.toml").string()); });
   };
-  CHECK_THAT(said("none.csv"), ContainsSubstring("my.toml:3:8: there is no file ") && ContainsSubstring("none.csv"));
+  CHECK_THAT(said("none.csv"), ContainsSubstring("my.toml:4:8: there is no file ") && ContainsSubstring("none.csv"));
   std::filesystem::create_symlink("../outside.csv", folder.path / "study/link.csv");
   for (const std::string file : {"../outside.csv", "/etc/hostname", "link.csv"})
-    CHECK_THAT(said(file), StartsWith((folder.path / "study/my.toml").string() + ":3:8: path.file is \"" + file +
+    CHECK_THAT(said(file), StartsWith((folder.path / "study/my.toml").string() + ":4:8: path.file is \"" + file +
                                       "\", which is outside"));
   CHECK_THAT(said(""), ContainsSubstring("there is no file "));
   std::filesystem::create_symlink("/dev/zero", folder.path / "study/endless.csv");
@@ -125,5 +167,5 @@ TEST_CASE("a CSV file that is missing, elsewhere or too large is refused", "[csv
   std::filesystem::create_symlink("good.csv", folder.path / "study/inside.csv");
   CHECK(said("inside.csv").empty());
   CHECK_THAT(said("large.csv"), ContainsSubstring("expected a file of at most 16 MB"));
-  CHECK_THAT(said("bad.csv"), ContainsSubstring("bad.csv:2: column 2 (y_m) is \"two\""));
+  CHECK_THAT(said("bad.csv"), ContainsSubstring("bad.csv:2:2: 'two' in column 'y_m'"));
 }
