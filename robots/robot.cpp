@@ -34,6 +34,8 @@ LimitedLink read_link(TomlReader reader, Bounds lengths) {
   const bool is_endless = reader.table()["limits_deg"].value<std::string_view>() == no_limits;
   if (is_endless) one.limits = {-infinity, infinity};
   list_fields(reader, one);
+  if (reader.table().contains("theta_deg"))
+    throw reader.mistake("theta_deg", "theta is the joint's own angle; expected offset_deg for what is added to it");
   reader.refuse_unknown_keys();
   const bool slides = one.link.joint == Joint::slides;
   const char* const key = slides ? "limits_m" : "limits_deg";
@@ -58,6 +60,19 @@ Frame read_frame(TomlReader& reader, const std::string& key, Bounds lengths) {
   return frame;
 }
 
+enum class Table { standard, modified };
+
+// Craig's table as a standard one: a row there begins with what ends the row before here.
+void make_standard(std::vector<DhLink>& links, Frame& base) {
+  base.position += base.pose().linear() * Eigen::Vector3d(links.front().a, 0, 0);
+  base.rpy.x() += links.front().alpha;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const bool is_last = i + 1 == links.size();
+    links[i].a = is_last ? 0 : links[i + 1].a;
+    links[i].alpha = is_last ? 0 : links[i + 1].alpha;
+  }
+}
+
 Robot read_robot(TomlReader reader, std::string name, Bounds lengths) {
   std::vector<DhLink> links;
   JointLimits limits;
@@ -71,7 +86,15 @@ Robot read_robot(TomlReader reader, std::string name, Bounds lengths) {
     limits.lower.tail<1>()[0] = one.limits[0];
     limits.upper.tail<1>()[0] = one.limits[1];
   }
-  const Frame base = read_frame(reader, "base", lengths), tool = read_frame(reader, "tool", lengths);
+  Frame base = read_frame(reader, "base", lengths);
+  const Frame tool = read_frame(reader, "tool", lengths);
+  Table table = Table::standard;
+  reader.choice("dh", table, {"standard", "modified"});
+  if (table == Table::modified) {
+    if (std::ranges::count(links, Joint::coupled, &DhLink::joint) > 0)
+      throw reader.mistake("dh", "a modified table has no coupled joints; expected dh = \"standard\"");
+    make_standard(links, base);
+  }
   Robot arm{std::move(name), "", "", Chain(std::move(links), base, tool), std::move(limits)};
   list_fields(reader, arm);
   reader.refuse_unknown_keys();

@@ -49,6 +49,48 @@ TEST_CASE("an arm may be one link, written as a list or as tables", "[arm]") {
   CHECK(read_arm("[[links]]\na_m = 1\n[[links]]\njoint = 'coupled'\n").chain.links()[1].joint == Joint::coupled);
 }
 
+TEST_CASE("angles in degrees may be near a quarter turn in radians, if they are no rounding of it", "[arm]") {
+  CHECK(read_arm("links = [{ alpha_deg = 1.5723, offset_deg = 1.57080001 }, { alpha_deg = 1.6, offset_deg = 3 }]")
+            .joints() == 2);
+}
+
+// Rows as printed (Craig's: alpha and a are those before the joint), without what is 0.
+TEST_CASE("modified tables are the arms of their URDF files", "[arm]") {
+  struct Printed {
+    std::string urdf, rows, frames;
+  };
+  const std::string to_tool = "tool = { position_m = [0, 0, ";
+  for (const auto& [urdf, rows, frames] :
+       {// Franka's documentation of its control interface, with the flange
+        Printed{
+            "panda",
+            "{ d_m = 0.333 }, { alpha_deg = -90 }, { alpha_deg = 90, d_m = 0.316 }, { a_m = 0.0825, alpha_deg = 90 },"
+            "{ a_m = -0.0825, alpha_deg = -90, d_m = 0.384 }, { alpha_deg = 90 }, { a_m = 0.088, alpha_deg = 90 }",
+            to_tool + "0.107] }"},
+        Printed{"iiwa14",
+                "{ d_m = 0.36 }, { alpha_deg = -90 }, { alpha_deg = 90, d_m = 0.42 }, { alpha_deg = 90 },"
+                "{ alpha_deg = -90, d_m = 0.4 }, { alpha_deg = -90 }, { alpha_deg = 90 }",
+                to_tool + "0.126] }"},
+        Printed{"ur5e",
+                "{ d_m = 0.1625 }, { alpha_deg = 90 }, { a_m = -0.425 }, { a_m = -0.3922, d_m = 0.1333 },"
+                "{ alpha_deg = 90, d_m = 0.0997 }, { alpha_deg = -90, d_m = 0.0996 }",
+                "base = { rpy_deg = [0, 0, 180] }"},
+        Printed{"gen3",
+                "{ alpha_deg = 180, d_m = -0.28481 }, { alpha_deg = 90, d_m = -0.01175 }, { alpha_deg = -90, d_m = "
+                "-0.42076 }, { alpha_deg = 90, d_m = -0.01275 }, { alpha_deg = -90, d_m = -0.31436 },"
+                "{ alpha_deg = 90, d_m = -0.0003501 }, { alpha_deg = -90 }",
+                "tool = { position_m = [0, 0, -0.167455], rpy_deg = [180, 0, 0] }"}}) {
+    CAPTURE(urdf);
+    const Robot table = read_arm("dh = 'modified'\nlinks = [" + rows + "]\n" + frames);
+    const Robot file = load_robot("tests/data/urdf/" + urdf + ".urdf");
+    RandomConfigurations random;
+    for (int trial = 0; trial < 100; ++trial) {
+      const Eigen::VectorXd q = random(file.limits);
+      REQUIRE((table.chain.forward(q).matrix() - file.chain.forward(q).matrix()).cwiseAbs().maxCoeff() < 1e-9);
+    }
+  }
+}
+
 TEST_CASE("a mistake in an arm file is told with file, line, column, value and what was expected", "[arm][mistakes]") {
   check_mistakes("arm", "my_arm.toml:", read_arm);
   std::string many = "links = [";
