@@ -30,6 +30,7 @@ namespace {
 struct RobotArguments {
   std::string robot, out;
   UrdfChoice urdf;
+  double snap_deg = least_snap / degree;
   std::vector<double> at;
   bool shows_links = false, shows_urdf = false;
 };
@@ -90,7 +91,13 @@ Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
     throw std::invalid_argument(
         fmt::format("--at has {} values; expected {}, one for each joint of {}", at.size(), arm.joints(), arm.name));
   }
-  return Eigen::Map<const Eigen::VectorXd>(at.data(), arm.joints()).cwiseProduct(experiments::joint_units(arm.chain));
+  const Configuration units = experiments::joint_units(arm.chain);
+  for (std::size_t j = 0; j < at.size(); ++j) {
+    if (const std::string_view doubt = doubt_of_angle(at[j], units[static_cast<Eigen::Index>(j)]);
+        !doubt.empty() && !arm.chain.slides(j))
+      throw std::invalid_argument(fmt::format("--at: {} {}", at[j], doubt));
+  }
+  return Eigen::Map<const Eigen::VectorXd>(at.data(), arm.joints()).cwiseProduct(units);
 }
 
 std::string tool_text(const Robot& arm, const Configuration& q) {
@@ -138,6 +145,12 @@ void add_robot(CLI::App& app, Invocation&) {
                       "link of a URDF file from which the arm is read; default: the root");
   command->add_option("--tip", arguments->urdf.tip,
                       "link of a URDF file to which the arm is read; default: the end after most joints");
+  command
+      ->add_option(
+          "--snap-deg", arguments->snap_deg,
+          "angles of a URDF file this near a multiple of 15 deg, and axes this near parallel, are meant to be it")
+      ->check(number_in({0, 1}))
+      ->capture_default_str();
   command->add_flag("--links", arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
   command->add_flag("--urdf", arguments->shows_urdf, "print the arm as a URDF file, and nothing else");
   command->add_option("--out", arguments->out, "also draw the arm into this folder: robot.svg, .pdf, .png");
@@ -147,7 +160,7 @@ void add_robot(CLI::App& app, Invocation&) {
       "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45 --out out/panda\n"
       "  ikbench robot my_arm.urdf --base base_link --tip tool0");
   command->callback([arguments, command] {
-    for (const char* option : {"--base", "--tip", "--links"}) {
+    for (const char* option : {"--base", "--tip", "--snap-deg", "--links"}) {
       if (command->count(option) == 0 || is_urdf_file(arguments->robot)) continue;
       throw std::invalid_argument(
           fmt::format("{} is about a URDF file, but the arm is {}; leave it out", option, arguments->robot));
@@ -156,6 +169,7 @@ void add_robot(CLI::App& app, Invocation&) {
       fmt::print("{}", link_tree(text_of_arm_file(arguments->robot), arguments->robot));
       return;
     }
+    arguments->urdf.snap = arguments->snap_deg * degree;
     const Robot arm =
         is_arm_file(arguments->robot) ? load_robot(arguments->robot, arguments->urdf) : robot(arguments->robot);
     if (arguments->shows_urdf) {

@@ -141,6 +141,20 @@ bool mimics(const XMLElement& joint) { return joint.FirstChildElement("mimic") !
 
 bool moves(const XMLElement* joint) { return type_of(*joint) != "fixed" && !floats(*joint); }
 
+// By its name, or because it turns one way from 0, by less than half a turn.
+bool may_be_jaw(const XMLElement& joint) {
+  std::string names = joint.Attribute("name");
+  if (const XMLElement* const child = joint.FirstChildElement("child")) names += child->Attribute("link");
+  names = lower_case(names);
+  for (const char* word : {"grip", "finger", "jaw"}) {
+    if (names.find(word) != std::string::npos) return true;
+  }
+  const XMLElement* const limit = joint.FirstChildElement("limit");
+  if (limit == nullptr || limit->Attribute("lower") == nullptr || limit->Attribute("upper") == nullptr) return false;
+  const double lower = limit->DoubleAttribute("lower"), upper = limit->DoubleAttribute("upper");
+  return type_of(joint) == "revolute" && lower * upper == 0 && upper - lower > 0 && upper - lower < half_turn;
+}
+
 // The tree of links and the joints between them.
 class Tree {
  public:
@@ -165,11 +179,18 @@ class Tree {
     }
   }
 
-  // The root of the tree above a link; or, if joints move behind it, the link after a joint that floats.
+  // The root of the tree above a link; or, if joints move behind it alone, the link after a joint that floats.
   std::string root_of(std::string link) const {
     bool is_moved = false;
-    for (const XMLElement* const joint : above(link)) {
-      if (is_moved && floats(*joint)) break;
+    const std::vector<const XMLElement*> joints = above(link);
+    for (const XMLElement* const joint : joints) {
+      if (is_moved && floats(*joint)) {
+        if (std::any_of(std::ranges::find(joints, joint), joints.end(), moves))
+          place_.fail(*joint, fmt::format("it is {}, and joints move before and behind it; for those behind it add "
+                                          "--base {}, or base = \"{}\" in [urdf]",
+                                          type_of(*joint), link, link));
+        break;
+      }
       is_moved = is_moved || moves(joint);
       link = end(*joint, "parent");
     }
@@ -196,7 +217,8 @@ class Tree {
 
   // The end of the tree with the most moving joints between the base and it. Frames of a camera are no joints. Where
   // two ends are equal, as those of fingers are, the file does not say where the arm ends. The last joint may be a
-  // gripper's jaw if it mimics another, or if the link before it, which the arm moves, leads to an end without it.
+  // gripper's jaw if it mimics another, is called so or turns one way from closed, or if the link before it, which the
+  // arm moves, leads to an end without it.
   std::string farthest(const std::string& base) const {
     std::deque<std::string> ends;
     int most = 0;
@@ -216,7 +238,7 @@ class Tree {
       const std::string hand = end(last, "parent");
       for (const Seen& seen : behind({hand}))
         if (seen.moving == 0 && seen.depth > 0 && !after_.contains(seen.link)) ends.push_front(seen.link);
-      if (ends.size() > 1 || mimics(last)) ends.push_front(hand);
+      if (ends.size() > 1 || mimics(last) || may_be_jaw(last)) ends.push_front(hand);
     }
     if (most == 0 || ends.size() == 1) return ends.front();
     place_.fail(1, fmt::format("the arm may end at {}; add --tip LINK, or tip = \"LINK\" in [urdf] (ikbench robot FILE "
@@ -335,6 +357,10 @@ void read_origin(const XMLElement& origin, const Place& place, DescribedJoint& j
   if (has("rpy") && has("quat_xyzw")) place.fail(origin, "<origin> has rpy and quat_xyzw; expected one");
   if (has("rpy")) {
     const auto [values, digits] = place.numbers(origin, "rpy", 3);
+    for (const double value : values) {
+      if (const std::string_view doubt = doubt_of_angle(value, 1); !doubt.empty())
+        place.fail(origin, fmt::format("rpy has {}, which {}", value, doubt));
+    }
     joint.origin.rpy = values.head<3>();
     joint.rpy_digits = digits.head<3>();
   } else if (has("quat_xyzw")) {
@@ -371,7 +397,15 @@ Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoic
                                          : "if it turns without end, its type is continuous";
   const XMLElement* const limit = joint.FirstChildElement("limit");
   if (limit == nullptr) place.fail(joint, fmt::format("it is {} and has no <limit>; {}", type_of(joint), advice));
-  Eigen::Vector2d limits(place.limit(*limit, "lower", none), place.limit(*limit, "upper", none));
+  for (const XMLAttribute* each = limit->FirstAttribute(); each != nullptr; each = each->Next()) {
+    const std::string_view name = each->Name();
+    if (const std::string meant = nearest_name(lower_case(name), {"lower", "upper"}); !meant.empty() && meant != name)
+      place.fail(*limit,
+                 fmt::format("<limit> has the unknown attribute \"{}\"; did you mean {}?", Place::shown(name), meant));
+  }
+  const bool has_some = limit->Attribute("lower") != nullptr || limit->Attribute("upper") != nullptr;
+  const double missing = has_some ? 0 : none;  // what the format says of one
+  Eigen::Vector2d limits(place.limit(*limit, "lower", missing), place.limit(*limit, "upper", missing));
   const XMLElement* const safety = joint.FirstChildElement("safety_controller");
   if (which == UrdfChoice::Limits::soft && safety != nullptr) {
     limits[0] = std::max(limits[0], place.limit(*safety, "soft_lower_limit", -infinity));
@@ -417,6 +451,8 @@ void refuse_many_attributes(std::string_view text, const Place& place) {
 }
 
 const XMLElement& parsed(tinyxml2::XMLDocument& document, std::string_view text, const Place& place) {
+  if (text.starts_with("version https://git-lfs"))
+    place.fail(1, "this is a pointer of Git LFS, not the file; fetch it: git lfs pull");
   refuse_many_attributes(text, place);
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
     place.fail(std::max(document.ErrorLineNum(), 1),
@@ -427,7 +463,12 @@ const XMLElement& parsed(tinyxml2::XMLDocument& document, std::string_view text,
   }
   const XMLElement* const robot = document.RootElement();
   if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
-    place.fail(robot == nullptr ? 1 : robot->GetLineNum(), "expected a URDF file, whose outermost element is <robot>");
+    std::string what;
+    for (const auto& [tag, format] : {std::pair{"sdf", "SDF"}, {"mujoco", "MJCF"}, {"COLLADA", "Collada"}}) {
+      if (robot != nullptr && std::string_view(robot->Name()) == tag) what = fmt::format("this is {}; ", format);
+    }
+    place.fail(robot == nullptr ? 1 : robot->GetLineNum(),
+               what + "expected a URDF file, whose outermost element is <robot>");
   }
   return *robot;
 }
@@ -452,6 +493,8 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
   for (const XMLElement* each = robot.FirstChildElement(); each != nullptr; each = each->NextSiblingElement()) {
     if ((choice.tip.empty() || choice.base.empty()) && is_unexpanded(*each)) place.fail_as_xacro(*each);
   }
+  const bool lacks_parts = robot.Attribute("name") == nullptr || robot.FirstChildElement("link") == nullptr;
+  if (lacks_parts && text.find("xacro") != std::string_view::npos) place.fail_as_xacro(robot);
   const std::string name = place.name(robot, "name");
   const Tree tree(robot, place);
   for (const auto& [key, link] : {std::pair{"base", choice.base}, std::pair{"tip", choice.tip}}) {

@@ -176,7 +176,24 @@ TEST_CASE("base and tip are links of the user's, or the root and the end with th
   CHECK(ends_of({{"revolute", "l3", "jaw", limit}}) == "my_arm.urdf:1: the arm may end at \"l3\", \"l4\", \"jaw\"");
   CHECK(ends_of({{"revolute", "l0", "r", limit}, {"revolute", "r", "s", limit}}) ==
         "my_arm.urdf:1: the arm may end at \"l4\", \"s\"");
-  // A joint that floats ends the arm's tree.
+  // A last joint that is called a gripper, or turns one way from closed.
+  const auto with_last = [&](const std::string& name, const std::string& its_limit) {
+    std::string last = urdf({{"revolute", limit}});
+    return last.insert(last.find("</robot>"), "<link name='hand'/><joint name='" + name +
+                                                  "' type='revolute'><parent link='l1'/><child link='hand'/>" +
+                                                  its_limit + "</joint>");
+  };
+  CHECK(read(with_last("j2", limit)).joints() == 2);
+  CHECK(read(with_last("j2", "<limit lower='0' upper='4'/>")).joints() == 2);
+  CHECK(contains(said_of(with_last("jointGripper", limit)), "the arm may end at \"l1\", \"hand\"; add --tip LINK"));
+  CHECK(contains(said_of(with_last("j2", "<limit lower='-1.5' upper='0'/>")), "the arm may end at \"l1\", \"hand\""));
+  // A joint that floats ends the arm's tree, unless joints move on both sides of it.
+  const std::string middle = urdf({{"revolute", limit}, {"planar"}, {"revolute", limit}, {"fixed", to_tool}});
+  CHECK(
+      said_of(middle) ==
+      "my_arm.urdf:3: joint \"j2\": it is planar, and joints move before and behind it; for those behind it add --base "
+      "l2, or base = \"l2\" in [urdf]");
+  CHECK(read(middle, {.base = "l2"}).joints() == 1);
   const Robot walker = read(urdf({{"floating"}, {"revolute", limit}, {"fixed", to_tool}}));
   CHECK(walker.base_link == "l1");
   CHECK(walker.joints() == 1);
@@ -252,6 +269,13 @@ TEST_CASE("limits are the hard ones, or the tighter of them and the soft ones", 
   CHECK(wide.limits.upper[0] == 1);
 }
 
+TEST_CASE("a limit with one end has 0 as the other, as the format says", "[urdf][traps]") {
+  const Robot arm =
+      read({{"prismatic", "<limit upper='0.5'/>"}, {"revolute", "<limit lower='-2'/>"}, {"revolute", limit}});
+  CHECK(arm.limits.lower.head<2>() == Eigen::Vector2d(0, -2));
+  CHECK(arm.limits.upper.head<2>() == Eigen::Vector2d(0.5, 0));
+}
+
 TEST_CASE("a joint that turns without end has no limits, and is told where the file gives it some", "[urdf][traps]") {
   const Robot arm = read({{"continuous", about_z + "<limit lower='-6.28' upper='6.28'/>"}, {"fixed", to_tool}});
   CHECK(std::isinf(arm.limits.lower[0]));
@@ -300,7 +324,8 @@ TEST_CASE("angles that a file prints short are made whole, and by how much that 
                                 {"revolute", "<origin rpy='0 -0.34906586 0'/>" + about_z + limit},
                                 {"fixed", to_tool}};
   CHECK(read(bent).chain.links()[0].alpha == 0);
-  CHECK(said_of(urdf(bent), {.snap = 0}).starts_with("my_arm.urdf:1: the axes of joints 1 and 2 are almost parallel"));
+  CHECK(said_of(urdf(bent), {.snap = 0})
+            .starts_with("my_arm.urdf:1: the axes of joints 1 and 2 are almost parallel, to 5.7e-07 deg: "));
 }
 
 TEST_CASE("axes that are nearly parallel have a table of hundreds of metres, and an arm of its own lengths",
@@ -358,6 +383,8 @@ TEST_CASE("what the arm needs of xacro is told with the command that expands it;
         "my_arm.urdf:2: this is xacro; expand it first: xacro my_arm.urdf > expanded.urdf");
   CHECK_THROWS_WITH(parse_urdf("<robot name='r'><xacro:ur/></robot>", "ur.urdf.xacro", {}),
                     "ur.urdf.xacro:1: this is xacro; expand it first: xacro ur.urdf.xacro > expanded.urdf");
+  CHECK(contains(said_of("<robot xmlns:xacro='x'><xacro:macro name='m'/></robot>"), "1: this is xacro"));
+  CHECK(contains(said_of("<robot name='r'><xacro:property name='w'/></robot>"), "1: this is xacro"));
   std::string leftover = urdf({{"revolute", limit}});
   leftover.insert(leftover.find(" name"), " xmlns:xacro='http://www.ros.org/wiki/xacro'");
   leftover.insert(leftover.find("</robot>"),
@@ -373,7 +400,9 @@ TEST_CASE("what the arm needs of xacro is told with the command that expands it;
 TEST_CASE("a file that is no URDF, or too large, is refused with its place", "[urdf][mistakes]") {
   CHECK(said_of("") == "my_arm.urdf:1: the file is empty; expected a <robot>");
   CHECK(said_of("<robot>\n<link></robot>").starts_with("my_arm.urdf:2: not well-formed XML: near this line a tag, "));
-  CHECK(said_of("<sdf/>") == "my_arm.urdf:1: expected a URDF file, whose outermost element is <robot>");
+  CHECK(contains(said_of("<mujoco/>"), "1: this is MJCF; expected a URDF file"));
+  CHECK(contains(said_of("version https://git-lfs.github.com/spec/v1\noid sha256:0\n"), "a pointer of Git LFS"));
+  CHECK(said_of("<sdf/>") == "my_arm.urdf:1: this is SDF; expected a URDF file, whose outermost element is <robot>");
   CHECK(said_of("<robot/>") == "my_arm.urdf:1: <robot> has no name");
   CHECK(said_of("<robot name='r'/>") == "my_arm.urdf:1: the robot has no links");
   CHECK(said_of("<robot name='a\nb'><link name='l'/></robot>").starts_with("my_arm.urdf:1:"));
