@@ -177,10 +177,16 @@ Path read_path(PathReader reader) {
   std::vector<std::string_view> names;
   for (const Path& kind : kinds) names.push_back(kind->name());
   std::size_t chosen = 0;
+  if (!reader.table().contains("kind"))
+    throw reader.mistake("kind", fmt::format("path.kind is missing, what the targets are; expected one of \"{}\"",
+                                             fmt::join(names, "\", \"")));
   reader.choice("kind", chosen, names);
   Path path = kinds[chosen];
   list_fields(reader, path);
-  reader.refuse_unknown_keys();
+  // Of another kind by --set, keys of the file's kind stay behind.
+  const toml::source_region& kind = reader.find("kind")->source();
+  const bool is_other_kind = kind.begin.line == 0 || kind.path;
+  reader.refuse_unknown_keys(is_other_kind ? override_source : "");
   try {
     path->load(folder_of(reader, "file"));
   } catch (const std::invalid_argument& error) {
@@ -497,11 +503,10 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
             "a trace has at most 1 000 000 iterations; expected stop.iterations of at most that");
   refuse_if(study.limits == Limits::enforced && study.bounds == StudyBounds::initial, "bounds", not_enforced);
   const Configuration units = joint_units(arm.chain);
-  for (Eigen::Index j = 0; j < units.size() && study.limits == Limits::enforced; ++j) {
+  for (Eigen::Index j = 0; j < units.size(); ++j) {
     const double outside = std::max(arm.limits.lower[j] - study.initial[j], study.initial[j] - arm.limits.upper[j]);
     refuse_if(outside > 0, "initial_deg",
-              fmt::format("initial_deg is {:g} {} outside the limits of joint {}, but limits is \"enforced\"; see: "
-                          "ikbench robot {}",
+              fmt::format("initial_deg is {:g} {} outside the limits of joint {}; see: ikbench robot {}",
                           outside / units[j], units[j] == 1 ? "m" : "deg", j + 1, arm.name));
   }
   refuse_if(
@@ -542,6 +547,10 @@ Study read_study(const toml::table& table, std::string_view source) {
   const auto papers = published::papers();
   if (!study.published.empty())
     refuse_unknown(reader, "published", "paper", study.published, {papers.begin(), papers.end()});
+  for (const auto& [key, expected] : {std::pair{"robot", "the name of an arm (ikbench list robots) or its file"},
+                                      {"path", "a table with the kind of targets (ikbench list paths)"}}) {
+    if (!table.contains(key)) throw reader.mistake(key, fmt::format("{} is missing; expected {}", key, expected));
+  }
   study.path = read_path(PathReader(reader.part("path")));
   if (reader.find("urdf") != nullptr && !is_urdf_file(study.robot))
     throw reader.mistake("urdf", fmt::format("[urdf] is about a URDF file, but robot is \"{}\"; expected one such as "
@@ -580,6 +589,8 @@ std::string no_study(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file, error))
     return fmt::format("{} is a folder; expected a TOML file, or a name of: ikbench list studies", file.string());
   if (std::filesystem::exists(file, error)) return fmt::format("{} is not a regular file", file.string());
+  if (const std::string beside = file.string() + ".toml"; std::filesystem::is_regular_file(beside, error))
+    return fmt::format("no such file: {0}; did you mean {0}.toml?", file.string());
   if (file.extension() == ".toml" || file.has_parent_path())
     return fmt::format("no such file: {}; expected a TOML file, or a name of: ikbench list studies", file.string());
   std::vector<std::string> names;

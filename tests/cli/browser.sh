@@ -10,8 +10,8 @@ browser=$(command -v chromium chromium-browser google-chrome | head -n 1)
 mark="document.documentElement.setAttribute('marked',1)"
 hostile=("</text></svg><script>$mark</script>" "\" onload=\"$mark" "\"><img src=x onerror=$mark>" '{{{title}}} &amp; "')
 {
-  printf 'name = "<script>%s</script>"\ntitle = "<b>title</b>"\nruns = 2\npopulation = 6\n' "$mark"
-  printf '[stop]\niterations = 5\n[path]\npoints = 3\n'
+  printf 'name = "<script>%s</script>"\ntitle = "<b>title</b>"\nrobot = "kuka_iiwa14"\nruns = 2\npopulation = 6\n' "$mark"
+  printf '[stop]\niterations = 5\n[path]\nkind = "helix"\npoints = 3\n'
   for label in "${hostile[@]}"; do printf '[[solvers]]\nsolver = "bat"\nlabel = "%s"\n' "${label//\"/\\\"}"; done
 } >hostile.toml
 succeeds run hostile.toml --out hostile

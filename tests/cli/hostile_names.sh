@@ -8,8 +8,8 @@ labels=("\"quoted\", 'single'" '<b>&amp;</b>' '<script>pwned</script>' '$(touch 
   'Gelenkkörper 関節 плечо' '@{/Symbol a} %s %n \n' "'; DROP TABLE solves; --" '../../pwned' '=1+1' 'a  b' '-x' '*'
   $'turned \u202egnp.exe \u2066x\u2069 \u061cy\u2028z\u200bw' "$long")
 {
-  printf 'name = "%s"\ntitle = "<img src=x> $\\\\alpha$"\nruns = 2\npopulation = 6\n' "${name//\"/\\\"}"
-  printf '[stop]\niterations = 5\n[path]\npoints = 3\n'
+  printf 'name = "%s"\ntitle = "<img src=x> $\\\\alpha$"\nrobot = "kuka_iiwa14"\nruns = 2\npopulation = 6\n' "${name//\"/\\\"}"
+  printf '[stop]\niterations = 5\n[path]\nkind = "helix"\npoints = 3\n'
   for label in "${labels[@]}"; do
     escaped=${label//\\/\\\\}
     printf '[[solvers]]\nsolver = "bat"\nlabel = "%s"\n' "${escaped//\"/\\\"}"
@@ -17,7 +17,7 @@ labels=("\"quoted\", 'single'" '<b>&amp;</b>' '<script>pwned</script>' '$(touch 
 } >hostile.toml
 for odd in '\\u001b[31m' '\\n' "long$long"; do # what colours a terminal, ends a line or is longer is no name
   sed "s/label = \"-x\"/label = \"$odd\"/" hostile.toml >control.toml
-  refused control.toml:44:9 run control.toml
+  refused control.toml:46:9 run control.toml
 done
 
 mkdir here && cd here || exit 1

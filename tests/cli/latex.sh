@@ -25,7 +25,7 @@ compiles() {
 
 # Labels may be anything, and long.
 {
-  printf 'name = "labels"\nruns = 3\npopulation = 6\n[stop]\niterations = 5\n[path]\npoints = 3\n'
+  printf 'name = "labels"\nrobot = "kuka_iiwa14"\nruns = 3\npopulation = 6\n[stop]\niterations = 5\n[path]\nkind = "helix"\npoints = 3\n'
   for label in '100 %% of_{x} & #1 $y$ \\\\ ^~ [a] <b>' 'a name that goes on and on and on, as the names of some users do' \
     WWWWWWWWWW '[a]' '*'; do
     printf "[[solvers]]\nsolver = \"bat\"\nlabel = \"$label\"\n"

@@ -43,7 +43,7 @@ TEST_CASE("a solver of the paper that a study lacks is no departure", "[study]")
 }
 
 TEST_CASE("another arm and another path are departures, and the other arms of a paper are none", "[study]") {
-  CHECK(departures({"robot=franka_panda", "search=all_joints"}).front() == "robot");
+  CHECK(departures({"robot=kinova_gen3", "search=all_joints"}).front() == "robot");
   CHECK(departures({"name=beeson2015-pr2_right", "robot=pr2_right"}, "beeson2015").empty());
 }
 

@@ -17,6 +17,7 @@ done
 )";
 constexpr const char* its_study = R"(robot = "ur5e"
 search = "all_joints"
+path.kind = "helix"
 [[solvers]]
 process = ["sh", "busy.sh"]
 patience_s = 100

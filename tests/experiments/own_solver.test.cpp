@@ -36,7 +36,7 @@ class Faulty final : public Solver {
 
 // Four solves of it.
 Study study_of_faulty(const std::string& search) {
-  Study study = parse_study("search = '" + search +
+  Study study = parse_study("robot = 'kuka_iiwa14'\nsearch = '" + search +
                                 "'\nstart = 'initial'\nruns = 1\nrepeats = 1\npath = { kind = 'circle', points = 4 }\n"
                                 "stop = { iterations = 3 }\nsolvers = [{ solver = 'random_search' }]\n",
                             "a study");

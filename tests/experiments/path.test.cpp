@@ -18,7 +18,8 @@ std::vector<Path> with_points(int count) {
   std::string csv = "x_m,y_m,z_m\n";
   for (int i = 0; i < count; ++i) csv += fmt::format("0.5,0,0.{}\n", i);
   write_text(folder.path / "path.csv", csv);
-  write_text(folder.path / "study.toml", "[path]\nkind = 'csv'\nfile = 'path.csv'\n[[solvers]]\nsolver = 'bat'\n");
+  write_text(folder.path / "study.toml",
+             "robot = 'ur5e'\nsearch = 'pose'\n[path]\nkind = 'csv'\nfile = 'path.csv'\n[[solvers]]\nsolver = 'bat'\n");
   std::vector<Path> all{path_through(std::vector(static_cast<std::size_t>(count), Pose::Identity())),
                         load_study((folder.path / "study.toml").string()).path};
   for (const char* kind : {"helix", "circle", "random"})

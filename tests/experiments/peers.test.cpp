@@ -3,7 +3,7 @@
 
 namespace {
 
-Study study_from(const std::string& toml) { return parse_study(toml, "my.toml"); }
+Study study_from(const std::string& toml) { return parse_study(toml, "my.toml", completed(toml)); }
 
 std::string said_of_study(const std::string& toml) {
   return complaint<std::invalid_argument>([&] { study_from(toml); });

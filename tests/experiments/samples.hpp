@@ -38,11 +38,21 @@ using namespace ikbench::experiments;
 
 namespace ikbench {
 
+// What a text lacks to be a study, as by --set: an arm and a kind of path.
+inline experiments::Overrides completed(const std::string& toml, const experiments::Overrides& overrides = {}) {
+  experiments::Overrides all;
+  if (!contains(toml, "robot")) all.emplace_back("robot=kuka_iiwa14");
+  if (!contains(toml, "path")) all.emplace_back("path.kind=helix");
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  return all;
+}
+
 // The default path with settings, as by --set: path_of({"kind=circle", "points=4"}).
 inline experiments::Path path_of(const std::vector<std::string>& settings) {
   experiments::Overrides overrides;
   for (const std::string& setting : settings) overrides.push_back("path." + setting);
-  return experiments::parse_study("[[solvers]]\nsolver = \"ik_bat\"\n", "a path", overrides).path;
+  const std::string entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
+  return experiments::parse_study(entry, "a path", completed(entry, overrides)).path;
 }
 
 // Its poses in the first run with seed 1, with the paper's arm.

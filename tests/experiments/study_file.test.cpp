@@ -6,13 +6,17 @@ namespace {
 
 // The complaint about a file, or "" if it is a study.
 std::string said_of(const std::string& toml, const Overrides& overrides = {}) {
-  return complaint<std::invalid_argument>([&] { parse_study(toml, "my.toml", overrides); });
+  return complaint<std::invalid_argument>([&] { parse_study(toml, "my.toml", completed(toml, overrides)); });
 }
 
 const std::string solver_entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
+// An arm and targets, before an entry.
+const std::string arm_and_path = "robot = \"ur5e\"\nsearch = \"pose\"\npath.kind = \"random\"\n";
 const std::string planar = "robot = \"planar_2\"\nsearch = \"all_joints\"\n";
 
-Study read(const std::string& toml, const Overrides& overrides = {}) { return parse_study(toml, "my.toml", overrides); }
+Study read(const std::string& toml, const Overrides& overrides = {}) {
+  return parse_study(toml, "my.toml", completed(toml, overrides));
+}
 
 std::vector<std::string> keys_of(const Study& study) {
   std::vector<std::string> keys;
@@ -146,9 +150,9 @@ TEST_CASE("the study of Table 7: 12 to 30 bats to 0.1 cm at 20 random targets, e
 TEST_CASE("a study without a name has that of its file", "[study]") {
   const ScratchFolder folder;
   const std::string file = (folder.path / "second.toml").string();
-  std::ofstream(file) << solver_entry;
+  std::ofstream(file) << arm_and_path + solver_entry;
   CHECK(load_study(file).name == "second");
-  std::ofstream(file) << "name = \"mine\"\n" + solver_entry;
+  std::ofstream(file) << "name = \"mine\"\n" + arm_and_path + solver_entry;
   CHECK(load_study(file).name == "mine");
 }
 
@@ -250,7 +254,7 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
       folder.path / "slider.toml",
       "links = [{ a_m = 0.5 }, { joint = \"slides\", limits_m = [0.125, 0.5] }]\ntool = { rpy_deg = [0, 90, 0] }\n");
   const std::string file = (folder.path / "study.toml").string();
-  write_text(file, "robot = \"slider.toml\"\nsearch = \"all_joints\"\n" + solver_entry);
+  write_text(file, "robot = \"slider.toml\"\nsearch = \"all_joints\"\npath.kind = \"helix\"\n" + solver_entry);
   const Study study = load_study(file);
   CHECK(study.robot == "slider.toml");
   CHECK(arm_of(study).name == "slider");
@@ -264,8 +268,7 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
   CHECK(placed.initial == Eigen::Vector2d(45 * (std::numbers::pi / 180), 0.3));
   CHECK(nlohmann::json::parse(to_json(placed))["initial_deg"] == std::vector<double>{45, 0.3});
   CHECK(contains(to_toml(placed), "initial_deg = [45, 0.3]"));
-  CHECK(contains(said_of("robot = '" + slide +
-                         "'\nsearch = \"all_joints\"\nlimits = \"enforced\"\ninitial_deg = [0, 0.6]\n" + solver_entry),
+  CHECK(contains(said_of("robot = '" + slide + "'\nsearch = \"all_joints\"\ninitial_deg = [0, 0.6]\n" + solver_entry),
                  "initial_deg is 0.1 m outside the limits of joint 2"));
   const nlohmann::json arm = nlohmann::json::parse(to_json(study))["arm"];
   CHECK(arm["links"][1]["joint"] == "slides");
@@ -393,12 +396,30 @@ TEST_CASE("nesting deeper than anyone means is refused, not followed to the end 
   CHECK(contains(said_of(repeated("a.", 400) + "a = 1\n" + solver_entry), "unknown key \"a\""));
 }
 
+TEST_CASE("a study that lacks its arm or its path is refused, and --set path.kind leaves the file's kind behind",
+          "[study][mistakes]") {
+  const auto said = [](const std::string& text) {
+    return complaint<std::invalid_argument>([&] { parse_study(text, "my.toml"); });
+  };
+  CHECK(said("path.kind = \"random\"\n" + solver_entry).starts_with("my.toml:1:1: robot is missing; expected "));
+  CHECK(said("robot = \"ur5e\"\n" + solver_entry).starts_with("my.toml:1:1: path is missing; expected "));
+  CHECK(said("robot = \"ur5e\"\n[path]\npoints = 3\n" + solver_entry).starts_with("my.toml:2:1: path.kind is missing"));
+  const std::string helix = "robot = 'kuka_iiwa14'\n[path]\nkind = 'helix'\nturns = 3\npoints = 7\n" + solver_entry;
+  CHECK(read(helix, {"path.kind=random"}).path->points() == 7);
+  CHECK(contains(said_of(helix, {"path.kind=random", "path.turns=2"}), "unknown key \"turns\""));
+  CHECK(contains(said_of("[[solvers]]\nsolver = 'dls'\n"),
+                 "unknown solver \"dls\"; did you mean \"damped_least_squares\""));
+  if (missing_peers().empty())
+    CHECK(contains(said_of("[[solvers]]\nsolver = 'trac_ik'\n"),
+                   "unknown solver \"trac_ik\"; did you mean \"newton_slsqp\""));
+}
+
 TEST_CASE("a file of more than 10 MB is not read", "[study][mistakes]") {
   const ScratchFolder folder;
   const std::filesystem::path file = folder.path / "large.toml";
   write_text(file, solver_entry + "# " + std::string(10'000'000, 'x'));
   CHECK(contains(complaint<std::invalid_argument>([&] { load_study(file.string()); }), "at most 10 MB"));
-  write_text(file, solver_entry + "# " + std::string(1'000'000, 'x'));
+  write_text(file, arm_and_path + solver_entry + "# " + std::string(1'000'000, 'x'));
   CHECK(load_study(file.string()).solvers.size() == 1);
 }
 

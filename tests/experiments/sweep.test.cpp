@@ -4,7 +4,7 @@
 namespace {
 
 Study swept(const std::string& toml, const Overrides& overrides = {}) {
-  return parse_study(toml, "my.toml", overrides);
+  return parse_study(toml, "my.toml", completed(toml, overrides));
 }
 
 std::string complaint_about(const std::string& toml, const Overrides& overrides = {}) {

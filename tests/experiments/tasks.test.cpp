@@ -6,8 +6,9 @@ namespace {
 using std::numbers::pi;
 
 Study study_of_robot(const std::string& robot, const std::string& text) {
-  return parse_study(
-      "robot = \"" + robot + "\"\nsearch = \"all_joints\"\n" + text + "\n[[solvers]]\nsolver = \"bat\"\n", "my.toml");
+  const std::string toml =
+      "robot = \"" + robot + "\"\nsearch = \"all_joints\"\n" + text + "\n[[solvers]]\nsolver = \"bat\"\n";
+  return parse_study(toml, "my.toml", completed(toml));
 }
 
 std::string refusal_of(const std::string& robot, const std::string& text) {

@@ -10,7 +10,7 @@ int main() {
   const robots::Pose target = arm.chain.forward(joints);
   std::printf("the tool is at (%.6f, %.6f, %.6f) m\n", target(0, 3), target(1, 3), target(2, 3));
   const experiments::Study study = experiments::parse_study(
-      "robot = 'ur5e'\nsearch = 'pose'\nstart = 'middle'\n"
+      "robot = 'ur5e'\nsearch = 'pose'\nstart = 'middle'\npath = { kind = 'random' }\n"
       "stop = { iterations = 1000, tolerance_cm = 0.0001, tolerance_deg = 0.001 }\n"
       "solvers = [{ solver = 'damped_least_squares' }]\n",
       "my study");

@@ -43,6 +43,7 @@ class Climb final : public solvers::Solver {
 
 int main() {
   experiments::Study study = experiments::parse_study(R"(name = "mine"
+robot = "kuka_iiwa14"
 search = "all_joints"
 runs = 3
 path = { kind = "circle", points = 4 }
