@@ -183,6 +183,33 @@ void add_of_repeats(Doubts& doubts, const StudyResults& study) {
     doubts.push_back({.kind = DoubtKind::repeats_itself, .who = who, .count = static_cast<double>(runs)});
 }
 
+// Of targets that are the same in all runs: those that stay unsolved, and that the arm may not be able to reach them.
+void add_of_targets(Doubts& doubts, const StudyResults& study) {
+  const Definition& definition = study.definition;
+  if (definition.draws_targets || !definition.has_tolerance()) return;
+  std::map<int, bool> is_solved;  // by point
+  for (const Solve& solve : study.solves) is_solved[solve.point] |= solve.status == Status::ok;
+  std::vector<std::string> never;
+  for (const auto& [point, is_so] : is_solved) {
+    if (!is_so) never.push_back(std::to_string(point));
+  }
+  if (never.empty()) return;
+  if (never.size() < is_solved.size())
+    doubts.push_back({.kind = DoubtKind::solved_by_nobody,
+                      .count = static_cast<double>(never.size()),
+                      .of = static_cast<double>(is_solved.size()),
+                      .what = names_of(never)});
+  const auto joints = definition.arm.empty() ? 0 : std::ssize(numerics::parsed_json(definition.arm)["links"]);
+  const auto conditions = definition.search == Search::pose ? 6 : definition.search == Search::axis ? 5 : 3;
+  if (joints == 0 || joints >= conditions || definition.search == Search::wrist) return;
+  doubts.push_back({.kind = DoubtKind::too_few_joints,
+                    .what = fmt::format("{} cannot reach every target of search = \"{}\", which sets {} conditions{}",
+                                        numerics::counted(joints, "joints"), name_of(definition.search), conditions,
+                                        joints > 4   ? "; \"axis\" sets 5"
+                                        : joints > 2 ? "; \"all_joints\" sets 3"
+                                                     : "")});
+}
+
 }  // namespace
 
 std::vector<Doubt> doubts_of_times(const StudyResults& study) {
@@ -257,6 +284,7 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
     doubts.push_back({.kind = DoubtKind::out_of_reach,
                       .count = static_cast<double>(count),
                       .of = static_cast<double>(study.definition.points)});
+  add_of_targets(doubts, study);
   add_of_plan(doubts, study);
   add_of_repeats(doubts, study);
   add(doubts, study.other_version);
@@ -307,6 +335,10 @@ std::string words_of(const Doubt& doubt) {
       return fmt::format("results of {} are not compared, since seconds end solves: {}{}", who, what, in_solves);
     case DoubtKind::out_of_reach:
       return fmt::format("{} targets of a run out of reach, so no solver can solve them", share);
+    case DoubtKind::solved_by_nobody:
+      return fmt::format("{} targets were solved by nobody in any run (points {})", share, what);
+    case DoubtKind::too_few_joints:
+      return what;
     case DoubtKind::few_decide_mean:
       return fmt::format("few values decide the mean {} of {}: nothing is called better by it", what, who);
     case DoubtKind::plan_changed:

@@ -24,6 +24,8 @@ enum class DoubtKind {
   without_answer,        // solves, or infinite values of a file
   times_not_comparable,  // measured in parallel, apart, or on a busy machine
   out_of_reach,          // targets
+  solved_by_nobody,      // targets, in any run
+  too_few_joints,        // for all conditions of a target
   repeats_itself,        // every run gave the same, so they count as one
   few_decide_mean,       // one value is most of a sum
 };

@@ -97,6 +97,7 @@ Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
 Answer answer_of(const JudgedStudy& judged) {
   Answer all = answer_of(judged.metrics, judged.deciding);
   all.doubts = judged.doubts;
+  all.studied = fmt::format("{}. A solve ends at {}.", what_is_studied(judged.study), stops_of(judged.study));
   all.noun = judged.study.definition.compares_runs() ? "runs" : "targets";
   for (JudgedMetric& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
@@ -112,6 +113,7 @@ Answer answer_of(const JudgedStudy& judged) {
   const auto is_of_time = [](const JudgedMetric& metric) { return metric.observations.unit == "s"; };
   if (std::ranges::any_of(judged.metrics, is_of_time) && std::ranges::any_of(judged.study.solves, &Solve::is_told))
     all.notes.emplace_back("Times of programs are told by them.");
+  if (const std::string ends = ends_of_unsolved(judged.study); !ends.empty()) all.notes.push_back(ends);
   return all;
 }
 

@@ -17,6 +17,7 @@ struct Answer {
   std::vector<compare::Doubt> doubts;          // of all
   std::string noun = "values";                 // what observations are
   std::vector<std::string> notes;              // of the table of results
+  std::string studied = {};                    // of a study: what its solvers did, and when a solve ended, as sentences
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
 
@@ -73,6 +74,8 @@ std::string what_is_studied(const compare::StudyResults& study);
 // Three sentences for an article, without the last point.
 std::string methods_of(const Answer& answer, const compare::StudyResults& study);
 std::string stops_of(const compare::StudyResults& study);  // "0.01 mm or 10000 evaluations"
+// "What ended unsolved solves: evaluations (DLS); gave up or iterations (PSO and DE)."; empty if all are solved.
+std::string ends_of_unsolved(const compare::StudyResults& study);
 
 // How it was made. They have no files.
 Table study_table(const compare::StudyResults& study);

@@ -15,6 +15,7 @@ using namespace compare;
 std::string screen(const Answer& whole, const std::string& page) {
   const Answer answer = with_short_names(whole, longest_name);
   std::string text = paragraph(headline(answer), "");
+  if (!answer.studied.empty()) text += paragraph(answer.studied, "");
   constexpr std::size_t most_rows = 20;
   Table table = results_table(answer);
   table.columns[0].name = "";

@@ -19,7 +19,7 @@ std::vector<Blocks> sections_of(const Report& report) {
   const bool is_of_study = !report.study.entry.series.empty();  // else of a user's file
   if (report.first.empty()) {
     sections[0] = {Heading{headline(report.answer)}};
-    if (is_of_study) sections[0].emplace_back(what_is_studied(report.study) + '.');
+    if (is_of_study) sections[0].emplace_back(report.answer.studied);
     Table results = warned_results(report.answer);
     results.in_article = {warned_results(with_short_names(report.answer, 2 * longest_name))};  // a narrow table
     sections[0].emplace_back(std::move(results));

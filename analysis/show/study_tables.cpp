@@ -670,6 +670,23 @@ std::string stops_of(const StudyResults& study) {
   return listed(stops, " or ");
 }
 
+std::string ends_of_unsolved(const StudyResults& study) {
+  std::vector<std::string> reasons, labels;
+  for (const std::string& label : study.labels) {
+    std::set<std::string> of_label;
+    for (const Solve& solve : study.of(label)) {
+      if (results::is_in_order(solve.status) && solve.status != results::Status::ok)
+        of_label.insert(with_blanks(results::name_of(solve.stop_reason)));
+    }
+    if (of_label.empty()) continue;
+    reasons.push_back(listed({of_label.begin(), of_label.end()}, " or "));
+    labels.push_back(label);
+  }
+  std::vector<std::string> told;
+  for (const auto& [reason, who] : by_word(reasons, labels)) told.push_back(fmt::format("{} ({})", reason, who));
+  return told.empty() ? "" : fmt::format("What ended unsolved solves: {}.", listed(told, "; "));
+}
+
 std::string what_is_studied(const StudyResults& study) {
   const results::Definition& definition = study.definition;
   return fmt::format("{}: {}, {} of {} ({})", study.entry.name, definition.robot,

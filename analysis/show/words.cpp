@@ -319,6 +319,16 @@ std::string where_alike(const Answer& answer) {
                          : effect_words(judged.findings.front()));
 }
 
+bool is_nothing_solved(const Answer& answer) {
+  return std::ranges::any_of(answer.metrics, [&](const JudgedMetric& judged) {
+    return &judged != &answer.decisive() && judged.observations.metric == "solved" &&
+           std::ranges::all_of(judged.described, [](const Description& its) { return its.mean == 0; });
+  });
+}
+
+// Nobody is best by the error of what nobody solved.
+bool can_nobody(const Answer& answer) { return answer.decisive().plan.metric.empty() && is_nothing_solved(answer); }
+
 Sentence best(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const std::vector<std::size_t>& order = answer.order;
@@ -330,9 +340,10 @@ Sentence best(const Answer& answer) {
   const bool are_unequal = equals_of(judged, order) < names.size();
   const std::string alike = where_alike(answer);
   Sentence sentence{fmt::format("{} {}{}{}", names_of(names),
-                                names.size() > 1    ? "are best"
-                                : order.size() == 2 ? "is better than " + losers
-                                                    : "is best",
+                                names.size() > 1     ? (can_nobody(answer) ? "come nearest" : "are best")
+                                : order.size() == 2  ? "is better than " + losers
+                                : can_nobody(answer) ? "comes nearest"
+                                                     : "is best",
                                 are_unequal ? ", the same within " + margin_words(judged) : "", by_little(judged)),
                     alike.empty() ? ": " + numbers_of(answer, names.size() > 1) : alike};
   if (names.size() > 1 || !are_listed)
@@ -394,12 +405,8 @@ std::vector<std::string> best_of(const JudgedMetric& judged) {
 
 Sentence headline_of(const Answer& whole) {
   if (!whole.verdict.empty()) return {whole.verdict};
-  const bool is_nothing_solved = std::ranges::any_of(whole.metrics, [&](const JudgedMetric& judged) {
-    return &judged != &whole.decisive() && judged.observations.metric == "solved" &&
-           std::ranges::all_of(judged.described, [](const Description& its) { return its.mean == 0; });
-  });
   Sentence sentence = sentence_of(with_short_names(whole, 40));
-  if (is_nothing_solved) sentence.subject.insert(0, "No target was solved. ");
+  if (is_nothing_solved(whole)) sentence.subject.insert(0, "No target was solved. ");
   return sentence;
 }
 

@@ -11,7 +11,7 @@ succeeds run mine.toml --out mine
 quiet
 debug=0 # times of a debug build are not compared: two lines more, a picture less
 ! grep -q "a debug build" .out || debug=1
-[ "$(wc -l <.out)" -le $((14 + 2 * debug)) ] && [ "$(wc -L <.out)" -le 100 ] || fail "not one screen: $out"
+[ "$(wc -l <.out)" -le $((17 + 2 * debug)) ] && [ "$(wc -L <.out)" -le 100 ] || fail "not one screen: $out"
 equal "last line" "$(tail -n 1 .out)" "Report: mine/report.html"
 files=$(find mine -type f | wc -l) words=$(tr -s '[:space:]' '\n' <mine/report.md | grep -c '[[:alnum:]]')
 [ "$files" -lt 50 ] || fail "$files files: $(find mine -type f)"

@@ -179,8 +179,9 @@ TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
   before.definition.plan.margin = 9;
   const Gate gate = gate_of(before, after);
   CHECK(gate.worse.empty());
-  REQUIRE(gate.judged.doubts.size() == 1);
-  CHECK(words_of(gate.judged.doubts.front()) == "budgets differ: 3000 and 1000 evaluations a solve (now, before)");
+  REQUIRE(gate.judged.doubts.size() == 2);
+  CHECK(gate.judged.doubts.front().kind == DoubtKind::solved_by_nobody);
+  CHECK(words_of(gate.judged.doubts.back()) == "budgets differ: 3000 and 1000 evaluations a solve (now, before)");
 }
 
 TEST_CASE("two labels of one study are compared as two versions are") {
