@@ -164,7 +164,7 @@ FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, co
   }
   if (are_drawn(arguments.figures)) {
     refuse_unknown_figures(arguments.figures);
-    figures::refuse_missing_font(style.font);
+    figures::refuse_missing_font(style, labels);
   }
   return style;
 }

@@ -125,7 +125,31 @@ std::map<std::string, std::string> sources_of(const std::vector<Figure>& figures
 
 }  // namespace
 
-void refuse_missing_font(const std::string& font) {
+void refuse_missing_font(const FigureStyle& style, const std::vector<std::string>& labels) {
+  std::map<std::uint32_t, std::string> characters;  // beyond ASCII, with the label that has it
+  for (const std::string& label : labels) {
+    std::uint32_t code = 0;
+    for (const char c : one_line(label) + ' ') {
+      const auto byte = static_cast<unsigned char>(c);
+      const bool goes_on = (byte & 0xC0) == 0x80;
+      if (!goes_on && code > 0) characters.emplace(code, label);
+      code = goes_on       ? code << 6 | (byte & 0x3F)
+             : byte < 0x80 ? 0
+                           : byte & (byte < 0xE0   ? 0x1F
+                                     : byte < 0xF0 ? 0x0F
+                                                   : 0x07);
+    }
+  }
+  if (style.formats == std::vector<std::string>{"svg"}) characters.clear();
+  for (const auto& [code, label] : characters) {
+    const auto fonts = ChildProcess::run({"fc-list", fmt::format(":charset={:x}", code), "family"}, ".", {});
+    if (fonts.succeeded && fonts.output.empty())
+      throw std::invalid_argument(fmt::format(
+          "no font on this machine has the character U+{:04X} of \"{}\"; take another label, draw formats = "
+          "[\"svg\"] alone (--style), or add --figures none",
+          code, one_line(label)));
+  }
+  const std::string& font = style.font;
   if (font == FigureStyle().font) return;
   const ChildProcess::Ran nearest =
       ChildProcess::run({"fc-match", "--format=,%{family},", "--", font}, ".", {});  // the names of one font

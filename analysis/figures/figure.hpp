@@ -42,8 +42,9 @@ struct RenderOptions {
   results::FigureStyle style = {};
 };
 
-// Throws std::invalid_argument if the machine lacks the font, for which gnuplot would take another without a word.
-void refuse_missing_font(const std::string& font);
+// Throws std::invalid_argument if the machine lacks the font, for which gnuplot would take another without a word, or
+// has no font for a character of a label, in whose place gnuplot would draw black areas.
+void refuse_missing_font(const results::FigureStyle& style, const std::vector<std::string>& labels);
 
 // Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png, as the style says; no
 // script that was there is ever run. Removes old pictures that do not show these data. Returns a sentence for each

@@ -5,7 +5,7 @@ source "$(dirname "$0")/common.sh"
 name=$'<script>$(touch pwned)`touch pwned`"\''
 long=$(printf 'long%.0s' {1..50}) # 200 characters, the most
 labels=("\"quoted\", 'single'" '<b>&amp;</b>' '<script>pwned</script>' '$(touch pwned)`touch pwned`' '100 % | 50 $ \ ~^#_{}&'
-  'Gelenkkörper 関節 плечо' '@{/Symbol a} %s %n \n' "'; DROP TABLE solves; --" '../../pwned' '=1+1' 'a  b' '-x' '*'
+  'Gelenkkörper ψ плечо' '@{/Symbol a} %s %n \n' "'; DROP TABLE solves; --" '../../pwned' '=1+1' 'a  b' '-x' '*'
   $'turned \u202egnp.exe \u2066x\u2069 \u061cy\u2028z\u200bw' "$long")
 {
   printf 'name = "%s"\ntitle = "<img src=x> $\\\\alpha$"\nrobot = "kuka_iiwa14"\nruns = 2\npopulation = 6\n' "${name//\"/\\\"}"

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # A mistake in what was asked for: exit code 1, one sentence that names it, and nothing written.
 source "$(dirname "$0")/common.sh"
-printf 'name = "x"\n\n[[solvers]]\n  solver = "abt"\n' >misspelt.toml
+printf 'robot = "ur5e"\npath.kind = "random"\n[[solvers]]\n  solver = "abt"\n' >misspelt.toml
 : >empty.sqlite
 succeeds run slim2023 "${small[@]}" --no-report --out made
 head -c 5000 made/store.sqlite >truncated.sqlite
 printf 'solver,error\nA,1\n' >table.csv
+printf 'solver,error\nA\u0378,1\nA\u0378,3\nB,2\nB,5\n' >glyph.csv # which no font has
 echo "a file" >file
 echo 'font = "No Such Font"' >font.toml
 mkdir none taken
@@ -16,6 +17,7 @@ while IFS='|' read -r word command; do
   eval "refused $word $command"
   quiet
 done < <(grep -v '^#' "$root/tests/data/mistakes/commands")
+! command -v fc-list >/dev/null || refused "U+0378" stats glyph.csv --out glyph
 for command in report export "compare made/store.sqlite"; do
   refused none.sqlite $command none.sqlite
   refused made/store.sqlite $command made
