@@ -126,7 +126,7 @@ class DampedLeastSquares final : public Solver {
 
 SolverInfo damped_least_squares() {
   return solver_info<DampedLeastSquares>("damped_least_squares",
-                                         "damped least squares, damped by the gain ratio, with random restarts",
+                                         "damped least squares (DLS), damped by the gain ratio, with random restarts",
                                          "Wampler 1986; Madsen, Nielsen and Tingleff 2004, Algorithm 3.16");
 }
 

@@ -37,6 +37,12 @@ struct Registry {
   }
 };
 
+std::string letters_of(std::string_view text) {
+  std::string letters = lower_case(text);
+  std::erase_if(letters, [](char c) { return (c < 'a' || c > 'z') && (c < '0' || c > '9'); });
+  return letters;
+}
+
 const Registry& registry() {
   static const Registry all;
   return all;
@@ -61,7 +67,17 @@ const SolverInfo& solver(std::string_view name) {
   for (const MissingPeer& peer : registry().missing) {
     if (peer.name == name) throw std::invalid_argument(fmt::format("the solver {} is {}", name, peer.how));
   }
-  return find_named("solver", name, registry().solvers, [](const SolverInfo& info) { return info.name; });
+  try {
+    return find_named("solver", name, registry().solvers, [](const SolverInfo& info) { return info.name; });
+  } catch (const std::invalid_argument&) {  // the field's names stand in the summaries: "DLS", "TRAC-IK"
+    const std::string meant = letters_of(name);
+    for (const SolverInfo& info : registry().solvers) {
+      if (meant.size() > 2 && letters_of(info.summary).find(meant) != std::string::npos)
+        throw std::invalid_argument(
+            fmt::format("unknown solver \"{}\"; did you mean \"{}\", {}?", name, info.name, info.summary));
+    }
+    throw;
+  }
 }
 
 }  // namespace ikbench::solvers
