@@ -217,7 +217,7 @@ kill_disk() { # full while solves are stored, merged, exported and drawn: exit c
     head -c $(($(df --output=avail --block-size=1 small | tail -1) - size / 2)) /dev/zero >small/filler
     ends 2 "${command[@]}"
     has "$err" "/$format"
-    has "$err" "make room"
+    has "$(tr -s " \n" " " <<<"$err")" "make room"
     [ $format = report ] || [ ! -e small/$format ] || fail "$format on a full disk leaves $(find small/$format)"
     for picture in small/report/figures/*.svg; do
       [ ! -e "$picture" ] || tail -c 9 "$picture" | grep -q '</svg>' || fail "half of a figure: $picture"

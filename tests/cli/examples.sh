@@ -21,7 +21,7 @@ add descent.py '"python3", "descent.py"' python3 descent.py
 ! command -v octave-cli >/dev/null || add damped.m '"octave-cli", "--quiet", "damped.m"' octave-cli --quiet damped.m
 ! c++ -std=c++17 -O2 -Wall -Wextra -Werror -o search search.cpp 2>cc.err || add search.cpp '"./search"' ./search
 study examples "${entries[@]}"
-sed -i 's/^repeats = 1/&\nrobot = "ur5e"\nstart = "near"\nnear_deg = 10/; s/points = 8/points = 3/; s/^iterations = 8/iterations = 60\ntolerance_cm = 0.5/' examples.toml
+sed -i 's/^robot = .*/robot = "ur5e"/; s/^repeats = 1/&\nstart = "near"\nnear_deg = 10/; s/points = 8/points = 3/; s/^iterations = 8/iterations = 60\ntolerance_cm = 0.5/' examples.toml
 succeeds run examples.toml --no-report --out examples
 for of in pso.py:1 search.cpp:1 descent.py:4 damped.m:4; do # the first two try at random
   label=${of%:*}
