@@ -35,8 +35,7 @@ void add_export(CLI::App& app, Invocation&) {
                    "csv: a row for each solve; fingerprint: a hash of every bit but of times")
       ->check(CLI::IsMember({"csv", "fingerprint"}))
       ->capture_default_str();
-  command->add_option("-o,--output", arguments->file, "file to write; - for standard output")
-      ->capture_default_str();
+  command->add_option("-o,--output", arguments->file, "file to write; - for standard output")->capture_default_str();
   command->footer(
       "Examples:\n"
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
