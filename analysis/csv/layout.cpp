@@ -130,6 +130,15 @@ class Finder {
            2 * count(sheet_.rows(), {column}) <= values.size();
   }
 
+  // Whole numbers, everywhere another: as an index of rows that were chosen or sorted.
+  bool may_name_rows(std::size_t column) {
+    return is_setting(column) && count(sheet_.rows(), {column}) == sheet_.rows().size() &&
+           std::ranges::all_of(sheet_.rows(), [&](Index row) {
+             const double value = sheet_.number(row, column);
+             return value == std::floor(value);
+           });
+  }
+
   // Whether a column tells rows of a class apart as problems, runs and metrics do: by text, not everywhere another, or
   // by numbers too regular for measurements.
   bool tells_apart(Rows rows, const Columns& of_class, std::size_t column) {
@@ -262,8 +271,9 @@ class Finder {
     Columns values = way.is_wide ? numbers_ : values_of(way), likely;
     std::erase_if(values, [&](std::size_t column) { return has(way, column); });
     for (const std::size_t column : values) {
-      if (way.is_wide ? !is_setting(column) : likely.empty()) likely.push_back(column);
+      if (way.is_wide ? !is_setting(column) : likely.empty() && !may_name_rows(column)) likely.push_back(column);
     }
+    if (!way.is_wide && likely.empty() && !values.empty()) likely = {values.front()};
     if (likely.empty() || likely == values) {
       way.values = values;
       return;

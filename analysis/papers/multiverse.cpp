@@ -314,7 +314,7 @@ Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse) {
   result.numbers.notes = {
       fmt::format(
           "A number is a reading's if it is in the range that holds {:.0f} % of such numbers of new studies, by "
-          "its runs of seeds 1 to {} together; fewer than 5 give none.",
+          "all its runs (seeds: {}); fewer than 5 give none.",
           100 * share_in_ranges, multiverse.studies[0].solvers[0][0].parts.size()),
       fmt::format(
           "The best of the sets has most of its solver's numbers; {}: the most of one other solver's; {}: where "

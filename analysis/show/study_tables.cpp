@@ -198,6 +198,9 @@ Table results_table(const Answer& answer) {
                       fmt::join(kinds, " or "),
                       are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun);
   }
+  const auto are_spent = [](const JudgedMetric& judged) { return judged.observations.are_logs; };
+  if (std::ranges::any_of(answer.metrics, are_spent))
+    key += fmt::format("{}per solved: all that was spent by the {} solved", key.empty() ? "" : "; ", answer.noun);
   const auto has_facts = [](const JudgedMetric& judged) {
     return std::ranges::any_of(judged.findings, [](const Finding& finding) {
       return std::holds_alternative<Fact>(finding.what) && is_difference(verdict_of(finding));
