@@ -491,15 +491,8 @@ Table descriptives_table(const Answer& answer) {
 Table anova_table(const Answer& answer) {
   Table table{.name = "anova",
               .caption = "Do the solvers differ at all?",
-              .columns = {{"metric"},
-                          {"test"},
-                          {"source"},
-                          {"SS"},
-                          {"df"},
-                          {"MS"},
-                          {"statistic"},
-                          {.name = "p", .role = Role::p},
-                          {"eta squared"}}};
+              .columns = columns_of({"metric", "test", "source", "SS", "df", "MS", "statistic", "p", "eta squared"})};
+  table.columns[7].role = Role::p;
   std::vector<std::string> left_out, where;
   for (const JudgedMetric& judged : answer.metrics) {
     if (is_share(judged) || judged.observations.are_logs) continue;
@@ -516,26 +509,12 @@ Table anova_table(const Answer& answer) {
     if (const auto f = anova(observed)) {
       table.rows.push_back({quantity, std::string(f->name), "between", f->ss_between, std::llround(f->df),
                             f->ss_between / f->df, f->statistic, f->p, f->ss_between / (f->ss_between + f->ss_within)});
-      table.rows.push_back({quantity,
-                            std::string(f->name),
-                            "within",
-                            f->ss_within,
-                            std::llround(f->df_within),
-                            f->ss_within / f->df_within,
-                            {},
-                            {},
-                            {}});
+      table.rows.push_back({quantity, std::string(f->name), "within", f->ss_within, std::llround(f->df_within),
+                            f->ss_within / f->df_within, Cell(), Cell(), Cell()});
     }
     if (const auto ranks = test_of_ranks(observed))
-      table.rows.push_back({quantity,
-                            std::string(ranks->name),
-                            "between",
-                            {},
-                            std::llround(ranks->df),
-                            {},
-                            ranks->statistic,
-                            ranks->p,
-                            {}});
+      table.rows.push_back({quantity, std::string(ranks->name), "between", Cell(), std::llround(ranks->df), Cell(),
+                            ranks->statistic, ranks->p, Cell()});
     if (without.empty() || table.rows.size() == before) continue;
     left_out.push_back(names_of(without)), where.push_back(quantity);
   }
@@ -546,16 +525,9 @@ Table anova_table(const Answer& answer) {
 }
 
 Table solves_table(const StudyResults& study, const std::vector<std::string>& solvers) {
-  Table table{.name = "solves",
-              .caption = "Single solves",
-              .columns = {{"solver"},
-                          {"solves"},
-                          {"failed"},
-                          {"median", "ms"},
-                          {"95 %", "ms"},
-                          {"99 %", "ms"},
-                          {"99.9 %", "ms"},
-                          {"largest", "ms"}}};
+  Table table{.name = "solves", .caption = "Single solves", .columns = columns_of({"solver", "solves", "failed"})};
+  for (const char* of_times : {"median", "95 %", "99 %", "99.9 %", "largest"})
+    table.columns.push_back({of_times, "ms"});
   const Metric& time = metric_named("seconds");
   for (const std::string& solver : solvers) {
     const Solves all = study.of(solver);
