@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 #include "cli/commands.hpp"
@@ -13,7 +13,6 @@
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/verifier.hpp"
 #include "numerics/names.hpp"
-#include "robots/urdf.hpp"
 
 namespace ikbench::cli {
 
@@ -33,24 +32,18 @@ struct CheckLine {
 
 constexpr StopRule usual{.iterations = 100, .tolerance = 1e-4, .angle_tolerance = 1e-3, .evaluations = 3000};
 
-// A URDF file of an arm about a metre long; each axis is at a right angle to the one before.
-std::string some_arm(std::string_view first = "revolute", std::string_view second = "revolute") {
-  std::string text = "<robot name='check'><link name='base'/>", before = "base";
-  for (int j = 1; j <= 8; ++j) {
-    const std::string after = j < 8 ? fmt::format("link_{}", j) : "tool";
-    text += fmt::format(
-        "<link name='{0}'/><joint name='joint_{1}' type='{2}'><parent link='{3}'/><child link='{0}'/>"
-        "<origin xyz='{4} 0 0' rpy='{5} 0 0'/><axis xyz='0 0 1'/>"
-        "<limit lower='{6}' upper='{7}' effort='1000' velocity='1000'/></joint>",
-        after, j,
-        j == 1   ? first
-        : j == 2 ? second
-        : j < 8  ? "revolute"
-                 : "fixed",
-        std::exchange(before, after), j == 1 ? 0 : 0.15, j == 1 ? 0 : (j % 2 == 0 ? 1 : -1) * std::numbers::pi / 2,
-        j == 2 && second == "prismatic" ? 0 : -std::numbers::pi, std::numbers::pi);
-  }
-  return text + "</robot>";
+enum class Special { none, endless_joint, sliding_joint };
+
+// An arm about a metre long; each axis is at a right angle to the one before.
+Robot some_arm(Special special = Special::none) {
+  constexpr int joints = 7;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<DhLink> links(joints, DhLink{.a = 0.15});
+  for (std::size_t j = 0; j < joints; ++j) links[j].alpha = (j % 2 == 0 ? 1 : -1) * half_turn / 2;
+  JointLimits limits{Configuration::Constant(joints, -half_turn), Configuration::Constant(joints, half_turn)};
+  if (special == Special::endless_joint) limits.lower[0] = -infinity, limits.upper[0] = infinity;
+  if (special == Special::sliding_joint) links[1].joint = Joint::slides, limits.lower[1] = 0;
+  return {.name = "check", .summary = "", .source = "", .chain = Chain(links), .limits = limits};
 }
 
 Configuration inside(const Robot& arm, const Configuration& q) {
@@ -74,11 +67,11 @@ struct Tried {
 
 // Processes of a program that solve for one goal of an arm.
 struct Solving {
-  Solving(const std::shared_ptr<const Program>& program, const std::string& urdf, GoalKind kind, double its_beyond = 0)
-      : arm(parse_urdf(urdf, "check.urdf", {})),
+  Solving(const std::shared_ptr<const Program>& program, Robot its_arm, GoalKind kind, double its_beyond = 0)
+      : arm(std::move(its_arm)),
         beyond(its_beyond),
         goal(some_goal(arm, kind, its_beyond)),
-        all(program, robot_message(arm, arm.chain, goal, urdf, program->hello, options_of(program->hello, {}))) {}
+        all(program, robot_message(arm, arm.chain, goal, "", program->hello, options_of(program->hello, {}))) {}
 
   Tried once(const StopRule& stop = usual, int which = 0) {
     const Problem problem{.start = inside(arm, Configuration::Constant(arm.joints(), 0.1)),
@@ -105,8 +98,7 @@ struct Solving {
 
 class Checks {
  public:
-  // `urdf`: the arm that turns and has limits; empty: one of ours.
-  Checks(const ProgramChoice& choice, const std::string& urdf) : urdf_(urdf.empty() ? some_arm() : urdf) {
+  Checks(const ProgramChoice& choice, Robot arm) : arm_(std::move(arm)) {
     try {
       check(meet(choice, {}));
     } catch (const std::invalid_argument& error) {
@@ -117,7 +109,7 @@ class Checks {
   std::vector<CheckLine> lines;
 
  private:
-  const std::string urdf_;
+  const Robot arm_;
 
   void line(std::string what, std::string wrong, std::string seen = {}) {
     lines.push_back({std::move(what), wrong.empty(), wrong.empty() ? std::move(seen) : std::move(wrong)});
@@ -134,7 +126,7 @@ class Checks {
         line(fmt::format("it answers for {}", name), "", "its hello names other goals");
         continue;
       }
-      auto solving = std::make_unique<Solving>(program, urdf_, kind);
+      auto solving = std::make_unique<Solving>(program, arm_, kind);
       const Tried tried = answers(name, *solving);
       if (usually || tried.account.failure == Status::declined) continue;
       if (tried.account.failure || !tried.q.allFinite()) return;  // the other checks would say the same
@@ -143,8 +135,8 @@ class Checks {
     }
     if (!usually) return line("it solves one of these", "it declines them all");
     const GoalKind kind = usually->goal.kind;
-    Solving afresh(program, urdf_, kind), turning(program, some_arm("continuous"), kind),
-        shifting(program, some_arm("revolute", "prismatic"), kind), hopeless(program, urdf_, kind, 10);
+    Solving afresh(program, arm_, kind), turning(program, some_arm(Special::endless_joint), kind),
+        shifting(program, some_arm(Special::sliding_joint), kind), hopeless(program, arm_, kind, 10);
     answers("a joint that turns without end", turning);
     answers("a joint that slides", shifting);
     same(*usually, afresh, first);
@@ -246,8 +238,7 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
       "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
       "Exit code 1 where a check fails. docs/reference/protocol.md describes what a program has to say.");
   command->callback([choice, robot_name, &invocation] {
-    const std::string urdf = robot_name->empty() ? "" : urdf_of(robot(*robot_name), robot(*robot_name).chain);
-    const std::vector<CheckLine> lines = Checks(*choice, urdf).lines;
+    const std::vector<CheckLine> lines = Checks(*choice, robot_name->empty() ? some_arm() : robot(*robot_name)).lines;
     const auto failed = std::ranges::count(lines, false, &CheckLine::passed);
     if (failed > 0) invocation.exit_code = 1;
     fmt::print("{}\n\n", failed == 0 ? fmt::format("All {} checks passed.", lines.size())
