@@ -3,11 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <mutex>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "experiments/study_writer.hpp"
@@ -82,20 +80,13 @@ std::vector<Dimension> within(Scope scope, std::vector<Dimension> dimensions) {
 }
 
 std::vector<Dimension> named(const std::vector<std::string>& names, const std::vector<Dimension>& dimensions) {
-  std::vector<std::string> known;
-  for (const Dimension& each : dimensions) known.push_back(each.name);
   for (const std::string& name : names) {
-    if (std::ranges::find(known, name) == known.end()) {
-      throw std::invalid_argument(unknown_name("dimension", name, known));
-    }
-    if (std::ranges::count(names, name) > 1) {
+    find_named("dimension", name, dimensions, [](const Dimension& each) { return each.name; });
+    if (std::ranges::count(names, name) > 1)
       throw std::invalid_argument(fmt::format("the dimension {} is given twice; expected it once", name));
-    }
   }
-  std::vector<Dimension> chosen;
-  for (const Dimension& each : dimensions) {
-    if (std::ranges::find(names, each.name) != names.end()) chosen.push_back(each);
-  }
+  std::vector<Dimension> chosen = dimensions;
+  std::erase_if(chosen, [&](const Dimension& each) { return std::ranges::count(names, each.name) == 0; });
   return chosen;
 }
 
@@ -120,47 +111,35 @@ void refuse_too_many(const std::vector<Dimension>& dimensions, std::string_view 
                                           dimensions.size(), most, what));
 }
 
-// Lists all choices that are possible together.
-struct Combinations {
-  const std::vector<Dimension>& dimensions;
-  std::size_t departures;  // at most
-
-  // The choices in the dimensions of one owner (a solver, or "" for the study), given others, which are not repeated.
-  std::vector<Chosen> of(std::string_view owner, const Chosen& given) const {
-    std::vector<Chosen> all{{}};
-    for (std::size_t d = 0; d < dimensions.size(); ++d) {
-      if (dimensions[d].label != owner) continue;
-      std::vector<Chosen> larger;
-      for (const Chosen& chosen : all) {
-        const Chosen possible = alternatives(d, given, chosen);
-        if (possible.size() < 2) {  // nothing to choose
-          larger.push_back(chosen);
-          continue;
-        }
-        const std::size_t before = departures_of(given) + departures_of(chosen);
-        for (const Choice& each : possible) {
-          if (before == departures && each.alternative != 0) break;
-          larger.push_back(chosen);
-          larger.back().push_back(each);
-        }
-        refuse_too_many(dimensions, "choices", static_cast<double>(larger.size()), most_combinations);
+// All choices in the dimensions of one owner (a solver, or "" for the study) that are possible together, of at most so
+// many departures, given others, which count but are not repeated.
+std::vector<Chosen> combinations(const std::vector<Dimension>& dimensions, std::size_t departures,
+                                 std::string_view owner, const Chosen& given) {
+  std::vector<Chosen> all{{}};
+  for (std::size_t d = 0; d < dimensions.size(); ++d) {
+    if (dimensions[d].label != owner) continue;
+    std::vector<Chosen> larger;
+    for (const Chosen& chosen : all) {
+      Chosen known = given, possible;
+      known.insert(known.end(), chosen.begin(), chosen.end());
+      for (std::size_t a = 0; a < dimensions[d].alternatives.size(); ++a) {
+        if (!is_excepted(dimensions[d].alternatives[a], dimensions, known)) possible.push_back({d, a});
       }
-      all = std::move(larger);
+      if (possible.size() < 2) {  // nothing to choose
+        larger.push_back(chosen);
+        continue;
+      }
+      for (const Choice& each : possible) {
+        if (departures_of(known) == departures && each.alternative != 0) break;
+        larger.push_back(chosen);
+        larger.back().push_back(each);
+      }
+      refuse_too_many(dimensions, "choices", static_cast<double>(larger.size()), most_combinations);
     }
-    return all;
+    all = std::move(larger);
   }
-
- private:
-  Chosen alternatives(std::size_t dimension, Chosen known, const Chosen& more) const {
-    known.insert(known.end(), more.begin(), more.end());
-    const std::vector<Alternative>& all = dimensions[dimension].alternatives;
-    Chosen possible;
-    for (std::size_t a = 0; a < all.size(); ++a) {
-      if (!is_excepted(all[a], dimensions, known)) possible.push_back({dimension, a});
-    }
-    return possible;
-  }
-};
+  return all;
+}
 
 // Adds defaults too: a solver's own default may differ from what the study's choice implies for it.
 void add_overrides(Overrides& overrides, const std::vector<Dimension>& dimensions, const Chosen& chosen) {
@@ -183,15 +162,15 @@ void refuse_varied(const Overrides& overrides, const std::vector<Dimension>& dim
 
 Multiverse choices_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers,
                       std::size_t departures) {
-  const Combinations combinations{dimensions, departures};
   Multiverse all{.dimensions = dimensions, .solvers = solvers, .studies = {}};
   double settings = 0;
-  for (const Chosen& chosen : combinations.of("", {})) {
+  for (const Chosen& chosen : combinations(dimensions, departures, "", {})) {
     Multiverse::OfStudy& of_study = all.studies.emplace_back();
     of_study.chosen = chosen;
     for (const std::string& solver : solvers) {
       std::vector<Multiverse::ChosenSolver>& of_solver = of_study.solvers.emplace_back();
-      for (const Chosen& own : combinations.of(solver, chosen)) of_solver.push_back({.chosen = own, .parts = {}});
+      for (const Chosen& own : combinations(dimensions, departures, solver, chosen))
+        of_solver.push_back({.chosen = own, .parts = {}});
       settings += static_cast<double>(of_solver.size());
     }
     refuse_too_many(dimensions, "solver settings for a seed", settings, most_combinations);
