@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -169,11 +168,8 @@ OrderedJson arm_definition(const Robot& arm) {
 // The built-in study that claims to be of the same paper and is most like it: by the kind of path, then by the arm.
 std::optional<Study> original_of(const Study& study) {
   const std::vector<Study> known = studies();
-  const auto is_of_same_paper = [&](const Study& candidate) {
-    return !study.published.empty() && candidate.published == study.published;
-  };
   const auto likeness = [&](const Study& candidate) {
-    if (!is_of_same_paper(candidate)) return 0;
+    if (study.published.empty() || candidate.published != study.published) return 0;
     return 1 + (candidate.path->name() == study.path->name() ? 2 : 0) + (candidate.robot == study.robot ? 1 : 0);
   };
   const auto original = std::ranges::max_element(known, {}, likeness);  // the first of equals
@@ -205,12 +201,6 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
     }
   }
   return keys;
-}
-
-void add_departures(OrderedJson& json, const Study& study) {
-  json["departures"] = std::vector<std::string>();
-  const std::optional<Study> original = original_of(study);
-  if (original) json["departures"] = departures(study, *original);
 }
 
 // ---- TOML ---------------------------------------------------------------------------------------------------------
@@ -313,7 +303,8 @@ std::string to_json(const Study& study) {
   OrderedJson json = definition(study);
   json["points"] = study.path->points();
   json["arm"] = arm_definition(arm_of(study));
-  add_departures(json, study);
+  const std::optional<Study> original = original_of(study);
+  json["departures"] = original ? departures(study, *original) : std::vector<std::string>();
   if (const std::vector<Unreachable> beyond = unreachable(study); !beyond.empty()) {
     const Unreachable& farthest = *std::ranges::max_element(beyond, {}, &Unreachable::distance);
     json["out_of_reach"] = {{"points", beyond.size()},
