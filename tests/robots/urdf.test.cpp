@@ -38,26 +38,20 @@ std::string said_of(const std::string& text, const UrdfChoice& choice = {}) {
 }
 
 // The largest difference of an element of the tool's pose over a thousand configurations.
-double difference(const Robot& arm, const Robot& other) {
+double difference(const Robot& arm, const JointLimits& limits, auto other_pose) {
   RandomConfigurations random;
   double largest = 0;
   for (int trial = 0; trial < 1000; ++trial) {
-    const Eigen::VectorXd q = random(other.limits);
-    largest =
-        std::max(largest, (arm.chain.forward(q).matrix() - other.chain.forward(q).matrix()).cwiseAbs().maxCoeff());
+    const Eigen::VectorXd q = random(limits);
+    largest = std::max(largest, (arm.chain.forward(q).matrix() - other_pose(q).matrix()).cwiseAbs().maxCoeff());
   }
   return largest;
 }
-
+double difference(const Robot& arm, const Robot& other) {
+  return difference(arm, other.limits, [&](const auto& q) { return other.chain.forward(q); });
+}
 double difference(const Robot& arm) {
-  RandomConfigurations random;
-  double largest = 0;
-  for (int trial = 0; trial < 1000; ++trial) {
-    const Eigen::VectorXd q = random(arm.limits);
-    largest =
-        std::max(largest, (arm.chain.forward(q).matrix() - pose_of(arm.description, q).matrix()).cwiseAbs().maxCoeff());
-  }
-  return largest;
+  return difference(arm, arm.limits, [&](const auto& q) { return pose_of(arm.description, q); });
 }
 
 // A random arm of up to nine joints of all kinds, with any origins and axes, some of them round numbers.
