@@ -2,7 +2,6 @@
 
 #include "analysis/compare/judge.hpp"
 #include "analysis/csv/user_csv.hpp"
-#include "tests/common.hpp"
 #include "tests/mutator.hpp"
 
 using namespace ikbench;

@@ -2,13 +2,6 @@
 // wrong.
 #include "analysis/csv/user_csv.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <random>
-
-#include "analysis/compare/judge.hpp"
-#include "tests/common.hpp"
 #include "tests/compare/studies.hpp"
 #include "tests/mistakes.hpp"
 

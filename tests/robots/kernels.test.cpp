@@ -2,20 +2,12 @@
 // double.
 #include "robots/kernels.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <numbers>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "numerics/elementary.hpp"
 #include "numerics/instruction_set.hpp"
 #include "numerics/kernels.hpp"
 #include "tests/numerics/guarded.hpp"
-#include "tests/numerics/reference.hpp"
 #include "tests/robots/random_configuration.hpp"
 
 using std::numbers::pi;
