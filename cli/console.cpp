@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <mutex>
-#include <string_view>
 #include <utility>
 
 #include "analysis/show/text.hpp"

@@ -5,14 +5,11 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/reporting.hpp"
 #include "results/files.hpp"
 #include "results/fingerprint.hpp"
 #include "results/store.hpp"

@@ -12,20 +12,15 @@
 #include <set>
 #include <sstream>
 #include <thread>
-#include <utility>
 
 #include "analysis/compare/judge.hpp"
 #include "analysis/figures/of_study.hpp"
 #include "analysis/papers/paper.hpp"
-#include "analysis/show/report.hpp"
-#include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
-#include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/embedded_file.hpp"
-#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
 #include "results/export.hpp"

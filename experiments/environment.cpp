@@ -16,7 +16,6 @@
 #include <fstream>
 #include <limits>
 #include <stdexcept>
-#include <string_view>
 #include <thread>
 #include <utility>
 

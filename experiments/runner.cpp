@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -14,7 +13,6 @@
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/solve_runner.hpp"
 #include "experiments/study_writer.hpp"
-#include "experiments/workers.hpp"
 #include "numerics/json.hpp"
 #include "solvers/registry.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/study.hpp"

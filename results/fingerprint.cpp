@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <tuple>
 #include <type_traits>
-#include <vector>
 
 namespace ikbench::results {
 

@@ -7,7 +7,6 @@
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <utility>
 

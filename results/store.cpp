@@ -11,10 +11,8 @@
 #include <cerrno>
 #include <new>
 #include <optional>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "numerics/inputs.hpp"
 #include "numerics/json.hpp"

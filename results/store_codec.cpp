@@ -7,7 +7,6 @@
 #include <limits>
 #include <system_error>
 #include <type_traits>
-#include <utility>
 
 #include "numerics/number.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "numerics/functions.hpp"
 #include "numerics/random.hpp"
-#include "numerics/units.hpp"
 
 namespace ikbench::robots {
 

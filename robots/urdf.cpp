@@ -13,7 +13,6 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
-#include <vector>
 
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"

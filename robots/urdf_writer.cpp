@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 #include <tinyxml2.h>
 
-#include <cmath>
 #include <utility>
 
 #include "robots/urdf.hpp"

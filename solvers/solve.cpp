@@ -1,8 +1,6 @@
 #include "solvers/solve.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 
 #include "numerics/instruction_set.hpp"
 #include "solvers/kernels.hpp"

@@ -4,7 +4,6 @@
 
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "analysis/compare/observations.hpp"
 #include "analysis/compare/study.hpp"

@@ -8,7 +8,6 @@
 #include "analysis/figures/of_study.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
-#include "analysis/show/words.hpp"
 #include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
 #include "results/files.hpp"

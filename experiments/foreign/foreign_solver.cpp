@@ -7,8 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "solvers/solve.hpp"
-
 namespace ikbench::experiments {
 
 using namespace numerics;

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "experiments/verifier.hpp"
-#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
 #include "robots/urdf.hpp"
