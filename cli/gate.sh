@@ -8,6 +8,7 @@ set -uo pipefail
 program=${IKBENCH:-ikbench} study=${STUDY:-} baseline=${BASELINE:-} out=${OUT:-ikbench-gate}
 [[ $baseline != -* ]] || baseline=./$baseline
 [[ $out != -* ]] || out=./$out
+[[ $study != -* ]] || study=./$study
 
 if [[ -n ${GITHUB_ACTIONS:-} ]]; then  # a label such as ::error is no command to the forge
   token=$(od -An -N16 -tx1 /dev/urandom | tr -d ' \n')
@@ -31,7 +32,9 @@ solve() { "$1" run "$study" --shard "$i/$turns" --out="$2/shards/$i" || ended fa
 if [[ -z $old ]]; then
   "$program" run "$study" --no-report --out="$out" || ended failed $?
 else  # who begins a turn alternates
-  rm -rf -- "$out"/{,before/}{shards,store.sqlite}
+  [[ ! -e $out || -e $out/.in-turn ]] || refuse "OUT is $out, which is no folder of such a call; choose a new one"
+  mkdir -p -- "$out" && : >"$out/.in-turn" || ended failed 2
+  rm -rf -- "$out"/{before,shards,store.sqlite}
   for ((i = 1; i <= turns; i++)); do
     ((i % 2)) && solve "$old" "$out/before"
     solve "$program" "$out"

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 #include <tinyxml2.h>
 
+#include <set>
 #include <utility>
 
 #include "robots/urdf.hpp"
@@ -17,6 +18,12 @@ class Writer {
     xml_.OpenElement("robot");
     xml_.PushAttribute("name", name.c_str());
     add_link(base);
+  }
+
+  // A name that no link or joint has yet.
+  std::string unused(std::string name) {
+    while (!names_.insert(name).second) name += '_';
+    return name;
   }
 
   // `mimicked` is the joint whose value this one has, negated; empty: none.
@@ -55,7 +62,8 @@ class Writer {
   }
 
   tinyxml2::XMLPrinter xml_;
-  std::string before_;  // the last link
+  std::set<std::string> names_;  // that are taken
+  std::string before_;           // the last link
 };
 
 Pose turned(double about_x, double about_y, double about_z) { return Frame{.rpy = {about_x, about_y, about_z}}.pose(); }
@@ -71,6 +79,8 @@ std::vector<std::string> joint_names(const Robot& arm) {
 std::string urdf_of(const Robot& arm, const Chain& chain) {
   Writer writer(arm.name, base_link_of(arm));
   const std::vector<std::string> names = joint_names(arm);
+  for (const std::string& name : names) writer.unused(name);
+  writer.unused(base_link_of(arm)), writer.unused(tip_link_of(arm));
   Pose before = chain.base().pose();  // from the last joint to the next
   for (int j = 0; j < chain.joints(); ++j) {
     const std::string& name = names[static_cast<std::size_t>(j)];
@@ -79,17 +89,17 @@ std::string urdf_of(const Robot& arm, const Chain& chain) {
     const bool is_coupled = link.joint == Joint::coupled, is_free = is_endless(lower, upper);
     const char* const type = link.joint == Joint::slides ? "prismatic" : is_free ? "continuous" : "revolute";
     const Pose offset = is_coupled ? turned(0, link.offset, 0) : turned(0, 0, link.offset);
-    writer.joint(name, type, name + "_link", before * offset, is_coupled ? "0 1 0" : "0 0 1", is_free ? 0 : lower,
-                 is_free ? 0 : upper);
+    writer.joint(name, type, writer.unused(name + "_link"), before * offset, is_coupled ? "0 1 0" : "0 0 1",
+                 is_free ? 0 : lower, is_free ? 0 : upper);
     before = Pose(Eigen::Translation3d(link.a, 0, link.d));
     if (is_coupled) {  // a parallelogram turns back after the link
-      writer.joint(name + "_back", type, name + "_end", before, "0 1 0", is_free ? 0 : -upper, is_free ? 0 : -lower,
-                   name);
+      writer.joint(writer.unused(name + "_back"), type, writer.unused(name + "_end"), before, "0 1 0",
+                   is_free ? 0 : -upper, is_free ? 0 : -lower, name);
       before = turned(0, -link.offset, 0);
     }
     before = before * turned(link.alpha, 0, 0);
   }
-  writer.joint("to_" + tip_link_of(arm), "fixed", tip_link_of(arm), before * chain.tool().pose(), "");
+  writer.joint(writer.unused("to_" + tip_link_of(arm)), "fixed", tip_link_of(arm), before * chain.tool().pose(), "");
   return writer.text();
 }
 

@@ -51,9 +51,9 @@ double p_of(const Distribution& distribution, double statistic) {
   return boost::math::cdf(boost::math::complement(distribution, statistic));
 }
 
-// None without spread, or where squares of the largest numbers have no place in a double.
+// None without spread but of rounding, or where squares of the largest numbers have no place in a double.
 std::optional<TestOfAll> with_f(TestOfAll test) {
-  if (!(test.df_within >= 1) || !(test.ss_within > 0) ||
+  if (!(test.df_within >= 1) || !(test.ss_within > 1e-26 * test.ss_between) || test.ss_within == 0 ||
       !(test.ss_between + test.ss_within < std::numeric_limits<double>::infinity()))
     return {};
   test.statistic = test.ss_between / test.df / (test.ss_within / test.df_within);

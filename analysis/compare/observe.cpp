@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include "analysis/compare/describe.hpp"
 #include "analysis/compare/tests_of_two.hpp"
@@ -37,12 +38,14 @@ struct Value {
 };
 
 // Of the solves, by block; an observation is made of those of one.
-std::vector<Value> values_of(const StudyResults& study, const Metric& metric, std::string_view solver) {
+std::vector<Value> values_of(const StudyResults& study, const Metric& metric, std::string_view solver, bool by_turn) {
   const Definition& definition = study.definition;
   const bool of_runs = are_runs(study, metric), of_solved = is_of_solved(study, metric);
   const double least = tolerance_of(study, metric);
   // Where the arm stayed is no error of a solver that never moved it.
   const bool is_unknown = metric.kind == Kind::error && std::ranges::none_of(study.of(solver), gave_answer);
+  std::set<int> turns;  // a session each; what a process spends in one is one observation
+  for (const Solve& solve : study.of(solver)) turns.insert(solve.session);
   std::vector<Value> values;
   for (const Solves run : runs_of(study.of(solver))) {
     if (of_runs && !is_complete(study, run)) continue;
@@ -52,7 +55,8 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, st
     }
     for (const Solve& solve : run) {
       if (of_solved && solve.status != Status::ok) continue;
-      const int block = of_runs                    ? solve.run
+      const int block = by_turn   ? static_cast<int>(std::distance(turns.begin(), turns.find(solve.session)))
+                        : of_runs ? solve.run
                         : definition.draws_targets ? (solve.run - 1) * definition.points + solve.point
                                                    : solve.point;
       const double value = is_unknown ? unknown : metric.value(solve, study);
@@ -88,14 +92,17 @@ std::vector<Value> spent_by_solved(std::vector<Value> spent, const std::vector<V
   return spent;
 }
 
+bool is_by_turn(const StudyResults& study, const Metric& metric) { return study.are_in_turn && metric.unit == "s"; }
+
 Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, const std::string& solver) {
+  const bool by_turn = is_by_turn(study, metric);
   Group group{.name = solver};
   const double least = tolerance_of(study, metric);
-  const std::vector<Value> all = values_of(study, metric, solver);
+  const std::vector<Value> all = values_of(study, metric, solver, by_turn);
   if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.at_most = least;
   std::vector<Value> values = means_of(all, metric.kind == Kind::time);
   if (metric.kind == Kind::spent) {
-    const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver));
+    const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver, by_turn));
     if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
       group.sample = Untold{.why = Untold::Why::none};
       return group;
@@ -136,7 +143,7 @@ Observations observe(const StudyResults& study, const Metric& metric) {
                         .absolute_margin = metric.unit == "cm" ? definition.plan.margin_cm : 0,
                         .floor = metric.floor,
                         .rounding = metric.rounding,
-                        .is_paired = definition.draws_targets || !of_runs,
+                        .is_paired = definition.draws_targets || !of_runs || is_by_turn(study, metric),
                         .is_of_solved = is_of_solved(study, metric),
                         .are_logs = metric.kind == Kind::spent,
                         .trials = of_runs                    ? definition.points

@@ -542,9 +542,7 @@ Table solves_table(const StudyResults& study, const std::vector<std::string>& so
     auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(all), failed});
     for (const double share : {0.5, 0.95, 0.99, 0.999}) {
       const bool is_beyond = static_cast<double>(times.size()) * (1 - share) < 1 - 1e-9;  // rarer than so many can show
-      row.push_back(times.empty() ? Cell()
-                    : is_beyond   ? Cell("at least " + number_text(times.back()))
-                                  : Cell(quantile(times, share)));
+      row.push_back(times.empty() ? Cell() : is_beyond ? Cell("at least the largest") : Cell(quantile(times, share)));
     }
     row.push_back(times.empty() ? Cell() : Cell(times.back()));
   }

@@ -187,6 +187,8 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   best_.error = uncounted.error(best_.q);
   account_.claimed_error = message.number("error");
   account_.claimed_seconds = message.number("seconds");
+  if (account_.claimed_seconds < 0) message.fail("\"seconds\" from 0");
+  if (account_.claimed_seconds == 0) account_.claimed_seconds = std::nan("");  // no clock tells so little
   const std::int64_t steps = message.count("iterations");  // else its questions; the first is the start of the search
   account_.iterations = steps >= 0 ? steps : std::max<std::int64_t>(0, account_.iterations - 1);
   const std::int64_t ours = objective.evaluations(), own = message.count("evaluations");

@@ -39,6 +39,7 @@ using Parts = std::initializer_list<std::string_view>;
 struct ColumnName {
   std::string whole, part;
   std::string_view unit;
+  std::string other_unit;  // in brackets, which is none of a pose
 
   explicit ColumnName(std::string_view title) : whole(lower_case(title)) {
     const bool is_bracketed = whole.ends_with(']') || whole.ends_with(')');
@@ -48,6 +49,7 @@ struct ColumnName {
       for (const std::string_view known : {"m", "cm", "mm", "deg", "rad"}) {
         if (end == known) unit = known;
       }
+      if (is_bracketed && unit.empty()) other_unit = end;
       if (is_bracketed || !unit.empty()) whole = trimmed(whole.substr(0, at));
     }
     for (const std::string_view known : {"roll", "pitch", "yaw", "x", "y", "z", "w"}) {
@@ -65,7 +67,7 @@ class PoseColumns {
     for (const std::string& title : sheet.titles()) names_.emplace_back(title);
     for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {  // after a column of times
       const std::size_t size = names_.size() - first;
-      if (matrix_.empty() && (size == 12 || size == 16) && (first == 0 || never_falls(0)) && are_matrices(first))
+      if (matrix_.empty() && (size == 12 || size == 16) && (first == 0 || rises(0)) && are_matrices(first))
         for (std::size_t i = 0; i < size; ++i) matrix_.push_back(first + i);
     }
     if (!matrix_.empty()) {
@@ -109,6 +111,8 @@ class PoseColumns {
   // [rad]
   double angle(std::size_t row, std::size_t column) {
     const double value = number(row, column), unit = names_[column].unit == "deg" ? degree : 1;
+    constexpr double most = 1e6;  // beyond it digits of a turn are lost
+    if (std::abs(value) > most) sheet_.refuse(row, column, fmt::format("is no angle; expected at most {:g}", most));
     if (const std::string_view doubt = doubt_of_angle(value, unit); !doubt.empty()) sheet_.refuse(row, column, doubt);
     return value * unit;
   }
@@ -149,13 +153,13 @@ class PoseColumns {
     });
   }
 
-  // As times, numbers of rows and names of frames do.
-  bool never_falls(std::size_t column) {
+  // As times and numbers of rows do, and names of frames, which are one.
+  bool rises(std::size_t column) {
     const auto falls = [&, has_numbers = sheet_.has_numbers(column)](auto before, auto after) {
-      return has_numbers ? !(sheet_.number(before, column) <= sheet_.number(after, column))
+      return has_numbers ? !(sheet_.number(before, column) < sheet_.number(after, column))
                          : sheet_.cell(before, column) != sheet_.cell(after, column);
     };
-    return std::ranges::adjacent_find(sheet_.rows(), falls) == sheet_.rows().end();
+    return names_[column].unit.empty() && std::ranges::adjacent_find(sheet_.rows(), falls) == sheet_.rows().end();
   }
 
   // The columns that are these parts of one thing, in a unit of these or none; empty if there are none.
@@ -191,7 +195,12 @@ class PoseColumns {
         return std::ranges::count(*group, column) > 0;
       });
       is_before = is_before && !is_used;
-      if (!is_used && !(is_before && never_falls(column)))
+      // A single row rises in every column, so that one alone may be its time.
+      const bool may_rise = column == 0 || sheet_.rows().size() > 1;
+      if (is_used && !names_[column].other_unit.empty() && std::ranges::count(quaternion_, column) == 0)
+        sheet_.refuse(fmt::format("{} has no unit of a length or an angle; expected m, cm, mm, deg or rad",
+                                  in_quotes(sheet_.titles()[column])));
+      if (!is_used && !(is_before && may_rise && rises(column)))
         sheet_.refuse(fmt::format("{} is no part of a position or rotation; expected {}",
                                   in_quotes(sheet_.titles()[column]), expected_columns));
     }

@@ -87,7 +87,7 @@ TEST_CASE("the same poses are read from sheets of spreadsheets and from what rob
           "%time,field.header.seq,field.header.frame_id,field.pose.position.x,field.pose.position.y,"
           "field.pose.position.z,field.pose.orientation.w,field.pose.orientation.x,field.pose.orientation.y,"
           "field.pose.orientation.z\n7,1,base," +
-              w_first + "\n7,2,base," + w_first + "\n",
+              w_first + "\n8,2,base," + w_first + "\n",
           ";X_m;Y_m;Z_m;QW;QX;QY;QZ\n0;" + commas + "\n1;" + commas + "\n",
           "x_m\ty_m\tz_m\troll_rad\tpitch_rad\tyaw_rad\n0.4\t0.1\t0.3\t0.3\t-0.2\t1.2\n0.4\t0.1\t0.3\t0.3\t-0.2\t1.2\n",
           "i,x [mm],y [mm],z [mm],Roll [deg],Pitch [deg],Yaw [deg]\n1,400,100,300," + degrees + "\n2,400,100,300," +
@@ -106,6 +106,12 @@ TEST_CASE("the same poses are read from sheets of spreadsheets and from what rob
 
 TEST_CASE("every mistake is told with its line, its column and what was expected", "[csv]") {
   check_mistakes("poses", "path.csv:", poses_in);
+  // A rotation that is not understood is not left out, nor is a unit.
+  CHECK_THAT(refusal("rx_deg,ry_deg,rz_deg,x_m,y_m,z_m\n90,0,0,.4,.1,.3\n90,0,0,.4,.1,.3\n"),
+             ContainsSubstring("'rx_deg'"));
+  CHECK_THAT(refusal("q0,q1,q2,q3,x_m,y_m,z_m\n1,0,0,0,.4,.1,.3\n1,0,0,0,.4,.1,.3\n"), ContainsSubstring("'q0'"));
+  CHECK_THAT(refusal("x [in],y [in],z [in]\n5,5,5\n"), ContainsSubstring("'x [in]'"));
+  CHECK_THAT(refusal("x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg\n.4,.1,.3,1e19,0,0\n"), ContainsSubstring("'1e19'"));
   CHECK_THAT(refusal("x_m,y_m,z_m\n1,\x01,3\n"), ContainsSubstring("path.csv:2:2: ' ' in column 'y_m'"));
   std::string long_file = "x_m,y_m,z_m\n";
   for (int i = 0; i < 100'000; ++i) long_file += "1,2,3\n";
