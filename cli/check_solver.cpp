@@ -60,7 +60,7 @@ Goal some_goal(const Robot& arm, GoalKind kind, double beyond, int which = 0) {
 
 struct Tried {
   Configuration q;
-  double error, angle;  // of its position [m], and of its orientation [rad]
+  double error, angle;  // of its position [m], and of its orientation [rad], if that is asked
   double seconds;
   Account account;
 };
@@ -87,7 +87,8 @@ struct Solving {
     const std::chrono::duration<double> took = Clock::now() - began;
     solver.count_failure();
     const auto [position, angle] = objective.deviation(solution.best.q);
-    return {solution.best.q, position, angle, took.count(), solver.account()};
+    const double asked = goal.kind == GoalKind::position ? 0 : angle;
+    return {solution.best.q, position, asked, took.count(), solver.account()};
   }
 
   const Robot arm;

@@ -648,8 +648,9 @@ std::string ends_of_unsolved(const StudyResults& study) {
   for (const std::string& label : study.labels) {
     std::set<std::string> of_label;
     for (const Solve& solve : study.of(label)) {
-      if (results::is_in_order(solve.status) && solve.status != results::Status::ok)
-        of_label.insert(with_blanks(results::name_of(solve.stop_reason)));
+      if (solve.status != results::Status::ok)
+        of_label.insert(with_blanks(results::is_in_order(solve.status) ? results::name_of(solve.stop_reason)
+                                                                       : results::name_of(solve.status)));
     }
     if (of_label.empty()) continue;
     reasons.push_back(listed({of_label.begin(), of_label.end()}, " or "));
