@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "analysis/compare/gate.hpp"
@@ -93,13 +94,12 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
           fmt::format("not compared: the candidate lacks {}; run it too, or name with --label those to compare",
                       show::listed(missing)));
   }
+  std::optional<double> time_margin;
+  if (!arguments.time_margin.empty()) time_margin = margin_from(arguments.time_margin, "--time-margin");
   for (const std::string& label : labels) {
     if (std::ranges::count(labels, label) > 1)
       throw std::invalid_argument(fmt::format("the label {} is given twice", label));
-    all.push_back(gate(a.study_of({label}, arguments), b.study_of({label}, arguments),
-                       arguments.time_margin.empty()
-                           ? std::nullopt
-                           : std::optional(margin_from(arguments.time_margin, "--time-margin"))));
+    all.push_back(gate(a.study_of({label}, arguments), b.study_of({label}, arguments), time_margin));
   }
   decide(all);
   return all;

@@ -239,15 +239,8 @@ Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair) {
 void keep_common_blocks(Group& one, Group& other) {
   auto *const a = std::get_if<Measured>(&one.sample), *const b = std::get_if<Measured>(&other.sample);
   if (a == nullptr || b == nullptr || a->blocks == b->blocks) return;
-  const auto keep = [](Measured& group, const std::vector<int>& blocks) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < group.blocks.size(); ++i) {
-      if (std::ranges::binary_search(blocks, group.blocks[i])) values.push_back(group.values[i]);
-    }
-    group.values = std::move(values);
-  };
-  keep(*a, b->blocks);
-  keep(*b, a->blocks);
+  a->values = values_in(b->blocks, *a);
+  b->values = values_in(a->blocks, *b);
 }
 
 std::optional<Open::Why> why_not(const Method& method, const Group& a, const Group& b) {

@@ -20,28 +20,17 @@ using Columns = std::vector<std::vector<double>>;
 Columns columns_of(const Observations& observed) {
   Columns columns;
   std::vector<int> common;
-  const auto blocks_of = [](const Measured& group) {
-    std::vector<int> blocks = group.blocks;
-    if (blocks.empty()) blocks.resize(group.values.size()), std::iota(blocks.begin(), blocks.end(), 0);
-    return blocks;
-  };
   for (const Group& group : observed.groups) {
     const auto* const measured = std::get_if<Measured>(&group.sample);
     if (measured == nullptr || measured->values.empty()) return {};
-    const std::vector<int> blocks = blocks_of(*measured);
+    const std::vector<int>& blocks = measured->blocks;
     std::vector<int> both;
     std::ranges::set_intersection(columns.empty() ? blocks : common, blocks, std::back_inserter(both));
     common = std::move(both);
     columns.push_back(measured->values);
   }
-  for (std::size_t g = 0; observed.is_paired && g < columns.size(); ++g) {
-    const std::vector<int> blocks = blocks_of(std::get<Measured>(observed.groups[g].sample));
-    std::vector<double> kept;
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      if (std::ranges::binary_search(common, blocks[i])) kept.push_back(columns[g][i]);
-    }
-    columns[g] = std::move(kept);
-  }
+  for (std::size_t g = 0; observed.is_paired && g < columns.size(); ++g)
+    columns[g] = values_in(common, std::get<Measured>(observed.groups[g].sample));
   if (columns.size() < 2 || columns.front().empty()) return {};
   return columns;
 }

@@ -45,7 +45,7 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, st
   // Where the arm stayed is no error of a solver that never moved it.
   const bool is_unknown = metric.kind == Kind::error && std::ranges::none_of(study.of(solver), gave_answer);
   std::set<int> turns;  // a session each; what a process spends in one is one observation
-  for (const Solve& solve : study.of(solver)) turns.insert(solve.session);
+  for (const Solve& solve : by_turn ? study.of(solver) : Solves()) turns.insert(solve.session);
   std::vector<Value> values;
   for (const Solves run : runs_of(study.of(solver))) {
     if (of_runs && !is_complete(study, run)) continue;

@@ -62,6 +62,15 @@ const Untold* untold(const Group& group) { return std::get_if<Untold>(&group.sam
 
 int lost_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }
 
+std::vector<double> values_in(const std::vector<int>& blocks, const Measured& group) {
+  if (group.blocks.empty()) return group.values;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < group.blocks.size(); ++i) {
+    if (std::ranges::binary_search(blocks, group.blocks[i])) values.push_back(group.values[i]);
+  }
+  return values;
+}
+
 void settle(std::vector<double>& values, const Observations& observed, bool has_floor) {
   for (double& value : values) value = has_floor ? std::max(value, observed.floor) : value;
   remove_rounding(values, observed.rounding);

@@ -182,15 +182,15 @@ std::optional<Figure> time_tail(const JudgedStudy& judged, const Look& look) {
   constexpr std::ptrdiff_t fewest = 300;
   const StudyResults& study = judged.study;
   const Metric& metric = metric_named(time);
+  const std::vector<std::string> without = not_compared(judged, time);
   std::vector<Successes> all;
   for (const std::string& solver : drawn_solvers(study, look)) {
-    if (std::ranges::count(not_compared(judged, time), solver) > 0 || std::ssize(study.of(solver)) < fewest) continue;
+    if (std::ranges::count(without, solver) > 0 || std::ssize(study.of(solver)) < fewest) continue;
     Successes& successes = all.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
     for (const Solve& solve : study.of(solver)) {
       if (const double seconds = metric.value(solve, study); !std::isnan(seconds))
         successes.costs.push_back(drawn_unit(study, metric.unit).factor * std::max(seconds, metric.floor));
     }
-    successes.attempts = successes.costs.size();
   }
   return tails(about_of(study, metric, "Share of solves that took at least a time."), all);
 }

@@ -230,7 +230,7 @@ std::optional<Figure> tails(const About& about, const std::vector<Successes>& al
   std::size_t most = 0;
   for (const Successes& each : all) {
     costs.insert(costs.end(), each.costs.begin(), each.costs.end());
-    most = std::max(most, each.attempts);
+    most = std::max(most, each.costs.size());
   }
   if (costs.empty()) return std::nullopt;
   const auto [smallest, largest] = std::ranges::minmax(costs);

@@ -52,7 +52,7 @@ struct Successes {
 std::optional<Figure> shares(const About& about, const std::string& y_axis, const std::vector<Successes>& all,
                              double dashed = nowhere);
 
-// How many of all attempts had at least this cost, both axes logarithmic.
+// How many of the costs are at least this one, both axes logarithmic.
 std::optional<Figure> tails(const About& about, const std::vector<Successes>& all);
 
 // Intervals, a row each: differences, or ratios on a logarithmic axis. At the right of a row who is better, or what
