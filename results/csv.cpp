@@ -18,8 +18,6 @@ using namespace numerics;
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 // Reads the text once, row by row, and counts lines for its messages.
 class Reader {
  public:

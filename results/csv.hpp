@@ -15,6 +15,7 @@ namespace ikbench::results {
 
 constexpr std::size_t max_csv_bytes = std::size_t{1} << 28;
 constexpr std::size_t max_csv_columns = 10'000;
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 struct CsvForm {
   char separator = ',';        // ' ': any number of blanks

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <stdexcept>
 
 #include "numerics/names.hpp"
@@ -98,7 +97,8 @@ std::size_t take_comments(std::string_view& text) {
       return std::ranges::count(row, separator);
     };
     if (names.starts_with(separator)) break;  // the mark is a name itself
-    const bool is_header = !is_comment(after) && cells(names) > 0 && cells(names) == cells(after);
+    const bool is_header = !is_comment(after) && cells(names) > 0 && cells(names) == cells(after) &&
+                           !is_number(names.substr(0, names.find(separator)));  // a row that was taken out
     text.remove_prefix(is_header ? static_cast<std::size_t>(names.data() - text.data()) : text.size() - after.size());
     if (is_header) break;
   }
@@ -119,8 +119,19 @@ std::string listed(const std::vector<std::string>& titles) {
   return std::string(numerics::front(fmt::format("{}", fmt::join(titles, ", ")), 300));
 }
 
+Title::Title(std::string_view title) : name(title) {
+  const bool is_open = title.ends_with(']'), is_bracketed = is_open || title.ends_with(')');
+  const std::size_t at = is_bracketed ? title.find_last_of("[(") : title.rfind('_');
+  if (at == std::string_view::npos || at == 0) return;
+  const std::string_view end = title.substr(at + 1, title.size() - at - (is_bracketed ? 2 : 1));
+  if (!is_open && !is_one_of(end, {"cm", "mm", "m", "deg", "rad", "ms", "s"})) return;
+  name = trimmed(title.substr(0, at));
+  unit = end;
+}
+
 Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Header header) : source_(source) {
   expect_text(text, source);
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   CsvForm form{.first_line = 1 + take_comments(text)};
   form.separator = separator_ = separator_of(text);
   if (std::ranges::count(text, '\n') > most_lines + 1)
@@ -134,9 +145,13 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   if (form.has_header && number != titles_.end())
     refuse(fmt::format("{} in the header; expected names of columns in the first line", in_quotes(*number)));
   for (std::uint32_t row = 0; row < table_.rows(); ++row) {
-    std::size_t empty = 0;
-    while (empty < titles_.size() && cell(row, empty).empty()) ++empty;
-    if (empty < titles_.size()) rows_.push_back(row);
+    std::size_t filled = 0, last = 0;
+    for (std::size_t i = 0; i < titles_.size(); ++i) {
+      if (!cell(row, i).empty()) ++filled, last = i;
+    }
+    if (filled == 1 && titles_.size() > 2 && !is_number(cell(row, last)))
+      refuse(row, last, "stands alone in its row: leave it out, or write NA where values are missing");
+    if (filled > 0) rows_.push_back(row);
   }
   if (titles_.size() == 1)
     refuse(
@@ -237,7 +252,7 @@ bool Sheet::counts_rows(std::size_t column) const {
   return rows > 2;  // any two may
 }
 
-char Sheet::decimal_of(std::size_t column) const {
+char Sheet::decimal_of(std::size_t column) {
   std::optional<std::uint32_t> doubtful;      // row of a cell that is two numbers
   const auto mark_in = [&](std::size_t at) {  // of the first cell that is a number by one mark alone
     for (const std::uint32_t row : rows_) {
@@ -250,15 +265,17 @@ char Sheet::decimal_of(std::size_t column) const {
     return '\0';
   };
   if (const char mark = mark_in(column); mark != '\0' || !doubtful) return mark == '\0' ? '.' : mark;
-  std::set<char> marks;  // of all columns
-  for (std::size_t i = 0; i < table_.header.size(); ++i) {
-    if (has_numbers(i)) marks.insert(mark_in(i));
+  if (!marks_) {
+    marks_.emplace();
+    for (std::size_t i = 0; i < table_.header.size(); ++i) {
+      if (has_numbers(i)) marks_->insert(mark_in(i));
+    }
+    marks_->erase('\0');
   }
-  marks.erase('\0');
-  if (marks.size() == 1) return *marks.begin();
+  if (marks_->size() == 1) return *marks_->begin();
   const std::string_view text = cell(*doubtful, column);
   // Where commas part cells, points are of decimals.
-  if (marks.empty() && separator_ == ',' && text.find(',') == std::string_view::npos) return '.';
+  if (marks_->empty() && separator_ == ',' && text.find(',') == std::string_view::npos) return '.';
   refuse(*doubtful, column,
          fmt::format("is {} with a decimal point and {} with a decimal comma, and no cell tells which: write a digit "
                      "more, or say --decimal (ikbench stats)",

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,12 @@ using Words = std::initializer_list<std::string_view>;
 bool is_one_of(std::string_view text, const Words& words);  // in any case
 std::string in_quotes(std::string_view text);               // one line, cut, for messages
 std::string listed(const std::vector<std::string>& titles);
+
+// "error_cm", "error [cm]" and "error (cm)" have a unit, of lengths, angles or times; in [] any.
+struct Title {
+  std::string name, unit;
+  explicit Title(std::string_view title);
+};
 
 class Sheet {
  public:
@@ -62,8 +69,9 @@ class Sheet {
   std::vector<std::uint32_t> rows_;
   std::vector<std::vector<std::string>> joined_;  // columns after the file's
   std::vector<char> decimals_;                    // of each column; 0: not known yet
+  std::optional<std::set<char>> marks_;           // of all columns, where they had to be asked
 
-  char decimal_of(std::size_t column) const;
+  char decimal_of(std::size_t column);
 };
 
 }  // namespace ikbench::results

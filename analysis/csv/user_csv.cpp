@@ -98,17 +98,10 @@ Better better_of(const Sheet& sheet, const Request& request, const std::vector<s
   return said == "larger" ? Better::larger : Better::smaller;
 }
 
-// "error_cm" and "error [cm]" have a unit.
 Observations quantity_of(const std::string& title) {
-  const bool is_bracketed = title.ends_with(']');
-  const std::size_t at = title.rfind(is_bracketed ? '[' : '_');
-  Observations observed{.metric = "", .quantity = title, .tells_incomplete = true};
+  const results::Title parts(title);
+  Observations observed{.metric = "", .quantity = parts.name, .unit = parts.unit, .tells_incomplete = true};
   for (const char c : lower_case(title)) observed.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
-  if (at == std::string::npos || at == 0) return observed;
-  const std::string unit = title.substr(at + 1, title.size() - at - (is_bracketed ? 2 : 1));
-  if (!is_bracketed && !is_one_of(unit, {"cm", "mm", "m", "deg", "rad", "ms", "s"})) return observed;
-  observed.quantity = title.substr(0, title.find_last_not_of(' ', at - 1) + 1);
-  observed.unit = unit;
   return observed;
 }
 

@@ -14,6 +14,7 @@
 #include "experiments/path.hpp"
 #include "numerics/inputs.hpp"
 #include "numerics/names.hpp"
+#include "numerics/number.hpp"
 #include "numerics/units.hpp"
 #include "results/sheet.hpp"
 #include "robots/arm_fields.hpp"
@@ -37,21 +38,13 @@ using Parts = std::initializer_list<std::string_view>;
 
 // What the name of a column says: "pose.position.x [mm]" is x of "pose.position.", in mm.
 struct ColumnName {
-  std::string whole, part;
-  std::string_view unit;
-  std::string other_unit;  // in brackets, which is none of a pose
+  std::string whole, part, unit;
+  std::string other_unit;  // which is none of a pose
 
-  explicit ColumnName(std::string_view title) : whole(lower_case(title)) {
-    const bool is_bracketed = whole.ends_with(']') || whole.ends_with(')');
-    const std::size_t at = is_bracketed ? whole.find_last_of("[(") : whole.rfind('_');
-    if (at != std::string::npos) {
-      const std::string end = whole.substr(at + 1, whole.size() - at - (is_bracketed ? 2 : 1));
-      for (const std::string_view known : {"m", "cm", "mm", "deg", "rad"}) {
-        if (end == known) unit = known;
-      }
-      if (is_bracketed && unit.empty()) other_unit = end;
-      if (is_bracketed || !unit.empty()) whole = trimmed(whole.substr(0, at));
-    }
+  explicit ColumnName(std::string_view text) {
+    const Title title(lower_case(text));
+    whole = title.name;
+    (is_one_of(title.unit, {"m", "cm", "mm", "deg", "rad"}) ? unit : other_unit) = title.unit;
     for (const std::string_view known : {"roll", "pitch", "yaw", "x", "y", "z", "w"}) {
       if (!part.empty() || !whole.ends_with(known)) continue;
       part = known;
@@ -70,14 +63,23 @@ class PoseColumns {
       if (matrix_.empty() && (size == 12 || size == 16) && (first == 0 || rises(0)) && are_matrices(first))
         for (std::size_t i = 0; i < size; ++i) matrix_.push_back(first + i);
     }
-    if (!matrix_.empty()) {
-      position_ = {matrix_[3], matrix_[7], matrix_[11]};
-      return;
-    }
-    quaternion_ = the_only({"w", "x", "y", "z"}, "");
+    if (matrix_.empty()) quaternion_ = the_only({"w", "x", "y", "z"}, "");
     rpy_ = the_only({"roll", "pitch", "yaw"}, "deg rad");
     position_ = the_only({"x", "y", "z"}, "m cm mm");
-    refuse_others();
+    if (matrix_.empty()) {
+      refuse_others();
+      return;
+    }
+    if (const Group by_row{matrix_[3], matrix_[7], matrix_[11]}; position_.empty() || position_ == by_row)
+      position_ = by_row;
+    else
+      refuse_order();
+    std::vector<double> places;  // "r21" and "m4" say where a number belongs
+    for (const ColumnName& name : names_) {
+      const std::size_t at = name.whole.find_last_not_of("0123456789") + 1;
+      if (at < name.whole.size()) places.push_back(*number_from(name.whole.substr(at)));
+    }
+    if (!std::ranges::is_sorted(places)) refuse_order();
   }
 
   Pose pose_in(std::size_t row) {
@@ -100,7 +102,7 @@ class PoseColumns {
 
   // [m]
   double length(std::size_t row, std::size_t column) {
-    const std::string_view unit = names_[column].unit;
+    const std::string& unit = names_[column].unit;
     const double value = number(row, column) * (unit == "mm" ? 1e-3 : unit == "cm" ? centimetre : 1);
     const double most = unit.empty() ? 10 : lengths_m.second;
     if (std::abs(value) <= most) return value;
@@ -167,6 +169,8 @@ class PoseColumns {
     std::vector<Group> found;
     for (const ColumnName& one : names_) {
       if (one.part != *parts.begin()) continue;
+      // "tx", "px" and "pose.x" are of a position; "vx", "rx" and "qx" of something else.
+      if (parts.size() == 3 && one.whole.size() == 1 && !is_one_of(one.whole, {"t", "p"})) continue;
       Group group;
       for (const std::string_view part : parts) {
         const std::size_t before = group.size();
@@ -185,6 +189,10 @@ class PoseColumns {
                                 in_quotes(sheet_.titles()[found[0].front()]),
                                 in_quotes(sheet_.titles()[found[1].front()])));
     return found.empty() ? Group() : found.front();
+  }
+
+  [[noreturn]] void refuse_order() const {
+    sheet_.refuse("its header has a matrix's numbers in another order than row by row, the position as 4th, 8th, 12th");
   }
 
   // Of the other columns, those before the pose may be times, numbers and names of frames.

@@ -141,6 +141,7 @@ TEST_CASE("titles are trimmed, and units belong to quantities") {
   CHECK(of.quantity == "error");
   CHECK(of.unit == "mm");
   CHECK(observations("solver,error_cm\nA,1\nB,2\n").unit == "cm");
+  CHECK(observations("solver,time (ms)\nA,1\nB,2\n").unit == "ms");
   CHECK(observations("solver,mean_rank\nA,1\nB,2\n").unit.empty());
 }
 
@@ -428,6 +429,8 @@ TEST_CASE("last rows with statistics of those above are refused") {
             .empty());
   CHECK(said_of(tall, by_solver).empty());
   CHECK(contains(said_of(tall + "A,mean,12.75\nB,mean,1.855\n", by_solver), "data.csv:26:3"));
+  CHECK(contains(said_of(tall + "Total,,\n", by_solver), "data.csv:26:1: 'Total'"));
+  CHECK(said_of("a,b,c\n1,2,3\n2,3,4\n2.5,,\n", {.run = "row"}).empty());  // one group has more
 }
 
 TEST_CASE("points of runs are asked about, whatever the runs are called") {

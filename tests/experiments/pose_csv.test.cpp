@@ -113,6 +113,17 @@ TEST_CASE("every mistake is told with its line, its column and what was expected
   CHECK_THAT(refusal("x [in],y [in],z [in]\n5,5,5\n"), ContainsSubstring("'x [in]'"));
   CHECK_THAT(refusal("x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg\n.4,.1,.3,1e19,0,0\n"), ContainsSubstring("'1e19'"));
   CHECK_THAT(refusal("x_m,y_m,z_m\n1,\x01,3\n"), ContainsSubstring("path.csv:2:2: ' ' in column 'y_m'"));
+  // What only looks like a pose: rates, and matrices whose header says another order.
+  for (const std::string text :
+       {"time,vx,vy,vz\n0,.1,.2,.3\n1,.1,.2,.3\n", "x,y,z,w,qx,qy,qz\n.4,.2,.3,.8426149,.1,.2,.3\n"})
+    CHECK_THAT(refusal(text), ContainsSubstring("is no part of a position"));
+  for (const std::string header :
+       {"r11,r21,r31,x,r12,r22,r32,y,r13,r23,r33,z", "r11,r12,r13,r21,r22,r23,r31,r32,r33,tx,ty,tz"})
+    CHECK_THAT(refusal(header + "\n1,0,0,0,0,1,0,0,0,0,1,0.3\n"), ContainsSubstring("another order than row by row"));
+  CHECK(poses_in("r11,r12,r13,tx,r21,r22,r23,ty,r31,r32,r33,tz\n1,0,0,0,0,1,0,0,0,0,1,0.3\n").size() == 1);
+  // A row that was taken out is no header, also after a byte-order mark.
+  CHECK(poses_in("\xEF\xBB\xBF# 1 0 0 .9 0 1 0 0 0 0 1 .9\n1 0 0 .4 0 1 0 0 0 0 1 .3\n").at(0).translation().x() ==
+        0.4);
   std::string long_file = "x_m,y_m,z_m\n";
   for (int i = 0; i < 100'000; ++i) long_file += "1,2,3\n";
   CHECK(poses_in(long_file).size() == 100'000);
