@@ -30,8 +30,10 @@ void refuse_empty_shard(const Study& study, Shard shard) {
                                           numerics::counted(parts, study.is_chained() ? "runs" : "targets")));
 }
 
+constexpr const char* study_of_any_arm = "any-arm";
+
 struct StudyToRun {
-  std::string study;
+  std::string study, robot;
   std::vector<std::string> set, sweep, only;
   RunArguments run;
   ReportArguments report;
@@ -44,9 +46,11 @@ struct StudyToRun {
 void add_run(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<StudyToRun>();
   CLI::App* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
-  command
-      ->add_option("STUDY", arguments->study, "name of a built-in study (ikbench list studies), or path of a TOML file")
-      ->required();
+  command->add_option("STUDY", arguments->study,
+                      fmt::format("name of a built-in study (ikbench list studies), or path of a TOML file; with "
+                                  "--robot {}",
+                                  study_of_any_arm));
+  command->add_option("--robot", arguments->robot, "solve it on this arm: my_arm.urdf, my_arm.toml, ur5e");
   command->add_option("--set", arguments->set, "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp")
       ->allow_extra_args(false);
   command
@@ -64,6 +68,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
                       "I/N: solve the I-th of N parts, without a report; --out is then out/<study>/shards/I-of-N");
   command->footer(
       "Examples:\n"
+      "  ikbench run --robot my_arm.urdf\n"
       "  ikbench run my.toml\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
@@ -74,6 +79,16 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {
     Overrides overrides = arguments->set;
+    std::string& name = arguments->study;
+    const bool is_of_any_arm = name.empty() && !arguments->robot.empty();
+    if (!arguments->robot.empty()) overrides.insert(overrides.begin(), "robot=" + arguments->robot);
+    if (name.empty() && !is_of_any_arm)
+      throw std::invalid_argument(
+          "no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");
+    if (is_of_any_arm) {
+      name = study_of_any_arm;
+      overrides.insert(overrides.begin(), "name=" + std::filesystem::path(arguments->robot).stem().string());
+    }
     std::ranges::transform(arguments->sweep, std::back_inserter(overrides), sweep_override);
     Study study = load_study(arguments->study, overrides);
     if (!arguments->only.empty()) keep_only(study, arguments->only);
@@ -96,6 +111,8 @@ void add_run(CLI::App& app, Invocation& invocation) {
     }
     const Store store(store_in(folder), Store::Mode::read);
     write_and_announce(store, stored, folder, arguments->report);
+    if (is_of_any_arm && !arguments->report.is_json)
+      say_command(fmt::format("To change it: ikbench list studies {} > my.toml, and run my.toml", study_of_any_arm));
   });
 }
 

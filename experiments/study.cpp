@@ -80,6 +80,10 @@ std::vector<Pose> targets(const Study& study, const Robot& arm, int run) {
 
 std::vector<Pose> targets(const Study& study, int run) { return targets(study, arm_of(study), run); }
 
+Configuration nearest_to_zero(const Robot& arm) {
+  return arm.limits.lower.cwiseMax(Configuration::Zero(arm.joints())).cwiseMin(arm.limits.upper);
+}
+
 std::vector<Configuration> starts(const Study& study, const Robot& arm, int run) {
   if (study.start == Start::previous || study.start == Start::initial) return {};
   const Configuration zeros = Configuration::Zero(arm.joints());

@@ -81,6 +81,9 @@ int effective_population(const Study& study, const SolverEntry& entry);
 std::vector<robots::Pose> targets(const Study& study, const robots::Robot& arm, int run);
 std::vector<robots::Pose> targets(const Study& study, int run);
 
+// Zeros, or the nearest that the limits allow: the initial configuration where the study says none.
+robots::Configuration nearest_to_zero(const robots::Robot& arm);
+
 // The starts of a run's solves, the same for all solvers; none for Start::previous and Start::initial.
 std::vector<robots::Configuration> starts(const Study& study, const robots::Robot& arm, int run);
 

@@ -562,8 +562,8 @@ Study read_study(const toml::table& table, std::string_view source) {
   check_stop(stop, study);
   const Robot arm = read_arm(reader, study);
   const Configuration units = joint_units(arm.chain);
-  if (study.initial.size() == 0) {  // zeros, or the nearest that the limits allow
-    study.initial = arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
+  if (study.initial.size() == 0) {
+    study.initial = nearest_to_zero(arm);
   } else if (study.initial.size() == arm.joints()) {
     study.initial = study.initial.cwiseProduct(units).eval();
   } else {

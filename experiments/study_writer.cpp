@@ -269,6 +269,7 @@ std::string to_toml(FigureStyle style) { return lines_of(written(style)); }
 
 std::string to_toml(const Study& study) {
   Study fields = as_in_files(study);
+  if (study.initial == nearest_to_zero(arm_of(study))) fields.initial.resize(0);  // so the robot may be another
   std::string text = lines_of(written(fields));
   text +=
       "\n[analysis]  # how the results are judged; it does not affect the solves\n" + lines_of(written(fields.plan)) +

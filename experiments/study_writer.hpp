@@ -58,9 +58,11 @@ inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
 
 inline void list_fields(Fields& io, Study& study) {
   list_fields(io, static_cast<results::StudyData&>(study));
-  io.numbers("initial_deg", study.initial, 1, 0,
-             "configuration before the first point of a run: degrees, and metres for a joint that slides",
-             InKey::in_text);
+  io.numbers(
+      "initial_deg", study.initial, 1, 0,
+      "configuration before the first point of a run: degrees, and metres for a joint that slides; []: zeros, or the "
+      "nearest inside the limits",
+      InKey::in_text);
   io.choice("trace", study.trace, {"none", "best_error"}, "whether to store the best error after every iteration",
             InKey::in_text);
 }

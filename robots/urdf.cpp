@@ -240,9 +240,12 @@ class Tree {
       if (ends.size() > 1 || mimics(last) || may_be_jaw(last)) ends.push_front(hand);
     }
     if (most == 0 || ends.size() == 1) return ends.front();
-    place_.fail(1, fmt::format("the arm may end at {}; add --tip LINK, or tip = \"LINK\" in [urdf] (ikbench robot FILE "
-                               "--links shows the tree)",
-                               some({ends.begin(), ends.end()})));
+    place_.fail(
+        1,
+        fmt::format(
+            "the arm may end at {}; add --tip LINK (run: --set urdf.tip=LINK), or tip = \"LINK\" in [urdf] (robot FILE "
+            "--links shows the tree)",
+            some({ends.begin(), ends.end()})));
   }
 
   // A line each link, behind the one before it.

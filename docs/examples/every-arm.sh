@@ -1,12 +1,11 @@
 #!/bin/sh
 # every-arm.sh [ARM...]: which solvers find reachable poses, and positions, of these arms (all of the library)?
 set -e
-poses=$(dirname "$0")/every_arm.toml positions=every_arm_positions.toml
-sed -e '/tolerance_deg/d' -e 's/"pose" .*/"all_joints"/' "$poses" > $positions
+positions=every_arm_positions.toml
+ikbench list studies any-arm | sed '/tolerance_deg/d' >$positions
 [ $# -gt 0 ] || set -- $(ikbench list robots | sed -n 's/^\([a-z]\S*\).*/\1/p')
 for arm; do
-  for kind in poses positions; do
-    eval "ikbench run \$$kind --set robot=$arm --set name=$arm --no-report --out out/every-arm/$kind/$arm"
-  done
+  ikbench run --robot "$arm" --no-report --out "out/every-arm/poses/$arm"
+  ikbench run $positions --robot "$arm" --set search=all_joints --set "name=$arm" --no-report --out "out/every-arm/positions/$arm"
 done
 for kind in poses positions; do ikbench report out/every-arm/$kind/*/store.sqlite --out out/every-arm/$kind; done
