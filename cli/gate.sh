@@ -25,10 +25,16 @@ old=${OLD:-} turns=${TURNS:-20} time_margin=
 [[ -z $old ]] || baseline=$out/before/store.sqlite time_margin=${TIME_MARGIN:-10%}
 [[ -n $baseline ]] || refuse "BASELINE is not set; expected the store of the baseline"
 [[ $turns =~ ^[1-9][0-9]{0,3}$ ]] || refuse "TURNS is $turns; expected a number from 1 to 9999"
+[[ -z $time_margin || $time_margin =~ ^[0-9]+(\.[0-9]+)?%$ ]] || refuse "TIME_MARGIN is $time_margin; expected 10%"
 [[ ${STRICT:-false} =~ ^(true|false)$ ]] || refuse "STRICT is $STRICT; expected true or false"
 [[ $(realpath -m "$baseline") != "$(realpath -m "$out/store.sqlite")" ]] || refuse "BASELINE is the new store; choose another OUT"
 rm -f -- "$out/verdict.md"  # of an earlier call
-solve() { "$1" run "$study" --shard "$i/$turns" --out="$2/shards/$i" || ended failed $?; }
+solve() {
+  "$1" run "$study" --shard "$i/$turns" --out="$2/shards/$i" && return
+  local code=$?
+  echo "gate: that was turn $i of TURNS=$turns, by $1" >&2
+  ended failed $code
+}
 if [[ -z $old ]]; then
   "$program" run "$study" --no-report --out="$out" || ended failed $?
 else  # who begins a turn alternates
