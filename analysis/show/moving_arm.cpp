@@ -58,6 +58,7 @@ Json first_run(const StudyResults& study, const std::string& solver, const robot
               {"answer", rounded(solve.answer_rad)},
               {"error", factor * solve.position_error_cm},
               {"variation_deg", solve.variation_deg},
+              {"variation_m", solve.variation_m},
               {"outside", joints_outside(solve, arm)}};
     if (!before || before->answer_rad != solve.start_rad) step["start"] = rounded(solve.start_rad);
     steps.push_back(std::move(step));

@@ -70,14 +70,20 @@
   const samples = 16;  // of the tool's way per step
   const up = new THREE.Vector3(0, 1, 0);
 
-  // All of every solver is seen, at rest and on its way, and both views look from the same place.
-  const room = new THREE.Box3();
-  for (const solver of data.solvers) {
-    for (const move of movesOf(solver)) {
-      for (const share of [0, 0.25, 0.5, 0.75, 1]) {
-        for (const corner of forward(between(move, share))) room.expandByPoint(corner.at);
+  const slides = data.arm.links.some(link => link.joint === 'slides');
+
+  // All of every solver is seen, at rest and on its way, and both views look from the same place. But an answer may be
+  // anywhere, so those beyond twice the distance of targets and of arms before their first move are out of sight.
+  const moves = data.solvers.map(movesOf), all = moves.flat();
+  const targets = all.filter(move => known(move.target)).map(move => new THREE.Vector3(...move.target));
+  const first = moves.flatMap(each => forward(between(each[0], 0)).map(corner => corner.at));
+  const furthest = 2 * Math.max(...[...targets, ...first].map(at => at.length()));
+  const room = new THREE.Box3().setFromPoints(targets);
+  for (const move of all) {
+    for (const share of [0, 0.25, 0.5, 0.75, 1]) {
+      for (const corner of forward(between(move, share))) {
+        if (corner.at.length() <= furthest) room.expandByPoint(corner.at);
       }
-      if (known(move.target)) room.expandByPoint(new THREE.Vector3(...move.target));
     }
   }
   const size = Math.max(room.getSize(new THREE.Vector3()).length(), 0.1);
@@ -101,7 +107,7 @@
       this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
       this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
       this.scene = new THREE.Scene();
-      this.camera = new THREE.PerspectiveCamera(40, 1, 0.01, 100);
+      this.camera = new THREE.PerspectiveCamera(40, 1, size / 1000, size * 100);
       this.camera.up.set(0, 0, 1);
       this.scene.add(new THREE.HemisphereLight(0xffffff, 0x666677, 0.9));
       const light = new THREE.DirectionalLight(0xffffff, 0.6);
@@ -186,7 +192,8 @@
     tell(index, move) {
       const digits = (value, count) => value === null ? 'none' : Number(value.toPrecision(count)).toString();
       const joints = move.outside.map(each => `joint ${each.joint + 1} by ${digits(each.by, 2)}${each.unit}`);
-      const words = `Target ${move.point}: error ${digits(move.error, 2)} ${this.solver.unit}, joints move ${digits(move.variation_deg, 3)}\u00b0.`;
+      const words = `Target ${move.point}: error ${digits(move.error, 2)} ${this.solver.unit}, joints move ${digits(move.variation_deg, 3)}\u00b0${
+        slides ? ` and ${digits(move.variation_m, 3)} m` : ''}.`;
       if (this.told === index + words) return;
       this.told = index + words;
       this.text.textContent = words;
