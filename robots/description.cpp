@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "numerics/functions.hpp"
+#include "numerics/number.hpp"
 #include "numerics/random.hpp"
 
 namespace ikbench::robots {
@@ -27,6 +28,9 @@ double meant_angle(double angle, double within) {
   const double multiple = std::round(angle / (15 * degree)) * 15 * degree;
   return std::abs(angle - multiple) < within ? multiple : angle;
 }
+
+// Meant, and one that a file in degrees can say, so that a stored arm is the same to the bit.
+double angle_in_files(double angle) { return in_unit(meant_angle(angle, tiny), degree) * degree; }
 
 Eigen::Matrix3d turned_about(const Eigen::Vector3d& axis, double angle) {
   const auto [sine, cosine] = sin_cos(angle);
@@ -70,8 +74,8 @@ DhLink link_to(const Axis& next, const Pose& frame) {
   }
   if (dot(normal, x) < -tiny) normal = -normal;
   link.a = meant_length(dot(way, normal));
-  link.offset = meant_angle(arc_tangent(dot(normal, y), dot(normal, x)), tiny);
-  link.alpha = meant_angle(arc_tangent(dot(cross, normal), cosine), tiny);
+  link.offset = angle_in_files(arc_tangent(dot(normal, y), dot(normal, x)));
+  link.alpha = angle_in_files(arc_tangent(dot(cross, normal), cosine));
   return link;
 }
 
@@ -85,7 +89,7 @@ Frame frame_of(const Pose& pose) {
   const double roll = arc_tangent(dot(R.col(1), R.col(0).cross(y)), dot(R.col(1), y));
   Frame frame{pose.translation(), {roll, arc_tangent(-R(2, 0), level), yaw}};
   frame.position = frame.position.unaryExpr(&meant_length);
-  frame.rpy = frame.rpy.unaryExpr([](double angle) { return meant_angle(angle, tiny); });
+  frame.rpy = frame.rpy.unaryExpr(&angle_in_files);
   return frame;
 }
 

@@ -513,8 +513,9 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     printed.push_back(described(*joint, place));
     if (printed.back().motion == Motion::none) continue;
     const Eigen::Vector2d limits = limits_of(*joint, place, choice.limits);
-    lower.push_back(limits[0]);
-    upper.push_back(limits[1]);
+    const double unit = printed.back().motion == Motion::slides ? 1 : degree;  // as a stored arm has them
+    lower.push_back(in_unit(limits[0], unit) * unit);
+    upper.push_back(in_unit(limits[1], unit) * unit);
     const XMLElement* const limit = joint->FirstChildElement("limit");
     if (limit == nullptr || limits.allFinite()) continue;
     if (limit->Attribute("lower") == nullptr && limit->Attribute("upper") == nullptr) continue;
