@@ -1,17 +1,23 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
+#include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "experiments/runner.hpp"
+#include "experiments/solve_runner.hpp"
+#include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
 #include "numerics/json.hpp"
 #include "numerics/units.hpp"
@@ -53,14 +59,20 @@ struct Left {
   std::vector<double> arm_rad;
 };
 
-// The labels of our own solvers. A program may have the name of one.
-std::set<std::string> built_in(const StoredStudy& study) {
-  std::set<std::string> labels;
-  for (const Series& series : study.series)
-    for (const solvers::SolverInfo& info : solvers::all_solvers())
-      if (info.name == series.algorithm && info.library.empty() && !parsed_json(series.options).contains("process"))
-        labels.insert(series.label);
-  return labels;
+// The entry of one of our own solvers; a program may have the name of one.
+std::optional<SolverEntry> built_in(const Series& series) {
+  const Json options = parsed_json(series.options);
+  const std::vector<solvers::SolverInfo>& known = solvers::all_solvers();
+  const auto info = std::ranges::find(known, series.algorithm, &solvers::SolverInfo::name);
+  if (info == known.end() || !info->library.empty() || options.contains("process")) return std::nullopt;
+  SolverEntry entry{.label = series.label, .solver = series.algorithm};
+  for (const auto& [name, value] : options.items()) {
+    if (name == "population")
+      entry.population = value;
+    else
+      entry.options[name] = value.is_string() ? value.get<std::string>() : value.dump();
+  }
+  return entry;
 }
 
 // True if a solve of the study may have spent this. Our solvers are stopped after each iteration; others stop
@@ -127,12 +139,67 @@ TakeSolve recheck_of(const StoredStudy& study) {
   if (!stored)
     throw std::invalid_argument(fmt::format(
         "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", study.name));
-  return [definition, arm = std::make_shared<const Robot>(std::move(*stored)), ours = built_in(study),
+  std::set<std::string> ours;
+  for (const Series& series : study.series)
+    if (built_in(series)) ours.insert(series.label);
+  return [definition, arm = std::make_shared<const Robot>(std::move(*stored)), ours,
           before = std::make_shared<Left>()](const SolveRecord& solve) {
     check(definition, *arm, *before, ours.contains(solve.label), solve);
     *before = {solve.label, solve.run, solve.point,
                moves_arm(solve, definition.start) ? solve.answer_rad : solve.start_rad};
   };
+}
+
+SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int64_t most) {
+  Study study;
+  const Definition definition = definition_of(stored.definition);
+  static_cast<StudyData&>(study) = definition;
+  study.robot_of_file = std::make_shared<const Robot>(stored_arm(definition.arm).value());
+  SolvedAgain found;
+  std::map<std::string, SolverEntry> entries;
+  for (const Series& series : stored.series) {
+    std::optional<SolverEntry> entry = built_in(series);
+    if (!entry)
+      found.foreign.push_back(series.label);
+    else if (!series.key.ends_with(source_key(*entry)))
+      found.of_other_source.push_back(series.label);
+    else if (study.stop.seconds == 0)
+      entries[series.label] = *entry;
+  }
+  std::vector<SolveRecord> drawn;
+  std::mt19937_64 random(std::random_device{}());  // nobody knows before which
+  store.each_of_study(stored, [&](SolveRecord& solve) {
+    if (!entries.contains(solve.label)) return;
+    const auto place = std::uniform_int_distribution<std::int64_t>(0, found.of++)(random);
+    if (std::ssize(drawn) < most)
+      drawn.push_back(std::move(solve));
+    else if (place < most)
+      drawn[static_cast<std::size_t>(place)] = std::move(solve);
+  });
+  for (const SolveRecord& solve : drawn) {
+    study.trace = solve.trace_cm.empty() ? solvers::Trace::none : solvers::Trace::best_error;
+    const SolveRunner runner(study, entries.at(solve.label), solve.series, *study.robot_of_file);
+    Pose target = Pose::Identity();
+    target.translation() = vector_of(solve.target_position_m);
+    target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
+    const auto solver = runner.make_solver();
+    const SolveRecord again = runner.solve(*solver, target, vector_of(solve.start_rad), solve.run, solve.point);
+    const auto counts = [](const SolveRecord& of) {
+      return std::tie(of.status, of.stop_reason, of.evaluations, of.iterations, of.restarts, of.improved_at);
+    };
+    const auto is_same = [](double a, double b) {
+      return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+    };
+    if (!std::ranges::equal(again.answer_rad, solve.answer_rad, is_same) || counts(again) != counts(solve))
+      refuse(solve, fmt::format("made again, it has {}",
+                                counts(again) != counts(solve)
+                                    ? fmt::format("{} evaluations, {} iterations and status {}, not {}, {} and {}",
+                                                  again.evaluations, again.iterations, name_of(again.status),
+                                                  solve.evaluations, solve.iterations, name_of(solve.status))
+                                    : "another answer"));
+    ++found.solves;
+  }
+  return found;
 }
 
 }  // namespace ikbench::experiments

@@ -62,4 +62,14 @@ results::SolveRecord solve_once(const Study& study, const SolverEntry& entry, co
 // place, where they differ, or where an arm jumped between two solves of a chain; recheck_of throws it without an arm.
 results::TakeSolve recheck_of(const results::StoredStudy& study);
 
+// What solve_again did. A label is left out if its solver is a program or of a library, or of another source.
+struct SolvedAgain {
+  std::int64_t solves = 0;                                      // made again
+  std::int64_t of = 0;                                          // stored ones that could be
+  std::vector<std::string> foreign = {}, of_other_source = {};  // labels
+};
+// Makes solves of the stored study again, at most so many, drawn at random. Where the clock may end them, none. Throws
+// std::invalid_argument, with the solve's place, where another bit of the answer or another count comes.
+SolvedAgain solve_again(const results::Store& store, const results::StoredStudy& study, std::int64_t most);
+
 }  // namespace ikbench::experiments

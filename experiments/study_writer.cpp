@@ -358,10 +358,14 @@ std::string source_digest_of(const SolverEntry& entry) {
 
 std::string library_of(const SolverEntry& entry) { return entry.program ? "" : info_of(entry).library; }
 
-std::string series_key(const Study& study, const SolverEntry& entry) {
+std::string source_key(const SolverEntry& entry) {
   Key source = Key(0).with(shared_source_digest()).with(source_digest_of(entry));
   if (const std::string library = library_of(entry); !library.empty()) source = source.with(library);
-  return fmt::format("{}{}{:016x}", configuration_key(study, entry), before_source, source.value());
+  return fmt::format("{}{:016x}", before_source, source.value());
+}
+
+std::string series_key(const Study& study, const SolverEntry& entry) {
+  return configuration_key(study, entry) + source_key(entry);
 }
 
 std::vector<Series> series_of(const Study& study) {

@@ -141,3 +141,36 @@ TEST_CASE("an arm that cannot be read is refused", "[recheck]") {
                ContainsSubstring("study small: its stored arm cannot be read"));
   }
 }
+
+TEST_CASE("solves are made again from the store alone, and another bit or count is told", "[recheck]") {
+  const ScratchFolder folder;
+  Study study = study_with("ur5");
+  study.robot_of_file = std::make_shared<const robots::Robot>(robots::load_robot("tests/data/urdf/panda.urdf"));
+  study.robot = "tests/data/urdf/panda.urdf";
+  study.initial = robots::Configuration::Zero(7);
+  StoredStudy entry = stored_study(study);
+  const std::vector<SolveRecord> solves = solves_of(study);
+  const auto found_in = [&](const char* name, const std::vector<SolveRecord>& rows) {
+    Store store(folder.path / name, Store::Mode::write);
+    store.save_study(entry);
+    store.append(rows);
+    return solve_again(store, entry, 1000);
+  };
+  std::vector<SolveRecord> rows = solves;
+  for (SolveRecord& row : rows) {
+    const auto series = std::ranges::find(entry.series, row.label, &Series::label);
+    row.series = series->key;
+  }
+  const SolvedAgain found = found_in("as_made", rows);
+  CHECK(found.of == std::ssize(rows));
+  CHECK(found.solves == found.of);
+  for (const int what : {0, 1}) {
+    std::vector<SolveRecord> forged = rows;
+    if (what == 0) --forged.back().evaluations;
+    if (what == 1) forged.back().answer_rad[0] = std::nextafter(forged.back().answer_rad[0], 9);
+    CHECK_THAT(complaint<std::invalid_argument>([&] { found_in(what == 0 ? "counts" : "bits", forged); }),
+               ContainsSubstring("made again"));
+  }
+  for (Series& series : entry.series) series.key.back() = series.key.back() == '0' ? '1' : '0';
+  CHECK(found_in("of_other_source", {}).of_other_source.size() == entry.series.size());
+}

@@ -1,0 +1,58 @@
+// ikbench verify: whether a store has what its solvers did.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/reporting.hpp"
+#include "experiments/runner.hpp"
+#include "numerics/names.hpp"
+#include "results/study.hpp"
+
+namespace ikbench::cli {
+
+using namespace results;
+using namespace experiments;
+
+void add_verify(CLI::App& app, Invocation&) {
+  struct Arguments {
+    std::string store, study;
+    std::int64_t solves = 100;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("verify", "Check a store: errors from answers, some solves made again");
+  command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
+  command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
+  command->add_option("--solves", arguments->solves, "number of solves to make again, drawn at random")
+      ->check(whole_number())
+      ->capture_default_str();
+  command->footer(
+      "Examples:\n"
+      "  ikbench verify theirs.sqlite\n"
+      "  ikbench verify theirs.sqlite --solves 1000000     all of them");
+  command->callback([arguments] {
+    const Store store(arguments->store, Store::Mode::read);
+    const StoredStudy study = store.study(arguments->study);
+    const auto all = checked_study(store, study).solves.size();
+    const SolvedAgain again = solve_again(store, study, arguments->solves);
+    std::vector<std::string> unchecked{"times"};
+    const auto leave_out = [&](const std::vector<std::string>& labels, const char* why) {
+      if (!labels.empty()) unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), why));
+    };
+    leave_out(again.foreign, " (programs and libraries)");
+    leave_out(again.of_other_source, " (the source is another in this version)");
+    if (definition_of(study.definition).stop.seconds > 0) leave_out({"all solves"}, ", which a clock may end");
+    const std::string made =
+        again.of == 0 ? "None was made again."
+                      : fmt::format("{} of {}, drawn at random, were made again and have the same bits and counts.",
+                                    again.solves, again.of);
+    const std::string text = fmt::format(
+        "{}: errors, joint motion and status of all {} follow from their answers. {}\nNot checked: {}.", study.name,
+        numerics::counted(static_cast<std::int64_t>(all), "solves"), made, fmt::join(unchecked, "; "));
+    fmt::print("{}\n", printable(wrapped(text)));
+  });
+}
+
+}  // namespace ikbench::cli
