@@ -29,6 +29,9 @@ if command -v gnuplot >/dev/null; then
   equal "chosen figures" "$(cd few/figures && echo *.svg)" "differences.svg error-shares.svg"
 fi
 golden tutorial mine/results.json
+# A store of version 3 as the first program of that version wrote it: every later one reads it.
+succeeds report "$root/tests/data/version-3.sqlite" --figures none --out years
+golden version-3 years/results.json
 # Without gnuplot one line says so, there and on the page, and all else is there.
 PATH=/nowhere "$program" report mine/store.sqlite --out bare >.out 2>.err || fail "without gnuplot: $(<.err)"
 equal "lines without gnuplot" "$(grep -c gnuplot .err)" 1
