@@ -85,3 +85,29 @@ TEST_CASE("a claim may be off by rounding and twice what snapping moves", "[fore
   snapped.snapped = 1e-4;
   CHECK(claim_slack(snapped) == Approx(2.01e-4));
 }
+
+TEST_CASE("every arm follows from its robot message alone, by the formulas of protocol.md", "[foreign][protocol]") {
+  for (const Robot& arm : all_robots()) {
+    CAPTURE(arm.name);
+    const auto told = nlohmann::json::parse(robot_message(arm, arm.chain, Eigen::Vector3d(0, 0, 0), "", {}, {}));
+    const auto matrix = [&](const char* key) {
+      const std::vector<double> numbers = told[key];
+      return Eigen::Affine3d(
+          Eigen::Matrix4d(Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data())));
+    };
+    const Configuration q = Configuration::LinSpaced(arm.joints(), 0.4, -0.9);
+    Eigen::Affine3d pose = matrix("base");
+    const auto turn = [&](double angle, const Eigen::Vector3d& axis) { pose = pose * Eigen::AngleAxisd(angle, axis); };
+    for (Eigen::Index j = 0; j < arm.joints(); ++j) {
+      const auto& joint = told["joints"][static_cast<std::size_t>(j)];
+      const bool slides = joint["type"] == "prismatic", is_coupled = joint["type"] == "coupled";
+      const double theta = joint["theta"].get<double>() + (slides ? 0 : q[j]);
+      const Eigen::Vector3d axis = is_coupled ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
+      turn(theta, axis);
+      pose = pose * Eigen::Translation3d(joint["a"], 0, joint["d"].get<double>() + (slides ? q[j] : 0));
+      if (is_coupled) turn(-theta, axis);
+      turn(joint["alpha"], Eigen::Vector3d::UnitX());
+    }
+    CHECK(((pose * matrix("tool")).matrix() - arm.chain.forward(q).matrix()).cwiseAbs().maxCoeff() < 1e-14);
+  }
+}
