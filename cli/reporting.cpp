@@ -311,6 +311,14 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
   }
   for (const std::string& note : progress.notes) warn(note);
   tell_of_log(store.finish());
+  const auto may_meddle = [](const SolverEntry& entry) { return entry.program != nullptr; };
+  if (std::ranges::any_of(study.solvers, may_meddle)) {  // a program can write where its user can
+    const std::int64_t there = Store(store_in(folder), Store::Mode::read).number_of_solves(stored);
+    if (there < progress.done)
+      throw std::runtime_error(fmt::format(
+          "{} has {} of the {} solves: one of the programs or somebody else changed it; run the same command again",
+          store_in(folder).string(), there, progress.done));
+  }
   if (is_cancelled) {
     say(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.", progress.done,
                     progress.total, store_in(folder).string()));

@@ -26,6 +26,23 @@ refused "BA, run 2, point 3" report changed/store.sqlite --figures none
 refused "BA, run 2, point 3" compare IK-BA BA --store changed/store.sqlite
 equal "a refused report left" "$(ls changed)" store.sqlite
 
+# A program that empties the store: the run counts what is there.
+cat >thief.py <<'END'
+import json, sqlite3, sys
+print(json.dumps({"message": "hello", "ikbench": 2, "name": "thief"}), flush=True)
+for number, line in enumerate(line for line in sys.stdin if '"solve"' in line):
+    if number == 9:
+        with sqlite3.connect("robbed/store.sqlite") as store: store.execute("DELETE FROM solves WHERE label = 'BA'")
+    print(json.dumps({"message": "solved", "q": json.loads(line)["start"]}), flush=True)
+END
+{
+  printf 'name = "robbed"\nrobot = "ur5e"\nsearch = "all_joints"\nruns = 3\npath = { kind = "random", points = 3 }\n'
+  printf 'stop = { iterations = 5 }\nsolvers = [{ label = "BA", solver = "bat" }, { label = "thief", process = ["python3", "thief.py"] }]\n'
+} >robbed.toml
+code=0; "$program" run robbed.toml --no-report --out robbed >.out 2>.err || code=$?
+equal "exit code of a robbed run: $(<.err)" $code 2
+has "$(<.err)" "of the 18 solves: one of the programs"
+
 # What lies in somebody else's folder is not run, and no link in it is written through.
 succeeds run slim2023 "${small[@]}" --no-report --out theirs
 mkdir linked
