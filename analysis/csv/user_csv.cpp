@@ -321,24 +321,29 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
 }
 
 Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {
-  const auto is_negative = [](const Group& group) {
+  double least = 0, largest = 0;  // of all values
+  for (const Group& group : observed.groups) {
     const auto* const summary = std::get_if<Summary>(&group.sample);
-    return summary ? summary->mean < 0 : std::ranges::any_of(values_of(group), [](double each) { return each < 0; });
-  };
+    for (const double value : summary ? std::span(&summary->mean, 1) : values_of(group)) {
+      least = std::min(least, value);
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    }
+  }
   const bool is_share = observed.scale == Scale::share;
-  const bool has_no_share = observed.scale == Scale::difference && std::ranges::any_of(observed.groups, is_negative);
+  const bool has_no_share = observed.scale == Scale::difference && least < 0;
   if (margin.empty()) {
     if (has_no_share) plan.margin = 0;
     return plan;
   }
   const bool is_relative = margin.ends_with('%');
   const auto number = numerics::number_from(std::string_view(margin).substr(0, margin.size() - is_relative));
-  const char* wrong = !number || !(*number >= 0) || !std::isfinite(*number)
-                          ? "expected 5%, or 0.1 in the unit of the values"
-                      : is_relative && has_no_share
-                          ? "a share of values that may be negative means nothing; give a margin in their unit"
-                      : !is_relative && is_share ? "shares differ by points; expected 5%"
-                                                 : nullptr;
+  const char* wrong =
+      !number || !(*number >= 0) || !std::isfinite(*number) ? "expected 5%, or 0.1 in the unit of the values"
+      : is_relative && has_no_share
+          ? "a share of values that may be negative means nothing; give a margin in their unit"
+      : !is_relative && is_share          ? "shares differ by points; expected 5%"
+      : !is_relative && *number > largest ? "no value is as large, so all would be the same; a share is 5%"
+                                          : nullptr;
   if (wrong) throw std::invalid_argument(fmt::format("--margin {}: {}", in_quotes(margin), wrong));
   plan.margin = is_relative ? *number / 100 : 0;
   observed.absolute_margin = is_relative ? 0 : *number;

@@ -512,7 +512,7 @@ TEST_CASE("margins are shares or in the unit of the values") {
   const compare::Plan plan = csv::with_margin({}, "0.5", of);
   CHECK(plan.margin == 0);
   CHECK(of.absolute_margin == 0.5);
-  for (const char* margin : {"x", "-1", "%", "nan", "inf"})
+  for (const char* margin : {"x", "-1", "%", "nan", "inf", "10"})
     CHECK_THROWS_AS(csv::with_margin({}, margin, of), std::invalid_argument);
 }
 
