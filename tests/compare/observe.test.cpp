@@ -210,9 +210,14 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
   CHECK(machines({.id = 0, .environment = {{"host", "a"}, {"boot", "1"}}},
                  {.id = 1, .environment = {{"host", "a"}, {"boot", "2"}}})
             .empty());
-  StudyResults disturbed = study(chained, [](SolveRecord& solve) {
-    if (solve.label == "B" && solve.run < 3) solve.seconds = 2 * solve.cpu_seconds;
-  });
+  const auto slowed = [](double times) {
+    return study(chained, [times](SolveRecord& solve) {
+      if (solve.label == "B" && solve.run < 3) solve.seconds = times * solve.cpu_seconds;
+    });
+  };
+  CHECK(apart(times(slowed(1.09))).empty());
+  CHECK(apart(times(slowed(1.11))) == "B");
+  StudyResults disturbed = slowed(2);
   CHECK(apart(observed(disturbed)).empty());
   disturbed.definition.stop.seconds = 0.002;  // it ended B's
   CHECK(apart(observed(disturbed)) == "B");

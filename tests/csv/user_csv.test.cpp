@@ -208,7 +208,7 @@ TEST_CASE("values of 0 are what they are, and differences are compared") {
 }
 
 TEST_CASE("missing values are lost, and such a group is not tested") {
-  for (const std::string gap : {"", "NA", "-", "nan", "None", "#N/A"}) {
+  for (const std::string gap : {"", "NA", "-", "nan", "None", "null", "#N/A"}) {
     CAPTURE(gap);
     const std::string text = "s,v\nA," + gap + "\nA,2\nA,1\nA,3\nA,4\nB,5\nB,6\nB,7\nB,8\n";
     const Observations observed = observations(text);

@@ -92,6 +92,17 @@ TEST_CASE("a scratch folder is its owner's alone and gone at the end", "[files]"
   CHECK(fs::is_empty(folder.path));
 }
 
+TEST_CASE("a file that is replaced keeps who may read it", "[files]") {
+  const ScratchFolder folder;
+  const fs::path file = folder.path / "shared.md";
+  write_file(file, "old");
+  for (const fs::perms may : {fs::perms(0664), fs::perms(0600)}) {
+    fs::permissions(file, may);
+    write_file(file, "new");
+    CHECK(fs::status(file).permissions() == may);
+  }
+}
+
 TEST_CASE("what the contents throw is told as it is, not as a failure to write", "[files]") {
   const ScratchFolder folder;
   const auto cannot_read = [](const Write& write) {
