@@ -42,3 +42,11 @@ for page in README.md docs/{tutorial,which-solver,compare,figures,your-own-csv,m
   echo "$page: $count blocks"
   [ $count -gt 0 ] || fail "$page has no commands"
 done
+
+# README's first screen is what the program prints, but for times.
+cd "$work"
+"$program" run --robot ur5e --figures none --out screen >said 2>/dev/null
+table_of() { grep -A 8 '^ .* solved  ' "$1" | cut -c 1-48; }
+sed -n '/^\$ ikbench run --robot/,/^```/p' "$root/README.md" >readme
+equal "README's headline" "$(sed -n 2,3p readme)" "$(head -n 2 said)"
+equal "README's table" "$(table_of readme)" "$(table_of said)"
