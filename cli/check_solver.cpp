@@ -196,13 +196,16 @@ class Checks {
   void budget(Solving& solving) {
     const StopRule stop{.iterations = 1'000'000, .tolerance = 1e-4, .seconds = 0.05};
     Tried tried;
+    Spent spent;
     bool is_late = true;
     for (int i = 0; i < 5 && is_late && !tried.account.failure; ++i) {
       tried = solving.once(stop);
-      is_late = tried.account.went_on || is_over({.seconds = own_seconds(tried.account, tried.seconds)}, stop);
+      spent.seconds = own_seconds(tried.account, tried.seconds);
+      is_late = tried.account.went_on || is_over(spent, stop);
     }
-    const std::string took = fmt::format("{:.0f} ms", 1000 * tried.seconds);
-    line("it keeps a budget of 50 ms for a target out of reach",
+    const std::string took = fmt::format("{:.0f} ms", 1000 * spent.seconds);
+    line(fmt::format("it keeps a budget of 50 ms, {:g} at most, for a target out of reach",
+                     1000 * most_of_budget * stop.seconds),
          tried.account.failure ? solving.all.last_failure()
          : is_late             ? took
                                : "",

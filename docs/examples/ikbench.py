@@ -11,21 +11,31 @@
     ikbench.run("some_library", prepare, solve, goals=["pose"])
 
 It tells ikbench how long `solve` took, and turns angles that are outside their limits back by whole turns."""
-import json, math, os, random, sys, tempfile, time
+import functools, json, math, os, random, sys, tempfile, time
 
 
 class Declined(Exception):
     """Raised by prepare or solve: why this arm or target cannot be solved."""
 
 
+try:  # how long this thread has waited for a processor that others had (Linux)
+    _schedule = open("/proc/thread-self/schedstat", "rb", buffering=0)
+except OSError:
+    _schedule = None
+
+
 class _Clock:
-    """Seconds since it was made: of the wall or, if that is less, of the processor: who waits for it is not slow."""
+    """Seconds since it was made, without those in which its thread waited for a processor."""
 
     def __init__(self):
-        self._wall, self._processor = time.perf_counter(), time.process_time()
+        self._waited, self._began, self._computed = self._waits(), time.perf_counter(), time.thread_time()
+
+    def _waits(self):
+        return int(os.pread(_schedule.fileno(), 99, 0).split()[1]) * 1e-9 if _schedule else 0
 
     def seconds(self):
-        return min(time.perf_counter() - self._wall, time.process_time() - self._processor)
+        now, computed = time.perf_counter(), time.thread_time()
+        return max(now - self._began - (self._waits() - self._waited), computed - self._computed)
 
 
 class _Members:
@@ -35,16 +45,21 @@ class _Members:
 
 
 class Robot(_Members):
-    """The members of the message `robot`; `names`, `lower` and `upper` of its joints (None: it turns without end), and
-    `file`, in which its URDF text is."""
+    """The members of the message `robot`; `names`, `lower` and `upper` of its joints (None: it turns without end)."""
 
     def __init__(self, message):
         super().__init__(message)
         self.names, self.lower, self.upper = ([joint[key] for joint in self.joints] for key in ("name", "lower", "upper"))
         self.turns = [joint["type"] == "revolute" for joint in self.joints]
-        self.file = os.path.join(tempfile.mkdtemp(), "arm.urdf")
-        with open(self.file, "w") as file:
+
+    @functools.cached_property
+    def file(self):
+        """A file with its URDF text, which is there as long as this object."""
+        self._folder = tempfile.TemporaryDirectory()
+        name = os.path.join(self._folder.name, "arm.urdf")
+        with open(name, "w") as file:
             file.write(self.urdf)
+        return name
 
     def require(self, *, turning=False, bounded=False):
         """Declines joints that slide or are coupled, or turn without end."""
@@ -80,17 +95,23 @@ class Problem(_Members):
     def evaluate(self, candidates):
         """Their errors, None of one beyond the budget; or None where the solve is over, so return."""
         self.evaluated = True
-        told = self._ask({"message": "evaluate", "candidates": candidates})
+        told = self._ask({"message": "evaluate", "candidates": [_numbers(q) for q in candidates]})
         return None if told["over"] else told["errors"]
 
 
 def inside(q, turns, lower, upper):
-    """Turns angles that are outside by whole turns, to where they are nearest to the middle; what is 1e-7 outside, by
-    single precision or other digits of a limit, comes inside."""
-    middle = [(low + high) / 2 for low, high in zip(lower, upper)]
-    turned = [m + math.remainder(x - m, 2 * math.pi) if turn and not low - 1e-7 <= x <= high + 1e-7 else x
-              for x, m, turn, low, high in zip(q, middle, turns, lower, upper)]
-    return [min(max(x, low), high) if low - 1e-7 <= x <= high + 1e-7 else x for x, low, high in zip(turned, lower, upper)]
+    """Turns angles that are outside by whole turns, to where they are nearest to the middle; what is 5e-7 outside, by
+    single precision or other digits of a limit, comes inside. A value too few or too many stays, for ikbench to tell."""
+    def one(x, turn, low, high):
+        is_near = lambda: low - 5e-7 <= x <= high + 5e-7
+        if turn and math.isfinite(x) and not is_near():
+            x = (low + high) / 2 + math.remainder(x - (low + high) / 2, 2 * math.pi)
+        return min(max(x, low), high) if is_near() else x
+    return [one(*each) for each in zip(q, turns, lower, upper)] if len(q) == len(lower) else q
+
+
+def _numbers(values):  # JSON has no others than finite ones
+    return [float(x) if math.isfinite(x) else None for x in values]
 
 
 def _option(name, value):
@@ -114,7 +135,7 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
 
     def ask(message):
         say(message)
-        return json.loads(sys.stdin.readline())
+        return json.loads(sys.stdin.readline() or sys.exit())
 
     say({"message": "hello", "ikbench": 2, "name": name, "version": version, "goals": goals,
          "options": [_option(*each) for each in options.items()]})
@@ -122,10 +143,13 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
         told = json.loads(line)
         try:
             if told["message"] == "robot":
-                robot, prepared, why = Robot(told), None, None
-                prepared = prepare(robot)
+                robot, prepared = Robot(told), None
+                try:
+                    prepared, why = prepare(robot), None
+                except Declined as declined:
+                    why = declined
                 continue
-            if why:
+            if why is not None:
                 raise Declined(why)
             problem = Problem(told, ask)
             clock = _Clock()
@@ -135,11 +159,9 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
             if not problem.evaluated:  # else ikbench's time is in it
                 answer["seconds"] = seconds
             if q is not None or not problem.evaluated:
-                answer["q"] = inside([float(x) for x in (problem.start if q is None else q)], robot.turns, problem.lower,
-                                     problem.upper)
+                q = [float(x) for x in (problem.start if q is None else q)]
+                answer["q"] = _numbers(inside(q, robot.turns, problem.lower, problem.upper))
             say(answer)
         except Declined as declined:
-            why = str(declined)
-            if told["message"] == "solve":
-                say({"message": "declined", "why": why})
-                why = None if prepared is not None else why
+            why_not = "".join(c if c.isprintable() else " " for c in str(declined))
+            say({"message": "declined", "why": why_not.encode()[:200].decode(errors="ignore")})

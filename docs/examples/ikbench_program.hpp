@@ -7,10 +7,16 @@
 // It tells ikbench how long `solve` took. ikbench::Declined("why") says that an arm or a target cannot be solved.
 #pragma once
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
+#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -19,6 +25,7 @@
 #include <optional>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -47,47 +54,103 @@ struct Json {
     for (const Json& each : list) all.push_back(each.number);
     return all;
   }
+  // Of a whole line. Throws std::runtime_error where it is no JSON.
+  static Json of(const std::string& line) {
+    const char* at = line.c_str();
+    return read(at);
+  }
+
+ private:
+  static void expect(bool is_right) {
+    if (!is_right) throw std::runtime_error("a line that is no JSON");
+  }
+  // Goes on to the next letter that is no space, and past it if it is `letter`.
+  static bool take(const char*& at, char letter) {
+    while (*at == ' ' || *at == '\t' || *at == '\r') ++at;
+    return *at == letter && ++at;
+  }
   static Json read(const char*& at) {
     Json json;
-    if (*at == '"') {
+    if (take(at, '"')) {
       json.text = read_text(at);
-    } else if (*at == '{' || *at == '[') {
-      const bool has_keys = *at++ == '{';
-      while (*at != '}' && *at != ']') {
-        const std::string key = has_keys ? read_text(at) : "";
-        if (has_keys) ++at;  // :
-        Json value = read(at);
-        has_keys ? void(json.members[key] = std::move(value)) : json.list.push_back(std::move(value));
-        if (*at == ',') ++at;
+    } else if (take(at, '[')) {
+      for (bool is_end = take(at, ']'); !is_end; expect(is_end || take(at, ','))) {
+        json.list.push_back(read(at));
+        is_end = take(at, ']');
       }
-      ++at;
-    } else if (*at == 't' || *at == 'f' || *at == 'n') {
-      if (*at != 'n') json.number = *at == 't';
-      at += *at == 'f' ? 5 : 4;
+    } else if (take(at, '{')) {
+      for (bool is_end = take(at, '}'); !is_end; expect(is_end || take(at, ','))) {
+        expect(take(at, '"'));
+        const std::string key = read_text(at);
+        expect(take(at, ':'));
+        json.members[key] = read(at);
+        is_end = take(at, '}');
+      }
+    } else if (const std::string word(at, std::strspn(at, "aeflnrstu")); !word.empty()) {
+      expect(word == "true" || word == "false" || word == "null");
+      at += word.size();
+      if (word != "null") json.number = word == "true";
     } else {
       char* end = nullptr;
       json.number = std::strtod(at, &end);
+      expect(end != at);
       at = end;
     }
     return json;
   }
-
- private:
   static std::string read_text(const char*& at) {
     std::string text;
-    for (++at; *at != '"'; ++at) {
+    for (; *at != '"'; ++at) {
+      expect(*at != 0);
       if (*at != '\\') {
         text += *at;
         continue;
       }
-      const std::string letters = "ntrbf", meanings = "\n\t\r\b\f";
+      const std::string letters = "ntrbf\"\\/", meanings = "\n\t\r\b\f\"\\/";
       const std::size_t place = letters.find(*++at);
-      text += place == letters.npos ? *at : meanings[place];
+      expect(*at != 0 && (place != letters.npos || (*at == 'u' && std::strspn(at + 1, "0123456789abcdefABCDEF") >= 4)));
+      if (place == letters.npos) {  // ikbench writes control characters so, alone
+        text += static_cast<char>(std::stoi(std::string(at + 1, 4), nullptr, 16));
+        at += 4;
+      } else {
+        text += meanings[place];
+      }
     }
     ++at;
     return text;
   }
 };
+
+inline std::string json_of(double value) {
+  std::ostringstream text;
+  std::isfinite(value) ? text << std::setprecision(17) << value : text << "null";
+  return text.str();
+}
+inline std::string json_of(const Values& values) {
+  std::string list;
+  for (const double value : values) list += (list.empty() ? "" : ",") + json_of(value);
+  return '[' + list + ']';
+}
+// In quotes, at most 200 characters, of ASCII; others become spaces.
+inline std::string json_of(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text.substr(0, 200)) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c >= ' ' && c <= '~' ? c : ' ';
+  }
+  return quoted + '"';
+}
+
+// Writes a line to ikbench. What a library prints goes to the standard error from the first on.
+inline void say(const std::string& line) {
+  static std::FILE* const out = [] {
+    std::FILE* const own = ::fdopen(::dup(1), "w");
+    ::dup2(2, 1);
+    return own;
+  }();
+  std::fputs((line + '\n').c_str(), out);
+  std::fflush(out);
+}
 
 struct Robot {
   Json message;  // `robot`, whole
@@ -107,20 +170,39 @@ struct Problem {
   // Their errors; nothing where the solve is over, so return.
   std::optional<Values> evaluate(const std::vector<Values>& candidates) {
     has_asked = true;
-    std::ostringstream text;
-    text << std::setprecision(17) << R"({"message":"evaluate","candidates":[)";
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      for (std::size_t j = 0; j < candidates[i].size(); ++j) text << (j ? "," : i ? ",[" : "[") << candidates[i][j];
-      text << ']';
-    }
-    std::cout << text.str() << "]}" << std::endl;
+    std::string lists;
+    for (const Values& q : candidates) lists += (lists.empty() ? "" : ",") + json_of(q);
+    say(R"({"message":"evaluate","candidates":[)" + lists + "]}");
     std::string line;
     if (!std::getline(std::cin, line)) std::exit(0);
-    const char* at = line.c_str();
-    const Json told = Json::read(at);
+    const Json told = Json::of(line);
     if (told["over"].number == 1) return std::nullopt;
     return told["errors"].numbers();
   }
+};
+
+// Seconds since it was made, without those in which its thread waited for a processor that others had (Linux).
+class Timer {
+ public:
+  double seconds() const {
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began_;
+    const double computed = computes() - computed_;
+    return std::max(took.count() - (waits() - waited_), computed);
+  }
+
+ private:
+  static double waits() {
+    double computed = 0, waited = 0;
+    std::ifstream("/proc/thread-self/schedstat") >> computed >> waited;
+    return 1e-9 * waited;
+  }
+  static double computes() {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+  const double waited_ = waits(), computed_ = computes();
+  const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 // Says hello and answers until the input ends. `options` and `goals` are JSON as in the message `hello`; empty: none,
@@ -128,25 +210,22 @@ struct Problem {
 template <class Prepare, class Solve>
 void run(const std::string& name, const std::string& options, Prepare prepare, Solve solve,
          const std::string& goals = {}) {
-  std::cout << R"({"message":"hello","ikbench":2,"name":")" << name << '"' << (options.empty() ? "" : ",\"options\":")
-            << options << (goals.empty() ? "" : ",\"goals\":") << goals << '}' << std::endl;
+  say(R"({"message":"hello","ikbench":2,"name":)" + json_of(name) + (options.empty() ? "" : ",\"options\":" + options) +
+      (goals.empty() ? "" : ",\"goals\":" + goals) + '}');
   std::unique_ptr<decltype(prepare(Robot()))> prepared;
-  std::string why;  // the arm is declined
-  const auto decline = [](const std::string& its) {
-    std::cout << R"({"message":"declined","why":")" << its << "\"}" << std::endl;
-  };
+  std::string why;  // there is none: the arm is declined
   for (std::string line; std::getline(std::cin, line);) {
-    const char* at = line.c_str();
-    Json told = Json::read(at);
+    const Json told = Json::of(line);
     const bool is_robot = told["message"].text == "robot";
     try {
       if (is_robot) {
+        prepared.reset();
         Robot robot{told, told["urdf"].text, told["base_link"].text, told["tip_link"].text, {}};
         for (const Json& joint : told["joints"].list) robot.names.push_back(joint["name"].text);
         prepared = std::make_unique<decltype(prepare(Robot()))>(prepare(robot));
         continue;
       }
-      if (!why.empty()) throw Declined{why};
+      if (!prepared) throw Declined{why};
       const Json &target = told["target"], &tolerance = told["tolerance"];
       Problem problem{told,
                       target["position"].numbers(),
@@ -158,17 +237,14 @@ void run(const std::string& name, const std::string& options, Prepare prepare, S
                       tolerance["rotation"].number,
                       told["budget"]["seconds"].number,
                       std::mt19937(static_cast<unsigned>(told["seed"].number))};
-      const auto began = std::chrono::steady_clock::now();
-      const std::clock_t processor = std::clock();  // who waits for the processor is not slow
+      const Timer timer;
       const Values q = solve(*prepared, problem);
-      const double used = static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
-      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-      std::cout << std::setprecision(17) << R"({"message":"solved")";
-      if (!problem.has_asked) std::cout << ",\"seconds\":" << std::min(took.count(), used);
-      for (std::size_t j = 0; j < q.size(); ++j) std::cout << (j ? "," : ",\"q\":[") << q[j];
-      std::cout << (q.empty() ? "}" : "]}") << std::endl;
+      const double seconds = timer.seconds();
+      say(R"({"message":"solved")" + (problem.has_asked ? "" : ",\"seconds\":" + json_of(seconds)) +
+          (q.empty() ? "" : ",\"q\":" + json_of(q)) + '}');
     } catch (const Declined& declined) {
-      is_robot ? void(why = declined.why) : decline(declined.why);
+      why = declined.why;
+      if (!is_robot) say(R"({"message":"declined","why":)" + json_of(why) + '}');
     }
   }
 }

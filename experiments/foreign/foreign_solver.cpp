@@ -33,8 +33,8 @@ void add_best(Account& account, std::int64_t evaluations, double best, double at
 }  // namespace
 
 double own_seconds(const Account& account, double wall) {
-  const double told = account.claimed_seconds, cpu = account.cpu_seconds;
-  return std::isnan(told) ? wall : std::max(std::min(told, cpu), least_told(cpu));
+  const double told = account.claimed_seconds;
+  return std::isnan(told) ? wall : std::max(told, least_told(account.cpu_seconds));
 }
 
 Conversation Conversations::take() {

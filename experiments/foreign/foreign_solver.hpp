@@ -30,8 +30,8 @@ struct Account {
   double claimed_seconds = std::numeric_limits<double>::quiet_NaN();
 };
 
-// What a program took by its own word [s], if its processor time leaves room for that; on a busy machine no more than
-// that. `wall` if it tells nothing, since it may sleep.
+// What a program took by its own word [s], or by its processor time if that leaves no room for it; `wall` if it tells
+// nothing.
 double own_seconds(const Account& account, double wall);
 
 // A process of a program, and what is kept from solve to solve.
