@@ -193,6 +193,8 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
                 .effect = effect_of(observed, pair, trial.numbers),
                 .test = pair.method->name,
                 .n = pair.n};
+  if (pair.method->by == By::means && observed.scale != Scale::share && !observed.are_logs)
+    tested.g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
   std::optional<Interval> interval;
   if (std::isfinite(outcome.estimate)) {
     tested.amount = Amount{.value = shown(outcome.estimate)};

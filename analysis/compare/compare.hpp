@@ -35,6 +35,7 @@ struct Amount {
 struct Effect {
   double ahead = 0, behind = 0;
   double a12() const { return (1 + ahead - behind) / 2; }
+  double delta() const { return ahead - behind; }  // Cliff's
 };
 
 struct Tested {
@@ -43,6 +44,7 @@ struct Tested {
   double p = 1;                       // times the tested pairs; below the significance it decides
   std::optional<Amount> amount = {};  // none if it would refute the verdict
   std::optional<Effect> effect = {};  // none of summaries and of logarithms
+  std::optional<double> g = {};       // Hedges', where means decide (describe.hpp)
   std::string_view test = {};
   int n = 0;       // observations, or common blocks; of the smaller group; of a sign test runs
                    // that differ

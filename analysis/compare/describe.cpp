@@ -112,6 +112,14 @@ Description describe(const Group& group) {
   return its;
 }
 
+std::optional<double> hedges_g(const Summary& first, const Summary& second) {
+  const double df = first.n + second.n - 2;
+  const double squares = (first.n - 1) * first.sd * first.sd + (second.n - 1) * second.sd * second.sd;
+  if (!(squares > 0) || !(df > 1)) return {};
+  const double unbiased = std::exp(std::lgamma(df / 2) - std::lgamma((df - 1) / 2)) / std::sqrt(df / 2);
+  return unbiased * (first.mean - second.mean) / std::sqrt(squares / df);
+}
+
 std::optional<TestOfAll> anova(const Observations& observed) {
   if (observed.is_paired) return anova_of_blocks(columns_of(observed));
   const auto is_known = [](const Group& group) {

@@ -27,6 +27,10 @@ Description described(const std::vector<double>& values);
 // Of values that rise, which are not none.
 double quantile(const std::vector<double>& sorted, double share);
 
+// The difference of two means in pooled standard deviations, without bias (Hedges, J. Educational Statistics 6 (1981)
+// 107); none without spread.
+std::optional<double> hedges_g(const Summary& first, const Summary& second);
+
 // Chi-squared of ranks have neither degrees of freedom within nor sums of squares.
 struct TestOfAll {
   std::string_view name;

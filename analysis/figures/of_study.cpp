@@ -160,6 +160,12 @@ std::optional<Figure> motion_boxes(const JudgedStudy& judged, const Look& look) 
   return boxes_of(judged, motion, look);
 }
 
+std::optional<Figure> metric_boxes(const JudgedStudy& judged, const Look& look) {
+  const std::string& column = judged.study.definition.plan.metric;
+  const bool is_drawn = column.empty() || column == error || column == time || column == motion;
+  return is_drawn || metric_named(column).kind == Kind::share ? std::nullopt : boxes_of(judged, column, look);
+}
+
 std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& look) {
   const auto [average, name] = average_that_decides(judged.study);
   return curves(about_of(judged.study, metric_named(error), fmt::format("Error by iteration: {}s.", name)), "iteration",
@@ -201,6 +207,11 @@ std::optional<Figure> solved_by_evaluations(const JudgedStudy& judged, const Loo
 
 std::optional<Figure> solved_by_time(const JudgedStudy& judged, const Look& look) {
   return solved_by(judged, time, "a time", look);
+}
+
+std::optional<Figure> ranks(const JudgedStudy& judged, const Look& look) {
+  const JudgedMetric& metric = judged.metrics[judged.deciding];
+  return ranks_of(metric, drawn_unit(judged.study, metric.observations.unit), drawn_solvers(judged.study, look), look);
 }
 
 std::optional<Figure> differences(const JudgedStudy& judged, const Look& look) {
@@ -374,6 +385,53 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
       rows, are_ratios);
 }
 
+std::optional<Figure> ranks_of(const JudgedMetric& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
+                               const Look& look) {
+  const Observations& observed = metric.observations;
+  // The share of comparisons in which the other is better, equal ones half; unknown of a pair that has none.
+  const auto share_behind = [&](const std::string& name, const std::string& other) {
+    const Finding* const finding = finding_of(metric, name, other);
+    if (finding == nullptr || std::holds_alternative<Open>(finding->what)) return unknown;
+    const auto* const tested = std::get_if<Tested>(&finding->what);
+    if (tested && !tested->effect) return unknown;
+    const double larger = amount_of(*finding) ? amount_of(*finding)->value - (finding->scale == Scale::ratio) : 0;
+    const double of_fact = larger == 0 ? 0.5 : (larger > 0) == (observed.better == Better::larger) ? 1 : 0;
+    const double ahead = tested ? tested->effect->a12() : of_fact;
+    return finding->first == name ? 1 - ahead : ahead;
+  };
+  const auto is_known = [&](const std::string& name, const std::vector<std::string>& others) {
+    return std::ranges::none_of(others, [&](const auto& each) { return std::isnan(share_behind(name, each)); });
+  };
+  std::vector<std::string> solvers, without;
+  for (const std::string& name : shown) {
+    const auto has_share = [&](const auto& each) { return each != name && is_known(name, {each}); };
+    (std::ranges::any_of(shown, has_share) && is_known(name, solvers) ? solvers : without).push_back(name);
+  }
+  if (solvers.size() < 3) return std::nullopt;
+  const bool are_means = metric.plan.test == results::Plan::Test::means && observed.scale != Scale::share;
+  std::vector<RankRow> rows;
+  for (const std::string& name : solvers) {
+    RankRow& row = rows.emplace_back(
+        RankRow{.label = look.names.at(name), .style = look.lines.at(name), .place = are_means ? 0.0 : 1.0});
+    if (are_means) row.place = unit.factor * average_of(metric, place_of(observed, name));
+    for (const std::string& other : solvers) {
+      if (other == name) continue;
+      if (!are_means) row.place += share_behind(name, other);
+      if (is_difference(verdict_of(*finding_of(metric, name, other)))) row.apart.push_back(look.names.at(other));
+    }
+  }
+  const double sign = are_means && observed.better == Better::larger ? -1 : 1;
+  std::ranges::stable_sort(rows, {}, [=](const RankRow& row) { return sign * row.place; });
+  About about{.name = "ranks",
+              .caption = fmt::format("{} of {}{}. A bar joins solvers that are not told apart (at adjusted p < {}).",
+                                     are_means ? "Mean" : "Mean rank", observed.quantity,
+                                     are_means ? "" : ", 1 is best", metric.plan.significance)};
+  about.quantity = are_means ? "mean " + observed.quantity : "mean rank of " + observed.quantity;
+  if (are_means) about.unit = unit.name;
+  if (!without.empty()) about.caption += fmt::format(" Without {}: not compared with all.", fmt::join(without, ", "));
+  return ranks(about, rows);
+}
+
 std::vector<Line> by_point(const StudyResults& study, std::string_view column, const Look& look, Average average) {
   const Metric& metric = metric_named(column);
   const double factor = drawn_unit(study, metric.unit).factor;
@@ -503,7 +561,9 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
                       observed.unit};
     if (auto figure = boxes(about, box_rows(metric, {observed.unit}, shown, look))) all.push_back(std::move(*figure));
   }
-  if (auto figure = differences_of(first, {first.observations.unit}, shown, look)) all.push_back(std::move(*figure));
+  for (const auto of : {ranks_of, differences_of}) {
+    if (auto figure = of(first, {first.observations.unit}, shown, look)) all.push_back(std::move(*figure));
+  }
   return all;
 }
 

@@ -37,7 +37,7 @@ struct KindOfFigure {
 std::vector<KindOfFigure> kinds_of_figures();
 std::vector<Figure> of_study(const compare::JudgedStudy& judged, const Look& look);
 
-// Of a user's file: boxes of each metric that has values, and the differences of the first.
+// Of a user's file: boxes of each metric that has values, and ranks and differences of the first.
 std::vector<Figure> of_file(const std::vector<compare::JudgedMetric>& metrics, const Look& look);
 
 // Of a metric, in the unit that figures have.
@@ -58,6 +58,9 @@ std::vector<BoxRow> box_rows(const compare::JudgedMetric& metric, const DrawnUni
 // Error against joint motion; `add_printed` adds what a paper printed.
 std::optional<Figure> overview_of(const compare::JudgedStudy& judged, const Look& look,
                                   const std::function<void(Dot&)>& add_printed);
+// Of at least three solvers that were compared with one another. None with a control, which leaves pairs of others out.
+std::optional<Figure> ranks_of(const compare::JudgedMetric& metric, const DrawnUnit& unit,
+                               const std::vector<std::string>& shown, const Look& look);
 // Each pair that was tested; of more than 15 those of the first name alone. None where all values are equal.
 std::optional<Figure> differences_of(const compare::JudgedMetric& metric, const DrawnUnit& unit,
                                      const std::vector<std::string>& shown, const Look& look);

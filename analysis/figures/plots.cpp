@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <string_view>
 
@@ -50,6 +52,42 @@ void add_remarks(Figure& figure, const std::vector<std::string>& remarks) {
   if (widest_cm == 0) return;
   figure.sides_cm += widest_cm;
   figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + 0.45));
+}
+
+// Sets of rows, as bits, of which no two are apart: few that have each such pair, by Piepho's insertion and absorption
+// (J. Computational and Graphical Statistics 13 (2004) 456).
+std::vector<std::uint32_t> sets_of_alike(std::span<const RankRow> rows) {
+  std::vector<std::uint32_t> sets{static_cast<std::uint32_t>((std::uint64_t{1} << rows.size()) - 1)};
+  const auto is_within = [](const auto& others, std::uint32_t set) {
+    return std::ranges::any_of(others, [=](std::uint32_t other) { return (other & set) == set; });
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = i + 1; j < rows.size(); ++j) {
+      if (std::ranges::count(rows[i].apart, rows[j].label) == 0) continue;
+      const std::uint32_t one = 1u << i, other = 1u << j;
+      std::vector<std::uint32_t> split;
+      for (const std::uint32_t set : sets) {
+        const bool has_both = (set & one) != 0 && (set & other) != 0;
+        split.push_back(has_both ? set & ~one : set);
+        if (has_both) split.push_back(set & ~other);
+      }
+      std::ranges::stable_sort(split, std::ranges::greater(), [](std::uint32_t set) { return std::popcount(set); });
+      sets.clear();
+      std::ranges::copy_if(split, std::back_inserter(sets), [&](std::uint32_t set) { return !is_within(sets, set); });
+    }
+  }
+  for (std::size_t k = sets.size(); k-- > 0;) {
+    std::vector<std::uint32_t> others = sets;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    bool is_needed = false;
+    for (std::uint32_t rest = sets[k]; rest != 0; rest &= rest - 1) {
+      for (std::uint32_t after = rest & (rest - 1); after != 0; after &= after - 1)
+        is_needed |= !is_within(others, (rest & -rest) | (after & -after));
+    }
+    if (!is_needed) sets = std::move(others);
+  }
+  std::ranges::sort(sets, {}, [](std::uint32_t set) { return std::pair(std::countr_zero(set), std::bit_width(set)); });
+  return sets;
 }
 
 }  // namespace
@@ -256,6 +294,42 @@ std::optional<Figure> tails(const About& about, const std::vector<Successes>& al
   }
   figure.settings += x.settings + y.settings;
   add_names(figure, ends);
+  figure.plot = plotted(clauses);
+  return figure;
+}
+
+std::optional<Figure> ranks(const About& about, const std::vector<RankRow>& all_rows) {
+  constexpr std::size_t most = 20;
+  Figure figure{.name = about.name, .caption = about.caption};
+  const auto rows = drawn_of(all_rows, most, figure);
+  std::vector<std::string> labels, clauses;
+  std::vector<double> places;
+  for (const RankRow& row : rows) labels.push_back(row.label), places.push_back(row.place);
+  const std::vector<std::uint32_t> bars = sets_of_alike(rows);
+  figure.data = fmt::format("# row, {}, and of each bar whether it joins it\n", about.axis());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::vector<double> numbers{static_cast<double>(i + 1), rows[i].place};
+    for (const std::uint32_t bar : bars) numbers.push_back(bar >> i & 1);
+    figure.data += fmt::format("# {}\n{}", one_line(rows[i].label), data_row(numbers));
+    clauses.push_back(
+        fmt::format("data every ::{0}::{0} using (place_x($2)):1 with points ls {1} dt 1 ps 0.9", i, rows[i].style));
+  }
+  add_labelled_rows(figure, labels, 0.42);
+  figure.settings += value_axis('x', places, about, Begins::around).settings;
+  const double pitch_cm = std::min(0.3, 3.0 / static_cast<double>(bars.size())),
+               room_cm = pitch_cm * static_cast<double>(bars.size());
+  figure.sides_cm += room_cm;
+  figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(room_cm + 0.45));
+  for (std::size_t b = 0; b < bars.size(); ++b) {
+    const std::string x =
+        fmt::format("screen 1 - margin({})", text_of(room_cm + 0.1 - pitch_cm * static_cast<double>(b)));
+    figure.settings += fmt::format("set arrow from {0}, first {1} to {0}, first {2} nohead lw 2 {3}\n", x,
+                                   std::countr_zero(bars[b]) + 1, std::bit_width(bars[b]), grey);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (bars[b] >> i & 1)
+        figure.settings += fmt::format("set label '' at {}, first {} point pt 7 ps 0.5 {}\n", x, i + 1, grey);
+    }
+  }
   figure.plot = plotted(clauses);
   return figure;
 }

@@ -388,8 +388,8 @@ Tone tone_of(Verdict verdict) {
 Table pairs_table(const Answer& answer) {
   Table table{.name = "pairs",
               .caption = "The first against the second",
-              .columns = columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "A12", "test",
-                                     "verdict", "n that could decide"})};
+              .columns = columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "A12",
+                                     "Cliff's delta", "Hedges' g", "test", "verdict", "n that could decide"})};
   std::set<double> ends;
   bool has_p = false, has_effect = false;
   for (const JudgedMetric& judged : answer.metrics) {
@@ -403,6 +403,7 @@ Table pairs_table(const Answer& answer) {
           {judged.observations.quantity, finding.first, finding.second, amount ? Cell(amount->value) : Cell(),
            amount && amount->interval ? Cell(*amount->interval) : Cell(), text_cell(unit_of(finding, judged)),
            tested ? Cell(tested->p) : Cell(), has_a12 ? Cell(tested->effect->a12()) : Cell(),
+           has_a12 ? Cell(tested->effect->delta()) : Cell(), tested && tested->g ? Cell(*tested->g) : Cell(),
            text_cell(tested ? std::string(tested->test) : ""),
            Judgement{verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead),
                      tone_of(verdict_of(finding))},
@@ -413,6 +414,7 @@ Table pairs_table(const Answer& answer) {
   table.columns[3].ends = table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[4].role = Role::interval;
   table.columns[6].role = Role::p;
+  table.columns[8].role = Role::detail;
   table.columns[6].ends = {answer.decisive().plan.significance};
   std::vector<std::string> notes{
       what_decides(answer),
@@ -555,8 +557,8 @@ numerics::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding
   constexpr std::array<const char*, 6> verdicts{"better", "worse", "same", "equal", "undecided", "not_tested"};
   numerics::OrderedJson json{{"metric", judged.observations.quantity}, {"first", finding.first}};
   json["second"] = finding.second;
-  for (const char* member : {"estimate", "low", "high", "excluded", "unit", "p", "a12", "ahead", "behind", "test", "n",
-                             "n_that_could_decide", "verdict", "size", "reason"})
+  for (const char* member : {"estimate", "low", "high", "excluded", "unit", "p", "a12", "ahead", "behind", "g", "test",
+                             "n", "n_that_could_decide", "verdict", "size", "reason"})
     json[member] = nullptr;
   if (const Amount* const amount = amount_of(finding)) {
     json["estimate"] = amount->value;
@@ -574,6 +576,7 @@ numerics::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding
       json["ahead"] = effect->ahead;
       json["behind"] = effect->behind;
     }
+    if (tested->g) json["g"] = *tested->g;
     constexpr std::array<const char*, 3> sizes{"matters", "usually_small", "small"};
     if (is_difference(tested->verdict)) json["size"] = sizes[static_cast<std::size_t>(tested->size)];
     json["test"] = tested->test;

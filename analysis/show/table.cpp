@@ -120,7 +120,8 @@ Table for_readers(Table table) {
     const auto is_empty = [=](const auto& row) {
       return std::holds_alternative<std::monostate>(row[c]) || std::holds_alternative<Absent>(row[c]);
     };
-    if (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty)) continue;
+    const bool is_detail = table.columns[c].role == Role::detail;
+    if (!is_detail && (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty))) continue;
     const auto at = static_cast<std::ptrdiff_t>(c);
     table.columns.erase(table.columns.begin() + at);
     for (auto& row : table.rows) row.erase(row.begin() + at);

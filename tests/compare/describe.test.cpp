@@ -49,6 +49,13 @@ TEST_CASE("a group is described as MATLAB does", "[describe]") {
   CHECK(std::isnan(described({7}).sd));
 }
 
+TEST_CASE("a difference of means in standard deviations is Hedges'", "[describe]") {
+  const std::vector<double> a{1, 2, 3, 4, 5}, b{2, 4, 4, 7, 9, 10};
+  CHECK(*hedges_g(summarise(a), summarise(b)) == Approx(-1.06182667).epsilon(1e-8));  // SciPy's gammaln
+  CHECK_FALSE(hedges_g({5, 1, 0}, {5, 2, 0}));
+  CHECK_FALSE(hedges_g({1, 1, 0}, {2, 2, 1}));
+}
+
 TEST_CASE("a summary has no more than its three numbers", "[describe]") {
   const Description of = describe({.name = "a", .sample = Summary{20, 0.5, 0.1}});
   CHECK(of.n == 20);

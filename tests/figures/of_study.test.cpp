@@ -134,6 +134,52 @@ TEST_CASE("differences are those that were tested, in the order of the table; of
   CHECK(rows_of({"A", "B", "C", "D", "E", "F", "G"}) == Names{"G / …", "F", "E", "D", "C", "B", "A"});
 }
 
+TEST_CASE("mean ranks are those of the blocks, or means where they decide, and solvers not compared are left out",
+          "[of_study]") {
+  Observations of{.metric = "error", .quantity = "error", .unit = "mm", .floor = 1e-9, .is_paired = true};
+  std::vector<results::Series> solvers;
+  for (int s = 0; s < 4; ++s) {
+    Measured its;
+    for (int i = 0; i < 20; ++i) its.values.push_back(1 + s * (i % 4 == 0 ? 1 : 3) % 4 + 0.01 * i);
+    of.groups.push_back({.name = std::string(1, static_cast<char>('A' + s)), .sample = std::move(its)});
+    solvers.push_back({.label = of.groups.back().name, .algorithm = "x"});
+  }
+  const Look look = look_of(solvers, {});
+  const auto places = [&](const Observations& observed, const Plan& plan) {
+    const std::optional<Figure> figure = ranks_of(judge(observed, plan), {"mm"}, {"A", "B", "C", "D"}, look);
+    std::string text;
+    for (std::istringstream lines(figure ? figure->data : ""); std::getline(lines, text, '\n');) {
+      if (!text.starts_with("# A")) continue;
+      std::getline(lines, text);
+      return text.substr(0, text.find(' ', 2));
+    }
+    return std::string();
+  };
+  CHECK(places(of, {}) == "1 1");  // A is the first in each block; of B, C and D every fourth is turned
+  const Figure ranked = ranks_of(judge(of, {}), {"mm"}, {"A", "B", "C", "D"}, look).value();
+  CHECK(contains(ranked.data, "# D\n2 2.5 "));
+  CHECK(contains(ranked.data, "# B\n4 3.5 "));
+  CHECK(places(of, {.test = Plan::Test::means}) == "1 1.095");
+  CHECK(places(of, {.control = "A"}).empty());
+  of.groups[1].sample = Untold{.why = Untold::Why::apart};
+  CHECK(contains(ranks_of(judge(of, {}), {"mm"}, {"A", "B", "C", "D"}, look)->caption, "Without B: "));
+  of.groups[2].sample = Untold{.why = Untold::Why::apart};
+  CHECK(places(of, {}).empty());
+}
+
+TEST_CASE("the plan's metric has boxes, whatever it is", "[of_study]") {
+  const auto names = [](const std::string& metric) {
+    return names_of(figures_of_study(study({.start = "middle",
+                                            .targets = "drawn",
+                                            .tolerance_cm = 0.01,
+                                            .rest = fmt::format(R"(, "analysis": {{"metric": "{}"}})", metric)},
+                                           differ)));
+  };
+  CHECK(std::ranges::count(names("position_error_cm"), "error-boxes") == 1);
+  CHECK(std::ranges::count(names("iterations"), "metric-boxes") == 0);  // each solver's are of what it solved
+  CHECK(std::ranges::count(names("solved"), "metric-boxes") == 0);
+}
+
 TEST_CASE("traces are curves by iteration; a solve that ended keeps its last error", "[of_study]") {
   const StudyResults traced = study({.runs = 2, .points = 1}, [](SolveRecord& solve) {
     if (solve.label == "A") solve.trace_cm = solve.run == 1 ? std::vector<double>{4, 2} : std::vector<double>{8, 8, 6};

@@ -30,6 +30,7 @@ std::vector<Figure> every_kind(const std::string& label) {
            curves(named("curves"), label,
                   {{label, 1, {{1, 0, 0, 0.5}, {2, 3, 1, 4}}}, {label, 0, {{1, 1000}, {2, nowhere}}}, {label, 2}}),
            shares(named("shares"), "solved", {{label, 1, {3, 5}, 4}, {label, 2, {}, 4}}, 4),
+           ranks(named("ranks"), {{label, 1, 1.2}, {label + "2", 2, 1.5, {"x"}}, {"x", 3, 3, {label + "2"}}}),
            differences(named("ratios"), {{label, 2, 0.5, 4, label, 2}, {label}, {label, 1, 0.9, double{INFINITY}}},
                        true),
            differences(named("differences"), {{label, -2, -5, 4}, {label, 0, 0, 0}}, false),
@@ -42,6 +43,43 @@ std::vector<Figure> every_kind(const std::string& label) {
 }
 
 }  // namespace
+
+TEST_CASE("bars join solvers that are not told apart, few of them, and each such pair", "[plots]") {
+  // Of 20 drawn sets of pairs: what bars join is what is not apart.
+  std::mt19937_64 engine(7);
+  for (std::size_t n = 3; n <= 22; ++n) {
+    std::vector<RankRow> rows;
+    for (std::size_t i = 0; i < n; ++i) rows.push_back({fmt::format("S{}", i), 1, static_cast<double>(i)});
+    std::set<std::pair<std::size_t, std::size_t>> alike, joined;
+    const std::size_t drawn = std::min<std::size_t>(n, 20);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = i + 1; j < n; ++j) {
+        if (engine() % 3 > 0)
+          rows[i].apart.push_back(rows[j].label), rows[j].apart.push_back(rows[i].label);
+        else if (j < drawn)
+          alike.emplace(i, j);
+      }
+    }
+    const Figure figure = ranks(error_in("ranks"), rows).value();
+    std::istringstream lines(figure.data);
+    std::vector<std::vector<int>> bars;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with('#')) continue;
+      std::istringstream numbers(line);
+      bars.emplace_back();
+      for (double number; numbers >> number;) bars.back().push_back(static_cast<int>(number));
+    }
+    REQUIRE(bars.size() == drawn);
+    for (std::size_t b = 2; b < bars[0].size(); ++b) {
+      for (std::size_t i = 0; i < drawn; ++i) {
+        for (std::size_t j = i + 1; j < drawn; ++j) {
+          if (bars[i][b] == 1 && bars[j][b] == 1) joined.emplace(i, j);
+        }
+      }
+    }
+    CHECK(joined == alike);
+  }
+}
 
 TEST_CASE("every kind is drawn, and no label of a user is run or breaks the picture", "[plots]") {
   const ScratchFolder folder;
