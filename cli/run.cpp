@@ -85,12 +85,10 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (name.empty() && !is_of_any_arm)
       throw std::invalid_argument(
           "no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");
-    if (is_of_any_arm) {
-      name = study_of_any_arm;
-      overrides.insert(overrides.begin(), "name=" + std::filesystem::path(arguments->robot).stem().string());
-    }
+    if (is_of_any_arm) name = study_of_any_arm;
     std::ranges::transform(arguments->sweep, std::back_inserter(overrides), sweep_override);
-    Study study = load_study(arguments->study, overrides);
+    Study study = load_study(name, overrides);
+    if (is_of_any_arm && study.name == study_of_any_arm) study.name = arm_of(study).name;
     if (!arguments->only.empty()) keep_only(study, arguments->only);
     // A mistake in it shows before hours are spent.
     static_cast<void>(styled(study.figures, labels_of(study), arguments->report));
