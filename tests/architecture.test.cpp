@@ -10,7 +10,7 @@ using Names = std::set<std::string>;
 // Programs within a folder; they may do what the rest of it may not.
 const std::string microbenchmarks = "experiments/microbenchmarks";
 
-// docs/explanation/architecture.md: each folder, and the folders that it may know.
+// Each folder of docs/explanation/architecture.md, and the folders that it may know.
 const std::map<std::string, Names>& may_know() {
   static const std::map<std::string, Names> table{
       {"numerics", {}},
