@@ -92,8 +92,8 @@ Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
   }
   const Configuration units = experiments::joint_units(arm.chain);
   for (std::size_t j = 0; j < at.size(); ++j) {
-    if (const std::string_view doubt = doubt_of_angle(at[j], units[static_cast<Eigen::Index>(j)]);
-        !doubt.empty() && !arm.chain.slides(j))
+    const auto joint = static_cast<Eigen::Index>(j);
+    if (const std::string_view doubt = doubt_of_angle(at[j], units[joint]); !doubt.empty() && !arm.chain.slides(joint))
       throw std::invalid_argument(fmt::format("--at: {} {}", at[j], doubt));
   }
   return Eigen::Map<const Eigen::VectorXd>(at.data(), arm.joints()).cwiseProduct(units);

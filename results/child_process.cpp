@@ -107,8 +107,8 @@ int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem
   for (int i = 0; i < 3; ++i) ::posix_spawn_file_actions_adddup2(&actions, descriptors[static_cast<std::size_t>(i)], i);
   posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
   sigset_t none, all;
-  ::sigemptyset(&none);
-  ::sigfillset(&all);
+  sigemptyset(&none);  // macros on macOS
+  sigfillset(&all);
   ::posix_spawnattr_setsigmask(&attributes, &none);
   ::posix_spawnattr_setsigdefault(&attributes, &all);
   ::posix_spawnattr_setpgroup(&attributes, group);

@@ -265,7 +265,7 @@ std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
   for (const auto& [by, what] : {std::pair(CountedBy::nobody, "evaluations are not counted, so not compared"),
                                  {CountedBy::solver, "evaluations are by its own count, so not compared"}})
     add(doubts, study, {.kind = DoubtKind::counted_otherwise, .what = what},
-        [by = by](const Solve& solve) { return !is_without_answer(solve.status) && solve.counted_by == by; });
+        [counter = by](const Solve& solve) { return !is_without_answer(solve.status) && solve.counted_by == counter; });
   return doubts;
 }
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <future>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "analysis/figures/pdf_date.hpp"
@@ -190,9 +190,9 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
       options.progress(++done, static_cast<std::int64_t>(figures.size()));
     }
   };
-  std::jthread other(work);
+  auto other = std::async(std::launch::async, work);
   work();
-  other.join();
+  other.get();
   std::vector<std::string> errors;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     try {

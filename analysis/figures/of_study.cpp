@@ -147,8 +147,8 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
       about_of(study, metric,
                fmt::format("Share of targets within a position error{}, up to 1000 times the tolerance (dashed).",
                            study.definition.has_direction() ? ", whatever the orientation" : ""));
-  return shares_of(study, about, "targets", {}, "", look, tolerance, [&, factor = factor](const Solve& solve) {
-    return gave_answer(solve) ? factor * std::max(solve.position_error_cm, metric.floor) : nowhere;
+  return shares_of(study, about, "targets", {}, "", look, tolerance, [&, scale = factor](const Solve& solve) {
+    return gave_answer(solve) ? scale * std::max(solve.position_error_cm, metric.floor) : nowhere;
   });
 }
 

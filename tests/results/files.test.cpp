@@ -61,10 +61,10 @@ TEST_CASE("a process that ends gives no half folder its name", "[files]") {
   const ScratchFolder folder;
   const pid_t child = in_a_process([&] {
     std::atomic<bool> is_removed = false;
-    std::jthread ending;
+    std::future<void> ending;
     write_folder(folder.path / "a", [&](const fs::path& place) {
       write_file(place / "b" / "c", "half");
-      ending = std::jthread([&] {
+      ending = std::async(std::launch::async, [&] {
         remove_temporary_folders();
         is_removed = true;
         std::this_thread::sleep_for(std::chrono::milliseconds(100));

@@ -347,7 +347,7 @@ TEST_CASE("the end of writing waits for a reader, and leaves one file that can b
   Store store(file, Store::Mode::write);
   store.append({sample_record("key-a", 21)});
   std::promise<void> reads;
-  std::jthread reader([&] {
+  const auto reader = std::async(std::launch::async, [&] {
     SQLite::Database sqlite(file.string(), SQLite::OPEN_READONLY);
     SQLite::Statement query(sqlite, "SELECT * FROM solves");
     query.executeStep();
