@@ -132,7 +132,10 @@ Title::Title(std::string_view title) : name(title) {
 Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Header header) : source_(source) {
   expect_text(text, source);
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  CsvForm form{.first_line = 1 + take_comments(text)};
+  constexpr std::string_view sep = "sep=";  // of spreadsheets
+  const bool has_sep = text.starts_with(sep) && text.find('\n') < sep.size() + 3;
+  if (has_sep) text.remove_prefix(text.find('\n') + 1);
+  CsvForm form{.first_line = 1 + has_sep + take_comments(text)};
   form.separator = separator_ = separator_of(text);
   if (std::ranges::count(text, '\n') > most_lines + 1)
     refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", most_lines));

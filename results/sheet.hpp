@@ -57,6 +57,7 @@ class Sheet {
   // decimals, else those of the file, else the comma that parts cells, else the column is refused.
   double number(std::size_t row, std::size_t column);
 
+  std::size_t line(std::size_t row) const { return table_.line(row); }
   std::string said(std::string_view what) const;  // of the file
   [[noreturn]] void refuse(std::string_view what) const;
   [[noreturn]] void refuse(std::size_t row, std::size_t column, std::string_view what) const;

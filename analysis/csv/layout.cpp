@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 #include "numerics/names.hpp"
@@ -69,11 +71,14 @@ class Finder {
     std::vector<Way> ways = by_groups();
     std::vector<Options> answers;
     for (Way& way : ways) {
+      more_.clear();
       find_values(way);
       find_rows(way);
       answers.push_back(way.options);
+      answers.insert(answers.end(), more_.begin(), more_.end());
     }
     Way& way = ways.front();
+    refuse_others(way);
     if (!way.asked.empty())
       throw Question(sheet_.said(fmt::format("it can be read in several ways; {}", fmt::join(way.asked, "; "))),
                      answers);
@@ -89,6 +94,7 @@ class Finder {
   Way asked_;                             // as far as the request says
   Columns texts_, numbers_;               // that may be labels and values
   std::map<std::size_t, Rows> texts_of_;  // as numbers, of each row of the file
+  std::vector<Options> more_;             // of a way, which is less likely
 
   const std::string& title(std::size_t column) const { return sheet_.titles()[column]; }
   std::string titles_of(const Columns& columns) const {
@@ -175,13 +181,65 @@ class Finder {
     const auto repeats = [&](const Class& each) {
       return 2 * each.different <= each.rows && (each.changes == each.different || (are_in_all && each.different > 2));
     };
-    return std::ranges::any_of(regular, [&](const auto& each) { return 2 * each.second > texts.size(); }) ||
+    const bool is_of_one = [&] {  // each repeats, in one class alone, as a run's own number
+      const auto in_one = [](const Text& text) { return text.classes == 1; };
+      return single == 0 && classes.size() > 1 && texts.size() > classes.size() && std::ranges::all_of(texts, in_one);
+    }();
+    return is_of_one ||
+           std::ranges::any_of(regular, [&](const auto& each) { return 2 * each.second > texts.size(); }) ||
            std::ranges::all_of(classes, repeats);
   }
 
   void name_groups(Way& way, std::size_t column) const {
     way.label = column;
+    const std::size_t rows = way.rows.size();
     std::erase_if(way.rows, [&](Index row) { return sheet_.cell(row, column).empty(); });
+    if (!way.rows.empty() && 2 * way.rows.size() < rows)
+      sheet_.refuse(fmt::format("{} is empty in {} of {} rows; write it in each, also where cells are merged",
+                                titles_of({column}), rows - way.rows.size(), rows));
+  }
+
+  // Refuses groups that cannot be compared, and a measured column that is no number where another was taken for it.
+  void refuse_others(const Way& way) const {
+    std::set<std::string> titles, units;
+    for (const std::size_t column : way.label ? Columns() : way.values) {
+      if (!titles.insert(title(column)).second)
+        sheet_.refuse(fmt::format("two columns {}; give them different names", titles_of({column})));
+      units.insert(results::Title(title(column)).unit);
+    }
+    if (units.size() > 1) sheet_.refuse(fmt::format("{} have different units; convert them", titles_of(way.values)));
+    for (const std::size_t column : way.label ? texts_ : Columns()) {  // every n-th row has a text: merged cells
+      std::vector<std::size_t> filled;
+      for (std::size_t i = 0; i < way.rows.size(); ++i)
+        if (!sheet_.cell(way.rows[i], column).empty()) filled.push_back(i);
+      if (has(way, column) || filled.size() < 2 || filled.size() == way.rows.size()) continue;
+      std::size_t i = 0;
+      while (i < filled.size() && filled[i] == i * filled[1]) ++i;
+      if (i == filled.size() && i * filled[1] == way.rows.size())
+        sheet_.refuse(fmt::format("{} is written in one row of {} only; write merged cells in each of their rows",
+                                  titles_of({column}), filled[1]));
+    }
+    for (const std::size_t column : asked_.values.empty() && way.label ? texts_ : Columns()) {
+      std::set<std::string_view> different;
+      std::size_t measured = 0;
+      const auto cell_of = [&](Index row) { return sheet_.cell(row, column); };
+      for (const Index row : way.rows) {
+        const std::string_view cell = cell_of(row);
+        different.insert(cell);
+        measured += !cell.empty() && std::isalpha(static_cast<unsigned char>(cell.front())) == 0 &&
+                    cell.find_first_of("0123456789") != std::string_view::npos;
+      }
+      constexpr std::size_t by_chance = 8;  // rows that are in order by chance in one of 40 000 files, not by a clock
+      if (way.rows.size() >= by_chance && std::ranges::is_sorted(way.rows, {}, cell_of)) continue;
+      if (has(way, column) || 2 * different.size() <= way.rows.size() || 2 * measured <= way.rows.size()) continue;
+      Options answer = way.options;
+      for (const std::size_t value : way.values) answer.insert(answer.end(), {"--value", title(value)});
+      throw Question(sheet_.said(fmt::format("{} of {} in line {} is no number, so it was left out; write numbers "
+                                             "alone, or name others with --value",
+                                             in_quotes(sheet_.cell(way.rows.front(), column)), titles_of({column}),
+                                             sheet_.line(way.rows.front()))),
+                     {answer});
+    }
   }
   Way with(Way way, const std::string& option, const Columns& columns) const {
     for (const std::size_t column : columns) way.options.insert(way.options.end(), {option, title(column)});
@@ -203,6 +261,7 @@ class Finder {
       if (texts < way.rows.size() && texts <= most_groups) labels.push_back(column);
     }
     if (labels.empty()) labels = texts_;
+    std::ranges::stable_sort(labels, {}, [&](std::size_t column) { return count(way.rows, {column}); });
     Columns together;  // what names the rows
     if (!way.blocks.empty() && count(way.rows, way.blocks) == way.rows.size())
       labels = names = {};  // a row has the values of all groups
@@ -313,6 +372,14 @@ class Finder {
     if (!texts.empty()) {
       const auto one = *std::ranges::min_element(texts, {}, [&](auto text) { return count(way.rows, {text}); });
       const std::string where = fmt::format("{}={}", title(one), sheet_.cell(way.rows.front(), one));
+      if (texts.size() > 1 && is_first) {
+        Way of_one = way;
+        std::erase_if(of_one.rows,
+                      [&](Index row) { return sheet_.cell(row, one) != sheet_.cell(way.rows.front(), one); });
+        of_one.options.insert(of_one.options.end(), {"--where", where});
+        find_rows(of_one);
+        more_.push_back(of_one.options);
+      }
       metrics = ", metrics, of which --where " + numerics::one_line(numerics::front(where, 60)) + " takes one";
     }
     if (is_first)
@@ -322,6 +389,11 @@ class Finder {
                       rows, titles_of(open), metrics));
     const bool are_shared = count(way.rows, groups_of(way) + texts) > count(way.rows, way.blocks + texts);
     const bool are_blocks = !texts.empty() && (!way.label || way.run || are_shared);
+    if (!are_blocks && is_first && count(way.rows, groups_of(way) + needed) > count(way.rows, way.blocks + needed)) {
+      Way of_blocks = with(way, "--block", {needed.front()});
+      find_rows(of_blocks);
+      more_.push_back(of_blocks.options);
+    }
     way = are_blocks ? with(way, "--block", texts) : with(way, "--run", {needed.front()});
     find_rows(way);
   }

@@ -383,17 +383,52 @@ TEST_CASE("what can be read in several ways is asked, and every answer is read")
 
 TEST_CASE("columns that do not matter are not asked about") {
   const std::string rows =
-      "i,solver,host,version,at,error\n0,A,n1,1.0,10:00:01,1.5\n1,A,n1,1.0,10:00:03,1.2\n"
-      "2,B,n1,1.1,10:00:04,1.3\n3,B,n1,1.1,10:00:09,1.4\n";
-  CHECK(list_of(observations(rows).groups[1]) == std::vector{1.3, 1.4});
+      "i,solver,host,version,at,error\n0,A,n1,1.0,10:00:01,1.5\n1,A,n1,1.0,10:00:03,1.2\n2,A,n1,1.0,10:00:04,1.1\n"
+      "3,A,n1,1.0,10:00:05,1.6\n4,B,n1,1.1,10:00:06,1.3\n5,B,n1,1.1,10:00:09,1.4\n6,B,n1,1.1,10:00:12,1.8\n"
+      "7,B,n1,1.1,10:00:20,1.7\n";
+  CHECK(list_of(observations(rows).groups[1]) == std::vector{1.3, 1.4, 1.8, 1.7});
   CHECK(contains(csv::read(rows, "d.csv", {}).notes.front(), "'i' counts rows"));
-  CHECK(list_of(observations(rows, {.values = {"i"}}).groups[1]) == std::vector{2.0, 3.0});
+  CHECK(list_of(observations(rows, {.values = {"i"}}).groups[1]) == std::vector{4.0, 5.0, 6.0, 7.0});
   // Where blocks and runs tell all rows apart, text says how each ended.
   const std::string ended =
       "solver,problem,run,error,end\nA,x,1,1.5,ok\nA,x,2,1.2,late\nA,y,1,2,ok\nA,y,2,2.5,ok\n"
       "B,x,1,1.3,ok\nB,x,2,1.1,ok\nB,y,1,3,late\nB,y,2,2.1,ok\n";
   CHECK(list_of(observations(ended, {.label = {"solver"}, .block = {"problem"}, .run = "run"}).groups[0]) ==
         std::vector{1.35, 2.25});
+}
+
+TEST_CASE("a column that was measured is not passed over") {
+  for (const char* cell :
+       {"01:12.5", "0 days 00:01:12", "$12.50", "1.25D-03", "1.25 ± 0.1", "\xE2\x88\x92 3.5", "[0.1, 0.2]"}) {
+    CAPTURE(cell);
+    std::string rows = "solver;elapsed;steps\n";
+    for (int i = 0; i < 4; ++i) rows += fmt::format("{};{}{};{}\n", i < 2 ? "A" : "B", cell, i, 17 - i * i);
+    CHECK(contains(said_of(rows), "is no number"));
+  }
+  CHECK(contains(said_of("case,ours [ms],theirs [us]\na,1.5,2300\nb,2.25,3100\n", {.block = {"case"}}),
+                 "different units"));
+  CHECK(contains(said_of("case,GA,GA\na,1.5,2.5\nb,2.25,3.5\n", {.block = {"case"}}), "two columns 'GA'"));
+}
+
+TEST_CASE("merged cells are refused with their column") {
+  CHECK(contains(said_of("solver,error\nA,1.5\n,1.2\n,1.7\nB,2\n,2.5\n,2.2\n"), "'solver' is empty in 4 of 6 rows"));
+  CHECK(contains(said_of("problem,solver,error\nx,A,1.5\n,B,1.2\ny,A,1.7\n,B,2\n", {.label = {"solver"}}),
+                 "'problem' is written in one row of 2"));
+}
+
+TEST_CASE("runs may have numbers of their own, metrics stand below each other, problems be numbers") {
+  // A training log: each run ends when it likes.
+  CHECK(contains(
+      said_of("solver,seed,loss\nA,11,1.5\nA,12,1.7\nA,11,1.2\nA,11,1.1\nA,12,1.4\nB,21,2.5\nB,22,2.1\nB,21,2.2\n"
+              "B,22,1.9\n"),
+      "[--run seed]"));
+  CHECK(contains(
+      said_of("algo,problem,metric,value\nA,x,HV,.5\nA,x,IGD,3.5\nA,y,HV,.25\nA,y,IGD,4.5\nB,x,HV,.75\nB,x,IGD,2.5\n"
+              "B,y,HV,.625\nB,y,IGD,1.5\n",
+              {.label = {"algo"}}),
+      "[--where problem=x"));
+  CHECK(contains(said_of("sep=;\nsolver;size;time\nA;10;1.5\nA;20;2.5\nA;30;4.5\nB;10;1.25\nB;20;2.125\nB;30;5.5\n"),
+                 "[--run size] [--block size]"));
 }
 
 TEST_CASE("True and False are 1 and 0") {
