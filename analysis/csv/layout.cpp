@@ -219,7 +219,7 @@ class Finder {
         sheet_.refuse(fmt::format("{} is written in one row of {} only; write merged cells in each of their rows",
                                   titles_of({column}), filled[1]));
     }
-    for (const std::size_t column : asked_.values.empty() && way.label ? texts_ : Columns()) {
+    for (const std::size_t column : asked_.values.empty() && way.label && way.asked.empty() ? texts_ : Columns()) {
       std::set<std::string_view> different;
       std::size_t measured = 0;
       const auto cell_of = [&](Index row) { return sheet_.cell(row, column); };
@@ -232,7 +232,7 @@ class Finder {
       constexpr std::size_t by_chance = 8;  // rows that are in order by chance in one of 40 000 files, not by a clock
       if (way.rows.size() >= by_chance && std::ranges::is_sorted(way.rows, {}, cell_of)) continue;
       if (has(way, column) || 2 * different.size() <= way.rows.size() || 2 * measured <= way.rows.size()) continue;
-      Options answer = way.options;
+      Options answer;
       for (const std::size_t value : way.values) answer.insert(answer.end(), {"--value", title(value)});
       throw Question(sheet_.said(fmt::format("{} of {} in line {} is no number, so it was left out; write numbers "
                                              "alone, or name others with --value",
@@ -261,7 +261,9 @@ class Finder {
       if (texts < way.rows.size() && texts <= most_groups) labels.push_back(column);
     }
     if (labels.empty()) labels = texts_;
-    std::ranges::stable_sort(labels, {}, [&](std::size_t column) { return count(way.rows, {column}); });
+    std::size_t fewest = way.rows.size();  // solvers are few; problems and dates are many
+    for (const std::size_t column : labels) fewest = std::min(fewest, count(way.rows, {column}));
+    std::ranges::stable_partition(labels, [&](std::size_t column) { return count(way.rows, {column}) <= 2 * fewest; });
     Columns together;  // what names the rows
     if (!way.blocks.empty() && count(way.rows, way.blocks) == way.rows.size())
       labels = names = {};  // a row has the values of all groups
