@@ -336,7 +336,7 @@ papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::
   request.cancelled = &signals.requested();
   const MultiversePlan plan = plan_multiverse(study, varied, request);
   std::optional<ProgressBar> bar("readings");
-  const std::vector<RunMeans> means =
+  const std::vector<PartMeans> means =
       solve_parts(plan.parts, {.jobs = jobs,
                                .progress = [&](const Progress& progress) { bar->show(progress); },
                                .cancelled = request.cancelled});
@@ -346,7 +346,7 @@ papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::
     throw Cancelled();
   }
   papers::SolvedMultiverse multiverse{plan, {}};
-  for (const RunMeans& part : means)
+  for (const PartMeans& part : means)
     multiverse.means.push_back({group_of(part.error_cm), group_of(part.variation_deg)});
   return multiverse;
 }

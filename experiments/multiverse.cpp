@@ -195,7 +195,8 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
         for (int seed = 1; seed <= request.seeds; ++seed) {
           if (request.cancelled != nullptr && *request.cancelled) return plan;
           study.seed = static_cast<std::uint64_t>(seed);
-          const auto [place, is_new] = places.try_emplace(series_key(study, study.solvers[s]), plan.parts.size());
+          const std::string key = series_key(study, study.solvers[s]) + to_json(study.plan);
+          const auto [place, is_new] = places.try_emplace(key, plan.parts.size());
           of_solver.parts.push_back(place->second);
           if (!is_new) continue;
           plan.parts.push_back(study);
@@ -210,13 +211,14 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
 namespace {
 
 // The key of the search alone: unless limits or wraps change where a solve starts, no search sees which way the wrist
-// bends and turns. A program or library may be too late.
+// bends and turns, and never whose motion counts. A program or library may be too late.
 std::string search_key(Study study) {
   const SolverEntry& entry = study.solvers.front();
   const bool is_built_in = !entry.program && info_of(entry).library.empty();
   if (is_built_in && study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == Wrap::no) {
     study.wrist_branch = WristBranch::nearest;
     study.wrist_turns = WristTurns::principal;
+    study.motion_joints = 0;
   }
   return series_key(study, study.solvers.front());
 }
@@ -239,7 +241,7 @@ std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveReco
     if (!own_starts.empty()) start = own_starts[place];
     const robots::Configuration answer = task.completed(
         Eigen::Map<const Eigen::VectorXd>(solve.answer_rad.data(), task.arm().joints()), poses[place], start);
-    const Verification verified = verify(arm, poses[place], start, answer);
+    const Verification verified = verify(arm, poses[place], start, answer, false, study.motion_joints);
     solve.position_error_cm = verified.position_error / centimetre;
     solve.variation_deg = verified.variation / degree;
     if (moves_arm(solve, study.start)) start = answer;
@@ -247,23 +249,25 @@ std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveReco
   return solves;
 }
 
-RunMeans means_of(const Study& study, const std::vector<SolveRecord>& solves) {
-  const auto runs = static_cast<std::size_t>(study.runs);
-  RunMeans means{.error_cm = std::vector<double>(runs), .variation_deg = std::vector<double>(runs)};
+PartMeans means_of(const Study& study, const std::vector<SolveRecord>& solves) {
+  const bool are_runs = study.plan.values == Plan::Values::runs;
+  const int runs = study.runs, points = study.path->points();
+  const auto values = static_cast<std::size_t>(are_runs ? runs : points);
+  PartMeans means{.error_cm = std::vector<double>(values), .variation_deg = std::vector<double>(values)};
   for (const SolveRecord& solve : solves) {
-    const auto run = static_cast<std::size_t>(solve.run - 1);
-    means.error_cm[run] += solve.position_error_cm;
-    means.variation_deg[run] += solve.variation_deg;
+    const auto value = static_cast<std::size_t>((are_runs ? solve.run : solve.point) - 1);
+    means.error_cm[value] += solve.position_error_cm;
+    means.variation_deg[value] += solve.variation_deg;
   }
-  for (std::vector<double>* values : {&means.error_cm, &means.variation_deg}) {
-    for (double& value : *values) value /= study.path->points();
+  for (std::vector<double>* all : {&means.error_cm, &means.variation_deg}) {
+    for (double& value : *all) value /= are_runs ? points : runs;
   }
   return means;
 }
 
 }  // namespace
 
-std::vector<RunMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request) {
+std::vector<PartMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request) {
   std::map<std::string, std::vector<std::size_t>> by_search;
   Progress progress;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -273,7 +277,7 @@ std::vector<RunMeans> solve_parts(const std::vector<Study>& parts, const RunRequ
   }
   std::vector<std::vector<std::size_t>> searches;
   for (auto& [key, places] : by_search) searches.push_back(std::move(places));
-  std::vector<RunMeans> means(parts.size());
+  std::vector<PartMeans> means(parts.size());
   std::mutex mutex;
   share_out(searches.size(), request.jobs, request.cancelled, [&](std::size_t s, std::size_t, const IsOver& is_over) {
     const Study& first = parts[searches[s].front()];
@@ -282,7 +286,8 @@ std::vector<RunMeans> solve_parts(const std::vector<Study>& parts, const RunRequ
         first, 1, [&](SolveRecord record) { solves.push_back(std::move(record)); }, request.cancelled);
     if (is_over()) return;
     for (const std::size_t i : searches[s]) {
-      means[i] = means_of(parts[i], &parts[i] == &first ? solves : with_wrist_of(parts[i], solves));
+      const bool is_same = series_key(parts[i], parts[i].solvers[0]) == series_key(first, first.solvers[0]);
+      means[i] = means_of(parts[i], is_same ? solves : with_wrist_of(parts[i], solves));
       const std::scoped_lock lock(mutex);
       progress.done += solves_of({}, parts[i]);
       if (request.progress) request.progress(progress);

@@ -26,8 +26,8 @@ std::vector<results::Dimension> named(const std::vector<std::string>& names,
                                       const std::vector<results::Dimension>& dimensions);
 
 struct MultiversePlan : results::Multiverse {
-  // One solver and one seed each, each series once, in the order of first need. The series key of a solver decides its
-  // numbers, so choices that do not change the key share a part.
+  // One solver and one seed each, each series once, in the order of first need. The series key of a solver and
+  // the plan decide its numbers, so choices that change neither share a part.
   std::vector<Study> parts;
 };
 
@@ -53,13 +53,13 @@ void refuse_varied(const Overrides& overrides, const std::vector<results::Dimens
 MultiversePlan plan_multiverse(const std::string& study, const std::vector<results::Dimension>& dimensions,
                                const MultiverseRequest& request = {});
 
-// One value per run, the mean over its points; not finite if an answer is not.
-struct RunMeans {
+// One value per run, the mean over its points, or per point, as the plan says; not finite if an answer is not.
+struct PartMeans {
   std::vector<double> error_cm, variation_deg;
 };
 
 // Solves the parts of a plan. Returns the means of each, in their order; none if the request was cancelled. Of the
 // request only jobs (parts at once), progress and cancelled count.
-std::vector<RunMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request);
+std::vector<PartMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request);
 
 }  // namespace ikbench::experiments

@@ -101,8 +101,8 @@ void check(const Definition& study, const Robot& arm, const Left& before, bool i
   Pose target = Pose::Identity();
   target.translation() = vector_of(solve.target_position_m);
   target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
-  const Verification computed =
-      verify(arm, target, vector_of(solve.start_rad), vector_of(solve.answer_rad), study.search == Search::axis);
+  const Verification computed = verify(arm, target, vector_of(solve.start_rad), vector_of(solve.answer_rad),
+                                       study.search == Search::axis, study.motion_joints);
   expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);
   expect("orientation_error", solve, solve.orientation_error, computed.orientation_error, 1e-8);
   expect("variation_deg", solve, solve.variation_deg, computed.variation / degree, 1e-7);

@@ -198,11 +198,11 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
   Configuration answer = median.answer;
 
   const bool turns_freely = study_.search == Search::axis;
-  Verification verified = verify(arm_, target, start, answer, turns_freely);
+  Verification verified = verify(arm_, target, start, answer, turns_freely, study_.motion_joints);
   const Status status = status_of(median, verified, target);
   if (stays(status)) {  // the arm stays, and that is recorded
     answer = start;
-    verified = verify(arm_, target, start, answer, turns_freely);
+    verified = verify(arm_, target, start, answer, turns_freely, study_.motion_joints);
   }
   constexpr int one_in = 10;  // solves of a program is asked twice
   if (conversations_ && !is_without_answer(status) && (run + point) % one_in == 0)

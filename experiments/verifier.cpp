@@ -148,7 +148,7 @@ Eigen::Matrix4d verified_pose(const Robot& arm, const Eigen::VectorXd& q) {
 }
 
 Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer,
-                    bool turns_freely) {
+                    bool turns_freely, int motion_joints) {
   const Eigen::Matrix4d reached = verified_pose(robot, answer), wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
   // The turn that is left then moves z alone: z is off by 2 sin(angle / 2).
@@ -157,13 +157,14 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
   const Eigen::VectorXd outside =
       answer.allFinite() ? (robot.limits.lower - answer).cwiseMax(answer - robot.limits.upper).cwiseMax(0) : answer;
   const Eigen::VectorXd turned = of_joints(robot, move, Kind::turns), slid = of_joints(robot, move, Kind::slides);
+  const Eigen::Index counted = motion_joints == 0 ? move.size() : std::min<Eigen::Index>(motion_joints, move.size());
   return {.reached = reached.topRightCorner<3, 1>(),
           .position_error = (reached - wanted).topRightCorner<3, 1>().norm(),
           .turns_freely = turns_freely,
           .orientation_error = turned_off / R_wanted.norm(),
           .angle = angle_of(turned_off),
           .off = (reached - wanted).topRows<3>(),
-          .variation = turned.norm(),
+          .variation = turned.head(counted).norm(),
           .variation_m = slid.norm(),
           .largest_move = largest(turned.cwiseAbs()),
           .limit_violation = beyond_rounding(largest(of_joints(robot, outside, Kind::turns))),

@@ -19,7 +19,7 @@ struct Verification {
   Eigen::Matrix<double, 3, 4> off = Eigen::Matrix<double, 3, 4>::Zero();
   // Joints that turn [rad] and joints that slide [m] (_m) are never added. A joint that turns without end moves the
   // shorter way round.
-  double variation = 0, variation_m = 0;              // Eq. 12, over all joints
+  double variation = 0, variation_m = 0;              // Eq. 12
   double largest_move = 0;                            // of one joint that turns
   double limit_violation = 0, limit_violation_m = 0;  // of the worst joint; 0 inside and up to 1e-9 outside
 };
@@ -30,9 +30,9 @@ Eigen::Matrix4d verified_pose(const robots::Chain& arm, const Eigen::VectorXd& q
 Eigen::Matrix4d verified_pose(const robots::Robot& arm, const Eigen::VectorXd& q);
 
 // `answer` and `start` have all joints of the robot. A non-finite answer gives non-finite errors. With `turns_freely`
-// the turn about the tool's z axis is free.
+// the turn about the tool's z axis is free. The variation is that of so many joints from the first; 0: of all.
 Verification verify(const robots::Robot& robot, const robots::Pose& target, const Eigen::VectorXd& start,
-                    const Eigen::VectorXd& answer, bool turns_freely = false);
+                    const Eigen::VectorXd& answer, bool turns_freely = false, int motion_joints = 0);
 
 // The requirements of an answer, besides being a finite configuration.
 struct Requirement {

@@ -20,6 +20,7 @@ namespace ikbench::results {
 // How a study will be judged, said before its data are seen. It decides no number of a solve.
 struct Plan {
   enum class Test { ranks, means } test = Test::ranks;
+  enum class Values { runs, points } values = Values::runs;  // of a path: means over its points, or over the runs
   std::string metric = {};   // of the headline; empty: solved where any target is solved, else the error
   std::string control = {};  // compares with this group alone; empty: all pairs
   double significance = 0.05;
@@ -35,6 +36,10 @@ constexpr std::pair<double, double> margins_percent{0, 99};
 inline void list_fields(numerics::Fields& io, Plan& plan) {
   constexpr double percent = 0.01;
   io.choice("test", plan.test, {"ranks", "means"}, "what decides: ranks, or means as papers compare them");
+  io.choice(
+      "values", plan.values, {"runs", "points"},
+      "with start = \"previous\", what is compared: runs, each the mean of its points, or points, each the mean of "
+      "its runs");
   io.text(
       "metric", plan.metric,
       "what decides who is best, a metric of ikbench list metrics; \"\": solved where any target is solved, else the "
@@ -102,6 +107,7 @@ struct StudyData {
   WristTurns wrist_turns = WristTurns::principal;
   Limits limits = Limits::recorded;
   Wrap wrap = Wrap::no;
+  int motion_joints = 0;
   Start start = Start::previous;
   double near = 5 * numerics::degree;  // [rad] for Start::near: largest distance of a joint from the solution
   int population = 50;
@@ -139,7 +145,9 @@ struct Definition : StudyData {
   std::string task;                     // JSON: the first configuration, and how targets are drawn
 
   // What is compared is a run, else a target.
-  bool compares_runs() const { return is_chained() || (points == 1 && !draws_targets); }
+  bool compares_runs() const {
+    return is_chained() ? plan.values == Plan::Values::runs : points == 1 && !draws_targets;
+  }
 };
 
 // Members that the text lacks keep their defaults. Throws std::invalid_argument if it is no JSON object, or with the

@@ -54,6 +54,10 @@ TEST_CASE("Else a target is one: a drawn one's only solve, a fixed one's mean ov
   CHECK(of_fixed.is_paired);
   CHECK(of_fixed.trials == 5);
   CHECK(list_of(group(of_fixed, "A")) == Numbers{31, 32, 33, 34});
+  const Asked path_by_points{.start = "previous", .rest = R"(, "analysis": {"values": "points"})"};
+  const Observations of_path = observed(study(path_by_points, number_errors));
+  CHECK(of_path.is_paired);
+  CHECK(list_of(group(of_path, "A")) == Numbers{31, 32, 33, 34});
 }
 
 TEST_CASE("Runs are paired where their targets were drawn") {

@@ -9,7 +9,7 @@ const Overrides tiny{"runs=2", "path.points=2", "stop.iterations=2", "population
 TEST_CASE("the first alternative of every dimension is the default, and every other is not", "[multiverse]") {
   const Study usual = load_study("slim2023");
   const auto keys_of = [](const Study& study) {
-    std::vector<std::string> keys;
+    std::vector<std::string> keys{to_json(study.plan)};
     for (const SolverEntry& entry : study.solvers) keys.push_back(series_key(study, entry));
     return keys;
   };
@@ -140,22 +140,29 @@ TEST_CASE("too many readings are refused with their number", "[multiverse]") {
 TEST_CASE("the parts of a plan have the means of their runs, by any number of jobs; cancelled, none", "[multiverse]") {
   // One search stands for several wrists only where no limit and no wrap changes where the next one starts.
   const std::string set = GENERATE("limits=recorded", "limits=enforced", "wrap=into_limits");
-  const auto varied = named({"wrist_branch", "wrist_turns"}, dimensions("slim2023"));
-  const Overrides few{set, "runs=2", "path.points=6", "stop.iterations=10", "population=6"};
+  const auto varied =
+      named({"wrist_branch", "wrist_turns", "motion_joints", "analysis.values"}, dimensions("slim2023"));
+  const Overrides few{set, "runs=6", "path.points=6", "stop.iterations=10", "population=6"};
   const auto parts = plan_multiverse("slim2023", varied, {.seeds = 2, .overrides = few}).parts;
-  const std::vector<RunMeans> means = solve_parts(parts, {.jobs = 1}), again = solve_parts(parts, {.jobs = 3});
+  const std::vector<PartMeans> means = solve_parts(parts, {.jobs = 1}), again = solve_parts(parts, {.jobs = 3});
   REQUIRE(means.size() == parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     CHECK(again[i].error_cm == means[i].error_cm);
     CHECK(again[i].variation_deg == means[i].variation_deg);
-    RunMeans by_hand{{0, 0}, {0, 0}};
+    PartMeans by_hand{std::vector<double>(6), std::vector<double>(6)};
     for (const SolveRecord& solve : solves_of(parts[i])) {
-      by_hand.error_cm[static_cast<std::size_t>(solve.run - 1)] += solve.position_error_cm / 6;
-      by_hand.variation_deg[static_cast<std::size_t>(solve.run - 1)] += solve.variation_deg / 6;
+      const bool are_runs = parts[i].plan.values == results::Plan::Values::runs;
+      const auto value = static_cast<std::size_t>(are_runs ? solve.run : solve.point) - 1;
+      const int joints = parts[i].motion_joints;
+      double squares = 0;
+      for (std::size_t j = 0; j < (joints == 0 ? 7 : static_cast<std::size_t>(joints)); ++j)
+        squares += std::pow((solve.answer_rad[j] - solve.start_rad[j]) / degree, 2);
+      by_hand.error_cm[value] += solve.position_error_cm / 6;
+      by_hand.variation_deg[value] += std::sqrt(squares) / 6;
     }
-    for (const std::size_t run : {0U, 1U}) {
-      CHECK(means[i].error_cm[run] == Approx(by_hand.error_cm[run]).epsilon(1e-12));
-      CHECK(means[i].variation_deg[run] == Approx(by_hand.variation_deg[run]).epsilon(1e-12));
+    for (std::size_t value = 0; value < 6; ++value) {
+      CHECK(means[i].error_cm[value] == Approx(by_hand.error_cm[value]).epsilon(1e-12));
+      CHECK(means[i].variation_deg[value] == Approx(by_hand.variation_deg[value]).epsilon(1e-12));
     }
   }
   std::atomic<bool> cancelled{false};

@@ -325,6 +325,7 @@ TEST_CASE("a study says how it will be judged, by default by ranks at 5 %, the p
   const Study study = read(solver_entry);
   CHECK(study.plan == Plan());
   CHECK(nlohmann::json::parse(to_json(study))["analysis"] == nlohmann::json{{"test", "ranks"},
+                                                                            {"values", "runs"},
                                                                             {"metric", ""},
                                                                             {"control", ""},
                                                                             {"significance", 0.05},
