@@ -128,7 +128,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
       if (reading.suffix().empty()) continue;
       by_other.emplace_back(show::Heading{"Figures with " + reading.reading()});
       for (figures::Figure& figure : slim2023::figures_of(reading.study(), look)) {
-        figure.name += reading.suffix();
+        figure.name += reading.suffix(), figure.caption += fmt::format(" With {}.", reading.reading());
         by_other.emplace_back(std::move(figure));
       }
     }
