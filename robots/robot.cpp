@@ -76,6 +76,7 @@ void make_standard(std::vector<DhLink>& links, Frame& base) {
 Robot read_robot(TomlReader reader, std::string name, Bounds lengths) {
   std::vector<DhLink> links;
   JointLimits limits;
+  double widest = 0;  // [rad]
   for (const toml::table* link :
        reader.tables("links", most_joints,
                      fmt::format("a list of 1 to {} links such as {{ d_m = 0.36, alpha_deg = -90 }}", most_joints))) {
@@ -85,7 +86,13 @@ Robot read_robot(TomlReader reader, std::string name, Bounds lengths) {
     limits.upper.conservativeResize(std::ssize(links));
     limits.lower.tail<1>()[0] = one.limits[0];
     limits.upper.tail<1>()[0] = one.limits[1];
+    widest = std::max(widest, one.limits.cwiseAbs().maxCoeff());
   }
+  const bool all_turn = std::ranges::count(links, Joint::turns, &DhLink::joint) == std::ssize(links);
+  if (all_turn && links.size() > 2 && widest <= 360 * degree * degree)  // a turn in radians, taken for degrees
+    throw reader.mistake("links", fmt::format("no joint may turn further than {:g} deg; if these are radians, write "
+                                              "degrees",
+                                              widest / degree));
   Frame base = read_frame(reader, "base", lengths);
   const Frame tool = read_frame(reader, "tool", lengths);
   Table table = Table::standard;

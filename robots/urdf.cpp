@@ -140,7 +140,8 @@ bool mimics(const XMLElement& joint) { return joint.FirstChildElement("mimic") !
 
 bool moves(const XMLElement* joint) { return type_of(*joint) != "fixed" && !floats(*joint); }
 
-// By its name, or because it turns one way from 0, by less than half a turn.
+// By its name, or because it turns by less than half a turn, almost all of it to one side of 0, or slides a few
+// centimetres.
 bool may_be_jaw(const XMLElement& joint) {
   std::string names = joint.Attribute("name");
   if (const XMLElement* const child = joint.FirstChildElement("child")) names += child->Attribute("link");
@@ -151,7 +152,9 @@ bool may_be_jaw(const XMLElement& joint) {
   const XMLElement* const limit = joint.FirstChildElement("limit");
   if (limit == nullptr || limit->Attribute("lower") == nullptr || limit->Attribute("upper") == nullptr) return false;
   const double lower = limit->DoubleAttribute("lower"), upper = limit->DoubleAttribute("upper");
-  return type_of(joint) == "revolute" && lower * upper == 0 && upper - lower > 0 && upper - lower < half_turn;
+  const double range = upper - lower, less = std::min(std::abs(lower), std::abs(upper));
+  if (type_of(joint) == "prismatic") return range > 0 && range <= 0.06;
+  return type_of(joint) == "revolute" && less <= 0.15 * range && range > 0 && range < half_turn;
 }
 
 // The tree of links and the joints between them.
@@ -413,6 +416,11 @@ Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoic
     limits[0] = std::max(limits[0], place.limit(*safety, "soft_lower_limit", -infinity));
     limits[1] = std::min(limits[1], place.limit(*safety, "soft_upper_limit", infinity));
   }
+  const bool are_whole = limits == limits.array().round().matrix();  // as degrees are, beyond a turn
+  if (!slides && are_whole && limits.cwiseAbs().maxCoeff() > 2 * half_turn)
+    place.fail(*limit, fmt::format("its limits are {:g} and {:g} rad, more than a turn; if these are degrees, write "
+                                   "{:.6g} and {:.6g}; {}",
+                                   limits[0], limits[1], limits[0] * degree, limits[1] * degree, advice));
   const auto shown = [](double value) { return std::isnan(value) ? "none" : fmt::format("{:g}", value); };
   const double most = slides ? lengths_m.second : angles_deg.second * degree;
   if (!(limits[0] < limits[1]) || !(limits.cwiseAbs().maxCoeff() <= most))

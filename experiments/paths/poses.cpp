@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <initializer_list>
 #include <stdexcept>
@@ -96,7 +97,8 @@ class PoseColumns {
 
   double number(std::size_t row, std::size_t column) {
     const double value = sheet_.number(row, column);
-    if (!std::isfinite(value)) sheet_.refuse(row, column, "is no number");
+    const bool is_word = std::isalpha(static_cast<unsigned char>(sheet_.cell(row, column).front())) != 0;
+    if (!std::isfinite(value) || is_word) sheet_.refuse(row, column, "is no number");
     return value;
   }
 
@@ -195,9 +197,10 @@ class PoseColumns {
     sheet_.refuse("its header has a matrix's numbers in another order than row by row, the position as 4th, 8th, 12th");
   }
 
-  // Of the other columns, those before the pose may be times, numbers and names of frames.
+  // Of the other columns, those before the pose may be a time, a number and the name of a frame.
   void refuse_others() {
     bool is_before = !position_.empty();
+    int numbers = 0;
     for (std::size_t column = 0; column < names_.size(); ++column) {
       const bool is_used = std::ranges::any_of(std::array{&position_, &quaternion_, &rpy_}, [&](const Group* group) {
         return std::ranges::count(*group, column) > 0;
@@ -208,9 +211,15 @@ class PoseColumns {
       if (is_used && !names_[column].other_unit.empty() && std::ranges::count(quaternion_, column) == 0)
         sheet_.refuse(fmt::format("{} has no unit of a length or an angle; expected m, cm, mm, deg or rad",
                                   in_quotes(sheet_.titles()[column])));
-      if (!is_used && !(is_before && may_rise && rises(column)))
-        sheet_.refuse(fmt::format("{} is no part of a position or rotation; expected {}",
-                                  in_quotes(sheet_.titles()[column]), expected_columns));
+      const std::string_view cell = sheet_.cell(sheet_.rows().front(), column);
+      const bool may_matter = !names_[column].part.empty() || is_one_of(cell, {"m", "cm", "mm", "deg", "rad"}) ||
+                              (!is_used && (numbers += sheet_.has_numbers(column)) > 2);
+      if (!is_used && (may_matter || !(is_before && may_rise && rises(column))))
+        sheet_.refuse(fmt::format("{}{} is no part of a position or rotation{}; expected {}",
+                                  number_from(sheet_.titles()[0]) ? "there is no header, and column " : "",
+                                  in_quotes(sheet_.titles()[column]),
+                                  is_before ? ", nor a time or a number, which rise, nor the name of one frame" : "",
+                                  expected_columns));
     }
     if (position_.empty()) sheet_.refuse(fmt::format("there is no position; expected {}", expected_columns));
     if (!quaternion_.empty() && !rpy_.empty())

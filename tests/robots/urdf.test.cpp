@@ -180,6 +180,7 @@ TEST_CASE("base and tip are links of the user's, or the root and the end with th
   CHECK(read(with_last("j2", limit)).joints() == 2);
   CHECK(read(with_last("j2", "<limit lower='0' upper='4'/>")).joints() == 2);
   CHECK(contains(said_of(with_last("jointGripper", limit)), "the arm may end at \"l1\", \"hand\"; add --tip LINK"));
+  CHECK(contains(said_of(with_last("j2", "<limit lower='-0.2' upper='2'/>")), "the arm may end at \"l1\", \"hand\""));
   CHECK(contains(said_of(with_last("j2", "<limit lower='-1.5' upper='0'/>")), "the arm may end at \"l1\", \"hand\""));
   // A joint that floats ends the arm's tree, unless joints move on both sides of it.
   const std::string middle = urdf({{"revolute", limit}, {"planar"}, {"revolute", limit}, {"fixed", to_tool}});
