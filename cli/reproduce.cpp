@@ -16,7 +16,9 @@
 #include "cli/reporting.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
+#include "numerics/inputs.hpp"
 #include "results/fingerprint.hpp"
+#include "results/published.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::cli {
@@ -94,7 +96,18 @@ papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper
 void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
             const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
   const FigureStyle style = styled(all.front().study.entry, arguments.report);
-  const papers::Repeated repeated{.paper = paper, .studies = all};
+  const std::filesystem::path anew = folder / "programs.csv";  // solved on this machine
+  std::error_code none;
+  const bool is_anew = !paper.rates.programs.empty() && std::filesystem::exists(anew, none);
+  const std::string text = is_anew ? numerics::text_of_file(anew) : "";
+  const CsvTable programs =
+      is_anew ? parse_csv(text, anew.string()) : published::table(paper.name, paper.rates.programs);
+  if (is_anew && programs.rows() != paper.rates.rows.size())
+    throw std::invalid_argument(
+        fmt::format("{} has {} rows; expected one for each arm of the paper, {}; remove it, or "
+                    "solve them (solvers/programs/{}.sh)",
+                    anew.string(), programs.rows(), paper.rates.rows.size(), paper.name));
+  const papers::Repeated repeated{.paper = paper, .studies = all, .programs = &programs};
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.in_readings);
   show::Table means = papers::means_table(repeated);
   if (means.rows.empty()) means = papers::rates_table(repeated);

@@ -12,6 +12,7 @@
 #include "analysis/show/text.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/names.hpp"
+#include "numerics/number.hpp"
 #include "numerics/toml_table.hpp"
 #include "results/published.hpp"
 
@@ -77,6 +78,7 @@ Rates read_rates(TomlReader reader) {
   read_texts(reader, "rows", rates.rows);
   read_texts(reader, "columns", rates.columns);
   reader.text("column", rates.column, "");
+  reader.text("programs", rates.programs, "");
   reader.refuse_unknown_keys();
   return rates;
 }
@@ -152,30 +154,42 @@ std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated) {
   std::map<std::string, std::vector<Rate>> rates;
   const results::CsvTable table = results::published::table(repeated.paper.name, plan.table);
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto add = [&](const std::string& heading, const std::string& name, bool is_picked, const StudyResults& study,
-                         const std::string& solver, const std::string& column) {
-      const Solves solves = study.of(solver);
-      if (solves.empty()) return;
-      const auto n = static_cast<double>(solves.size());
-      const double share = static_cast<double>(std::ranges::count(solves, results::Status::ok, &Solve::status)) / n;
+    const auto add = [&](const std::string& heading, const std::string& name, double solved, double n,
+                         const std::string& column) -> Rate& {
       const double printed = table.number(row, column) / 100;
-      const Interval difference = newcombe(share, n, printed, table.number(row, "n"), 1 - plan.level);
-      rates[heading].push_back(
-          {.row = name,
-           .is_picked = is_picked,
-           .printed = printed,
-           .share = share,
-           .interval = {std::max(0.0, printed + difference.low), std::min(1.0, printed + difference.high)},
-           .margin = study.definition.plan.margin});
+      const Interval difference = newcombe(solved / n, n, printed, table.number(row, "n"), 1 - plan.level);
+      return rates[heading].emplace_back(Rate{
+          .row = name,
+          .is_picked = std::ranges::any_of(plan.picked, [&](const auto& arm) { return plan.rows.at(arm) == name; }),
+          .printed = printed,
+          .share = solved / n,
+          .interval = {std::max(0.0, printed + difference.low), std::min(1.0, printed + difference.high)},
+          .margin = repeated.study().study.definition.plan.margin});
     };
+    const auto add_solves = [&](const std::string& heading, const std::string& name, const Solves& solves,
+                                const std::string& column) {
+      const auto solved = std::ranges::count(solves, results::Status::ok, &Solve::status);
+      if (!solves.empty()) add(heading, name, static_cast<double>(solved), static_cast<double>(solves.size()), column);
+    };
+    const auto is_of_row = [&](auto arm) { return arm != plan.rows.end() && table.cell(row, 0) == arm->second; };
     for (const JudgedStudy& judged : repeated.studies) {
       const auto arm = plan.rows.find(judged.study.definition.robot);
-      if (arm == plan.rows.end() || table.cell(row, 0) != arm->second) continue;
+      if (!is_of_row(arm)) continue;
       for (const auto& [solver, column] : plan.columns)
-        add(solver, arm->second, std::ranges::count(plan.picked, arm->first) > 0, judged.study, solver, column);
+        add_solves(solver, arm->second, judged.study.of(solver), column);
+    }
+    const results::CsvTable* const programs = repeated.programs;
+    for (std::size_t i = 0; programs != nullptr && i < programs->rows(); ++i) {
+      const std::string solver(programs->cell(i, programs->column("solver")));
+      const auto arm = plan.rows.find(std::string(programs->cell(i, programs->column("robot"))));
+      if (!is_of_row(arm)) continue;
+      const std::string& column = plan.columns.at(solver);  // reproduce asks for those alone
+      Rate& rate = add(solver, arm->second, programs->number(i, "solved"), programs->number(i, "n"), column);
+      rate.mean_ms = programs->number(i, "mean_ms");
+      rate.printed_ms = table.cell(row, table.column(column.substr(0, column.rfind('_')) + "_ms"));
     }
     if (const std::string solver(table.cell(row, 0)); !plan.is_of_arms())
-      add("solved", solver, false, repeated.study().study, solver, plan.column);
+      add_solves("solved", solver, repeated.study().study.of(solver), plan.column);
   }
   return rates;
 }
@@ -204,6 +218,15 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
     if (!others.empty())
       sentences.push_back(
           fmt::format("{}: {}.", is_of_arms ? solver + " not on" : "Not for", show::listed(others, ", ")));
+  }
+  for (const auto& [solver, rates] : rates_of(repeated)) {
+    std::vector<double> times;
+    for (const Rate& rate : rates) {
+      if (!rate.printed_ms.empty()) times.push_back(rate.mean_ms / numerics::number_from(rate.printed_ms).value());
+    }
+    if (!times.empty())
+      sentences.push_back(fmt::format("The mean times of {} are {:.2g} to {:.2g} times the printed ones.", solver,
+                                      std::ranges::min(times), std::ranges::max(times)));
   }
   if (!undecided.empty())
     sentences.push_back(is_of_arms ? fmt::format("Too few targets to decide on any arm: the printed rates of {}.",
@@ -295,6 +318,10 @@ show::Table rates_table(const Repeated& repeated) {
           show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed), std::string(rate.sign())});
       signs.insert(rate.sign());
     }
+    if (rates.front().printed_ms.empty()) continue;  // is no program's
+    table.columns.push_back({"mean time", "ms"});
+    for (std::size_t i = 0; i < rates.size(); ++i)
+      table.rows[i].emplace_back(show::Printed{rates[i].mean_ms, rates[i].printed_ms});
   }
   std::vector<std::string> key;
   if (signs.contains("~")) key.emplace_back("~ it contains 0");
@@ -306,6 +333,10 @@ show::Table rates_table(const Repeated& repeated) {
   if (!plan.picked.empty())
     table.notes.emplace_back("* of several files or sides of the arm, the one nearest to the printed.");
   if (!plan.note.empty()) table.notes.push_back(plan.note);
+  if (const results::CsvTable* const of = repeated.programs; of != nullptr && of->rows() > 0)
+    table.notes.push_back(fmt::format("{}: {} poses an arm by {}, {}, {}.", of->cell(0, of->column("solver")),
+                                      of->cell(0, of->column("n")), of->cell(0, of->column("program")),
+                                      of->cell(0, of->column("machine")), of->cell(0, of->column("day"))));
   return table;
 }
 

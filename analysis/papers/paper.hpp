@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -12,6 +13,7 @@
 #include "analysis/compare/judge.hpp"
 #include "analysis/figures/figure.hpp"
 #include "analysis/show/block.hpp"
+#include "results/csv.hpp"
 
 namespace ikbench::papers {
 
@@ -86,6 +88,7 @@ struct Rates {
   std::map<std::string, std::string> rows = {};     // name of our arm to that in its first column
   std::map<std::string, std::string> columns = {};  // solver to column
   std::string column = {};                          // of shares, where rows are solvers
+  std::string programs = {};                        // table of what programs did by the clock, an arm a row
 
   bool is_of_arms() const { return column.empty(); }
 };
@@ -118,7 +121,9 @@ struct Rate {
   bool is_picked;
   double printed, share;
   compare::Interval interval;
-  double margin;  // of the study, which matters
+  double margin;                                              // of the study, which matters
+  double mean_ms = std::numeric_limits<double>::quiet_NaN();  // of a program's solves
+  std::string printed_ms = {};
 
   // "~": as printed; "x": not; "?": not decided, the interval is wider than twice the margin.
   std::string_view sign() const {
@@ -131,6 +136,7 @@ struct Rate {
 struct Repeated {
   const Paper& paper;
   std::span<const compare::JudgedStudy> studies;  // the first is the paper's own
+  const results::CsvTable* programs = nullptr;    // robot, solver, n, solved, mean_ms; null: none
 
   const compare::JudgedStudy& study() const { return studies.front(); }
   // The companion NAME-part; null if there is none.

@@ -174,6 +174,19 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
   CHECK(contains(text(both), "61.77 ~"));
   CHECK(contains(text(both), "minus the printed: ~ it contains 0; x it excludes 0.\n"));
   CHECK(rates_figure(both)->name == "printed");
+  // What a program did is a table: 9990 of 10 000 where 99.91 % and 0.26 ms are printed.
+  const results::CsvTable programs = results::parse_csv(
+      "robot,solver,n,solved,mean_ms,program,machine,day\nabb_irb120,TRAC-IK,10000,9990,0.338,its version,it,today\n",
+      "programs");
+  Repeated with_program = repeated(as_printed);
+  with_program.programs = &programs;
+  CHECK(holds(with_program, "rate-TRAC-IK") == Holds::holds);
+  CHECK(rates_sentences(with_program) ==
+        std::vector<std::string>{
+            "The printed rates repeat by KDL on 1 of 1 arms, by KDL-RR on 1 of 1 and by TRAC-IK on 1 of 1.",
+            "The mean times of TRAC-IK are 1.3 to 1.3 times the printed ones."});
+  CHECK(contains(text(with_program), "0.338 ms"));
+  CHECK(contains(text(with_program), "TRAC-IK: 10000 poses an arm by its version, it, today."));
   const JudgedStudy few = share(10, "abb_irb120", 30);  // 33.3 % (19 to 51) and 100 % (89 to 100)
   CHECK(holds(repeated(few), "rate-KDL") == Holds::undecided);
   CHECK(holds(repeated(few), "rate-KDL-RR") == Holds::undecided);
