@@ -14,7 +14,16 @@ namespace ikbench::solvers {
 enum class Bounds {
   initial,  // only the first candidates are inside
   clamp,    // a joint outside is set to its limit
+  free,     // it is turned back by whole turns, else stays; where a joint is outside, the candidate does not count
 };
+
+// Of a search by slopes.
+inline void list_bounds_of_search(OptionList& list, Bounds& bounds) {
+  list.choice(
+      "bounds", bounds, {{"initial", Bounds::initial}, {"clamp", Bounds::clamp}, {"free", Bounds::free}},
+      "joint limits apply to the initial candidate only, or all are clamped to them, or the search leaves them, "
+      "and only candidates that are inside, by whole turns perhaps, count");
+}
 
 inline void list_bounds(OptionList& list, Bounds& bounds) {
   list.choice("bounds", bounds, {{"initial", Bounds::initial}, {"clamp", Bounds::clamp}},
@@ -49,6 +58,12 @@ inline robots::JointLimits finite_limits(const Problem& problem) {
   return robots::JointLimits{problem.lower, problem.upper}.around(problem.start, robots::whole_turn);
 }
 
+// Whether a candidate counts as an answer.
+inline bool counts(Bounds bounds, const Problem& problem, const robots::Configuration& q) {
+  return bounds != Bounds::free ||
+         ((q.array() >= problem.lower.array()).all() && (q.array() <= problem.upper.array()).all());
+}
+
 // Draws candidates uniformly between the limits.
 inline void draw_within_limits(const Problem& problem, numerics::Random& random, robots::Candidates& out) {
   random.uniforms(out);
@@ -71,9 +86,11 @@ void draw_one_within_limits(const Problem& problem, numerics::Random& random, So
 // Brings candidates (a vector, or columns of Candidates) back inside, if `bounds` says so.
 template <class Some>
 void keep_inside(Bounds bounds, const Problem& problem, Some&& q) {
-  if (bounds != Bounds::clamp) return;
+  if (bounds == Bounds::initial) return;
   for (Eigen::Index j = 0; j < q.rows(); ++j) {
-    if (q.cols() == 1) {
+    if (bounds == Bounds::free) {  // of a joint that slides it makes another candidate, no worse than any
+      q(j, 0) = turned_inside(q(j, 0), problem.lower[j], problem.upper[j]);
+    } else if (q.cols() == 1) {
       q(j, 0) = std::clamp(q(j, 0), problem.lower[j], problem.upper[j]);
     } else {
       kernels().clamp(problem.lower[j], problem.upper[j], &q.coeffRef(j, 0), q.cols());

@@ -30,7 +30,7 @@ class DampedLeastSquares final : public Solver {
                  "the solver stalls after this many trials in a row that reduce the error by less than 1 %");
       list.number("small_error", small_error, {0, 1},
                   "a stall below this error [m] counts as convergence, without a random restart");
-      list_bounds(list, bounds);
+      list_bounds_of_search(list, bounds);
     }
   };
 
@@ -42,7 +42,7 @@ class DampedLeastSquares final : public Solver {
     trial_jacobian_.resize(objective.rows(), problem.joints());
     step_.resize(problem.joints());
     candidate_ = problem.start;
-    keep_inside(options_.bounds, problem_, candidate_);
+    keep_inside(options_.bounds == Bounds::free ? Bounds::clamp : options_.bounds, problem_, candidate_);
     best_ = {problem.start};
     begin(objective);
   }
@@ -57,7 +57,7 @@ class DampedLeastSquares final : public Solver {
     const double predicted = objective.rows() == 3 ? propose<3>() : propose<6>();
     keep_inside(options_.bounds, problem_, candidate_);
     const double merit = evaluate(objective);
-    failures_ = merit < 0.99 * merit_ ? 0 : failures_ + 1;
+    failures_ = is_outside_ ? options_.patience : merit < 0.99 * merit_ ? 0 : failures_ + 1;
     if (merit < merit_) {
       const double gain = (merit_ * merit_ - merit * merit) / predicted;
       mu_ *= std::max(1.0 / 3, 1 - power(2 * gain - 1, 3));
@@ -85,7 +85,9 @@ class DampedLeastSquares final : public Solver {
   // there the error only decides which candidate is the best.
   double evaluate(Objective& objective) {
     trial_ = objective.linearize(candidate_, trial_jacobian_);
-    best_.improve(candidate_, trial_.error);
+    const bool its_error_counts = counts(options_.bounds, problem_, candidate_);
+    if (its_error_counts) best_.improve(candidate_, trial_.error);
+    is_outside_ = !its_error_counts && trial_.error <= std::max(options_.small_error, problem_.stop.tolerance);
     return objective.rows() == 3 ? trial_.error : trial_.to_go.norm();
   }
 
@@ -119,6 +121,7 @@ class DampedLeastSquares final : public Solver {
   Linearized trial_;
   double merit_ = 0, mu_ = 0, growth_ = 2;
   int failures_ = 0;
+  bool is_outside_ = false;  // at the target, outside the limits
   Best best_;
 };
 

@@ -2,6 +2,8 @@
 // of the moment (Sugihara 2011; Chan and Lawrence 1988) or is constant (Wampler 1986). A search restarts at a random
 // configuration after too many steps, as in ikine_LM of the Robotics Toolbox (Corke and Haviland 2021), and here also
 // when no joint moves any more.
+#include <algorithm>
+
 #include "solvers/bounds.hpp"
 #include "solvers/damped_step.hpp"
 #include "solvers/registry.hpp"
@@ -33,7 +35,7 @@ class LevenbergMarquardt final : public Solver {
                  "after so many iterations the search begins again at a random configuration");
       list.number("small_move", small_move, {0, 1}, "and where each joint moves by less than this [rad, m]");
       list.number("small_error", small_error, {0, 1}, "it ends below this error [m]");
-      list_bounds(list, bounds);
+      list_bounds_of_search(list, bounds);
     }
   };
 
@@ -44,7 +46,7 @@ class LevenbergMarquardt final : public Solver {
     jacobian_.resize(objective.rows(), problem.joints());
     step_.resize(problem.joints());
     q_ = problem.start;
-    keep_inside(options_.bounds, problem_, q_);
+    keep_inside(options_.bounds == Bounds::free ? Bounds::clamp : options_.bounds, problem_, q_);
     best_ = {problem.start};
     searched_ = restarts_ = 0;
     arrive(objective);
@@ -80,7 +82,10 @@ class LevenbergMarquardt final : public Solver {
  private:
   void arrive(Objective& objective) {
     linearized_ = linearize_twist(objective, q_, jacobian_);
-    best_.improve(q_, linearized_.error);
+    if (counts(options_.bounds, problem_, q_))
+      best_.improve(q_, linearized_.error);
+    else if (linearized_.error <= std::max(options_.small_error, problem_.stop.tolerance))
+      searched_ = options_.search_iterations;  // at the target, outside
   }
 
   double damping() const {

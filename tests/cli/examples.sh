@@ -110,6 +110,10 @@ succeeds run rectangle.toml --figures none --out rectangle --json
 json '[(row["n"], row["mean"]) for row in of["groups"] if row["metric"] == "solved"] == [(1, 100)]'
 equal "solves of the rectangle" "$(solves rectangle/store.sqlite)" 62
 
+# What clamping costs, on two arms.
+PATH=$(dirname "$program"):$PATH sh "$examples/joint-limits.sh" planar_2 ur5e >.limits 2>&1 || fail "$(<.limits)"
+equal "rows of joint-limits.sh" "$(grep -c ',200,200,' .limits)" 6
+
 # The study every_arm.toml on some arms.
 PATH=$(dirname "$program"):$PATH sh "$examples/every-arm.sh" planar_2 dobot_magician >.out
 equal "solvers of every arm" "$(wc -l <out/every-arm/positions/tables/studies.csv)" 9
