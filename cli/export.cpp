@@ -50,6 +50,7 @@ void add_export(CLI::App& app, Invocation&) {
     store.at_one_moment([&] {
       const bool has_bar = arguments->file != "-" || isatty(STDOUT_FILENO) == 0;  // else it would be among the solves
       const std::int64_t all = store.number_of_solves(study);
+      const std::vector<std::string> extras = store.names_of_extras(study);
       const PassSolves pass = [&](const TakeSolve& take) {
         std::optional<ProgressBar> bar;
         if (has_bar) bar.emplace("writing " + study.name);
@@ -62,9 +63,10 @@ void add_export(CLI::App& app, Invocation&) {
       };
       if (arguments->file == "-") {
         // main checks that it could be written
-        write_csv(pass, [](std::string_view part) { std::fwrite(part.data(), 1, part.size(), stdout); });
+        write_csv(
+            pass, [](std::string_view part) { std::fwrite(part.data(), 1, part.size(), stdout); }, extras);
       } else {
-        write_through(arguments->file, [&](const Write& write) { write_csv(pass, write); });
+        write_through(arguments->file, [&](const Write& write) { write_csv(pass, write, extras); });
       }
     });
   });

@@ -261,7 +261,7 @@ compare::StudyResults exported_study(const Store& store, const StoredStudy& entr
                                      const std::filesystem::path& folder) {
   compare::StudyResults study;
   const auto pass = [&](const TakeSolve& take) { study = checked_study(store, entry, take); };
-  write_file(folder / "solves.csv", [&](const Write& write) { write_csv(pass, write); });
+  write_file(folder / "solves.csv", [&](const Write& write) { write_csv(pass, write, store.names_of_extras(entry)); });
   return study;
 }
 

@@ -149,6 +149,7 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const 
                                            counted(timed.solution.best.q.size(), "numbers"), problem.joints()));
     timed.answer = task_.completed(timed.solution.best.q, target, start);
     timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    timed.extras = objective.notes();
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(place(error.what()));
   } catch (const std::exception& error) {
@@ -243,7 +244,8 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
       .counted_by = account != nullptr ? account->counted_by
                     : is_counted_      ? CountedBy::suite
                                        : CountedBy::nobody,
-      .restarts = solution.restarts};
+      .restarts = solution.restarts,
+      .extras = median.extras};
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted_) {
     record.improved_at.assign(solution.improved.at.begin(), solution.improved.at.end());

@@ -1,8 +1,10 @@
 // One entry of a study: its solves, each timed, verified and recorded.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/study.hpp"
@@ -46,6 +48,7 @@ class SolveRunner {
     double seconds = 0;                   // to solve, and to complete the answer
     std::optional<Account> account = {};  // if a program solved
     double cpu_seconds = 0;               // of the program, else of this thread
+    std::map<std::string, double> extras = {};
   };
   Timed timed(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start, int run,
               int point) const;

@@ -62,7 +62,7 @@ Widths widths_of(const SolveRecord& record) {
   return widths;
 }
 
-void append_header(std::string& text, const Widths& widths) {
+void append_header(std::string& text, const Widths& widths, const std::vector<std::string>& extras) {
   std::vector<std::string> cells;
   auto width = widths.begin();
   for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*) {
@@ -73,10 +73,12 @@ void append_header(std::string& text, const Widths& widths) {
       cells.emplace_back(name);
     }
   });
+  for (const std::string& name : extras) cells.push_back("extra_" + name);
   append_csv_row(text, cells);
 }
 
-void append_row(std::string& text, const SolveRecord& record, const Widths& widths) {
+void append_row(std::string& text, const SolveRecord& record, const Widths& widths,
+                const std::vector<std::string>& extras) {
   auto width = widths.begin();
   for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*member) {
     const Value& value = record.*member;
@@ -98,6 +100,10 @@ void append_row(std::string& text, const SolveRecord& record, const Widths& widt
     }
     ++width;
   });
+  for (const std::string& name : extras) {
+    if (const auto extra = record.extras.find(name); extra != record.extras.end()) append(text, extra->second);
+    text += ',';
+  }
   text.back() = '\n';
 }
 
@@ -111,21 +117,21 @@ std::vector<ColumnInfo> columns() {
   return list;
 }
 
-void write_csv(const PassSolves& pass, const Write& write) {
+void write_csv(const PassSolves& pass, const Write& write, const std::vector<std::string>& extras) {
   constexpr std::size_t part = 1 << 20;  // written at a time
   Widths widths;
   std::string text;
   pass([&](const SolveRecord& record) {
     if (widths.empty()) {
       widths = widths_of(record);
-      append_header(text, widths);
+      append_header(text, widths, extras);
     }
-    append_row(text, record, widths);
+    append_row(text, record, widths, extras);
     if (text.size() < part) return;
     write(text);
     text.clear();
   });
-  if (widths.empty()) append_header(text, widths);
+  if (widths.empty()) append_header(text, widths, extras);
   write(text);
 }
 

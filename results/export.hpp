@@ -26,7 +26,7 @@ using PassSolves = std::function<void(const TakeSolve& take)>;
 // Tidy CSV: one row per solve. A list becomes one column per element, numbered from 1 (answer_rad_1 ...), as many as
 // the first solve has; shorter lists leave cells empty, and longer ones throw std::invalid_argument. The trace and the
 // improvements have up to one element per iteration, so only the store has them. Values that are not finite are NaN,
-// Inf or -Inf; evaluations that nobody counted are empty.
-void write_csv(const PassSolves& pass, const Write& write);
+// Inf or -Inf; evaluations that nobody counted are empty. Then a column for each of these extras (extra_restarts ...).
+void write_csv(const PassSolves& pass, const Write& write, const std::vector<std::string>& extras = {});
 
 }  // namespace ikbench::results

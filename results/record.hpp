@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,6 +74,7 @@ struct SolveRecord {
 #define COLUMN(type, name, initial, meaning) type name = initial;
 #include "results/columns.inc"
 #undef COLUMN
+  std::map<std::string, double> extras = {};  // numbers of the solver's own, by name; in a table of their own
 };
 
 using TakeSolve = std::function<void(const SolveRecord&)>;

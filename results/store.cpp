@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <limits>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -43,6 +44,11 @@ std::string create_tables() {
       application_id, store_version, solve_declarations());
 }
 
+// Of the extras of solves; only a store with some has it.
+constexpr const char* create_extras =
+    "CREATE TABLE extras (series TEXT NOT NULL, run INTEGER NOT NULL, point INTEGER NOT NULL, name TEXT NOT NULL, "
+    "value REAL, PRIMARY KEY (series, run, point, name)) STRICT, WITHOUT ROWID";
+
 // For whoever asks the file without us.
 std::string create_views() {
   std::string columns = solve_columns();
@@ -60,12 +66,13 @@ std::string create_views() {
       columns);
 }
 
-// All that is in a database: its tables and views, letter by letter.
+// All that is in a database, but extras: its tables and views, letter by letter.
 std::string schema_of(SQLite::Database& sqlite) {
   return sqlite
-      .execAndGet(
+      .execAndGet(fmt::format(
           "SELECT group_concat(concat, char(10)) FROM (SELECT type || name || tbl_name || coalesce(sql, '') AS concat "
-          "FROM sqlite_master ORDER BY name)")
+          "FROM sqlite_master WHERE sql IS NOT '{}' ORDER BY name)",
+          create_extras))
       .getString();
 }
 
@@ -297,9 +304,20 @@ struct Store::Database {
   // Passes on the solves of a query.
   void read_solves(SQLite::Statement& query, const Take& take) {
     SolveRecord solve;  // one for all, so that its lists keep their memory
+    std::optional<SQLite::Statement> extras;
+    if (sqlite.tableExists("extras"))
+      extras.emplace(sqlite, "SELECT name, value FROM extras WHERE series = ? AND run = ? AND point = ?");
     while (query.executeStep()) {
       try {
         read_solve(query, solve);
+        solve.extras.clear();
+        if (extras) {
+          extras->reset();
+          for (SQLite::bind(*extras, solve.series, solve.run, solve.point); extras->executeStep();)
+            solve.extras[extras->getColumn(0).getString()] = extras->getColumn(1).isNull()
+                                                                 ? std::numeric_limits<double>::quiet_NaN()
+                                                                 : extras->getColumn(1).getDouble();
+        }
       } catch (const Damage& error) {
         throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(),
                                  query.getColumn("run").getString(), query.getColumn("point").getString(),
@@ -392,7 +410,17 @@ std::vector<Session> Store::sessions() const {
 void Store::append(const std::vector<SolveRecord>& records) {
   database_->write([&] {
     if (!database_->insert) database_->insert.emplace(database_->sqlite);
-    for (const SolveRecord& record : records) (*database_->insert)(record);
+    for (const SolveRecord& record : records) {
+      (*database_->insert)(record);
+      if (record.extras.empty()) continue;
+      if (!database_->sqlite.tableExists("extras")) database_->sqlite.exec(create_extras);
+      SQLite::Statement add(database_->sqlite, "INSERT INTO extras VALUES (?, ?, ?, ?, ?)");
+      for (const auto& [name, value] : record.extras) {
+        SQLite::bind(add, record.series, record.run, record.point, name, value);  // a NaN becomes NULL
+        add.exec();
+        add.reset();
+      }
+    }
   });
 }
 
@@ -446,6 +474,18 @@ void Store::each_of_series(const std::string& key, const Take& take) const {
                             fmt::format("SELECT {} FROM solves WHERE series = ? ORDER BY run, point", solve_columns()));
     query.bind(1, key);
     database_->read_solves(query, take);
+  });
+}
+
+std::vector<std::string> Store::names_of_extras(const StoredStudy& study) const {
+  return guarded(database_->name, [&] {
+    std::vector<std::string> names;
+    if (!database_->sqlite.tableExists("extras")) return names;
+    SQLite::Statement query(
+        database_->sqlite,
+        "SELECT DISTINCT name FROM extras JOIN series ON key = extras.series WHERE study = ? ORDER BY name");
+    for (query.bind(1, study.name); query.executeStep();) names.push_back(query.getColumn(0).getString());
+    return names;
   });
 }
 

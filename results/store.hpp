@@ -89,6 +89,7 @@ class Store {
   using Take = std::function<void(SolveRecord&)>;
   // Calls `take` with every solve of one series, ordered by run and point.
   void each_of_series(const std::string& key, const Take& take) const;
+  std::vector<std::string> names_of_extras(const StoredStudy& study) const;  // of solves of its series, sorted
   // The number of solves that other sources made of the configuration of a series.
   std::int64_t solves_of_other_sources(std::string_view series) const;
   // The current solves of a study are those of its series, without runs and points beyond those of the definition.

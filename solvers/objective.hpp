@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
+#include <string>
 
 #include "robots/chain.hpp"
 
@@ -112,6 +114,10 @@ class Objective {
 
   std::int64_t evaluations() const { return evaluations_; }
 
+  // Keeps a number of the solver's own beside its answer: extras of the store.
+  void note(const std::string& name, double value) { notes_[name] = value; }
+  const std::map<std::string, double>& notes() const { return notes_; }
+
  protected:
   // With furthest_ahead = 1, one_by_one is the plain loop.
   Objective(const robots::Chain& arm, Goal goal, Eigen::Index furthest_ahead)
@@ -127,6 +133,7 @@ class Objective {
   Goal goal_;
   Eigen::Index look_ahead_ = 64, furthest_ahead_ = 64;  // candidates
   std::int64_t evaluations_ = 0;
+  std::map<std::string, double> notes_;
 };
 
 }  // namespace ikbench::solvers

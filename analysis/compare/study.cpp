@@ -63,6 +63,9 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   const bool is_of_first_run = earlier.empty() || earlier.front().run == record.run;
   if (earlier.empty() || earlier.back().run != record.run) bend = {};
   if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < most_drawn)) study.drawn.push_back(record);
+  for (const auto& [name, value] : record.extras) {
+    if (std::isfinite(value)) study.extras[name][record.label].push_back(value);
+  }
   const bool is_told = std::isfinite(record.claimed_seconds);
   const double seconds = is_told ? record.claimed_seconds : record.seconds;
   const bool is_alone = record.timing == Timing::clean || (record.timing == Timing::process && is_told);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
@@ -48,6 +49,7 @@ struct StudyResults {
   std::vector<Solve> solves;                // by solver, run and point; only current ones
   std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace
   std::vector<results::Session> sessions;   // that made them
+  std::map<std::string, std::map<std::string, std::vector<double>>> extras;  // by name and solver; finite ones
   bool are_in_turn = false;  // two versions solved run by run in turn, so sessions do not set times apart
   Doubt other_version = {.kind = DoubtKind::other_version};  // solves that stand in the store instead of missing ones
 

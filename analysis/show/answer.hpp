@@ -65,6 +65,8 @@ Table descriptives_table(const Answer& answer);
 Table anova_table(const Answer& answer);
 // Times of single solves up to the rarest, and how many failed, whatever an observation is made of.
 Table solves_table(const compare::StudyResults& study, const std::vector<std::string>& solvers);
+// Medians of the solvers' own numbers.
+Table extras_table(const compare::StudyResults& study, const std::vector<std::string>& solvers);
 
 // The answer as data: headline, groups, tests, findings and doubts.
 nlohmann::ordered_json to_json(const Answer& answer);

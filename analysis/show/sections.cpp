@@ -47,7 +47,7 @@ std::vector<Blocks> sections_of(const Report& report) {
     std::vector<std::string> solvers;
     for (const std::size_t i : report.answer.order)
       solvers.push_back(report.answer.decisive().observations.groups[i].name);
-    add("All numbers", {std::move(numbers), solves_table(report.study, solvers)});
+    add("All numbers", {std::move(numbers), solves_table(report.study, solvers), extras_table(report.study, solvers)});
     Table all = anova_table(report.answer), first = all;  // on the page those of one metric
     std::erase_if(first.rows, [&](const auto& row) {
       return std::get<std::string>(row[0]) != std::get<std::string>(all.rows.front()[0]);

@@ -552,6 +552,21 @@ Table solves_table(const StudyResults& study, const std::vector<std::string>& so
   return table;
 }
 
+Table extras_table(const StudyResults& study, const std::vector<std::string>& solvers) {
+  Table table{.name = "extras", .caption = "Numbers of the solvers' own, medians", .columns = columns_of({"solver"})};
+  for (const auto& [name, by_solver] : study.extras) table.columns.push_back({name});
+  for (const std::string& solver : solvers) {
+    std::vector<Cell> row{solver};
+    for (const auto& [name, by_solver] : study.extras) {
+      const auto values = by_solver.find(solver);
+      row.push_back(values == by_solver.end() ? Cell() : Cell(described(values->second).median));
+    }
+    if (std::ranges::any_of(row, [](const Cell& cell) { return std::holds_alternative<double>(cell); }))
+      table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 // The same members for every pair, null where nothing is known.
 numerics::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
   constexpr std::array<const char*, 6> verdicts{"better", "worse", "same", "equal", "undecided", "not_tested"};

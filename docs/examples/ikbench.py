@@ -5,13 +5,14 @@
     def prepare(robot):  # once; what it returns goes to solve
         return some_library.from_urdf(robot.urdf, robot.base_link, robot.tip_link)
 
-    def solve(library, problem):  # joint values, or None where there is no answer
+    def solve(library, problem):  # joint values, or a list of such answers, or None where there is none
         return library.ik(problem.matrix, problem.start)
 
     ikbench.run("some_library", prepare, solve, goals=["pose"])
 
-It tells ikbench how long `solve` took, and turns angles that are outside their limits back by whole turns."""
-import functools, json, math, os, random, sys, tempfile, time
+It tells ikbench how long `solve` took, and turns angles that are outside their limits back by whole turns. Numbers in
+`problem.extras`, by name, are kept beside the answer."""
+import functools, json, math, os, random, resource, sys, tempfile, time
 
 
 class Declined(Exception):
@@ -25,17 +26,25 @@ except OSError:
 
 
 class _Clock:
-    """Seconds since it was made, without those in which its thread waited for a processor."""
+    """Seconds since it was made, without those in which its thread waited for a processor; no fewer than the process, its
+    threads and child processes computed, and no more than passed."""
 
     def __init__(self):
-        self._waited, self._began, self._computed = self._waits(), time.perf_counter(), time.thread_time()
+        self._began, self._waited, self._computed = time.perf_counter(), self._waits(), self._computes()
 
     def _waits(self):
         return int(os.pread(_schedule.fileno(), 99, 0).split()[1]) * 1e-9 if _schedule else 0
 
+    def _computes(self):
+        children = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return time.process_time() + children.ru_utime + children.ru_stime
+
+    def wall(self):
+        return time.perf_counter() - self._began
+
     def seconds(self):
-        now, computed = time.perf_counter(), time.thread_time()
-        return max(now - self._began - (self._waits() - self._waited), computed - self._computed)
+        wall = self.wall()
+        return min(wall, max(wall - (self._waits() - self._waited), self._computes() - self._computed))
 
 
 class _Members:
@@ -77,11 +86,13 @@ class Problem(_Members):
         self.position, turn = self.target["position"], self.target.get("rotation", [1, 0, 0, 0, 1, 0, 0, 0, 1])
         self.rotation = [turn[0:3], turn[3:6], turn[6:9]]
         self.matrix = [row + [x] for row, x in zip(self.rotation, self.position)] + [[0, 0, 0, 1]]
+        self.extras = {}
         self.random, self._ask, self.evaluated, self._clock = random.Random(self.seed), ask, False, _Clock()
 
     def left(self):
-        """Seconds of its budget that are left; infinite where there is none."""
-        return self.budget.seconds - self._clock.seconds() if self.budget.seconds else math.inf
+        """Seconds of its budget that are left, or fewer while there are some; infinite where there is no budget."""
+        by_the_wall = (self.budget.seconds or math.inf) - self._clock.wall()
+        return by_the_wall if by_the_wall > 0 else self.budget.seconds - self._clock.seconds()
 
     def starts(self):
         """Where to begin: the start, then random values inside the limits, while time is left (without a budget of time
@@ -158,9 +169,13 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
             answer = {"message": "solved"}
             if not problem.evaluated:  # else ikbench's time is in it
                 answer["seconds"] = seconds
-            if q is not None or not problem.evaluated:
-                q = [float(x) for x in (problem.start if q is None else q)]
-                answer["q"] = _numbers(inside(q, robot.turns, problem.lower, problem.upper))
+            if problem.extras:
+                answer["extras"] = problem.extras
+            own = lambda q: _numbers(inside([float(x) for x in q], robot.turns, problem.lower, problem.upper))
+            if isinstance(q, list) and q and hasattr(q[0], "__len__"):
+                answer["answers"] = [own(each) for each in q]
+            elif q is not None or not problem.evaluated:
+                answer["q"] = own(problem.start if q is None else q)
             say(answer)
         except Declined as declined:
             why_not = "".join(c if c.isprintable() else " " for c in str(declined))

@@ -7,6 +7,7 @@
 // It tells ikbench how long `solve` took. ikbench::Declined("why") says that an arm or a target cannot be solved.
 #pragma once
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -166,6 +167,12 @@ struct Problem {
   double near = 0, near_angle = 0, seconds = 0;  // tolerances, and the budget; 0: none
   std::mt19937 random;
   bool has_asked = false;
+  std::string extras = {};
+
+  // Keeps a number of the solver's own beside the answer: extra("restarts", 3).
+  void extra(const std::string& name, double value) {
+    extras += (extras.empty() ? "" : ",") + json_of(name) + ':' + json_of(value);
+  }
 
   // Their errors; nothing where the solve is over, so return.
   std::optional<Values> evaluate(const std::vector<Values>& candidates) {
@@ -181,13 +188,13 @@ struct Problem {
   }
 };
 
-// Seconds since it was made, without those in which its thread waited for a processor that others had (Linux).
+// Seconds since it was made, without those in which its thread waited for a processor that others had (Linux); no fewer
+// than the process, its threads and child processes computed, and no more than passed.
 class Timer {
  public:
   double seconds() const {
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began_;
-    const double computed = computes() - computed_;
-    return std::max(took.count() - (waits() - waited_), computed);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began_;
+    return std::min(passed.count(), std::max(passed.count() - (waits() - waited_), computes() - computed_));
   }
 
  private:
@@ -197,9 +204,12 @@ class Timer {
     return 1e-9 * waited;
   }
   static double computes() {
-    timespec time{};
-    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    rusage children{};
+    ::getrusage(RUSAGE_CHILDREN, &children);
+    double seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    for (const timeval& of : {children.ru_utime, children.ru_stime})
+      seconds += static_cast<double>(of.tv_sec) + 1e-6 * static_cast<double>(of.tv_usec);
+    return seconds;
   }
   const double waited_ = waits(), computed_ = computes();
   const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
@@ -241,6 +251,7 @@ void run(const std::string& name, const std::string& options, Prepare prepare, S
       const Values q = solve(*prepared, problem);
       const double seconds = timer.seconds();
       say(R"({"message":"solved")" + (problem.has_asked ? "" : ",\"seconds\":" + json_of(seconds)) +
+          (problem.extras.empty() ? "" : ",\"extras\":{" + problem.extras + '}') +
           (q.empty() ? "" : ",\"q\":" + json_of(q)) + '}');
     } catch (const Declined& declined) {
       why = declined.why;

@@ -147,6 +147,24 @@ void ForeignSolver::start(const Problem& problem, Objective& objective, Random& 
   });
 }
 
+// Of several answers that which is inside the limits and nearest to the start, else the first; notes how many there
+// are, and how many of them are right.
+Configuration ForeignSolver::nearest(const Candidates& answers, const Problem& problem, Objective& objective) const {
+  Configuration best = answers.col(0);
+  double least = std::numeric_limits<double>::infinity();
+  int right = 0;
+  for (const Configuration q : answers.colwise()) {
+    if (!(JointLimits{problem.lower, problem.upper}.violation(q) <= 1e-9)) continue;
+    const Deviation off = objective.deviation(q);
+    right +=
+        off.position <= stop_.tolerance && (!objective.goal().has_direction() || off.angle <= stop_.angle_tolerance);
+    if (const double far = (q - problem.start).norm(); far < least) best = q, least = far;
+  }
+  objective.note("answers", static_cast<double>(answers.cols()));
+  if (stop_.tolerance > 0) objective.note("answers_right", right);
+  return best;
+}
+
 void ForeignSolver::converse(const Problem& problem, Objective& objective, std::uint32_t seed) {
   account_ = {};
   const Clock::time_point began = Clock::now();
@@ -183,7 +201,11 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   if (message.name() == "declined") throw Trouble{Status::declined, message.why()};
   if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
 
-  best_.q = message.has("q") || best.q.size() == 0 ? message.joints(joints) : best.q;
+  for (const auto& [name, value] : message.extras()) objective.note(name, value);
+  if (message.has("answers"))
+    best_.q = nearest(message.candidates(joints, "answers"), problem, objective);
+  else
+    best_.q = message.has("q") || best.q.size() == 0 ? message.joints(joints) : best.q;
   best_.error = uncounted.error(best_.q);
   account_.claimed_error = message.number("error");
   account_.claimed_seconds = message.number("seconds");

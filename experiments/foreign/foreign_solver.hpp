@@ -89,6 +89,8 @@ class ForeignSolver final : public solvers::Solver {
   void guarded(Talk&& talk);  // Trouble becomes the account's failure
   bool ensure_running();      // true if the process is new
   void note(const Trouble& trouble);
+  robots::Configuration nearest(const robots::Candidates& answers, const solvers::Problem& problem,
+                                solvers::Objective& objective) const;
   void converse(const solvers::Problem& problem, solvers::Objective& objective, std::uint32_t seed);
 
   Conversations& all_;

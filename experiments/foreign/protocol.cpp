@@ -192,11 +192,11 @@ Configuration Message::configuration(const OrderedJson& list, int joints, const 
   return q;
 }
 
-Candidates Message::candidates(int joints) const {
-  const std::string expected = fmt::format("\"candidates\", a list of lists of {} numbers", joints);
+Candidates Message::candidates(int joints, const char* key) const {
+  const std::string expected = fmt::format("\"{}\", a list of lists of {} numbers", key, joints);
   if (candidates_.size() > 0 && candidates_.rows() != joints) fail(expected);
   if (candidates_.size() > 0) return candidates_;
-  OrderedJson list = json_->value("candidates", OrderedJson());
+  OrderedJson list = json_->value(key, OrderedJson());
   if (!list.is_array() || list.empty()) fail(expected);
   if (!list.front().is_array()) list = OrderedJson::array({list});  // Octave writes a list of one so
   Candidates q(joints, static_cast<Eigen::Index>(list.size()));
@@ -208,6 +208,18 @@ Candidates Message::candidates(int joints) const {
 
 Configuration Message::joints(int joints) const {
   return configuration(json_->value("q", OrderedJson()), joints, fmt::format("\"q\", a list of {} numbers", joints));
+}
+
+std::map<std::string, double> Message::extras() const {
+  constexpr std::size_t most = 50;
+  std::map<std::string, double> extras;
+  const OrderedJson object = json_->value("extras", OrderedJson::object());
+  if (!object.is_object() || object.size() > most) fail(fmt::format("at most {} numbers by name as \"extras\"", most));
+  for (const auto& [name, value] : object.items()) {
+    if (!is_plain(name) || !(value.is_number() || value.is_null())) fail("numbers by name as \"extras\"");
+    extras[name] = value.is_null() ? not_a_number : value.get<double>();
+  }
+  return extras;
 }
 
 bool Message::has(const char* key) const { return json_->contains(key); }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,7 +47,8 @@ class Message {
   const std::string& name() const { return name_; }
   Hello hello() const;
   std::string why() const;
-  robots::Candidates candidates(int joints) const;
+  robots::Candidates candidates(int joints, const char* key = "candidates") const;
+  std::map<std::string, double> extras() const;
   bool has(const char* key) const;
   robots::Configuration joints(int joints) const;  // [rad]; NaN where the message has null
   double number(const char* key) const;            // NaN if there is none

@@ -1,10 +1,6 @@
 // Answers the clocks with the processor time of all threads of the process, so that a busy machine takes none of a
 // library's budget: LD_PRELOAD (beeson2015.sh).
 #define _GNU_SOURCE
-#include <errno.h>
-#include <fcntl.h>
-#include <stdarg.h>
-#include <string.h>
 #include <sys/syscall.h>
 #include <sys/time.h>
 #include <time.h>
@@ -22,15 +18,4 @@ int gettimeofday(struct timeval *restrict time, void *restrict zone) {
   time->tv_sec = now.tv_sec;
   time->tv_usec = now.tv_nsec / 1000;
   return code;
-}
-
-// ikbench.py would take off how long it waited for a processor, which these clocks know nothing of.
-int open64(const char *path, int flags, ...) {
-  va_list rest;
-  va_start(rest, flags);
-  const int mode = flags & O_CREAT ? va_arg(rest, int) : 0;
-  va_end(rest);
-  if (strstr(path, "/schedstat") == NULL) return (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
-  errno = ENOENT;
-  return -1;
 }

@@ -28,12 +28,8 @@ def forward(axes, ways, q):
     return rotation, place
 
 
-def nearest(answers, robot, problem):
-    """Of the answers inside the limits the one that is nearest to the start; None, if there is none."""
-    best, least = None, np.inf
-    for q in answers:
-        turns = np.round((np.array(problem.start) - q) / (2 * np.pi))  # the nearest whole turns, then those inside
-        q = np.array(ikbench.inside(q + 2 * np.pi * turns, robot.turns, problem.lower, problem.upper))
-        if np.all(q >= problem.lower) and np.all(q <= problem.upper) and np.linalg.norm(q - problem.start) < least:
-            best, least = q, np.linalg.norm(q - problem.start)
-    return best
+def turned(answers, robot, problem):
+    """The answers at the whole turns that are nearest to the start, or those inside the limits."""
+    turns = [np.round((np.array(problem.start) - q) / (2 * np.pi)) for q in answers]
+    return [np.array(ikbench.inside(q + 2 * np.pi * its, robot.turns, problem.lower, problem.upper))
+            for q, its in zip(answers, turns)]

@@ -1,13 +1,13 @@
 # /// script
 # dependencies = ["eaik==1.2.2"]
 # ///
-"""EAIK: closed forms by subproblems. Of its answers inside the limits the nearest to the start. Of seven joints one is
-locked, as its documentation does: the first with which the family is known, at its start, then at random values."""
+"""EAIK: closed forms by subproblems, all its answers. Of seven joints one is locked, as its documentation does: the first
+with which the family is known, at its start, then at random values until an answer is inside the limits."""
 import eaik.pybindings.EAIK as eaik
 
 import ikbench
 import numpy as np
-from product_of_exponentials import axes_of, nearest
+from product_of_exponentials import axes_of, turned
 
 
 def robot_of(arm, fixed):
@@ -35,9 +35,9 @@ def solve(prepared, problem):
         exact = [np.array(q) for q, is_least in zip(found.Q, found.is_LS) if not is_least]
         if lock is not None:  # the value of the locked joint may be left out
             exact = [q if len(q) == 7 else np.insert(q, lock, start[lock]) for q in exact]
-        q = nearest(exact, robot, problem)
-        if q is not None or lock is None:
-            return q
+        answers = turned(exact, robot, problem)
+        if lock is None or any(np.all(problem.lower <= q) and np.all(q <= problem.upper) for q in answers):
+            return answers or None
 
 
 ikbench.run("eaik", prepare, solve, version="1.2.2", goals=["pose"])

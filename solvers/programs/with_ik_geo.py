@@ -2,12 +2,12 @@
 # dependencies = ["ik-geo==1.0.3", "numpy"]
 # ///
 """ik-geo: closed forms by subproblems, of six joints. Its user says of which family the arm is: here that which answers
-most of ten poses rightly. Of its answers inside the limits the nearest to the start."""
+most of ten poses rightly. All its answers."""
 import ik_geo
 
 import ikbench
 import numpy as np
-from product_of_exponentials import axes_of, forward, nearest
+from product_of_exponentials import axes_of, forward, turned
 
 closed_forms = ["spherical_two_parallel", "spherical_two_intersecting", "spherical", "three_parallel_two_intersecting",
                 "three_parallel"]
@@ -40,7 +40,7 @@ def prepare(robot):
 
 def solve(prepared, problem):
     robot, arm, tool = prepared
-    return nearest(answers(arm, np.array(problem.rotation) @ tool.T, problem.position), robot, problem)
+    return turned(answers(arm, np.array(problem.rotation) @ tool.T, problem.position), robot, problem) or None
 
 
 ikbench.run("ik_geo", prepare, solve, version="1.0.3", goals=["pose"])

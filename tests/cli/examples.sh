@@ -39,11 +39,14 @@ def prepare(robot):
     print(os.path.dirname(robot.file), file=sys.stderr)
 
 def solve(_, problem):
-    if problem.seed == 1: subprocess.run(["sleep", "0.05"])
+    if problem.seed == 1: subprocess.run([sys.executable, "-c", "import time\nwhile time.process_time() < 0.05: pass"])
     if problem.seed == 2: raise ikbench.Declined("\n" * 500)
     if problem.seed == 3: return [0.1, 0.2, 0.3]
     if problem.seed == 4: return [math.nan, math.inf]
     if problem.seed == 5: return [7.0, 1.0000004]
+    if problem.seed == 7:
+        problem.extras["restarts"] = 3
+        return [[7.0, 0.0], (0.5, math.inf)]
     if problem.seed == 6: problem.evaluate([[math.nan, 1]])
 
 ikbench.run("elsewhere", prepare, solve)
@@ -54,14 +57,15 @@ asked() {
   printf '{"message": "solve", "target": {"position": [0, 0, 0]}, "start": [0, 0], "lower": [-3, -1], "upper": [3, 1], '
   printf '"tolerance": {}, "budget": {"seconds": 0}, "seed": %s}\n' "$1"
 }
-{ told this; for seed in 1 2 3 4 5; do asked $seed; done; told "not this"; asked 1; told this; asked 0; asked 6; } |
+{ told this; for seed in 1 2 3 4 5; do asked $seed; done; told "not this"; asked 1; told this; asked 0; asked 7; asked 6; } |
   python3 elsewhere.py >.lines 2>.folders || fail "elsewhere.py: $(<.folders)"
 sed '1d; s/^/,/; 2s/,/[/' .lines >.said && echo "]" >>.said
 json 'of[0]["seconds"] >= 0.05' .said
 json 'all(each["message"] == "declined" and len(each["why"].encode()) <= 200 for each in (of[1], of[5]))' .said
 json '[of[i]["q"] for i in (2, 3)] == [[0.1, 0.2, 0.3], [None, None]]' .said
 json 'abs(of[4]["q"][0] - 0.716814692820414) < 1e-12 and of[4]["q"][1] == 1' .said
-json 'of[5]["why"] == "not this  arm" and of[6]["q"] == [0, 0] and of[7]["candidates"] == [[None, 1]]' .said
+json 'of[5]["why"] == "not this  arm" and of[6]["q"] == [0, 0] and of[8]["candidates"] == [[None, 1]]' .said
+json 'of[7]["extras"] == {"restarts": 3} and of[7]["answers"][1] == [0.5, None] and "q" not in of[7]' .said
 while read -r folder; do [ ! -e "$folder" ] || fail "elsewhere.py left $folder"; done <.folders
 
 # ikbench_program.hpp reads JSON, refuses what is none, and writes nothing that is none.

@@ -74,6 +74,30 @@ TEST_CASE("an answer that has not one number for each joint is told of with solv
   }
 }
 
+TEST_CASE("a number that a solver notes is kept beside its answer", "[own_solver]") {
+  class Noting final : public Solver {
+   public:
+    struct Options {
+      void list(OptionList&) {}
+    };
+    explicit Noting(Options) {}
+    void start(const Problem& problem, Objective& objective, numerics::Random&) override {
+      best_ = {problem.start, objective.error(problem.start)};
+      objective.note("stalls", 1);
+    }
+    void step(Objective& objective, numerics::Random&) override { objective.note("stalls", 2); }
+    const Best& best() const override { return best_; }
+
+   private:
+    Best best_;
+  };
+  Study study = study_of_faulty("all_joints");
+  const SolverInfo noting = solver_info<Noting>("noting", "notes a number", "this test");
+  study.solvers = {{.label = "mine", .solver = noting.name, .own = std::make_shared<SolverInfo>(noting)}};
+  const results::SolveRecord solve = solve_once(study, study.solvers.front(), robots::Pose::Identity());
+  CHECK(solve.extras == std::map<std::string, double>{{"stalls", 2}});
+}
+
 TEST_CASE("an exception of a solver is told of with solver, run and point", "[own_solver]") {
   for (const char* place : {"start", "step", "best"}) {
     CHECK(said_of<std::runtime_error>(place, [](Best&) { throw std::runtime_error("no"); }) ==

@@ -65,6 +65,32 @@ TEST_CASE("a merged store has the studies, solves and sessions of all", "[merge]
   }
 }
 
+TEST_CASE("extras come back with their solves, in a table that only stores with some have", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1});
+  {
+    Store store(folder.path / "b", Store::Mode::write);
+    store.save_study(sample_study());
+    SolveRecord record = sample_record("key-a", 2);
+    record.extras = {{"restarts", 3}, {"answers", -0.5}};
+    store.append({record, sample_record("key-a", 3)});
+    record.run = 4;
+    record.extras = {{"restarts", std::numeric_limits<double>::quiet_NaN()}};
+    store.append({record});
+  }
+  merge(folder.path / "out", {folder.path / "a", folder.path / "b", folder.path / "b"});
+  const Store store(folder.path / "out", Store::Mode::read);
+  CHECK(store.names_of_extras(sample_study()) == std::vector<std::string>{"answers", "restarts"});
+  CHECK(Store(folder.path / "a", Store::Mode::read).names_of_extras(sample_study()).empty());
+  const std::vector<SolveRecord> solves = series_of(store, "key-a");
+  CHECK(solves[0].extras.empty());
+  CHECK(solves[1].extras == std::map<std::string, double>{{"restarts", 3}, {"answers", -0.5}});
+  CHECK(solves[2].extras.empty());
+  CHECK(std::isnan(solves[3].extras.at("restarts")));
+  edit(folder.path / "out", "DROP TABLE extras; CREATE TABLE extras (series, run, point, name, value)");
+  CHECK_THROWS_AS(Store(folder.path / "out", Store::Mode::read), std::invalid_argument);
+}
+
 TEST_CASE("a solve with other bits is named, with both stores, and its store is not merged", "[merge]") {
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1, 2});

@@ -36,6 +36,9 @@ def solve(problem):
     if FAULT == "asks on":
         while not ask([[0.1 * i for i in range(len(q))]])["over"]: pass
         ask([q])
+    if FAULT == "several":
+        far = [x + 0.3 for x in q]
+        return say(message="solved", answers=[[9] * len(q), far, q, problem["start"]], extras={"restarts": 3, "nothing": None})
     say(message="solved", q=q, error=error + (0.01 if FAULT == "lies" else 0), **counted)
 
 say(message="hello", ikbench=2, name="faulty", version="1", options=[
@@ -59,6 +62,7 @@ for line in sys.stdin:
         if FAULT == "deep" and solves == 10: print('{"message":"solved","q":%s}' % ("[" * 400000 + "]" * 400000), flush=True)
         elif FAULT == "declines": say(message="declined", why="not today")
         elif FAULT == "nonsense" and solves == 10: say(message="solved", q="none")
+        elif FAULT == "a text" and solves == 10: say(message="solved", q=[0] * 7, extras={"restarts": "three"})
         elif FAULT == "not JSON" and solves == 10: print('{"message":"solved","q":[NaN]}', flush=True)
         else: solve(told)
         if FAULT == "twice": time.sleep(0.02), solve(told)
