@@ -75,6 +75,7 @@ std::set<std::string> facts_of(const StudyResults& study, const std::string& nam
 constexpr std::int64_t most_solves = 10'000'000;
 constexpr int most_drawn = 10'000;  // of a first run
 constexpr std::size_t most_traces = 2'000'000;
+constexpr int most_extras = 50;  // names; more are left out
 
 // Reads the current solves of a study, and passes each on to `also`. Throws std::invalid_argument for more than
 // `most_solves`, or more than `most_traces` with a trace; and, as all do, if solvers had other targets or starts.

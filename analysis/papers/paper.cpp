@@ -180,11 +180,11 @@ std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated) {
     }
     const results::CsvTable* const programs = repeated.programs;
     for (std::size_t i = 0; programs != nullptr && i < programs->rows(); ++i) {
-      const std::string solver(programs->cell(i, programs->column("solver")));
+      const auto solver = plan.columns.find(std::string(programs->cell(i, programs->column("solver"))));
       const auto arm = plan.rows.find(std::string(programs->cell(i, programs->column("robot"))));
-      if (!is_of_row(arm)) continue;
-      const std::string& column = plan.columns.at(solver);  // reproduce asks for those alone
-      Rate& rate = add(solver, arm->second, programs->number(i, "solved"), programs->number(i, "n"), column);
+      if (!is_of_row(arm) || solver == plan.columns.end()) continue;
+      const auto& [name, column] = *solver;
+      Rate& rate = add(name, arm->second, programs->number(i, "solved"), programs->number(i, "n"), column);
       rate.mean_ms = programs->number(i, "mean_ms");
       rate.printed_ms = table.cell(row, table.column(column.substr(0, column.rfind('_')) + "_ms"));
     }
