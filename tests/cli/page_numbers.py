@@ -1,0 +1,67 @@
+"""page_numbers.py ROOT SLIM HAVILAND FANUC: README and the pages on papers have the numbers of the reports and stores in
+these folders, so none of them says other than the program, or less."""
+import csv, pathlib, re, sqlite3, sys
+
+root, slim, haviland, fanuc = map(pathlib.Path, sys.argv[1:])
+lost = []
+text = lambda page: (root / page).read_text()
+table = lambda file: list(csv.DictReader((slim / "tables" / file).open(newline="")))
+number = r"(?<![\w.])\d+(?:\.\d+)?(?:e-\d+)?(?![\w]|\.\d)"
+
+
+def says(page, *numbers):
+    """A paragraph, an item of a list or a row of the page has all of them."""
+    parts = re.split(r"\n(?=\n|- |\|)", re.sub(r"(?<=\d) (?=\d{3}\b)", "", text(page)))
+    if not any(set(map(str, numbers)) <= set(re.findall(number, part)) for part in parts):
+        lost.append(f"{page} does not say {', '.join(map(str, numbers))} in one place")
+
+
+def all_say(paper, *numbers):
+    for page in ("README.md", "docs/papers/README.md", f"docs/papers/{paper}.md"):
+        says(page, *numbers)
+
+
+def tables_of(page):
+    """The cells of each table, the row under the head left out."""
+    for rows in re.findall(r"(?:^\|.*\n)+", text(page), re.M):
+        head, _, *body = [[cell.strip() for cell in row.strip("|\n").split("|")] for row in rows.splitlines()]
+        yield head, body
+
+
+# Slim et al.: the report begins with the statistics that repeat with 20 and with 50 agents, and would by the same program.
+some, every, fewer, same = re.match(r"# .* in (\d+) of the (\d+) .*, (\d+) with 50 .* (\d+)\.$", (slim / "report.md").read_text().split("\n")[0]).groups()
+all_say("slim2023", some, every, fewer)
+all_say("slim2023", same)
+for with_20, with_50 in zip(table("table-3.csv"), table("table-3-50.csv")):
+    for quantity in ("position error [cm]", "angles variation [deg]"):
+        if with_20["statistic"] == "mean":
+            says("docs/papers/slim2023.md", with_20[quantity.replace("[", "printed [")], *(f"{float(row[quantity]):.3g}" for row in (with_20, with_50)))
+for claim in table("claims.csv"):
+    says("docs/papers/slim2023.md", *re.findall(number, claim["number"]))
+counts = [int(table("multiverse.csv")[0][verdict]) for verdict in ("holds", "fails", "not decided")]
+says("docs/papers/README.md", sum(counts), *counts)
+
+# Beeson and Ames: one arm's rates are the store's. How many are near and within chance is counted in the page's table.
+head, arms = next(tables_of("docs/papers/beeson2015.md"))
+ours = [head.index(name) for name in ("KDL", "KDL-RR", "TRAC-IK's rule")]
+near = sum(abs(float(arm[i]) - float(arm[i + 1].split()[0])) <= 1.4 for arm in arms for i in ours)
+all_say("beeson2015", near, len(ours) * len(arms), len(arms), 1.4)
+says("docs/papers/beeson2015.md", *(sum("x" not in arm[i + 1] for arm in arms) for i in ours))
+rates = "SELECT 100 * avg(status = 'ok') FROM current_solves WHERE study = 'beeson2015-fanuc_m430ia2f' GROUP BY label"
+says("docs/papers/beeson2015.md", *(f"{rate:.1f}" for rate, in sqlite3.connect(fanuc / "store.sqlite").execute(rates)))
+
+# Haviland and Corke: the page's numbers are the store's. A printed one repeats if it lies within the 99 % interval of the
+# difference of two such samples with our standard deviation.
+store, repeats, tried = sqlite3.connect(haviland / "store.sqlite"), 0, 0
+of_solve = {"not solved": "100.0 * (status <> 'ok')", "iterations": "CASE status WHEN 'ok' THEN evaluations END", "searches": "restarts + 1"}
+for study, (head, solvers) in zip(("haviland2023", "haviland2023-searches"), tables_of("docs/papers/haviland2023.md")):
+    for solver in solvers:
+        for i in [i for i, name in enumerate(head) if name in of_solve]:
+            query = f"WITH v AS (SELECT {of_solve[head[i]]} AS v FROM current_solves WHERE study = ? AND label = ?) SELECT count(v), avg(v), avg(v * v) FROM v"
+            n, mean, square = store.execute(query, (study, solver[0])).fetchone()
+            told = f"{mean:.{len(solver[i].partition('.')[2])}f}"
+            told == solver[i] or lost.append(f"haviland2023.md: {head[i]} of {solver[0]} is {solver[i]}, not {told}")
+            tried += 1
+            repeats += abs(mean - float(solver[i + 1].split()[0])) <= 2.576 * (2 * (square - mean**2) / n) ** 0.5
+all_say("haviland2023", repeats, tried)
+sys.exit("\n".join(lost) or 0)
