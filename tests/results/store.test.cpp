@@ -229,7 +229,7 @@ TEST_CASE("the file names its program and the version of its schema", "[store]")
   SQLite::Database sqlite((folder.path / "a.ikb").string());
   CHECK(sqlite.execAndGet("PRAGMA application_id").getInt64() == 0x494B424E);  // "IKBN"
   CHECK(sqlite.execAndGet("PRAGMA user_version").getInt64() == 3);
-  // The first 26: docs/reference/data.md.
+  // The first 26: ikbench list columns.
   CHECK(sqlite
             .execAndGet("SELECT group_concat(name || ' ' || type) FROM (SELECT * FROM pragma_table_info('solves') "
                         "ORDER BY cid LIMIT 26)")
