@@ -20,7 +20,7 @@ for file in report.html results.json solves.csv store.sqlite tables/{results,pai
   [ -s "mine/$file" ] || fail "no $file"
 done
 if command -v gnuplot >/dev/null; then
-  for type in svg pdf png; do equal ".$type" "$(ls mine/figures/*.$type | wc -l)" $((4 - debug)); done
+  for type in svg pdf png; do equal ".$type" "$(ls mine/figures/*.$type | wc -l)" $((5 - debug)); done
   for figure in mine/figures/*.svg; do
     grep -qFf <(base64 -w0 "$figure") mine/report.html || fail "the page shows another $figure"
   done
@@ -87,7 +87,7 @@ for figure in $("$program" list figures | sed -n '2,/^$/s/^\([a-z][^ ]*\) .*/\1/
   equal "drawn for $figure" "$(cd "only-$figure/figures" && echo *.svg)" "$figure.svg"
 done
 by_time=" solved-by-time"
-equal "figures of the tutorial's study" "$drawn" " error-shares solved-by-evaluations${by_time:$((debug * 20))} differences"
+equal "figures of the tutorial's study" "$drawn" " error-shares solved-by-evaluations${by_time:$((debug * 20))} ranks differences"
 sqlite3 made/store.sqlite "UPDATE environment SET value = 'another' WHERE key = 'cpu' AND session = (SELECT max(session) FROM environment)"
 succeeds report made/store.sqlite --figures none --out machines --json
 [ $debug = 1 ] || json 'any("machine" in doubt and "times" in doubt for doubt in of["doubts"])'
