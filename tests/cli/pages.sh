@@ -20,6 +20,8 @@ for page in README.md docs/{tutorial,which-solver,compare,figures,your-own-csv,m
   while IFS= read -r line; do
     if [[ $line == "<!-- not run: "* ]]; then
       is_left_out=yes
+    elif [[ $page == *your-own-csv.md && $line == "> "* ]]; then # tests/cli/run.sh has those of the tutorial
+      has "$(tr -s '\n' ' ' <said)" "${line#> }"
     elif [[ -n $block && $line == '```' ]]; then
       if [[ $block == commands && -z $is_left_out ]]; then
         while read -r first _; do

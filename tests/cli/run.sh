@@ -9,6 +9,8 @@ cp "$root/docs/examples/pso.py" mine.py
 cp "$root/docs/examples/ikbench.py" .
 succeeds run mine.toml --out mine
 quiet
+quoted() { grep -qF -- "$(sed 's/\.$//;q' .out)" "$root/docs/tutorial.md" || fail "the tutorial does not say: $(head -n 1 .out)"; }
+quoted
 debug=0 # times of a debug build are not compared: two lines more, a picture less
 ! grep -q "a debug build" .out || debug=1
 [ "$(wc -l <.out)" -le $((17 + 2 * debug)) ] && [ "$(wc -L <.out)" -le 100 ] || fail "not one screen: $out"
@@ -29,6 +31,12 @@ if command -v gnuplot >/dev/null; then
   equal "chosen figures" "$(cd few/figures && echo *.svg)" "differences.svg error-shares.svg"
 fi
 golden tutorial mine/results.json
+ends 3 compare PSO mine --store mine/store.sqlite
+quoted
+cp -r mine changed
+sed 's/^process = .*/&\noptions = { w = 0.5 }/' mine.toml >changed.toml
+succeeds run changed.toml --figures none --out changed
+quoted
 # A store of version 3 as the first program of that version wrote it: every later one reads it.
 succeeds report "$root/tests/data/version-3.sqlite" --figures none --out years
 golden version-3 years/results.json
