@@ -314,8 +314,8 @@ show::Table rates_table(const Repeated& repeated) {
     for (std::size_t i = 0; i < rates.size(); ++i) {
       const Rate& rate = rates[i];
       if (table.rows[i].empty()) table.rows[i].emplace_back(rate.row + (rate.is_picked ? " *" : ""));
-      table.rows[i].emplace_back(
-          show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed), std::string(rate.sign())});
+      table.rows[i].emplace_back(show::Printed{std::round(1e12 * rate.share) / 1e10,
+                                               fmt::format("{:.2f}", 100 * rate.printed), std::string(rate.sign())});
       signs.insert(rate.sign());
     }
     if (rates.front().printed_ms.empty()) continue;  // is no program's

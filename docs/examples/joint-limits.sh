@@ -3,8 +3,8 @@
 set -e
 [ $# -gt 0 ] || set -- $(ikbench list robots | sed -n 's/^\([a-z]\S*\).*/\1/p')
 for arm; do
-  ikbench run "$(dirname "$0")/every_arm.toml" --only LM,DLS --sweep LM.damping=1,0.1 --sweep LM.bounds=clamp,free \
-    --sweep DLS.bounds=clamp,free --set robot="$arm" --set name="$arm" --no-report --out out/joint-limits
+  ikbench run --robot "$arm" --only LM,DLS --sweep LM.damping=1,0.1 --sweep LM.bounds=clamp,free \
+    --sweep DLS.bounds=clamp,free --no-report --out out/joint-limits
 done
 sqlite3 -readonly -header -csv out/joint-limits/store.sqlite "WITH solves AS (SELECT label, evaluations, status = 'ok' AS ok,
     percent_rank() OVER (PARTITION BY label ORDER BY evaluations) AS place FROM current_solves)

@@ -78,7 +78,7 @@ for folder in plain own; do
   expect network 0
   expect first "1 true true true $solvers"
   echo "$folder: $(found words) words"
-  [ $folder != own ] || [ "$(found words)" -le 1100 ] || fail "$(found words) words"
+  [ $folder != own ] || [ "$(found words)" -le 1150 ] || fail "$(found words) words"
   expect fits "0 0 0 true 0 true"
   expect contrast "true true true"
   probe $folder fits contrast -- --blink-settings=preferredColorScheme=0 --window-size=500,900

@@ -118,6 +118,6 @@ equal "solves of the rectangle" "$(solves rectangle/store.sqlite)" 62
 PATH=$(dirname "$program"):$PATH sh "$examples/joint-limits.sh" planar_2 ur5e >.limits 2>&1 || fail "$(<.limits)"
 equal "rows of joint-limits.sh" "$(grep -c ',200,200,' .limits)" 6
 
-# The study every_arm.toml on some arms.
+# The study any-arm on some arms.
 PATH=$(dirname "$program"):$PATH sh "$examples/every-arm.sh" planar_2 dobot_magician >.out
 equal "solvers of every arm" "$(wc -l <out/every-arm/positions/tables/studies.csv)" 9

@@ -51,6 +51,8 @@ TEST_CASE("a claim about solvers of one study has the verdicts of its report", "
       const bool is_of_one = claim.study.empty() || claim.study == "limits";
       if (!is_of_one || !claim.rule || claim.rule->name != "better" || claim.of != Of::means) continue;
       const show::Table pairs = show::pairs_table(show::answer_of(claim.study.empty() ? study : limits));
+      const auto verdict = static_cast<std::size_t>(
+          std::ranges::find(pairs.columns, "verdict", &show::Column::name) - pairs.columns.begin());
       std::vector<Holds> parts;
       for (const Metric* metric : claim.metrics) {
         Tally tally;
@@ -63,11 +65,11 @@ TEST_CASE("a claim about solvers of one study has the verdicts of its report", "
           const std::string& rival = is_own(1) ? cell(2) : cell(1);
           const bool is_asked = claim.against.empty() || std::ranges::count(claim.against, rival) > 0;
           if (cell(0) != metric->name || is_own(1) == is_own(2) || !is_asked) continue;
-          const bool is_found = cell(9).starts_with("better");  // the first
-          tally.add(cell(9).starts_with("not tested") ? Verdict::not_tested
-                    : !is_found                       ? Verdict::undecided
-                    : is_own(1)                       ? Verdict::better
-                                                      : Verdict::worse);
+          const bool is_found = cell(verdict).starts_with("better");  // the first
+          tally.add(cell(verdict).starts_with("not tested") ? Verdict::not_tested
+                    : !is_found                             ? Verdict::undecided
+                    : is_own(1)                             ? Verdict::better
+                                                            : Verdict::worse);
         }
         if (tally.all() > 0) parts.push_back(holds_of(tally));
       }
