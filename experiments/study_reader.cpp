@@ -98,7 +98,7 @@ void override_one(toml::table& study, const std::string& text) {
   if (owner.empty() || field.empty()) {
     throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
   }
-  std::set<std::string> owners{"analysis", "figures", "path", "stop", "urdf"}, settings;
+  std::set<std::string> owners{"analysis", "figures", "loop", "path", "stop", "urdf"}, settings;
   if (owners.contains(owner)) return insert(subtable(study, owner), field, value);
   const bool is_of_all = owner == swept_owner;
   bool is_known = false;
@@ -496,6 +496,10 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
   refuse_if(study.start == Start::near && study.path->solutions(arm, random).empty(), "start",
             "start is \"near\", but the path's targets are not made of configurations; expected path.kind = \"random\" "
             "with targets that the arm can reach, or another start");
+  refuse_if(
+      study.loop.period > 0 && (!study.is_chained() || study.path->is_drawn()), "loop",
+      "loop.period_ms is about a path that the arm follows; expected start = \"previous\" and targets that are not "
+      "drawn, or no [loop]");
   constexpr double most_solves = 1e8;
   refuse_if(static_cast<double>(study.solvers.size()) * study.runs * study.path->points() > most_solves, "runs",
             "solvers, runs and points make more than 100 000 000 solves; expected fewer");
@@ -560,6 +564,7 @@ Study read_study(const toml::table& table, std::string_view source) {
   const TomlReader stop = reader.part("stop"), analysis = reader.part("analysis"), figures = reader.part("figures");
   read_part(stop, study.stop);
   check_stop(stop, study);
+  read_part(reader.part("loop"), study.loop);
   const Robot arm = read_arm(reader, study);
   const Configuration units = joint_units(arm.chain);
   if (study.initial.size() == 0) {

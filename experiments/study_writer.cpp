@@ -142,6 +142,7 @@ OrderedJson definition(const Study& study) {
   if (fields.figures != FigureStyle()) json["figures"] = json_of(written(fields.figures));
   if (!fields.figures.colours.empty()) json["figures"]["colours"] = fields.figures.colours;
   json["stop"] = json_of(written(fields.stop));
+  if (fields.loop.period > 0) json["loop"] = json_of(written(fields.loop));
   if (is_urdf_file(study.robot)) json["urdf"] = json_of(written(fields.urdf));
   json["path"] = json_of(written(fields.path), {{"kind", fields.path->name()}});
   if (fields.path->is_drawn())
@@ -158,6 +159,8 @@ OrderedJson arm_definition(const Robot& arm) {
   }
   std::size_t joint = 0;
   for (const std::string& name : joint_names(arm.description)) json["links"][joint++]["name"] = name;
+  if (arm.velocity.size() > 0)
+    json["velocity_deg_s"] = in_units((arm.velocity.array() / joint_units(arm.chain).array()).eval(), 1);
   if (!arm.tip_link.empty()) json["base_link"] = arm.base_link, json["tip_link"] = arm.tip_link;
   if (!arm.notes.empty()) json["notes"] = arm.notes;
   for (auto [key, frame] : {std::pair{"base", arm.chain.base()}, std::pair{"tool", arm.chain.tool()}})
@@ -275,7 +278,8 @@ std::string to_toml(const Study& study) {
       "\n[analysis]  # how the results are judged; it does not affect the solves\n" + lines_of(written(fields.plan)) +
       "\n[figures]  # their style; it affects neither the solves nor how they are judged\n" + to_toml(fields.figures);
   if (is_urdf_file(study.robot)) text += "\n[urdf]\n" + lines_of(written(fields.urdf));
-  text += "\n[stop]\n" + lines_of(written(fields.stop)) + '\n' + to_toml(fields.path);
+  text += "\n[stop]\n" + lines_of(written(fields.stop)) + "\n[loop]\n" + lines_of(written(fields.loop)) + '\n' +
+          to_toml(fields.path);
   for (const LeftOut& left_out : study.left_out)
     text += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.why);
   for (const SolverEntry& entry : study.solvers) {

@@ -2,11 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "numerics/json.hpp"
 #include "numerics/toml_table.hpp"
+#include "numerics/units.hpp"
 
 namespace ikbench::results {
 
@@ -72,11 +74,12 @@ Definition definition_of(std::string_view json) {
   TomlReader reader(table, fmt::format("study {}", table["name"].value_or("without a name")), "");
   TomlReader path = reader.part("path"), stop = reader.part("stop"), reach = reader.part("out_of_reach"),
              figures = reader.part("figures"), colours = figures.part("colours"), analysis = reader.part("analysis"),
-             arm = reader.part("arm");
+             arm = reader.part("arm"), loop = reader.part("loop");
   constexpr std::pair<std::int64_t, std::int64_t> counts{0, std::numeric_limits<int>::max()};
   Definition study;
   list_fields(reader, study);
   list_fields(stop, study.stop);
+  list_fields(loop, study.loop);
   list_fields(analysis, study.plan);
   list_fields(figures, study.figures);
   for (const auto& [label, node] : colours.table())
@@ -93,6 +96,14 @@ Definition definition_of(std::string_view json) {
   arm.text("base_link", study.base_link);
   arm.text("tip_link", study.tip_link);
   arm.texts("notes", study.arm_notes);
+  std::vector<double> velocities;
+  arm.numbers("velocity_deg_s", velocities, 1, 0);
+  for (std::size_t j = 0; j < velocities.size() && study.loop.period > 0; ++j) {
+    const auto link = table["arm"]["links"][j];
+    const double unit = link["joint"].value_or(std::string()) == "slides" ? 1 : degree;
+    study.steps.emplace_back(velocities[j] > 0 ? velocities[j] * unit * study.loop.period : INFINITY,
+                             link["limits_deg"].is_string());
+  }
   study.arm = text_of(all.value("arm", Json()));
   study.task = text_of(all.value("initial_deg", Json()));
   if (study.draws_targets) study.task += text_of(all.value("path", Json()));

@@ -53,6 +53,17 @@ inline void list_fields(numerics::Fields& io, Plan& plan) {
             "the same of errors in cm; a difference within either does not matter");
 }
 
+// A control loop along a path: each solve has a period. It decides no number of a solve.
+struct Loop {
+  double period = 0;  // [s]; 0: there is none
+};
+inline void list_fields(numerics::Fields& io, Loop& loop) {
+  io.number(
+      "period_ms", loop.period, 0.001, {0, 1e6},
+      "of a path with start = \"previous\": tells solves that take longer, and steps for which a joint is too slow; "
+      "0: no loop");
+}
+
 // wrist: the solver searches the joints before a spherical wrist, whose angles follow in closed form (Eqs. 15-17).
 // all_joints: it searches all joints for the position alone.
 // flange: so does it, but for the last joint, which turns the tool about its own point and stays where it is.
@@ -115,6 +126,7 @@ struct StudyData {
   int repeats = 5;  // timed solves per problem; decides only times (experiments/runner.hpp)
   std::uint64_t seed = 1;
   numerics::StopRule stop;
+  Loop loop;
   Plan plan;            // how the solves will be judged; decides no number of them
   FigureStyle figures;  // the look of its figures; in a study file without the colours of its entries
 
@@ -140,9 +152,11 @@ struct Definition : StudyData {
   std::string base_link, tip_link;      // of an arm from a URDF file
   std::vector<std::string> arm_notes;   // what of the file was not taken as it stands
   std::vector<std::string> departures;  // settings that differ from the published study
-  int out_of_reach = 0;                 // targets that no configuration reaches
-  std::string arm;                      // JSON, as robots/robot.hpp reads it
-  std::string task;                     // JSON: the first configuration, and how targets are drawn
+  // Of each joint, how far it can move in a period of the loop [rad, m], and if it turns without end; else none.
+  std::vector<std::pair<double, bool>> steps;
+  int out_of_reach = 0;  // targets that no configuration reaches
+  std::string arm;       // JSON, as robots/robot.hpp reads it
+  std::string task;      // JSON: the first configuration, and how targets are drawn
 
   // What is compared is a run, else a target.
   bool compares_runs() const {

@@ -50,6 +50,8 @@ inline void list_fields(numerics::Fields& io, Frame& frame) {
 inline void list_fields(numerics::Fields& io, Robot& arm) {
   io.text("summary", arm.summary, "in a line");
   io.text("source", arm.source, "where the numbers are from");
+  io.numbers("velocity_deg_s", arm.velocity, 1, 0,
+             "largest velocity of each joint a second: degrees, and metres for one that slides");
 }
 
 }  // namespace ikbench::robots

@@ -104,6 +104,10 @@ Robot read_robot(TomlReader reader, std::string name, Bounds lengths) {
   }
   Robot arm{std::move(name), "", "", Chain(std::move(links), base, tool), std::move(limits)};
   list_fields(reader, arm);
+  if (const auto n = arm.velocity.size(); n > 0 && (n != arm.joints() || !(arm.velocity.minCoeff() >= 0)))
+    reader.fail("velocity_deg_s", *reader.find("velocity_deg_s"),
+                fmt::format("{}, one for each joint, 0 where it is not known", counted(arm.joints(), "values")));
+  for (Eigen::Index j = 0; j < arm.velocity.size(); ++j) arm.velocity[j] *= arm.chain.slides(j) ? 1 : degree;
   reader.refuse_unknown_keys();
   return arm;
 }

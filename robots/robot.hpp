@@ -36,6 +36,7 @@ struct Robot {
   std::string source;  // of the numbers
   Chain chain;
   JointLimits limits;
+  Configuration velocity = {};                // the largest of each joint [rad/s, m/s]; 0, or empty: not known
   Description description = {};               // as in a URDF file; empty: the chain says all
   std::vector<std::string> notes = {};        // parts of its file that were not taken as they stand
   std::string base_link = {}, tip_link = {};  // of a URDF file

@@ -515,7 +515,7 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
   const std::string base = choice.base.empty() ? tree.root_of(tip) : choice.base;
 
   Description printed;
-  std::vector<double> lower, upper;
+  std::vector<double> lower, upper, velocity;
   int unlimited = 0;  // joints whose limits do not count
   for (const XMLElement* const joint : tree.path(base, tip)) {
     printed.push_back(described(*joint, place));
@@ -525,6 +525,7 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     lower.push_back(in_unit(limits[0], unit) * unit);
     upper.push_back(in_unit(limits[1], unit) * unit);
     const XMLElement* const limit = joint->FirstChildElement("limit");
+    velocity.push_back(limit == nullptr ? 0 : std::max(0.0, place.limit(*limit, "velocity", 0)));
     if (limit == nullptr || limits.allFinite()) continue;
     if (limit->Attribute("lower") == nullptr && limit->Attribute("upper") == nullptr) continue;
     ++unlimited;
@@ -545,6 +546,7 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
               .base_link = base,
               .tip_link = tip};
     arm.limits = {Configuration::Map(lower.data(), arm.joints()), Configuration::Map(upper.data(), arm.joints())};
+    if (std::ranges::max(velocity) > 0) arm.velocity = Configuration::Map(velocity.data(), arm.joints());
     if (unlimited > 0) {
       arm.notes.push_back(fmt::format("the file's limits of {} without end are ignored", counted(unlimited, "joints")));
     }

@@ -10,8 +10,8 @@ namespace ikbench::robots {
 
 namespace {
 
-// A link and the joint before it, in the frame of the link before. URDF wants numbers for the effort and the speed of
-// a joint, which no arm here has.
+// A link and the joint before it, in the frame of the link before. URDF wants numbers for the effort of a joint, which
+// no arm here has, and for its velocity.
 class Writer {
  public:
   Writer(const std::string& name, const std::string& base) : before_(base) {
@@ -28,7 +28,7 @@ class Writer {
 
   // `mimicked` is the joint whose value this one has, negated; empty: none.
   void joint(const std::string& name, const char* type, const std::string& child, const Pose& pose, const char* axis,
-             double lower = 0, double upper = 0, const std::string& mimicked = {}) {
+             double lower = 0, double upper = 0, double velocity = 0, const std::string& mimicked = {}) {
     add_link(child);
     xml_.OpenElement("joint");
     xml_.PushAttribute("name", name.c_str());
@@ -39,7 +39,8 @@ class Writer {
     add("origin", {{"xyz", text_of(xyz)}, {"rpy", text_of(rpy)}});
     if (*axis != '\0') add("axis", {{"xyz", axis}});
     if (lower < upper)
-      add("limit", {{"lower", number(lower)}, {"upper", number(upper)}, {"effort", "1000"}, {"velocity", "1000"}});
+      add("limit",
+          {{"lower", number(lower)}, {"upper", number(upper)}, {"effort", "1000"}, {"velocity", number(velocity)}});
     if (!mimicked.empty()) add("mimic", {{"joint", mimicked}, {"multiplier", "-1"}});
     xml_.CloseElement();
   }
@@ -88,13 +89,14 @@ std::string urdf_of(const Robot& arm, const Chain& chain) {
     const double lower = arm.limits.lower[j], upper = arm.limits.upper[j];
     const bool is_coupled = link.joint == Joint::coupled, is_free = is_endless(lower, upper);
     const char* const type = link.joint == Joint::slides ? "prismatic" : is_free ? "continuous" : "revolute";
+    const double velocity = arm.velocity.size() > 0 && arm.velocity[j] > 0 ? arm.velocity[j] : 1000;
     const Pose offset = is_coupled ? turned(0, link.offset, 0) : turned(0, 0, link.offset);
     writer.joint(name, type, writer.unused(name + "_link"), before * offset, is_coupled ? "0 1 0" : "0 0 1",
-                 is_free ? 0 : lower, is_free ? 0 : upper);
+                 is_free ? 0 : lower, is_free ? 0 : upper, velocity);
     before = Pose(Eigen::Translation3d(link.a, 0, link.d));
     if (is_coupled) {  // a parallelogram turns back after the link
       writer.joint(writer.unused(name + "_back"), type, writer.unused(name + "_end"), before, "0 1 0",
-                   is_free ? 0 : -upper, is_free ? 0 : -lower, name);
+                   is_free ? 0 : -upper, is_free ? 0 : -lower, velocity, name);
       before = turned(0, -link.offset, 0);
     }
     before = before * turned(link.alpha, 0, 0);

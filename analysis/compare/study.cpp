@@ -51,6 +51,15 @@ double angle_deg(double orientation_error) {
   return 2 * std::asin(sine > 1 ? 1.0 : sine) / numerics::degree;
 }
 
+bool is_too_fast(const Definition& study, const SolveRecord& solve) {
+  for (std::size_t j = 0; j < std::min({study.steps.size(), solve.start_rad.size(), solve.answer_rad.size()}); ++j) {
+    const auto [furthest, is_endless] = study.steps[j];
+    const double move = solve.answer_rad[j] - solve.start_rad[j];
+    if (std::abs(is_endless ? std::remainder(move, 360 * numerics::degree) : move) > furthest) return solve.point > 1;
+  }
+  return false;
+}
+
 // Adds a record to a study; they come by solver, run and point. The bend is of its run until here.
 void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   if (record.run < 1 || record.point < 1)
@@ -82,7 +91,10 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
        .was_disturbed = is_alone && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
        .is_told = is_told,
-       .is_told_short = is_told && seconds < least_told(record.cpu_seconds),
+       .is_told_short = is_told && seconds<least_told(record.cpu_seconds), .is_late = study.definition.loop.period> 0 &&
+                        seconds > study.definition.loop.period &&
+                        (record.timing == Timing::clean || record.timing == Timing::process),
+       .is_too_fast = is_too_fast(study.definition, record),
        .position_error_cm = record.position_error_cm,
        .orientation_error_deg = angle_deg(record.orientation_error),
        .variation_deg = record.variation_deg,

@@ -32,6 +32,8 @@ struct Solve {
   bool was_disturbed = false;  // took more than 10 % longer than its processor time; of solves at once not known
   // Of a program: whether it told its own time, and whether its processor time, messages included, is too long for it.
   bool is_told = false, is_told_short = false;
+  // Of a control loop: longer than its period, where times count; further than a joint can move in one.
+  bool is_late = false, is_too_fast = false;
   bool had_enough_time = false;  // whatever the clock says: as many evaluations as another version needed
   double position_error_cm = 0, orientation_error_deg = 0, variation_deg = 0, variation_m = 0;
   double largest_move_deg = 0, seconds = 0;

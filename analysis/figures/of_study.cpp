@@ -512,6 +512,8 @@ Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, co
     const SolveRecord& solve = solves[i];
     rows.targets.push_back(corner_of(solve.target_position_m));
     rows.reached.push_back(corner_of(solve.reached_position_m));
+    if (const Solve& its = study.of(solver)[i]; its.is_late || its.is_too_fast)
+      rows.late_or_too_fast.push_back(rows.targets.back());
     const Eigen::Map<const Eigen::VectorXd> q(solve.answer_rad.data(),
                                               static_cast<Eigen::Index>(solve.answer_rad.size()));
     if (i % every != 0 || !arm || q.size() != arm->joints() || !q.allFinite()) continue;

@@ -76,7 +76,7 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
 
 using Corner = std::array<double, 3>;  // x, y, z [cm]
 struct PathRows {
-  std::vector<Corner> targets = {}, reached = {};
+  std::vector<Corner> targets = {}, reached = {}, late_or_too_fast = {};
   std::vector<std::pair<std::string, std::vector<Corner>>> arms = {};  // label, and corners from the base to the tool
   std::string reached_label = "reached";
   int style = 1;  // of what was reached

@@ -67,6 +67,8 @@ Table anova_table(const Answer& answer);
 Table solves_table(const compare::StudyResults& study, const std::vector<std::string>& solvers);
 // Medians of the solvers' own numbers.
 Table extras_table(const compare::StudyResults& study, const std::vector<std::string>& solvers);
+// Of a control loop; without rows if the study has none.
+Table loop_table(const compare::StudyResults& study, const std::vector<std::string>& solvers);
 
 // The answer as data: headline, groups, tests, findings and doubts.
 nlohmann::ordered_json to_json(const Answer& answer);

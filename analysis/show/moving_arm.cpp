@@ -53,13 +53,16 @@ Json first_run(const StudyResults& study, const std::string& solver, const robot
   Json steps = Json::array();
   const SolveRecord* before = nullptr;
   for (const SolveRecord& solve : solves.first(std::min(solves.size(), most_points))) {
+    const compare::Solve& judged = study.of(solver)[steps.size()];
     Json step{{"point", solve.point},
               {"target", rounded(solve.target_position_m)},
               {"answer", rounded(solve.answer_rad)},
               {"error", factor * solve.position_error_cm},
               {"variation_deg", solve.variation_deg},
               {"variation_m", solve.variation_m},
-              {"outside", joints_outside(solve, arm)}};
+              {"outside", joints_outside(solve, arm)},
+              {"late", judged.is_late},
+              {"too_fast", judged.is_too_fast}};
     if (!before || before->answer_rad != solve.start_rad) step["start"] = rounded(solve.start_rad);
     steps.push_back(std::move(step));
     before = &solve;

@@ -36,6 +36,10 @@ std::vector<Blocks> sections_of(const Report& report) {
   };
   if (!report.claims.empty()) sections.push_back(report.claims);
   add("Pictures", {report.figures.begin(), report.figures.end()});
+  std::vector<std::string> solvers;
+  for (const std::size_t i : report.answer.order)
+    solvers.push_back(report.answer.decisive().observations.groups[i].name);
+  add("Control loop", {loop_table(report.study, solvers)});
   std::ranges::copy(report.additions, std::back_inserter(sections));
   const Answer brief = with_short_names(report.answer, longest_name);
   Table pairs = pairs_table(report.answer), numbers = descriptives_table(report.answer);
@@ -44,9 +48,6 @@ std::vector<Blocks> sections_of(const Report& report) {
   numbers.in_article = {descriptives_table(brief)};
   add("Who is better?", {std::move(pairs)});
   if (!report.has_own_numbers) {
-    std::vector<std::string> solvers;
-    for (const std::size_t i : report.answer.order)
-      solvers.push_back(report.answer.decisive().observations.groups[i].name);
     add("All numbers", {std::move(numbers), solves_table(report.study, solvers), extras_table(report.study, solvers)});
     Table all = anova_table(report.answer), first = all;  // on the page those of one metric
     std::erase_if(first.rows, [&](const auto& row) {

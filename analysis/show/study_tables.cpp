@@ -526,6 +526,14 @@ Table anova_table(const Answer& answer) {
   return table;
 }
 
+namespace {
+
+bool has_failed(const StudyResults& study, const Solve& solve) {
+  return study.definition.has_tolerance() ? solve.status != results::Status::ok : !gave_answer(solve);
+}
+
+}  // namespace
+
 Table solves_table(const StudyResults& study, const std::vector<std::string>& solvers) {
   Table table{.name = "solves", .caption = "Single solves", .columns = columns_of({"solver", "solves", "failed"})};
   for (const char* of_times : {"median", "95 %", "99 %", "99.9 %", "largest"})
@@ -536,7 +544,7 @@ Table solves_table(const StudyResults& study, const std::vector<std::string>& so
     std::vector<double> times;
     std::int64_t failed = 0;
     for (const Solve& solve : all) {
-      failed += study.definition.has_tolerance() ? solve.status != results::Status::ok : !gave_answer(solve);
+      failed += has_failed(study, solve);
       if (const double seconds = time.value(solve, study); std::isfinite(seconds)) times.push_back(1000 * seconds);
     }
     if (all.size() < 2) continue;
@@ -564,6 +572,50 @@ Table extras_table(const StudyResults& study, const std::vector<std::string>& so
     if (std::ranges::any_of(row, [](const Cell& cell) { return std::holds_alternative<double>(cell); }))
       table.rows.push_back(std::move(row));
   }
+  return table;
+}
+
+Table loop_table(const StudyResults& study, const std::vector<std::string>& solvers) {
+  const double period = study.definition.loop.period;
+  const std::vector<double> ends{0, 100};
+  Table table{.name = "loop",
+              .caption = fmt::format("A control loop of {} ms", number_text(1000 * period)),
+              .columns = {{"solver"},
+                          {.name = "failed", .unit = "%", .ends = ends},
+                          {.name = "late", .unit = "%", .ends = ends},
+                          {"late in a row"},
+                          {"largest step", "deg"},
+                          {.name = "too fast", .unit = "%", .ends = ends}}};
+  bool is_all_timed = true;
+  for (const std::string& solver : solvers) {
+    const Solves all = study.of(solver);
+    if (period == 0 || all.empty()) continue;
+    double failed = 0, late = 0, steps = 0, too_fast = 0, largest = 0;
+    std::int64_t in_a_row = 0, most = 0;
+    bool is_timed = true;
+    for (const Solve& solve : all) {
+      is_timed &= solve.timing == results::Timing::clean || solve.timing == results::Timing::process;
+      failed += has_failed(study, solve);
+      late += solve.is_late;
+      in_a_row = solve.is_late ? 1 + (solve.point > 1 ? in_a_row : 0) : 0;
+      most = std::max(most, in_a_row);
+      if (solve.point == 1) continue;
+      ++steps;
+      too_fast += solve.is_too_fast;
+      largest = std::max(largest, solve.largest_move_deg);
+    }
+    is_all_timed &= is_timed;
+    const auto percent = [](double count, double of) { return of > 0 ? Cell(100 * count / of) : Cell(); };
+    const auto n = static_cast<double>(all.size());
+    table.rows.push_back({solver, percent(failed, n), is_timed ? percent(late, n) : Cell(),
+                          is_timed ? Cell(most) : Cell(), largest,
+                          study.definition.steps.empty() ? Cell() : percent(too_fast, steps)});
+  }
+  table.notes = {
+      fmt::format("Late: longer than the period{}. Steps are of one joint that turns, between two targets; too "
+                  "fast: further than the velocity limit of a joint allows in a period{}.",
+                  is_all_timed ? "" : " (not known of solves at once or of a debug build)",
+                  study.definition.steps.empty() ? " (no limits are known of this arm)" : "")};
   return table;
 }
 

@@ -197,10 +197,12 @@
       if (this.told === index + words) return;
       this.told = index + words;
       this.text.textContent = words;
-      if (joints.length === 0) return;
+      const faults = [joints.length > 0 && ` Outside its limits: ${joints.join(', ')}.`, move.late && ' Late.',
+        move.too_fast && ' Too fast for a joint.'].filter(Boolean);
+      if (faults.length === 0) return;
       const warning = document.createElement('span');
       warning.className = 'outside';
-      warning.textContent = ` Outside its limits: ${joints.join(', ')}.`;
+      warning.textContent = faults.join('');
       this.text.append(warning);
     }
   }
