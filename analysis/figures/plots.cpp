@@ -482,7 +482,7 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
                          "set samples 2\nunset key\n",
                          points + 1, points, text_of(step));
   figure.plot = fmt::format(
-      "set multiplot layout {0}, {1} rowsfirst margins margin(1.35), 1 - margin(0.25), up(0.95), 1 - up(0.65 + {2}) "
+      "set multiplot layout {0}, {1} rowsfirst margins margin(1.35), 1 - margin({4}), up(0.95), 1 - up(0.65 + {2}) "
       "spacing margin(0.15), up({2})\n"
       "do for [r=1:{0}] {{\n  do for [c=1:{1}] {{\n"
       "    unset label\n    unset title\n    set format ''\n"
@@ -497,7 +497,7 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
       "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) "
       "with points pt 6 ps 0.6 lw 0.8 lc rgb '#000000'\n"
       "  }}\n}}\nunset multiplot",
-      drawn, columns.size(), text_of(gap_cm), drawn == 1 ? 0.7 : 1.9);
+      drawn, columns.size(), text_of(gap_cm), drawn == 1 ? 0.7 : 1.9, points < 1000 ? "0.25" : "0.5");
   return figure;
 }
 
