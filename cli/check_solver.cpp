@@ -1,5 +1,5 @@
 // ikbench check-solver: checks a program for its author before a study runs it.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

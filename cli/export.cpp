@@ -1,7 +1,7 @@
 // ikbench export: a store's solves for other programs.
 #include "results/export.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>

@@ -1,7 +1,7 @@
 // ikbench merge: merges the stores of several machines into one.
 #include "results/merge.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,7 @@
 // ikbench multiverse: the claims of a paper in every reading of what it leaves open.
 #include "experiments/multiverse.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>

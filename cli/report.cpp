@@ -1,7 +1,7 @@
 // ikbench report: tables and figures from any store, without solving.
 #include "analysis/show/report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // ikbench run: runs a study, built-in or from a file.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>

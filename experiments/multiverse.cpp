@@ -1,6 +1,6 @@
 #include "experiments/multiverse.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #include "experiments/solve_runner.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 #include "numerics/inputs.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <fstream>

@@ -1,6 +1,6 @@
 #include "numerics/instruction_set.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cstdlib>
 #include <stdexcept>

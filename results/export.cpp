@@ -1,6 +1,6 @@
 #include "results/export.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "results/study.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "robots/chain.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

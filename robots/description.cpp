@@ -1,6 +1,6 @@
 #include "robots/description.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

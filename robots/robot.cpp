@@ -1,6 +1,6 @@
 #include "robots/robot.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>

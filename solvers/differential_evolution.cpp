@@ -1,6 +1,6 @@
 // DE, differential evolution, scheme rand/1/bin: Storn and Price 1997; the numbers are those of Slim et al. 2023, Table
 // 1. docs/papers/slim2023-notes.md 2.9 argues for this reading.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <stdexcept>
 

@@ -1,6 +1,6 @@
 #include "solvers/registry.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <stdexcept>
 

@@ -1,6 +1,6 @@
 #include "analysis/compare/study.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 #include "analysis/papers/paper.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

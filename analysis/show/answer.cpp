@@ -1,6 +1,6 @@
 #include "analysis/show/answer.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // Writes a report as a page of HTML that loads nothing, and as Markdown.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <boost/archive/iterators/base64_from_binary.hpp>

@@ -1,6 +1,6 @@
 #include "experiments/foreign/foreign_solver.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "experiments/foreign/program.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "experiments/foreign/protocol.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Targets drawn anew for every run: Slim et al. 2023, Table 7. All sets except `unreachable` are poses of drawn
 // configurations, so the arm can reach them.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <Eigen/LU>
 #include <algorithm>

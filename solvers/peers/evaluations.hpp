@@ -2,7 +2,7 @@
 // the study's stop rule ends the solve.
 #pragma once
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <nlopt.h>
 
 #include <chrono>

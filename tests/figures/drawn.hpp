@@ -1,7 +1,7 @@
 // Draws figures as SVG alone, by one gnuplot, which costs far less than each in three formats.
 #pragma once
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/figures/of_study.hpp"
