@@ -30,7 +30,7 @@ class _Clock:
     threads and child processes computed, and no more than passed."""
 
     def __init__(self):
-        self._began, self._waited, self._computed = time.perf_counter(), self._waits(), self._computes()
+        self._waited, self._computed, self._began = self._waits(), self._computes(), time.perf_counter()
 
     def _waits(self):
         return int(os.pread(_schedule.fileno(), 99, 0).split()[1]) * 1e-9 if _schedule else 0
@@ -43,8 +43,8 @@ class _Clock:
         return time.perf_counter() - self._began
 
     def seconds(self):
-        wall = self.wall()
-        return min(wall, max(wall - (self._waits() - self._waited), self._computes() - self._computed))
+        wall, computed = self.wall(), self._computes() - self._computed
+        return min(wall, max(wall - (self._waits() - self._waited), computed))
 
 
 class _Members:
@@ -87,12 +87,13 @@ class Problem(_Members):
         self.rotation = [turn[0:3], turn[3:6], turn[6:9]]
         self.matrix = [row + [x] for row, x in zip(self.rotation, self.position)] + [[0, 0, 0, 1]]
         self.extras = {}
-        self.random, self._ask, self.evaluated, self._clock = random.Random(self.seed), ask, False, _Clock()
+        self.random, self._ask, self.evaluated = random.Random(self.seed), ask, False
+        self.clock = _Clock()
 
     def left(self):
         """Seconds of its budget that are left, or fewer while there are some; infinite where there is no budget."""
-        by_the_wall = (self.budget.seconds or math.inf) - self._clock.wall()
-        return by_the_wall if by_the_wall > 0 else self.budget.seconds - self._clock.seconds()
+        by_the_wall = (self.budget.seconds or math.inf) - self.clock.wall()
+        return by_the_wall if by_the_wall > 0 else self.budget.seconds - self.clock.seconds()
 
     def starts(self):
         """Where to begin: the start, then random values inside the limits, while time is left (without a budget of time
@@ -163,9 +164,8 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
             if why is not None:
                 raise Declined(why)
             problem = Problem(told, ask)
-            clock = _Clock()
             q = solve(prepared, problem)
-            seconds = clock.seconds()
+            seconds = problem.clock.seconds()
             answer = {"message": "solved"}
             if not problem.evaluated:  # else ikbench's time is in it
                 answer["seconds"] = seconds
