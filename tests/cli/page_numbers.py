@@ -39,7 +39,8 @@ for with_20, with_50 in zip(table("table-3.csv"), table("table-3-50.csv")):
 for claim in table("claims.csv"):
     says("docs/papers/slim2023.md", *re.findall(number, claim["number"]))
 counts = [int(table("multiverse.csv")[0][verdict]) for verdict in ("holds", "fails", "not decided")]
-says("docs/papers/README.md", sum(counts), *counts)
+for page in ("README.md", "docs/papers/README.md"):
+    says(page, sum(counts), *counts)
 
 # Beeson and Ames: TRAC-IK's rates and times are the stored ones, one arm's other rates the store's. How many repeat is counted
 # in the page's table.
