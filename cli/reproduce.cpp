@@ -89,7 +89,14 @@ papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper
   const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   const papers::SolvedMultiverse solved = solved_multiverse(
       paper.name, within(Scope::small, all), {.seeds = arguments.seeds, .overrides = overridden_runs(arguments)}, jobs);
-  return papers::judged(paper, solved, load_study(paper.name).plan);
+  papers::JudgedMultiverse judged = papers::judged(paper, solved, load_study(paper.name).plan);
+  if (paper.means.empty()) return judged;
+  judged.explains =
+      papers::explained(paper,
+                        solved_multiverse(paper.name, within(Scope::none, all),
+                                          {.seeds = 1, .overrides = overridden_runs(arguments), .departures = 1}, jobs))
+          .in_short;
+  return judged;
 }
 
 // The first of the studies is the paper's own.
@@ -152,6 +159,8 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
     std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many
                   [](const compare::JudgedMetric& each) { return each.observations.metric == "evaluations"; });
   }
+  if (!sentences.empty() && !readings.explains.empty())
+    sentences.push_back(fmt::format("Of the other numbers, with one other setting and seed 1: {}.", readings.explains));
   if (sentences.empty()) sentences = papers::rates_sentences(repeated);
   if (sentences.empty()) sentences = {papers::tally_words(claims)};
   reported.first = papers::beginning(paper, sentences, means);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bitset>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "analysis/show/text.hpp"
@@ -276,20 +277,25 @@ std::vector<std::vector<Tried>> tried_by_row(const SolvedMultiverse& multiverse,
   return by_row;
 }
 
-// Printed numbers, alone and together, in words.
-std::vector<std::pair<std::string, Numbers>> targets(const TableOfMeans& printed, std::size_t row, const Tried& usual) {
-  std::vector<std::pair<std::string, Numbers>> all;
+// Printed numbers, alone and together, in words, and one alone in few.
+struct Target {
+  std::string words;
+  Numbers numbers;
+  std::string in_few = {};
+};
+std::vector<Target> targets(const TableOfMeans& printed, std::size_t row, const Tried& usual) {
+  std::vector<Target> all;
   const Numbers of_metric((1U << statistics.size()) - 1);
   for (std::size_t m = 0; m < printed.size(); ++m) {
     const Metric& metric = metric_named(metrics_of_readings[m]);
     for (std::size_t s = 0; s < statistics.size(); ++s)
-      all.emplace_back(
-          fmt::format("{}, {} {} {} (here {})", metric.name, statistics[s].column, printed[m][row].digits[s],
-                      metric.unit, show::number_text(usual.ours[m].*statistics[s].of)),
-          Numbers(1U << (m * statistics.size() + s)));
-    all.emplace_back(fmt::format("{}, all {}", metric.name, statistics.size()), of_metric << (m * statistics.size()));
+      all.push_back({fmt::format("{}, {} {} {} (here {})", metric.name, statistics[s].column, printed[m][row].digits[s],
+                                 metric.unit, show::number_text(usual.ours[m].*statistics[s].of)),
+                     Numbers(1U << (m * statistics.size() + s)),
+                     fmt::format("{}'s {} {}", printed[m][row].solver, metric.name, statistics[s].column)});
+    all.push_back({fmt::format("{}, all {}", metric.name, statistics.size()), of_metric << (m * statistics.size())});
   }
-  all.emplace_back(fmt::format("all {}", numbers_of_row), Numbers().set());
+  all.push_back({fmt::format("all {}", numbers_of_row), Numbers().set()});
   return all;
 }
 
@@ -330,6 +336,8 @@ Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse) {
     return fmt::format("{} ({})", tried.foreign, printed[0][tried.whose].solver);
   };
   std::vector<std::vector<Tried>> by_row = tried_by_row(multiverse, printed);
+  std::map<std::string, Names> by_reading;
+  Names by_none;
   for (std::size_t row = 0; row < by_row.size(); ++row) {
     const std::string& name = printed[0][row].solver;
     std::vector<Tried>& all = by_row[row];
@@ -337,10 +345,11 @@ Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse) {
     std::ranges::stable_sort(
         all, {}, [](const Tried& each) { return std::pair(each.departures.size(), numbers_of_row - each.own); });
     const Tried& usual = all.front();
-    for (const auto& [words, numbers] : targets(printed, row, usual)) {
+    for (const auto& [words, numbers, in_few] : targets(printed, row, usual)) {
       const auto has = [&](const Tried& each) { return (each.inside[row] & numbers) == numbers; };
       const auto first = std::ranges::find_if(all, has);
       if (has(usual)) continue;
+      if (!in_few.empty()) (first == all.end() ? by_none : by_reading[words_of(*first)]).push_back(in_few);
       if (first == all.end()) {
         result.numbers.rows.push_back({name, words, "none tried", {}, {}, {}, {}, {}});
         continue;
@@ -359,6 +368,11 @@ Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse) {
       result.readings.rows.push_back(
           {name, count(each.departures.size()), words_of(each), count(each.own), foreign_of(each), each.together});
   }
+  Names parts;
+  for (const auto& [reading, numbers] : by_reading)
+    parts.push_back(fmt::format("{} explains {}", reading, show::listed(numbers)));
+  if (!by_none.empty()) parts.push_back("none tried explains " + show::listed(by_none));
+  result.in_short = fmt::format("{}", fmt::join(parts, "; "));
   return result;
 }
 

@@ -24,6 +24,7 @@ struct SolvedMultiverse : results::Multiverse {
 struct JudgedMultiverse {
   std::map<std::string, std::string> in_readings;  // of claims, by id, as in JudgedClaim
   show::Table table;                               // "multiverse"; readings, each seed of one by itself
+  std::string explains = {};                       // Explanation::in_short
 };
 
 // What readings explain of the table of means: which of its numbers may be theirs, with the runs of all seeds together.
@@ -31,6 +32,7 @@ struct Explanation {
   show::Table numbers;   // "explained": those that the default's cannot be, each with the fewest departures by which
   show::Table rows;      // "rows": of each solver, the best reading, and on whose row another of its readings is
   show::Table readings;  // "readings": of each solver, all that were tried, by how much of its own row they explain
+  std::string in_short = {};  // a sentence: which reading has which number; empty if no number can be told
 };
 
 // Of readings with few departures (MultiverseRequest::departures), the default among them.
