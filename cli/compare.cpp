@@ -244,10 +244,11 @@ std::string markdown_of(const std::vector<Gate>& all) {
   for (const Gate& gate : all) {
     if (!is_told(gate)) continue;
     const show::Answer answer = answer_of(gate);
-    text += fmt::format("**{}**\n\n{}\n{}\n", show::markdown_text(verdict_of(gate)),
-                        show::to_markdown(show::results_table(answer)), show::to_markdown(show::pairs_table(answer)));
-    for (const compare::Doubt& doubt : answer.all_doubts())
-      text += show::markdown_text("! " + words_of(doubt)) + "\n\n";
+    std::vector<std::string> sentences = show::results_of(answer);
+    sentences.front().clear();
+    text += fmt::format("**{}**\n\n{}\n{}\n{}\n\n", show::markdown_text(verdict_of(gate)),
+                        show::to_markdown(show::results_table(answer)), show::to_markdown(show::pairs_table(answer)),
+                        show::markdown_text(fmt::format("{}", fmt::join(sentences, " "))));
   }
   const std::string note = show::markdown_text(note_of(all)), same = show::markdown_text(verdict_of_same(all));
   return text + note + (same.empty() ? "\n" : fmt::format("{}**{}**\n", note.empty() ? "" : "\n\n", same));

@@ -21,6 +21,7 @@
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/embedded_file.hpp"
+#include "numerics/inputs.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
 #include "results/export.hpp"
@@ -33,6 +34,13 @@ using namespace results;
 using namespace experiments;
 
 namespace {
+
+constexpr EmbeddedFile references[]{
+#include "references.inc"
+};
+constexpr EmbeddedFile styles[]{
+#include "styles.inc"
+};
 
 // Explains why solves that look done are made anew.
 void warn_of_left_aside(const StoredStudy& study, const Store& store) {
@@ -92,6 +100,15 @@ void choose_figures(show::Report& reported, const std::vector<std::string>& name
   if (!lacking.empty()) warn(fmt::format("there is nothing to draw for {}", fmt::join(lacking, ", ")));
 }
 
+// The shipped style of this name, else of a file.
+void read_style_of(const ReportArguments& arguments, FigureStyle& style, TableStyle& tables) {
+  if (arguments.style.empty()) return;
+  constexpr std::uintmax_t largest = 100'000;
+  const EmbeddedFile* const shipped = find_embedded(styles, arguments.style);
+  read_style_text(shipped ? std::string(shipped->text) : text_of_file(arguments.style, largest), arguments.style, style,
+                  tables);
+}
+
 bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
 
 // The door of these numbers: a run with an answer that is not finite is lost.
@@ -140,7 +157,8 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      .add_option("--style", arguments.style, "TOML file of keys of [figures], in place of the study's (list figures)")
+      .add_option("--style", arguments.style,
+                  "ieee, springer, slide, or a TOML file of keys of [figures], in place of the study's (list figures)")
       ->check(not_empty());
   add_json_option(command, arguments.is_json);
 }
@@ -148,11 +166,15 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
 std::string list_of_figures() {
   Rows rows{{"FIGURE", "OF"}};
   for (const auto& [name, meaning] : show::all_figures()) rows.push_back({name, meaning});
-  return aligned(rows) + "\nKeys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle());
+  std::vector<std::string_view> shipped;
+  for (const EmbeddedFile& style : styles) shipped.push_back(style.stem());
+  return aligned(rows) + fmt::format("\nStyles (--style): {}\n", fmt::join(shipped, ", ")) +
+         "\nKeys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle());
 }
 
 FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
-  if (!arguments.style.empty()) read_style_file(arguments.style, style);
+  TableStyle tables;
+  read_style_of(arguments, style, tables);
   for (const std::string& label : style.solvers) {
     if (std::ranges::find(labels, label) == labels.end())
       throw std::invalid_argument(fmt::format("solvers of [figures]: {}", unknown_name("solver", label, labels)));
@@ -194,9 +216,6 @@ void check_plan(const Study& study) {
 }
 
 std::vector<std::string> references_of(std::string_view name) {
-  constexpr numerics::EmbeddedFile references[]{
-#include "references.inc"
-  };
   std::vector<std::string> keys;
   std::istringstream lines{std::string(references[0].text)};
   for (std::string line, key; std::getline(lines, line);) {
@@ -212,11 +231,17 @@ std::vector<std::string> references_of(std::string_view name) {
 void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const FigureStyle& style, const std::string& screen) {
   if (!arguments.figures.empty() && are_drawn(arguments.figures)) choose_figures(reported, arguments.figures);
-  std::set<std::string> names{reported.study.definition.robot, reported.study.definition.published}, keys;
-  for (const Series& series : reported.study.entry.series) names.insert(series.algorithm);
+  std::set<std::string> names, keys;
+  for (const Series& series : reported.study.entry.series)
+    names.insert({series.algorithm, reported.study.definition.robot, reported.study.definition.published});
   names.erase("");
   for (const std::string& name : names) std::ranges::copy(references_of(name), std::inserter(keys, keys.end()));
   reported.keys.assign(keys.begin(), keys.end());
+  reported.references = references[0].text;
+  FigureStyle of_figures;
+  TableStyle tables = reported.study.definition.tables;
+  read_style_of(arguments, of_figures, tables);
+  reported.answer.show = tables.show;
   std::optional<ProgressBar> bar(std::in_place, "drawing", "figures");
   show::Written written =
       show::publish(reported, folder,

@@ -41,7 +41,7 @@ void add_paper_option(CLI::App& command, std::string& paper);
 struct ReportArguments {
   bool is_json = false;
   std::vector<std::string> figures = {};  // names; empty: all
-  std::string style = {};                 // a file; its keys replace those of the study's [figures]
+  std::string style = {};                 // shipped, or a file; its keys replace those of the study
 };
 
 // The names of figures, and the keys of their look.

@@ -60,8 +60,7 @@ show::Report judged(const StatsArguments& arguments, results::FigureStyle& style
   for (compare::Observations& observed : quantities.observed) {
     const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, observed);
     if (arguments.margin.empty() && plan.margin == 0)
-      quantities.notes.push_back(fmt::format(
-          "Without --margin in the unit of {}, which may be negative, no margin is used.", observed.quantity));
+      quantities.notes.push_back(fmt::format("Of {}, which may be negative, no margin is used.", observed.quantity));
     metrics.push_back(compare::judge(std::move(observed), plan));
   }
   show::Report reported;

@@ -98,7 +98,7 @@ void override_one(toml::table& study, const std::string& text) {
   if (owner.empty() || field.empty()) {
     throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
   }
-  std::set<std::string> owners{"analysis", "figures", "loop", "path", "stop", "urdf"}, settings;
+  std::set<std::string> owners{"analysis", "figures", "loop", "path", "stop", "tables", "urdf"}, settings;
   if (owners.contains(owner)) return insert(subtable(study, owner), field, value);
   const bool is_of_all = owner == swept_owner;
   bool is_known = false;
@@ -583,6 +583,7 @@ Study read_study(const toml::table& table, std::string_view source) {
     refuse_unknown(analysis, "control", "label", control, labels);
   drop_lost_control(study);
   read_style(figures, study.figures);
+  read_part(reader.part("tables"), study.tables);
   for (const std::string& label : study.figures.solvers) refuse_unknown(figures, "solvers", "label", label, labels);
   reader.refuse_unknown_keys();
   check_study(reader, study, arm);

@@ -7,7 +7,6 @@
 #include <cctype>
 #include <set>
 
-#include "numerics/inputs.hpp"
 #include "numerics/toml_table.hpp"
 
 namespace ikbench::results {
@@ -65,10 +64,13 @@ void read_style(TomlReader reader, FigureStyle& style) {
   }
 }
 
-void read_style_file(const std::filesystem::path& file, FigureStyle& style) {
-  constexpr std::uintmax_t largest = 100'000;
-  const toml::table table = parse_toml(text_of_file(file, largest), file.string());
-  read_style(TomlReader(table, file.string(), ""), style);
+void read_style_text(std::string_view toml, std::string_view source, FigureStyle& style, TableStyle& tables) {
+  const toml::table table = parse_toml(toml, source);
+  TomlReader reader(table, source, "");
+  TomlReader of_tables = reader.part("tables");
+  list_fields(of_tables, tables);
+  of_tables.refuse_unknown_keys();
+  read_style(std::move(reader), style);
 }
 
 }  // namespace ikbench::results

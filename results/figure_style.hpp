@@ -1,5 +1,5 @@
-// The look of a study's figures: [figures] of a study or a file of its own (--style), and the colours of its solvers.
-// It decides no number.
+// The look of a study's figures and tables: [figures] and [tables] of a study, a file of its own (--style), and the
+// colours of its solvers. It decides no number.
 #pragma once
 
 #include <filesystem>
@@ -33,10 +33,23 @@ struct FigureStyle {
   std::vector<std::string> palette = own_palette;
   std::vector<std::string> solvers = {};  // labels in the order of the figures; empty: all, as in the study
   std::vector<std::string> formats = picture_formats;
+  enum class Background { white, dark } background = Background::white;
   std::map<std::string, std::string> colours = {};  // of solvers, by label: `colour` of their entries
 
   bool operator==(const FigureStyle&) const = default;
 };
+
+// How the table of results shows what solvers have; it decides nothing.
+struct TableStyle {
+  enum class Show { tested, medians, means } show = Show::tested;
+
+  bool operator==(const TableStyle&) const = default;
+};
+
+inline void list_fields(numerics::Fields& io, TableStyle& style) {
+  io.choice("show", style.show, {"tested", "medians", "means"},
+            "medians with quartiles, or means with standard deviations; tested: those by which the plan tests");
+}
 
 constexpr std::string_view expected_colour = "a colour such as \"#1E8CF8\"";
 
@@ -47,6 +60,7 @@ inline void list_fields(numerics::Fields& io, FigureStyle& style) {
   io.text("font", style.font, "a font of this machine (letters, digits, blanks and -)");
   io.number("text_pt", style.text_pt, 1, {4, 24}, "size of text; heights and margins follow it");
   io.texts("palette", style.palette, "colours of solvers, in the order in which they are given out: \"#RRGGBB\"");
+  io.choice("background", style.background, {"white", "dark"}, "dark: with light text, which wants a light palette");
   io.texts("solvers", style.solvers, "only these labels in figures, in this order; []: all");
   io.texts("formats", style.formats, "pictures of each figure: svg, pdf, png; the page shows svg");
 }
@@ -59,7 +73,7 @@ std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle&
 
 // Sets the given keys and leaves the others. Throws std::invalid_argument (numerics/toml_table.hpp).
 void read_style(numerics::TomlReader reader, FigureStyle& style);
-// The same from a file, whose keys are those of [figures].
-void read_style_file(const std::filesystem::path& file, FigureStyle& style);
+// The same of a text, whose keys are those of [figures], and the table [tables].
+void read_style_text(std::string_view toml, std::string_view source, FigureStyle& style, TableStyle& tables);
 
 }  // namespace ikbench::results

@@ -74,7 +74,7 @@ Definition definition_of(std::string_view json) {
   TomlReader reader(table, fmt::format("study {}", table["name"].value_or("without a name")), "");
   TomlReader path = reader.part("path"), stop = reader.part("stop"), reach = reader.part("out_of_reach"),
              figures = reader.part("figures"), colours = figures.part("colours"), analysis = reader.part("analysis"),
-             arm = reader.part("arm"), loop = reader.part("loop");
+             arm = reader.part("arm"), loop = reader.part("loop"), tables = reader.part("tables");
   constexpr std::pair<std::int64_t, std::int64_t> counts{0, std::numeric_limits<int>::max()};
   Definition study;
   list_fields(reader, study);
@@ -82,6 +82,7 @@ Definition definition_of(std::string_view json) {
   list_fields(loop, study.loop);
   list_fields(analysis, study.plan);
   list_fields(figures, study.figures);
+  list_fields(tables, study.tables);
   for (const auto& [label, node] : colours.table())
     colours.text(label.str(), study.figures.colours[std::string(label.str())]);
   if (const auto mistake = mistake_in(study.figures))

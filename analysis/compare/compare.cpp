@@ -436,6 +436,7 @@ Finding better_first(Finding finding, std::string_view control, bool is_second_a
     tested->verdict = turned(tested->verdict);
     if (tested->amount) turn(*tested->amount);
     if (tested->effect) std::swap(tested->effect->ahead, tested->effect->behind);
+    if (tested->g) tested->g = -*tested->g;
   } else if (auto* const fact = std::get_if<Fact>(&finding.what)) {
     fact->verdict = turned(fact->verdict);
     turn(fact->amount);

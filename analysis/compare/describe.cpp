@@ -189,4 +189,19 @@ std::optional<TestOfAll> test_of_ranks(const Observations& observed) {
   return test;
 }
 
+TestsOfAll tests_of_all(Observations observed) {
+  TestsOfAll all;
+  if (observed.scale == Scale::share || observed.are_logs) return all;
+  std::erase_if(observed.groups, [&](const Group& group) {
+    const bool has_chance = std::holds_alternative<Summary>(group.sample) ||
+                            (std::holds_alternative<Measured>(group.sample) && !values_of(group).empty());
+    if (!has_chance) all.without.push_back(group.name);
+    return !has_chance;
+  });
+  for (const auto test : {anova, test_of_ranks}) {
+    if (const auto found = test(observed)) all.tests.push_back(*found);
+  }
+  return all;
+}
+
 }  // namespace ikbench::compare

@@ -38,6 +38,8 @@ struct TestOfAll {
   double df = unknown, df_within = unknown;
   double p = unknown;
   double ss_between = unknown, ss_within = unknown;
+
+  double eta_squared() const { return ss_between / (ss_between + ss_within); }  // of blocks partial
 };
 
 // One-way, of paired groups that of repeated measures (Fisher 1925). None for fewer than two groups, copies, lost or
@@ -45,5 +47,11 @@ struct TestOfAll {
 std::optional<TestOfAll> anova(const Observations& observed);
 // Kruskal and Wallis (J. Am. Stat. Assoc. 47 (1952) 583), of paired groups Friedman (32 (1937) 675); both with ties.
 std::optional<TestOfAll> test_of_ranks(const Observations& observed);
+// Both, of the groups with chance in their values, and the names of the others; none of shares and of logarithms.
+struct TestsOfAll {
+  std::vector<TestOfAll> tests = {};
+  std::vector<std::string> without = {};
+};
+TestsOfAll tests_of_all(Observations observed);
 
 }  // namespace ikbench::compare

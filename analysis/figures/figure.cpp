@@ -113,6 +113,7 @@ std::map<std::string, std::string> sources_of(const std::vector<Figure>& figures
                                                           {"FONT", look.font},
                                                           {"WIDTH_CM", text_of(look.width_cm)},
                                                           {"HEIGHT_CM", text_of(look.height_cm)},
+                                                          {"DARK", std::to_string(static_cast<int>(look.background))},
                                                           {"COLOURS", fmt::format("{}", fmt::join(look.palette, " "))}};
   for (const auto& [name, value] : values) style.replace(style.find(name), name.size(), value);
   std::map<std::string, std::string> sources{{std::string(style_file->name), style}};

@@ -35,7 +35,7 @@ std::string titled(char letter, const std::string& title) {
   if (title.empty()) return "";
   const std::string text = gnuplot_text(shortened(title, letter == 'y' ? 34 : 44));
   if (letter == 'x') return fmt::format("set xlabel {} noenhanced\n", text);
-  return fmt::format("set label {} at screen margin(0.3), graph 0.5 center rotate noenhanced\n", text);
+  return fmt::format("set label {} at screen margin(0.3), graph 0.5 center rotate noenhanced tc rgb ink\n", text);
 }
 
 std::string logarithmic(char letter, double low, double high) {
@@ -197,7 +197,7 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
                             about.floor > 0 ? "≤ " + tick(about.floor, is_power) : "0", text_of(edge));
   if (has_edge && edge > about.floor) {  // the axis is broken between them
     const std::string middle = text_of(std::sqrt(edge * start));
-    settings += fmt::format("set label '//' at {} center front\n",
+    settings += fmt::format("set label '//' at {} center front tc rgb ink\n",
                             letter == 'x' ? "first " + middle + ", graph 0" : "graph 0, first " + middle);
   }
   return {settings + titled(letter, title) + placed(letter, edge, high), low, high, true};
@@ -252,9 +252,9 @@ void add_names(Figure& figure, std::vector<Named> marks) {
                                text_of(0.35 * static_cast<double>(figure.legend - i / 2)))
                  : fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.3), text_of(height));
     // The marker has a label of its own, since SVG raises the text of one with a point.
-    figure.settings += fmt::format("set label {} at {} left offset 1, 0 noenhanced\nset label '' at {} point {}\n",
-                                   gnuplot_text(label), at_name, at_name,
-                                   style > 0 ? fmt::format("ls {}", style) : "pt 6 ps 0.9 " + colour_of(style));
+    figure.settings += fmt::format(
+        "set label {} at {} left offset 1, 0 noenhanced tc rgb ink\nset label '' at {} point {}\n", gnuplot_text(label),
+        at_name, at_name, style > 0 ? fmt::format("ls {}", style) : "pt 6 ps 0.9 " + colour_of(style));
     if (!is_below)
       figure.settings += fmt::format("set arrow from graph {}, graph {} to {} nohead back lw 0.5 dt 3 {}\n", text_of(x),
                                      text_of(y), at_name, colour_of(style));

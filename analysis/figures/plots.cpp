@@ -33,9 +33,9 @@ std::span<const Row> drawn_of(const std::vector<Row>& all, std::size_t most, Fig
   for (std::size_t i = most; i < all.size(); ++i) others.push_back(all[i].label);
   if (!others.empty()) {
     figure.caption += fmt::format(" Without {}: only the first {} are drawn.", fmt::join(others, ", "), most);
-    figure.settings +=
-        fmt::format("set label 'first {} of {}' at screen 1 - margin(0.15), screen up(legend_rows_cm + 0.3) right\n",
-                    most, all.size());
+    figure.settings += fmt::format(
+        "set label 'first {} of {}' at screen 1 - margin(0.15), screen up(legend_rows_cm + 0.3) right tc rgb ink\n",
+        most, all.size());
   }
   return std::span(all).first(all.size() - others.size());
 }
@@ -46,7 +46,7 @@ void add_remarks(Figure& figure, const std::vector<std::string>& remarks) {
   for (std::size_t i = 0; i < remarks.size(); ++i) {
     if (remarks[i].empty()) continue;
     widest_cm = std::max(widest_cm, width_cm_of(remarks[i]));
-    figure.settings += fmt::format("set label {} at graph 1, first {} left offset 0.6, 0 noenhanced\n",
+    figure.settings += fmt::format("set label {} at graph 1, first {} left offset 0.6, 0 noenhanced tc rgb ink\n",
                                    gnuplot_text(remarks[i]), i + 1);
   }
   if (widest_cm == 0) return;
@@ -131,7 +131,7 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
         "{} (place_x($2)):($1-0.2):(place_x($6)-place_x($2)):(0) with vectors nohead lw 0.9 {}", box, colour));
     clauses.push_back(
         fmt::format("{} (place_x($4)):($1-0.2):(place_x($3)):(place_x($5)):($1-0.33):($1-0.07) with boxxyerror "
-                    "fs solid 0.15 border lw 0.9 {}",
+                    "fs @filled 0.15 border lw 0.9 {}",
                     box, colour));
   }
   if (std::ranges::none_of(all, [](double value) { return std::isfinite(value); })) return std::nullopt;
@@ -142,14 +142,13 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
   const auto has_no_answer = [](const BoxRow& row) { return std::isinf(row.box.back()); };
   if (std::ranges::any_of(rows, has_no_answer)) figure.caption += " At the right edge: no answer.";
   if (is_thinned) figure.caption += fmt::format(" Of more than {0} values, {0} are drawn at even ranks.", most_values);
-  clauses.emplace_back(
-      "data index 0 using (place_x($4)):($1-0.33):(0):(0.26) with vectors nohead lw 1.6 lc rgb '#000000'");
+  clauses.emplace_back("data index 0 using (place_x($4)):($1-0.33):(0):(0.26) with vectors nohead lw 1.6 lc rgb ink");
   if (has_printed) {
     clauses.push_back(fmt::format(
         "data index 0 using (place_x($7)):($1+0.34):(place_x($9)-place_x($7)):(0) with vectors nohead lw 1 {}", grey));
     clauses.push_back(
         fmt::format("data index 0 using (place_x($8)):($1+0.27):(0):(0.14) with vectors nohead lw 1.6 {}", grey));
-    clauses.emplace_back("keyentry with points pt 6 ps 0.3 lw 0.7 lc rgb '#000000' title 'here'");
+    clauses.emplace_back("keyentry with points pt 6 ps 0.3 lw 0.7 lc rgb ink title 'here'");
     clauses.push_back(fmt::format("keyentry with lines lw 1 {} title 'printed: smallest, median, largest'", grey));
     add_legend(figure, 2);
   }
@@ -250,7 +249,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
   if (is_dashed)
     figure.settings += fmt::format(
         "set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n"
-        "set label 'tolerance' at {0}, graph 1 right offset 0, 0.3\n",
+        "set label 'tolerance' at {0}, graph 1 right offset 0, 0.3 tc rgb ink\n",
         text_of(dashed), grey);
   add_names(figure, ends);
   figure.plot = plotted(clauses);
@@ -394,19 +393,18 @@ Figure path(const About& about, const PathRows& rows) {
     clauses.push_back(fmt::format("data index {} title {}", what, gnuplot_text(label)));
   };
   if (!rows.targets.empty()) add("path", fmt::format("0 using 1:2:3 with lines lw 0.7 {}", grey));
-  constexpr std::array<std::string_view, 3> shades{"#303030", "#707070", "#A8A8A8"};
   for (std::size_t i = 0; i < rows.arms.size(); ++i) {
     const auto& [label, corners] = rows.arms[i];
     figure.data += fmt::format("\n\n# {}: x, y, z [cm]\n", one_line(label));
     for (const Corner& corner : corners) figure.data += data_row({corner[0], corner[1], corner[2]});
     see(corners);
-    add(label, fmt::format("{} using 1:2:3 with linespoints lw 1.8 pt 7 ps 0.45 lc rgb '{}'",
-                           i + (rows.targets.empty() ? 0 : 1), shades[i % shades.size()]));
+    add(label, fmt::format("{} using 1:2:3 with linespoints lw 1.8 pt 7 ps 0.45 lc rgb shade({})",
+                           i + (rows.targets.empty() ? 0 : 1), i % 3 + 1));
   }
   if (!rows.targets.empty()) {
     const std::size_t n = rows.targets.size();
     const std::string every = n > 200 ? fmt::format(" every {}", n / 100) : "";
-    add("target", "0" + every + " using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000'");
+    add("target", "0" + every + " using 1:2:3 with points pt 7 ps 0.35 lc rgb ink");
     add(rows.reached_label,
         fmt::format("0{} using 4:5:6 with points pt 6 ps 0.8 lw 0.8 {}", every, colour_of(rows.style)));
     if (!rows.late_or_too_fast.empty()) {
@@ -427,9 +425,9 @@ Figure path(const About& about, const PathRows& rows) {
       "set xlabel offset 2.5, 0.2\nset xtics offset 0, 0\nset ylabel offset -2, 0\nset zlabel offset 1, 0 rotate\n";
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double middle = (low[axis] + high[axis]) / 2;
-    figure.settings += fmt::format(
-        "set {0}range [{1}:{2}]\nset {0}tics {3} textcolor rgb '#000000'\nset {0}label '{0} [cm]'\n", "xyz"[axis],
-        text_of(middle - side / 2), text_of(middle + side / 2), text_of(round_step_of(side, 4)));
+    figure.settings +=
+        fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} textcolor rgb ink\nset {0}label '{0} [cm]'\n", "xyz"[axis],
+                    text_of(middle - side / 2), text_of(middle + side / 2), text_of(round_step_of(side, 4)));
     if (axis == 2) figure.settings += fmt::format("set xyplane at {}\n", text_of(middle - side / 2));
   }
   figure.plot = fmt::format("splot {}", fmt::join(clauses, ", \\\n  "));
@@ -486,16 +484,16 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
       "spacing margin(0.15), up({2})\n"
       "do for [r=1:{0}] {{\n  do for [c=1:{1}] {{\n"
       "    unset label\n    unset title\n    set format ''\n"
-      "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.6 noenhanced }}\n"
-      "    if (r == 1) {{ set label name[c] at graph 0.5, graph 1 center offset 0, {3} noenhanced }}\n"
-      "    if (r == 1 && c == 1) {{ set label 'angle [deg]' at screen margin(0.3), screen 0.5 center rotate; "
-      "set label 'point' at screen 0.5, up(0.22) center }}\n"
+      "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.6 noenhanced tc rgb ink }}\n"
+      "    if (r == 1) {{ set label name[c] at graph 0.5, graph 1 center offset 0, {3} noenhanced tc rgb ink }}\n"
+      "    if (r == 1 && c == 1) {{ set label 'angle [deg]' at screen margin(0.3), screen 0.5 center rotate tc rgb ink; "
+      "set label 'point' at screen 0.5, up(0.22) center tc rgb ink }}\n"
       "    if (r == {0} && c % 2 == 1) {{ set format x '%g' }}\n"
       "    plot NaN, lower[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
       "      upper[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
       "      data index r-1 using 1:(column(c+1)) with lines lw 0.9 lc rgb colour_of(style[r]), \\\n"
       "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) "
-      "with points pt 6 ps 0.6 lw 0.8 lc rgb '#000000'\n"
+      "with points pt 6 ps 0.6 lw 0.8 lc rgb ink\n"
       "  }}\n}}\nunset multiplot",
       drawn, columns.size(), text_of(gap_cm), drawn == 1 ? 0.7 : 1.9, points < 1000 ? "0.25" : "0.5");
   return figure;
@@ -521,22 +519,23 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const double left = pitch * static_cast<double>(p);
     for (const double share : {0.0, 1.0}) ticks.push_back(fmt::format("'{}' {}", 100 * share, left + share));
-    figure.settings += fmt::format("set label {} at first {}, graph 1 left offset 0, 0.7 noenhanced\n",
+    figure.settings += fmt::format("set label {} at first {}, graph 1 left offset 0, 0.7 noenhanced tc rgb ink\n",
                                    gnuplot_text(shortened(panels[p].label, 14)), left);
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const double share = panels[p].shares[r];
-      figure.settings += fmt::format("set label '{}' at first {}, first {} left offset 0.3, 0 noenhanced front\n",
-                                     std::isfinite(share) ? fmt::format("{:.3g} {}", share, panels[p].marks[r]) : "-",
-                                     left + (std::isfinite(share) ? share / 100 : 0), r + 1);
+      figure.settings +=
+          fmt::format("set label '{}' at first {}, first {} left offset 0.3, 0 noenhanced front tc rgb ink\n",
+                      std::isfinite(share) ? fmt::format("{:.3g} {}", share, panels[p].marks[r]) : "-",
+                      left + (std::isfinite(share) ? share / 100 : 0), r + 1);
     }
     clauses.push_back(fmt::format(
-        "data using (${1}==${1}?{0}:NaN):1:({0}):({0}+${1}/100.0):($1-0.3):($1+0.3) with boxxyerror fs solid "
+        "data using (${1}==${1}?{0}:NaN):1:({0}):({0}+${1}/100.0):($1-0.3):($1+0.3) with boxxyerror fs @filled "
         "0.6 noborder lc rgb colour_of(1)",
         left, p + 2));
   }
   figure.legend = key.size();
   for (std::size_t i = 0; i < key.size(); ++i)
-    figure.settings += fmt::format("set label {} at screen 0.5, screen up({}) center noenhanced\n",
+    figure.settings += fmt::format("set label {} at screen 0.5, screen up({}) center noenhanced tc rgb ink\n",
                                    gnuplot_text(key[i]), text_of(0.35 * static_cast<double>(key.size() - i)));
   figure.height_cm += 0.4;
   figure.settings +=

@@ -97,7 +97,9 @@ Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
 Answer answer_of(const JudgedStudy& judged) {
   Answer all = answer_of(judged.metrics, judged.deciding);
   all.doubts = judged.doubts;
-  all.studied = fmt::format("{}. A solve ends at {}.", what_is_studied(judged.study), stops_of(judged.study));
+  all.studied = fmt::format("{}: {}. A solve ends at {}.", judged.study.entry.name, what_is_solved(judged.study),
+                            stops_of(judged.study));
+  all.show = judged.study.definition.tables.show;
   all.noun = judged.study.definition.compares_runs() ? "runs" : "targets";
   for (JudgedMetric& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
@@ -142,8 +144,12 @@ Answer with_short_names(Answer answer, std::size_t length) {
 }
 
 Shown shown_average(const JudgedMetric& judged, std::size_t group) {
+  return shown(judged, group, average_of(judged, group));
+}
+
+Shown shown(const JudgedMetric& judged, std::size_t group, double value) {
   const Observations& observed = judged.observations;
-  const double value = average_of(judged, group), at_most = observed.groups[group].at_most;
+  const double at_most = observed.groups[group].at_most;
   const bool has_ratios = !observed.are_logs && std::ranges::any_of(judged.findings, [](const Finding& finding) {
     return finding.scale == Scale::ratio && amount_of(finding) != nullptr;
   });

@@ -20,6 +20,7 @@ struct Answer {
   std::string studied = {};                    // of a study: what its solvers did, and when a solve ended, as sentences
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
+  results::TableStyle::Show show = results::TableStyle::Show::tested;  // of the table of results
 
   const compare::JudgedMetric& decisive() const { return metrics.front(); }
   // Those of all and of each metric, each once; what several metrics have alike, as one.
@@ -41,8 +42,9 @@ struct Shown {
   double value;
   bool is_bound = false;
 };
-Shown shown_average(const compare::JudgedMetric& judged, std::size_t group);
-std::vector<double> ends_of_shares(const compare::JudgedMetric& judged);  // 99.97 % is not 100; of others none
+Shown shown(const compare::JudgedMetric& judged, std::size_t group, double value);
+Shown shown_average(const compare::JudgedMetric& judged, std::size_t group);  // by which it is tested
+std::vector<double> ends_of_shares(const compare::JudgedMetric& judged);      // 99.97 % is not 100; of others none
 
 std::string reference_of(const Answer& answer);  // the control, else the first of the table of results
 
@@ -73,10 +75,12 @@ Table loop_table(const compare::StudyResults& study, const std::vector<std::stri
 // The answer as data: headline, groups, tests, findings and doubts.
 nlohmann::ordered_json to_json(const Answer& answer);
 
-// "mine: ur5e, 20 runs of 5 targets (random)"
-std::string what_is_studied(const compare::StudyResults& study);
-// Three sentences for an article, without the last point.
-std::string methods_of(const Answer& answer, const compare::StudyResults& study);
+const std::string& title_of(const compare::StudyResults& study);  // or its name
+// "ur5e, 20 runs of 5 targets (random)"
+std::string what_is_solved(const compare::StudyResults& study);
+// A paragraph for an article, without the last point; `program` made what is of no study. And one of results.
+std::string methods_of(const Answer& answer, const compare::StudyResults& study, const std::string& program = {});
+std::vector<std::string> results_of(const Answer& answer);
 std::string stops_of(const compare::StudyResults& study);  // "0.01 mm or 10000 evaluations"
 // "What ended unsolved solves: evaluations (DLS); gave up or iterations (PSO and DE)."; empty if all are solved.
 std::string ends_of_unsolved(const compare::StudyResults& study);

@@ -22,14 +22,15 @@ struct Printed {
   std::string printed;
   std::string sign = {};  // "~", "x" or "?": whether ours can be it
 };
-// A number with a mark, "*", or its interval, or that is an upper bound; or what stands in its place: a ratio to the
-// reference of the column, or a difference from it, which files of numbers have in a column of their own; or words
-// where a pair that is decided has neither.
+// A number with a mark, "*", or its interval or standard deviation, or that is an upper bound; or what stands in its
+// place: a ratio to the reference of the column, or a difference from it, which files of numbers have in a column of
+// their own; or words where a pair that is decided has neither.
 struct Marked {
   double value;
   std::string mark = {};
   bool is_bound = false;
   std::optional<compare::Interval> interval = {};
+  std::optional<double> sd = {};
   std::optional<compare::Scale> to_reference = {};
   bool is_best = false;    // bold in LaTeX
   std::string words = {};  // in place of the value: "in 61 %"

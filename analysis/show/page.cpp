@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
-#include <functional>
-#include <map>
 #include <span>
 #include <string_view>
 
@@ -24,20 +22,6 @@ constexpr numerics::EmbeddedFile templates[]{
 
 std::string_view template_named(std::string_view name) {
   return std::ranges::find(templates, name, &numerics::EmbeddedFile::name)->text;
-}
-
-// Replaces each {{name}} of the template. What it is replaced by is not looked at.
-std::string filled(std::string_view page, const std::map<std::string, std::string, std::less<>>& values) {
-  std::string text;
-  for (std::size_t at = 0, open = 0; open != std::string_view::npos;) {
-    open = page.find("{{", at);
-    text += page.substr(at, open - at);
-    if (open == std::string_view::npos) break;
-    const std::size_t close = page.find("}}", open);
-    text += values.find(page.substr(open + 2, close - open - 2))->second;
-    at = close + 2;
-  }
-  return text;
 }
 
 std::string base64(std::string_view bytes) {
@@ -147,6 +131,21 @@ struct MarkdownWriter {
 
 }  // namespace
 
+// What it is replaced by is not looked at.
+std::string filled_template(std::string_view name, const std::map<std::string, std::string, std::less<>>& values) {
+  const std::string_view page = template_named(name);
+  std::string text;
+  for (std::size_t at = 0, open = 0; open != std::string_view::npos;) {
+    open = page.find("{{", at);
+    text += page.substr(at, open - at);
+    if (open == std::string_view::npos) break;
+    const std::size_t close = page.find("}}", open);
+    text += values.find(page.substr(open + 2, close - open - 2))->second;
+    at = close + 2;
+  }
+  return text;
+}
+
 std::string to_page(const std::string& title, const std::vector<Blocks>& sections,
                     const std::optional<std::string>& arm, const std::filesystem::path& folder,
                     const std::string& program) {
@@ -161,11 +160,11 @@ std::string to_page(const std::string& title, const std::vector<Blocks>& section
   std::string text = answer(title, sections.front(), write, contents_of(rest),
                             arm ? template_named("stage.html") : std::string_view());
   for (const Blocks& blocks : rest) text += section(blocks, write);
-  return filled(template_named("page.html"), {{"title", html_text(title)},
-                                              {"style", std::string(template_named("page.css"))},
-                                              {"sections", std::move(text)},
-                                              {"program", html_text(program.empty() ? "ikbench" : program)},
-                                              {"scripts", std::move(scripts)}});
+  return filled_template("page.html", {{"title", html_text(title)},
+                                       {"style", std::string(template_named("page.css"))},
+                                       {"sections", std::move(text)},
+                                       {"program", html_text(program.empty() ? "ikbench" : program)},
+                                       {"scripts", std::move(scripts)}});
 }
 
 std::string to_markdown(const std::vector<Blocks>& sections, const std::filesystem::path& folder) {

@@ -19,11 +19,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 8> types_of_files{".csv", ".dat", ".gp", ".md", ".pdf", ".png", ".svg", ".tex"};
+constexpr std::array<std::string_view, 10> types_of_files{".bib", ".csv", ".dat", ".gp",  ".md",
+                                                          ".pdf", ".png", ".svg", ".tex", ".txt"};
 constexpr std::array<const char*, 4> own_files{"report.html", "report.md", "results.json", "solves.csv"};
 
 // A table or figure of reports, without its number. One that is not here outlives its report.
 bool is_own(const fs::path& folder, std::string_view name) {
+  if (folder == "article") return name == "main" || name == "references" || name == "methods" || name == "results";
   if (folder == "tables") return std::ranges::find(names_of_tables, name) != names_of_tables.end();
   const auto is_of_kind = [&](const auto& kind) { return name == kind.first || name.starts_with(kind.first + "-"); };
   return folder == "figures" && (name == "style" || std::ranges::any_of(all_figures(), is_of_kind));
@@ -70,22 +72,6 @@ std::vector<Kind*> all_in(std::vector<Blocks>& sections) {
   return all;
 }
 
-// As an article has it: its name and caption say of what.
-Table for_article(const Table& whole, const Report& report) {
-  Table table = whole.in_article.empty() ? whole : whole.in_article.front();
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {  // writers leave out what is empty
-    if (table.columns[c].role != Role::remark) continue;
-    for (auto& row : table.rows) row[c] = {};
-  }
-  const std::string& name = report.study.entry.name;
-  if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
-  if (!report.study.entry.series.empty() && table.is_of_study)
-    table.caption += fmt::format(". {}. A solve ends at {}.", what_is_studied(report.study), stops_of(report.study));
-  else if (!name.empty() && table.is_of_study)
-    table.caption += fmt::format(" of {}", name);
-  return table;
-}
-
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> all_figures() {
@@ -130,19 +116,14 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   std::ranges::copy(own_files, std::back_inserter(files));
   const bool is_of_study = !report.study.entry.series.empty();
   if (!is_of_study || !fs::is_regular_file(folder / own_files[3])) files.pop_back();
-  if (is_of_study) {
-    files.emplace_back("tables/methods.tex");
-    const auto& keys = report.keys;
-    results::write_file(
-        folder / files.back(),
-        fmt::format("{}.{}{}{}\n% Keys of docs/references.bib\n", latex_text(methods_of(report.answer, report.study)),
-                    keys.empty() ? "" : " Solvers and arm: \\cite{", fmt::join(keys, ","), keys.empty() ? "" : "}."));
-  }
+  std::vector<std::string> names;
   for (const Table* table : tables) {
     if (table->name.empty()) continue;
     write_table(*table, for_article(*table, report), folder / "tables", program);
+    names.push_back(table->name);
     for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table->name, type));
   }
+  std::ranges::move(write_article(report, names, figures, folder, program), std::back_inserter(files));
   std::ranges::move(files_of(figures, folder), std::back_inserter(files));
   std::ranges::sort(files);
   for (const std::string& file : earlier) {
@@ -174,7 +155,6 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   }
   std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });  // that had nothing else
   results::write_file(folder / "report.md", to_markdown(sections, folder));
-  const std::string& title = report.study.definition.title;
   std::vector<std::string> order;
   for (const std::size_t i : report.answer.order) order.push_back(report.answer.decisive().observations.groups[i].name);
   const auto control = std::ranges::find(order, report.answer.decisive().plan.control);  // beside the first
@@ -184,8 +164,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
     written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
     arm.reset();
   }
-  results::write_file(written.page,
-                      to_page(title.empty() ? report.study.entry.name : title, sections, arm, folder, program));
+  results::write_file(written.page, to_page(title_of(report.study), sections, arm, folder, program));
   return written;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +25,8 @@ struct Report {
   std::vector<Blocks> additions = {};
   bool has_own_numbers = false;            // the additions have the descriptions and the ANOVA
   std::vector<std::string> warnings = {};  // beside the study's own
-  std::vector<std::string> keys = {};      // that tables/methods.tex cites, of docs/references.bib
+  std::vector<std::string> keys = {};      // that its article cites
+  std::string_view references = {};        // where they are
 };
 Report report_of(compare::JudgedStudy judged, std::vector<figures::Figure> figures);
 
@@ -40,6 +43,15 @@ std::string to_markdown(const std::vector<Blocks>& sections, const std::filesyst
 // The types of a figure's pictures that stand there: "svg", "pdf", "png".
 std::vector<std::string> types_of(const figures::Figure& figure, const std::filesystem::path& folder);
 
+// A template with each {{name}} replaced.
+std::string filled_template(std::string_view name, const std::map<std::string, std::string, std::less<>>& values);
+
+// The table as an article has it: its name and caption say of what.
+Table for_article(const Table& whole, const Report& report);
+// The folder article/, with an example that inputs these tables and figures. Returns its files.
+std::vector<std::string> write_article(const Report& report, const std::vector<std::string>& tables,
+                                       const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
+                                       const std::string& program);
 // NAME.csv, NAME.md and, of what an article shows, NAME.tex.
 void write_table(const Table& table, const Table& article, const std::filesystem::path& folder,
                  const std::string& program);

@@ -63,7 +63,7 @@ std::vector<Blocks> sections_of(const Report& report) {
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   add("Warnings", std::move(warnings));
   if (is_of_study)
-    add("Set-up", {methods_of(report.answer, report.study) + ". For LaTeX, with what to cite: tables/methods.tex.",
+    add("Set-up", {methods_of(report.answer, report.study) + ". For LaTeX, with what to cite: article/methods.tex.",
                    study_table(report.study), options_table(report.study), machine_table(report.study)});
   return sections;
 }

@@ -55,6 +55,13 @@ bool are_ratios(const JudgedMetric& judged, const std::string& reference) {
   return judged.observations.is_of_solved && std::ranges::any_of(judged.findings, is_known);
 }
 
+bool are_means_tested(const JudgedMetric& judged) { return judged.plan.test == results::Plan::Test::means; }
+
+bool are_means_shown(const Answer& answer) {
+  using Show = results::TableStyle::Show;
+  return answer.show == Show::means || (answer.show == Show::tested && are_means_tested(answer.decisive()));
+}
+
 // A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
 // with the reference. Where the numbers of two are of other targets, the finding of the pair stands in its place.
 Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver,
@@ -96,14 +103,17 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
     return cell;
   }
   const Description& its = judged.described[i];
-  const Shown shown = shown_average(judged, i);
+  const bool are_means = are_means_shown(answer);
+  const bool is_only_one = is_share(judged) || judged.observations.are_logs || std::isnan(its.median);
+  const Shown shown =
+      is_only_one ? shown_average(judged, i) : show::shown(judged, i, are_means ? its.mean : its.median);
   if (std::isnan(shown.value))
     return Absent{judged.observations.is_of_solved || untold(group) ? "nothing was solved" : "without a value"};
   cell.value = shown.value, cell.is_bound = shown.is_bound;
   cell.interval = interval_of(judged, its);
-  if (is_deciding && !is_share(judged) && !judged.observations.is_of_solved && !cell.is_bound && its.n > 1 &&
-      !std::isnan(its.median))
-    cell.interval = Interval{its.lower_quartile, its.upper_quartile};
+  if (!is_deciding || is_share(judged) || judged.observations.is_of_solved || cell.is_bound || its.n < 2) return cell;
+  if (are_means && !std::isnan(its.sd)) cell.sd = its.sd;
+  if (!are_means && !is_only_one) cell.interval = Interval{its.lower_quartile, its.upper_quartile};
   return cell;
 }
 
@@ -112,12 +122,6 @@ void add_setting(Table& table, std::string what, std::string value) {
 }
 
 Table settings(std::string caption) { return {.caption = std::move(caption), .columns = {{"what"}, {"value"}}}; }
-
-std::string with_blanks(std::string_view name) {
-  std::string text(name);
-  std::ranges::replace(text, '_', ' ');
-  return text;
-}
 
 std::string limit(double value, std::string_view unit) {
   return value > 0 ? fmt::format("{}{}", number_text(value), unit) : "";
@@ -146,9 +150,9 @@ Table results_table(const Answer& answer) {
   for (const std::size_t i : answer.order) table.rows.push_back({decisive.observations.groups[i].name});
   const std::string reference = reference_of(answer);
   const std::set<std::string> losers = losers_of(decisive.findings);
-  const bool are_means = decisive.plan.test == results::Plan::Test::means;
+  const bool are_means = are_means_shown(answer);
   const std::string average = are_means ? "mean" : "median";
-  bool has_numbers = false, has_quartiles = false, has_shares = false, has_words = false;
+  bool has_numbers = false, has_quartiles = false, has_shares = false, has_words = false, has_sd = false;
   std::set<std::string> kinds, marks;
   std::vector<std::string> reasons, without;  // of "-", and the metric that has it
   std::vector<std::string> counts, counted;   // what numbers are of that each solver has for itself, and the metric
@@ -167,6 +171,7 @@ Table results_table(const Answer& answer) {
       has_numbers |= !is_share(judged);
       has_words |= !marked->words.empty();
       marks.insert(marked->mark);
+      has_sd |= marked->sd.has_value();
       has_quartiles |= marked->interval && !is_share(judged);
       has_shares |= marked->interval && is_share(judged);
       if (marked->to_reference)
@@ -184,7 +189,8 @@ Table results_table(const Answer& answer) {
     counted.push_back(observed.quantity);
   }
   std::string key = !has_numbers ? "" : are_means ? "Means" : "Medians";
-  if (has_numbers && has_quartiles) key += are_means ? " (quartiles of values)" : " (quartiles)";
+  if (has_quartiles) key += " (quartiles)";
+  if (has_sd) key += " ± standard deviations";
   if (const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n);
       most.n > 0 && !answer.direction.empty())
     key = fmt::format("{} of {}{}; {}", has_numbers ? key : "Shares",
@@ -209,6 +215,8 @@ Table results_table(const Answer& answer) {
   const std::string level = fmt::format(" (adjusted p < {}{})", number_text(decisive.plan.significance),
                                         std::ranges::any_of(answer.metrics, has_facts) ? ", or for certain" : "");
   std::vector<std::string> sentences{key, meaning_of(marks, of_whom(answer, reference) + level)};
+  if (has_numbers && are_means != are_means_tested(decisive))
+    sentences.emplace_back(are_means ? "Tests are of ranks" : "Tests are of means");
   if (has_words) sentences.emplace_back("1 times, or in N % of comparisons: no other ratio tells it");
   if (has_shares)
     sentences.push_back(fmt::format("Brackets{}: {:.3g} % intervals", has_quartiles ? " of shares" : "",
@@ -497,27 +505,19 @@ Table anova_table(const Answer& answer) {
   table.columns[7].role = Role::p;
   std::vector<std::string> left_out, where;
   for (const JudgedMetric& judged : answer.metrics) {
-    if (is_share(judged) || judged.observations.are_logs) continue;
-    Observations observed = judged.observations;
-    std::vector<std::string> without;
-    std::erase_if(observed.groups, [&](const Group& group) {
-      const bool has_chance = std::holds_alternative<Summary>(group.sample) ||
-                              (std::holds_alternative<Measured>(group.sample) && !values_of(group).empty());
-      if (!has_chance) without.push_back(group.name);
-      return !has_chance;
-    });
-    const std::string& quantity = observed.quantity;
-    const std::size_t before = table.rows.size();
-    if (const auto f = anova(observed)) {
-      table.rows.push_back({quantity, std::string(f->name), "between", f->ss_between, std::llround(f->df),
-                            f->ss_between / f->df, f->statistic, f->p, f->ss_between / (f->ss_between + f->ss_within)});
-      table.rows.push_back({quantity, std::string(f->name), "within", f->ss_within, std::llround(f->df_within),
-                            f->ss_within / f->df_within, Cell(), Cell(), Cell()});
+    const auto [tests, without] = tests_of_all(judged.observations);
+    const std::string& quantity = judged.observations.quantity;
+    for (const TestOfAll& test : tests) {
+      const double ss = test.ss_between;
+      const bool is_f = !std::isnan(ss);
+      table.rows.push_back({quantity, std::string(test.name), "between", is_f ? Cell(ss) : Cell(),
+                            std::llround(test.df), is_f ? Cell(ss / test.df) : Cell(), test.statistic, test.p,
+                            is_f ? Cell(test.eta_squared()) : Cell()});
+      if (is_f)
+        table.rows.push_back({quantity, std::string(test.name), "within", test.ss_within, std::llround(test.df_within),
+                              test.ss_within / test.df_within, Cell(), Cell(), Cell()});
     }
-    if (const auto ranks = test_of_ranks(observed))
-      table.rows.push_back({quantity, std::string(ranks->name), "between", Cell(), std::llround(ranks->df), Cell(),
-                            ranks->statistic, ranks->p, Cell()});
-    if (without.empty() || table.rows.size() == before) continue;
+    if (without.empty() || tests.empty()) continue;
     left_out.push_back(names_of(without)), where.push_back(quantity);
   }
   table.notes = {"Statistics: F of ANOVA, chi-squared of ranks. The pairs decide, whatever these say."};
@@ -731,43 +731,14 @@ std::string ends_of_unsolved(const StudyResults& study) {
   return told.empty() ? "" : fmt::format("What ended unsolved solves: {}.", listed(told, "; "));
 }
 
-std::string what_is_studied(const StudyResults& study) {
-  const results::Definition& definition = study.definition;
-  return fmt::format("{}: {}, {} of {} ({})", study.entry.name, definition.robot,
-                     numerics::counted(definition.runs, "runs"), numerics::counted(definition.points, "targets"),
-                     with_blanks(definition.path));
+const std::string& title_of(const StudyResults& study) {
+  return study.definition.title.empty() ? study.entry.name : study.definition.title;
 }
 
-std::string methods_of(const Answer& answer, const StudyResults& study) {
+std::string what_is_solved(const StudyResults& study) {
   const results::Definition& definition = study.definition;
-  std::set<std::string> tests;
-  for (const JudgedMetric& judged : answer.metrics) {
-    for (const Finding& finding : judged.findings) {
-      if (const auto* const tested = std::get_if<Tested>(&finding.what)) tests.insert(std::string(tested->test));
-    }
-  }
-  const auto given = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };
-  const std::int64_t runs = definition.runs;
-  const std::string targets = definition.draws_targets ? numerics::counted(runs * definition.points, "targets")
-                                                       : numerics::counted(definition.points, "targets") +
-                                                             " in each of " + numerics::counted(runs, "runs");
-  const auto fact = [&](const char* name) {
-    const std::set<std::string> values = facts_of(study, name);
-    return values.empty() ? "unknown" : given(values);
-  };
-  std::string text = fmt::format(
-      "{} had {}{} ({}; search: {}) with the arm {}; each solve started {} and ended at {}; the machine was {}.",
-      listed(study.labels), study.labels.size() > 1 ? "the same " : "", targets, with_blanks(definition.path),
-      with_blanks(name_of(definition.search)), definition.robot,
-      definition.is_chained() ? "at the last answer"
-                              : "from its " + with_blanks(name_of(definition.start)) + " position",
-      stops_of(study), fact("cpu"));
-  if (!tests.empty())
-    text += fmt::format(
-        " Pairs were tested by {}, p times the number of pairs of a metric that can be tested (Bonferroni), at a "
-        "significance of {}; a difference within {} does not matter.",
-        given(tests), number_text(answer.decisive().plan.significance), margin_words(answer.decisive()));
-  return text + fmt::format(" Made with ikbench {} (commit {})", fact("version"), fact("commit"));
+  return fmt::format("{}, {} of {} ({})", definition.robot, numerics::counted(definition.runs, "runs"),
+                     numerics::counted(definition.points, "targets"), with_blanks(definition.path));
 }
 
 Table options_table(const StudyResults& study) {

@@ -27,7 +27,8 @@ using Number = std::string (*)(double, int digits);
 struct Readable {
   Number number;
   const Column& column;
-  std::string at_most = "≤ ", dash = "-", unit = column.unit_of_cells.empty() ? "" : ' ' + column.unit_of_cells;
+  std::string at_most = "≤ ", dash = "-", plus_minus = "± ",
+              unit = column.unit_of_cells.empty() ? "" : ' ' + column.unit_of_cells;
 
   std::string operator()(std::monostate) const { return "-"; }
   std::string operator()(const Absent&) const { return "-"; }
@@ -52,11 +53,14 @@ struct Readable {
       text =
           number(marked.value, std::min(5, digits_apart(marked.value, {1}, digits(marked.value - 1, 0.1)))) + " times";
     if (marked.to_reference == compare::Scale::difference && marked.value > 0) text.insert(0, "+");
-    if (marked.interval) text += ' ' + spread(*marked.interval);
+    if (const std::string around = spread(marked); !around.empty()) text += ' ' + around;
     return text + (marked.mark.empty() ? "" : ' ' + marked.mark);
   }
-  // "(98-100)", of a marked number.
-  std::string spread(const compare::Interval& its) const {
+  // "(98-100)" or "± 0.2", of a marked number.
+  std::string spread(const Marked& marked) const {
+    if (marked.sd) return plus_minus + number(*marked.sd, 2);
+    if (!marked.interval) return "";
+    const compare::Interval& its = *marked.interval;
     const int wide = std::abs(its.high - its.low) < 3 ? 3 : 2;
     return fmt::format("({}{}{})", number(its.low, wide), its.low < 0 ? " to " : dash, number(its.high, wide));
   }
@@ -71,7 +75,8 @@ bool excludes_end(const Cell& cell) {
 struct Kinds {
   bool texts = false, intervals = false, excluded = false, printed = false;
   bool long_texts = false;
-  bool ratios = false, differences = false, spreads = false, marks = false, best = false;  // of Marked
+  bool ratios = false, differences = false, spreads = false, deviations = false, marks = false,
+       best = false;  // of Marked
 };
 std::vector<Kinds> kinds_of(const Table& table) {
   std::vector<Kinds> kinds(table.columns.size());
@@ -90,6 +95,7 @@ std::vector<Kinds> kinds_of(const Table& table) {
       kinds[c].ratios |= its.to_reference == compare::Scale::ratio;
       kinds[c].differences |= its.to_reference == compare::Scale::difference;
       kinds[c].spreads |= its.interval.has_value();
+      kinds[c].deviations |= its.sd.has_value();
       kinds[c].marks |= !its.mark.empty();
       kinds[c].best |= its.is_best;
     }
@@ -169,6 +175,7 @@ std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const
     all.emplace_back("low", spread ? number(spread->low) : Json());
     all.emplace_back("high", spread ? number(spread->high) : Json());
   }
+  if (kinds.deviations) all.emplace_back("sd", marked && marked->sd ? number(*marked->sd) : Json());
   if (kinds.excluded)
     all.emplace_back("excluded", !excludes_end(cell) ? Json() : interval->excludes_low ? "low" : "high");
   if (kinds.marks) all.emplace_back(mark, marked && !marked->mark.empty() ? Json(marked->mark) : Json());
@@ -191,7 +198,7 @@ std::string latex_number(double value, int digits) {
 }
 
 std::string latex_cell(const Cell& cell, const Column& column) {
-  const Readable read{latex_number, column, "$\\le$ ", "--"};
+  const Readable read{latex_number, column, "$\\le$ ", "--", "$\\pm$ "};
   if (std::holds_alternative<std::string>(cell) || std::holds_alternative<Printed>(cell) ||
       std::holds_alternative<Judgement>(cell))
     return latex_text(std::visit(read, cell));
@@ -201,7 +208,8 @@ std::string latex_cell(const Cell& cell, const Column& column) {
                                    .to_reference = marked->to_reference,
                                    .words = latex_text(marked->words)});
     if (marked->is_best) text = fmt::format("{{\\boldmath\\textbf{{{}}}}}", text);
-    if (marked->interval) text += fmt::format(" & {{\\scriptsize {}}}", read.spread(*marked->interval));
+    if (const std::string around = read.spread(*marked); !around.empty())
+      text += fmt::format(" & {{\\scriptsize {}}}", around);
     if (!marked->mark.empty())
       text += fmt::format("\\rlap{{\\,\\scriptsize {}}}", latex_text(marked->mark));  // digits align
     return text;
@@ -290,12 +298,13 @@ std::string to_latex(const Table& whole) {
   for (Column& column : table.columns) column.unit_of_cells = latex_text(column.unit_of_cells);
   std::string letters, text;
   std::vector<std::string> heads;
+  const auto has_spreads = [](const Kinds& its) { return its.spreads || its.deviations; };
   const std::vector<Kinds> kinds = kinds_of(table);  // spreads have a column of their own, so that the numbers align
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    letters += kinds[c].long_texts ? "p{5cm}" : kinds[c].texts ? "l" : kinds[c].spreads ? "r@{ }l" : "r";
+    letters += kinds[c].long_texts ? "p{5cm}" : kinds[c].texts ? "l" : has_spreads(kinds[c]) ? "r@{ }l" : "r";
     if (kinds[c].marks) letters += "@{\\hspace{14pt}}";  // room for them
     const std::string name = latex_text(head(table.columns[c]));
-    heads.push_back(kinds[c].spreads ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
+    heads.push_back(has_spreads(kinds[c]) ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
   }
   text += fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
   for (const auto& row : table.rows) {
@@ -303,7 +312,7 @@ std::string to_latex(const Table& whole) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       cells.push_back(latex_cell(row[c], table.columns[c]));
       if (kinds[c].long_texts) cells.back() = "\\raggedright\\let\\\\\\tabularnewline " + cells.back();
-      if (kinds[c].spreads && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
+      if (has_spreads(kinds[c]) && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
     }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }

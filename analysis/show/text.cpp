@@ -87,6 +87,12 @@ std::string latex_text(std::string_view text) {
   return replaced(text, substitutes, "{}$&#_%");
 }
 
+std::string with_blanks(std::string_view name) {
+  std::string text(name);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
 std::string id_of(std::string_view name) {
   std::string id;
   for (const char c : name) {

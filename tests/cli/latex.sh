@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Every LaTeX table of a report and its paragraph for Methods compile, and fit an A4 page with margins of 2 cm. That of the results fits a column.
+# Every LaTeX table of a report and its paragraphs compile, and fit an A4 page with margins of 2 cm. That of the results
+# fits a column. The example of an article compiles with all, and knows all that it refers to.
 source "$(dirname "$0")/common.sh"
 for tool in pdflatex mf; do command -v $tool >/dev/null || { echo "skipped: no $tool"; exit 77; }; done # mf makes fonts
 for package in booktabs graphicx geometry; do kpsewhich "$package.sty" >/dev/null || { echo "skipped: no $package.sty"; exit 77; }; done
@@ -15,7 +16,7 @@ compiles() {
     printf '\\usepackage{%s}\n' "$(sed -n '1s/^% Needs \\usepackage{\(.*\)}$/\1/p' -s "$@" | tr ',' '\n' | sort -u | paste -sd,)"
     echo '\begin{document}'
     for table in "$@"; do printf '\\typeout{Table %s}\n\\input{%s}\n\\clearpage\n' "$(basename "$table")" "$table"; done
-    echo '\input{methods}\end{document}'
+    echo '\input{methods}\input{results}\end{document}'
   } >all.tex
   for _ in 1 2; do # the second knows the numbers of tables
     pdflatex -interaction=nonstopmode -halt-on-error all.tex >.pdflatex 2>&1 || fail "$*: $(grep -A 5 '^!' all.log)"
@@ -34,7 +35,19 @@ compiles() {
 succeeds run labels.toml --figures none --out labels
 succeeds run slim2023 "${small[@]}" --figures none --out paper
 for folder in labels paper; do
-  mv $folder/tables/methods.tex . # a paragraph
+  for class in IEEEtran plain; do
+    (
+      cd $folder/article || exit 1
+      [ $class = IEEEtran ] || sed -i 's/^\\IfFileExists.*/\\plain/' main.tex
+      for tool in pdflatex bibtex pdflatex pdflatex; do
+        command -v $tool >/dev/null && [ $tool != bibtex ] || [ -e references.bib ] || continue
+        case $tool in bibtex) bibtex main ;; *) pdflatex -interaction=nonstopmode -halt-on-error main.tex ;; esac >.tex 2>&1 ||
+          fail "$folder as $class, $tool: $(grep -A 5 '^!' main.log) $(tail -n 3 .tex)"
+      done
+      ! grep -E 'undefined|multiply defined' main.log || fail "$folder as $class"
+    ) || exit 1
+  done
+  cp $folder/article/{methods,results}.tex . # paragraphs
   compiles '[a4paper]{article}' '\usepackage[margin=2cm]{geometry}' "$folder"/tables/*.tex
   for class in '[twocolumn,a4paper]{article}' '{IEEEtran}'; do
     [ "$class" != '{IEEEtran}' ] || kpsewhich IEEEtran.cls >/dev/null || continue

@@ -101,6 +101,60 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
   CHECK(json["findings"].size() == 12);
 }
 
+TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
+  std::string all;
+  const auto add = [&](const std::string& what, const Answer& answer) {
+    all += fmt::format("{}:\n", what);
+    for (const std::string& sentence : results_of(answer)) all += fmt::format("  {}\n", sentence);
+  };
+  const auto of = [](compare::Observations observed, const compare::Plan& plan = {}) {
+    Answer answer = answer_of({judged(std::move(observed), plan)});
+    answer.noun = "targets";
+    return answer;
+  };
+  const auto errors_of = [](std::size_t solvers) {
+    std::vector<std::pair<std::string, std::vector<double>>> groups;
+    for (std::size_t i = 0; i < solvers; ++i)
+      groups.emplace_back(fmt::format("S{}", i), values_around(1 + 0.3 * static_cast<double>(i), 0.5));
+    compare::Observations errors = numbers("error", "error", "mm", groups);
+    errors.is_paired = true;
+    return errors;
+  };
+  add("a study of three", report_of().answer);
+  add("two", of(errors_of(2)));
+  add("two by means", of(errors_of(2), {.test = results::Plan::Test::means}));
+  add("ten", of(errors_of(10)));
+  add("seventeen", of(errors_of(17)));
+  add("ten, with a control", of(errors_of(10), {.control = "S4"}));
+  compare::Observations lost = errors_of(3);
+  lost.groups[1].sample = compare::Untold{.lost = 3, .values = {1, 2}};
+  add("one not compared", of(lost));
+  Answer nothing =
+      answer_of({judged(shares({{"A", solved(0)}, {"B", solved(0)}, {"C", solved(0)}})), judged(errors_of(3))}, 1);
+  add("nothing solved", nothing);
+  add("too few", of(numbers("error", "error", "mm", {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}})));
+  check_golden("results.txt", all);
+}
+
+TEST_CASE("a table of results shows medians or means, and says by which solvers are tested", "[show]") {
+  using Show = results::TableStyle::Show;
+  const auto text = [](Show show, results::Plan::Test test) {
+    Answer answer =
+        answer_of({judged(numbers("error", "error", "mm", {{"A", values_around(1, 0.5)}, {"B", values_around(3, 0.5)}}),
+                          {.test = test})});
+    answer.show = show;
+    return to_csv(results_table(answer)) + results_table(answer).notes.front();
+  };
+  const std::string by_ranks = text(Show::tested, results::Plan::Test::ranks);
+  CHECK(contains(by_ranks, "solver,median error [mm],median error low [mm],median error high [mm]"));
+  CHECK(contains(by_ranks, "Medians (quartiles). *"));
+  const std::string means = text(Show::means, results::Plan::Test::ranks);
+  CHECK(contains(means, "solver,mean error [mm],mean error sd [mm]"));
+  CHECK(contains(means, "Means ± standard deviations. * worse than A (adjusted p < 0.05). Tests are of ranks."));
+  CHECK(text(Show::tested, results::Plan::Test::means) == text(Show::means, results::Plan::Test::means));
+  CHECK(contains(text(Show::medians, results::Plan::Test::means), "Tests are of means."));
+}
+
 TEST_CASE("a screen has the solvers up to 20, at most six pairs and 100 columns", "[show]") {
   for (const std::size_t solvers : {1u, 2u, 3u, 6u, 7u, 17u, 24u}) {
     const std::string text = screen(of_many(solvers), "out/many/report.html");
@@ -166,8 +220,9 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   const auto json = numerics::parsed_json(*results::read_file(folder.path / "results.json"));
   CHECK(json["files"].size() < 50);
   for (const auto& file : json["files"]) CHECK(fs::is_regular_file(folder.path / std::string(file)));
-  for (const char* file : {"report.html", "report.md", "results.json", "solves.csv", "tables/results.csv",
-                           "tables/pairs.tex", "tables/methods.tex", "tables/descriptives.md"})
+  for (const char* file :
+       {"report.html", "report.md", "results.json", "solves.csv", "tables/results.csv", "tables/pairs.tex",
+        "article/methods.tex", "article/main.tex", "article/results.txt", "tables/descriptives.md"})
     CHECK(std::ranges::find(json["files"], file) != json["files"].end());
 
   const std::string page = *results::read_file(written.page), text = *results::read_file(folder.path / "report.md");

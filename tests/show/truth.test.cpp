@@ -151,6 +151,43 @@ std::string too_much(const Answer& answer) {
   return "";
 }
 
+// What a paragraph of results says wrongly or not at all: pairs with their words, or counts and those of the reference.
+std::string wrong_in_results(const Answer& answer) {
+  const JudgedMetric& judged = answer.decisive();
+  const std::vector<std::string> sentences = results_of(answer);
+  if (sentences.front() != headline(answer)) return "no headline";
+  const std::string& pairs = sentences[1];
+  const std::string reference = reference_of(answer);
+  std::map<std::string, int> counts;
+  std::map<std::string, std::set<std::string>> of_reference;
+  for (const Finding& finding : judged.findings) {
+    const Verdict verdict = verdict_of(finding);
+    ++counts[is_difference(verdict) ? "decided" : std::string(compare::name_of(verdict))];
+    const bool is_first = finding.first == reference;
+    if (!is_first && finding.second != reference) continue;
+    constexpr std::array words{"is better than", "is worse than",          "is the same as",
+                               "is equal to",    "is not decided against", "is not tested against"};
+    of_reference[words[static_cast<std::size_t>(is_first ? verdict : turned(verdict))]].insert(
+        is_first ? finding.second : finding.first);
+  }
+  if (judged.findings.size() <= most_pairs) {
+    for (const Finding& finding : judged.findings) {
+      const std::string words = verdict_words(finding, judged);
+      if (pairs.find(fmt::format("{} against {}: {}", finding.first, finding.second, words)) == std::string::npos)
+        return "a pair";
+    }
+    return "";
+  }
+  for (const auto& [verdict, count] : counts) {
+    if (pairs.find(fmt::format("{} {}", count, verdict)) == std::string::npos) return "counts";
+  }
+  for (const auto& [words, who] : of_reference) {
+    const std::vector<std::string> named = named_in(between(pairs, fmt::format("{} {} ", reference, words), ";."));
+    if (std::set<std::string>(named.begin(), named.end()) != who) return words;
+  }
+  return "";
+}
+
 // The same of the table of results and that of pairs.
 std::string wrong_in_tables(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
@@ -181,13 +218,13 @@ int checked = 0;
 
 void check(const std::vector<double>& numbers, const std::vector<What>& kinds, const std::string& control = "") {
   const Answer answer = answer_with(numbers, kinds, control);
-  const std::string said = too_much(answer), shown = wrong_in_tables(answer);
+  const std::string said = too_much(answer), shown = wrong_in_tables(answer), told = wrong_in_results(answer);
   ++checked;
-  if (said.empty() && shown.empty()) return;
+  if (said.empty() && shown.empty() && told.empty()) return;
   std::string pairs;
   for (const Finding& finding : answer.decisive().findings)
     pairs += fmt::format("{}{} {}; ", finding.first, finding.second, name_of(verdict_of(finding)));
-  CAPTURE(said, shown, headline(answer), pairs, to_text(results_table(answer)));
+  CAPTURE(said, shown, told, results_of(answer), headline(answer), pairs, to_text(results_table(answer)));
   FAIL();
 }
 

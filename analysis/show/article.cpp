@@ -1,0 +1,228 @@
+// What an article takes: paragraphs for Methods and Results, tables with captions that say of what, and an example that
+// inputs all.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "analysis/show/report.hpp"
+#include "analysis/show/text.hpp"
+#include "analysis/show/words.hpp"
+#include "numerics/names.hpp"
+#include "results/files.hpp"
+
+namespace ikbench::show {
+
+using namespace compare;
+
+namespace {
+
+// "DLS against PSO: better, 35 points (5.45 to 61.1), p = 0.0469"
+std::string told(const Finding& finding, const JudgedMetric& judged) {
+  std::vector<std::string> parts{verdict_words(finding, judged), amount_words(finding, judged)};
+  if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
+    if (tested->effect && !is_share(judged)) parts.push_back("A12 = " + number_text(tested->effect->a12()));
+    if (tested->g) parts.push_back("Hedges' g = " + number_text(*tested->g));
+    parts.push_back(p_sentence(tested->p, {judged.plan.significance}));
+  }
+  std::erase(parts, "");
+  return fmt::format("{} against {}: {}", finding.first, finding.second, fmt::join(parts, ", "));
+}
+
+// "McNemar's exact (n = 20 targets)", of each test.
+std::string tests_of(const Answer& answer, const std::vector<Finding>& findings) {
+  std::map<std::string, std::pair<int, int>> sizes;
+  for (const Finding& finding : findings) {
+    const auto* const tested = std::get_if<Tested>(&finding.what);
+    if (tested == nullptr) continue;
+    auto& [least, most] = sizes.try_emplace(std::string(tested->test), tested->n, tested->n).first->second;
+    least = std::min(least, tested->n), most = std::max(most, tested->n);
+  }
+  std::vector<std::string> all;
+  for (const auto& [test, n] : sizes)
+    all.push_back(fmt::format("{} (n = {}{})", test, n.first == n.second ? "" : fmt::format("{} to ", n.first),
+                              numerics::counted(n.second, answer.noun)));
+  return listed(all);
+}
+
+std::string at_once(const JudgedMetric& judged) {
+  const auto [tests, without] = tests_of_all(judged.observations);
+  std::vector<std::string> all;
+  for (const TestOfAll& test : tests) {
+    const bool is_f = !std::isnan(test.df_within);
+    all.push_back(fmt::format(
+        "{}: {} = {}, df = {:g}{}, {}{}", test.name, is_f ? "F" : "chi-squared", number_text(test.statistic), test.df,
+        is_f ? fmt::format(" and {:g}", test.df_within) : "", p_sentence(test.p, {judged.plan.significance}),
+        is_f ? fmt::format(", {}eta squared = {}", judged.observations.is_paired ? "partial " : "",
+                           number_text(test.eta_squared()))
+             : ""));
+  }
+  if (all.empty()) return "";
+  return fmt::format("All at once{}: {}.", without.empty() ? "" : ", without " + names_of(without),
+                     fmt::join(all, "; "));
+}
+
+// The pairs of a metric: all, or of many how many are decided, and those of the reference, of many with their ends.
+std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
+  constexpr std::array<std::string_view, 6> words{"is better than", "is worse than",          "is the same as",
+                                                  "is equal to",    "is not decided against", "is not tested against"};
+  std::vector<Finding> findings = judged.findings;
+  const std::string tests = tests_of(answer, findings), reference = reference_of(answer);
+  std::vector<std::string> parts, counts, names;
+  if (findings.size() > most_pairs) {
+    std::map<std::string_view, int> by_verdict;
+    for (const Finding& its : findings)
+      ++by_verdict[is_difference(verdict_of(its)) ? "decided" : compare::name_of(verdict_of(its))];
+    for (const auto& [verdict, count] : by_verdict) counts.push_back(fmt::format("{} {}", count, verdict));
+    parts.push_back(fmt::format("{} pairs ({})", findings.size(), listed(counts, ", ")));
+    std::erase_if(findings, [&](const Finding& its) { return its.first != reference && its.second != reference; });
+  }
+  if (findings.size() > most_pairs) {
+    std::map<Verdict, std::vector<std::string>> others;
+    for (const Finding& its : findings) {
+      const bool is_first = its.first == reference;
+      others[is_first ? verdict_of(its) : turned(verdict_of(its))].push_back(is_first ? its.second : its.first);
+    }
+    for (const auto& [verdict, who] : others)
+      parts.push_back(fmt::format("{} {} {}", reference, words[static_cast<std::size_t>(verdict)], listed(who)));
+    std::erase_if(findings, [](const Finding& its) { return !is_difference(verdict_of(its)) || !amount_of(its); });
+    const auto [least, most] = std::ranges::minmax_element(findings, {}, [](const Finding& its) {
+      const double value = amount_of(its)->value;
+      return std::abs(its.scale == Scale::ratio ? std::log(value) : value);
+    });
+    if (!findings.empty()) parts.push_back("the least estimate, " + told(*least, judged));
+    if (findings.size() > 1) parts.push_back("the largest, " + told(*most, judged));
+    findings.clear();
+  }
+  for (const Finding& finding : findings) parts.push_back(told(finding, judged));
+  std::string text = fmt::format("{}{}: {}.", judged.observations.quantity, tests.empty() ? "" : ", by " + tests,
+                                 fmt::join(parts, "; "));
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+}  // namespace
+
+Table for_article(const Table& whole, const Report& report) {
+  Table table = whole.in_article.empty() ? whole : whole.in_article.front();
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {  // writers leave out what is empty
+    if (table.columns[c].role != Role::remark) continue;
+    for (auto& row : table.rows) row[c] = {};
+  }
+  const std::string& name = report.study.entry.name;
+  const bool is_of_study = !report.study.entry.series.empty();
+  if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
+  if (table.is_of_study && is_of_study)
+    table.caption += fmt::format("{} {}: {}. A solve ends at {}.", table.caption.ends_with('?') ? "" : ".",
+                                 with_blanks(title_of(report.study)), with_blanks(what_is_solved(report.study)),
+                                 stops_of(report.study));
+  else if (table.is_of_study && !name.empty())
+    table.caption += fmt::format(" of {}", with_blanks(std::filesystem::path(name).stem().string()));
+  return table;
+}
+
+std::string methods_of(const Answer& answer, const StudyResults& study, const std::string& program) {
+  const results::Definition& definition = study.definition;
+  const JudgedMetric& decisive = answer.decisive();
+  const bool is_of_study = !study.entry.series.empty();
+  std::set<std::string> tests;
+  for (const JudgedMetric& judged : answer.metrics) {
+    for (const Finding& finding : judged.findings) {
+      if (const auto* const tested = std::get_if<Tested>(&finding.what)) tests.insert(std::string(tested->test));
+    }
+  }
+  const auto given = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };
+  const std::int64_t runs = definition.runs;
+  const std::string targets = definition.draws_targets ? numerics::counted(runs * definition.points, "targets")
+                                                       : numerics::counted(definition.points, "targets") +
+                                                             " in each of " + numerics::counted(runs, "runs");
+  const auto fact = [&](const char* name) {
+    const std::set<std::string> values = facts_of(study, name);
+    return values.empty() ? "unknown" : given(values);
+  };
+  std::string text;
+  if (is_of_study)
+    text = fmt::format(
+        "{} had {}{} ({}; search: {}) with the arm {}; each solve started {} and ended at {}; the machine was {}.",
+        listed(study.labels), study.labels.size() > 1 ? "the same " : "", targets, with_blanks(definition.path),
+        with_blanks(name_of(definition.search)), definition.robot,
+        definition.is_chained() ? "at the last answer"
+                                : "from its " + with_blanks(name_of(definition.start)) + " position",
+        stops_of(study), fact("cpu"));
+  else
+    text = fmt::format("{} of {} were compared; {}. {}", numerics::counted(std::ssize(decisive.described), "groups"),
+                       study.entry.name, answer.direction, fmt::join(answer.notes, " "));
+  if (!tests.empty())
+    text += fmt::format(
+        " Pairs were tested by {}, p times the number of pairs of a metric that can be tested (Bonferroni), at a "
+        "significance of {}; a difference within {} does not matter.",
+        given(tests), number_text(decisive.plan.significance), margin_words(decisive));
+  return text + (is_of_study ? fmt::format(" Made with ikbench {} (commit {})", fact("version"), fact("commit"))
+                             : " Made with " + program);
+}
+
+std::vector<std::string> results_of(const Answer& whole) {
+  const Answer answer = with_short_names(whole, 2 * longest_name);
+  std::vector<std::string> sentences{headline(answer)};
+  const bool are_two = answer.decisive().described.size() == 2;
+  for (const JudgedMetric& judged : answer.metrics) {
+    if (!judged.findings.empty() && (are_two || &judged == &answer.decisive()))
+      sentences.push_back(pairs_of(answer, judged));
+  }
+  sentences.push_back(are_two ? what_decides(answer) : at_once(answer.decisive()));
+  for (const Doubt& doubt : answer.all_doubts()) sentences.push_back(warning_of(doubt));
+  std::erase(sentences, "");
+  return sentences;
+}
+
+std::vector<std::string> write_article(const Report& report, const std::vector<std::string>& tables,
+                                       const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
+                                       const std::string& program) {
+  std::vector<std::string> files;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    files.push_back("article/" + name);
+    results::write_file(folder / files.back(), text);
+  };
+  const std::string methods = methods_of(report.answer, report.study, program);
+  std::vector<std::string> sentences, of_report = results_of(report.answer);
+  for (const Block& block : report.first) {  // of a paper what repeats, before its table
+    if (std::holds_alternative<Table>(block)) break;
+    if (const auto* const heading = std::get_if<Heading>(&block)) sentences.push_back(heading->text);
+    if (const auto* const text = std::get_if<std::string>(&block)) sentences.push_back(*text);
+  }
+  std::ranges::move(of_report, std::back_inserter(sentences));
+  const std::string results = fmt::format("{}", fmt::join(sentences, " "));
+  const auto& keys = report.keys;
+  write("methods.txt", one_line(methods) + ".\n");
+  write("methods.tex", fmt::format("{}.{}{}{}\n", latex_text(methods), keys.empty() ? "" : " Solvers and arm: \\cite{",
+                                   fmt::join(keys, ","), keys.empty() ? "" : "}."));
+  write("results.txt", one_line(results) + '\n');
+  write("results.tex", latex_text(results) + '\n');
+  if (!keys.empty()) write("references.bib", std::string(report.references));
+  std::string floats;
+  for (const std::string& table : tables) floats += fmt::format("\\input{{\\report/tables/{}}}\n", table);
+  for (const figures::Figure& figure : figures) {
+    const std::vector<std::string> types = types_of(figure, folder);
+    if (types.empty() || types.back() == "svg") continue;  // which LaTeX cannot draw
+    floats += fmt::format(
+        "\\begin{{figure{0}}}\n\\centering\n\\includegraphics[width=\\linewidth]{{{1}}}\n\\caption{{{2}}}\\label{{fig:{1}}}\n"
+        "\\end{{figure{0}}}\n",
+        figure.width_cm > 12 ? "*" : "", figure.name, latex_text(figure.caption));
+  }
+  write("main.tex",
+        filled_template(
+            "main.tex",
+            {{"program", program},
+             {"title", latex_text(title_of(report.study))},
+             {"floats", floats},
+             {"bibliography",
+              keys.empty() ? "" : "\\bibliographystyle{plain}\n\\bibliography{\\report/article/references}\n"}}));
+  return files;
+}
+
+}  // namespace ikbench::show
