@@ -76,7 +76,9 @@ class Written final : public Fields {
  private:
   void on_text(Name name, std::string& field) override { add(name, field, field); }
   void on_texts(Name name, std::vector<std::string>& field) override {
-    add(name, field, field.empty() ? "" : fmt::format("{} {:?}", field.size(), fmt::join(field, "\n")));
+    std::vector<std::string> words;
+    for (const std::string& word : field) words.push_back(numerics::text_of(numerics::Json(word)));
+    add(name, field, field.empty() ? "" : fmt::format("{} {}", field.size(), fmt::join(words, "\n")));
   }
   void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
     add(name, choices.at(chosen), choices.at(chosen), choices);
