@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <deque>
 #include <utility>
 
 #include "experiments/verifier.hpp"
 #include "numerics/names.hpp"
-#include "numerics/number.hpp"
 #include "robots/urdf.hpp"
 #include "solvers/bounds.hpp"
 
@@ -36,17 +34,6 @@ OrderedJson numbers(const Eigen::VectorXd& values) {
 double number_in(const OrderedJson& object, const char* key, double fallback) {
   const auto found = object.find(key);
   return found != object.end() && found->is_number() ? found->get<double>() : fallback;
-}
-
-// Takes a number as JSON writes it.
-bool take_number(const char*& at, const char* end, double& value) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  while (*at == ' ') ++at;
-  const char* const first = at + (*at == '-' ? 1 : 0);
-  const auto [next, error] = read_number(at, end, value);
-  if (error != std::errc{} || !is_digit(*first) || (*first == '0' && is_digit(first[1]))) return false;
-  const char* const point = std::find(std::exchange(at, next), next, '.');
-  return point == next || is_digit(point[1]);
 }
 
 }  // namespace
@@ -76,42 +63,11 @@ Settings options_of(const Hello& hello, const Settings& settings) {
   return list.values();
 }
 
-Message::Message(std::string line) : line_(std::move(line)), json_(std::make_shared<OrderedJson>()) {
-  if (read_candidates()) return;
-  json_ = std::make_shared<OrderedJson>(numerics::parsed_ordered_json(line_));
+Message::Message(std::string line)
+    : line_(std::move(line)), json_(std::make_shared<OrderedJson>(numerics::parsed_ordered_json(line_))) {
   if (!json_->is_object()) fail("JSON, in which a number that is not finite is null");
   name_ = text(*json_, "message");
   if (name_.empty()) fail("a \"message\"");
-}
-
-// Reads the usual {"message":"evaluate","candidates":[[...],...]}, for which the JSON library takes ten times as long.
-bool Message::read_candidates() {
-  const char* at = line_.c_str();
-  const char* const end = at + line_.size();
-  const auto take = [&at](std::string_view token) {
-    while (*at == ' ') ++at;
-    const bool is_there = std::strncmp(at, token.data(), token.size()) == 0;
-    if (is_there) at += token.size();
-    return is_there;
-  };
-  for (const char* token : {"{", "\"message\"", ":", "\"evaluate\"", ",", "\"candidates\"", ":", "["}) {
-    if (!take(token)) return false;
-  }
-  std::vector<double> values;
-  std::size_t lists = 0, joints = 0;
-  do {
-    if (!take("[")) return false;
-    do {
-      if (!take_number(at, end, values.emplace_back())) return false;
-    } while (take(","));
-    if (joints == 0) joints = values.size();
-    if (!take("]") || values.size() != ++lists * joints) return false;
-  } while (take(","));
-  if (!take("]") || !take("}") || at != end) return false;
-  name_ = "evaluate";
-  candidates_ =
-      Eigen::Map<Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(joints), static_cast<Eigen::Index>(lists));
-  return true;
 }
 
 void Message::fail(const std::string& expected) const {
@@ -194,8 +150,6 @@ Configuration Message::configuration(const OrderedJson& list, int joints, const 
 
 Candidates Message::candidates(int joints, const char* key) const {
   const std::string expected = fmt::format("\"{}\", a list of lists of {} numbers", key, joints);
-  if (candidates_.size() > 0 && candidates_.rows() != joints) fail(expected);
-  if (candidates_.size() > 0) return candidates_;
   OrderedJson list = json_->value(key, OrderedJson());
   if (!list.is_array() || list.empty()) fail(expected);
   if (!list.front().is_array()) list = OrderedJson::array({list});  // Octave writes a list of one so

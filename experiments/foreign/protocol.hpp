@@ -57,14 +57,12 @@ class Message {
   [[noreturn]] void fail(const std::string& expected) const;
 
  private:
-  bool read_candidates();
   std::string text(const numerics::OrderedJson& object, const char* key) const;
   HelloOption option(const numerics::OrderedJson& object) const;
   robots::Configuration configuration(const numerics::OrderedJson& list, int joints, const std::string& expected) const;
 
   std::string line_, name_;
   std::shared_ptr<const numerics::OrderedJson> json_;
-  Eigen::MatrixXd candidates_;  // if read_candidates read them; else json_ has them
 };
 
 // What is the same for all solves. `searched` has the joints before the wrist, or all; of `goal` the target does not

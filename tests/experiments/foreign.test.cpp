@@ -57,26 +57,19 @@ TEST_CASE("the clock of a program's solve runs before the program does", "[forei
   }
 }
 
-TEST_CASE("candidates are read alike with and without the JSON library", "[foreign]") {
-  const auto read = [](const char* text, const std::string& number) -> std::optional<double> {
+TEST_CASE("candidates are numbers as JSON writes them", "[foreign]") {
+  const auto is_read = [](const std::string& number) {
     try {
-      return Message(fmt::format(fmt::runtime(text), number)).candidates(2)(1, 1);
+      return Message(R"({"message":"evaluate","candidates":[[1,2],[3,)" + number + "]]}").candidates(2).size() == 4;
     } catch (const Trouble& trouble) {
-      CHECK(trouble.status == results::Status::broke_protocol);
-      return std::nullopt;
+      return trouble.status != results::Status::broke_protocol;
     }
   };
-  const auto alike = [&](const std::string& number) {
-    INFO(number);
-    const auto found = read(R"({{"message": "evaluate", "candidates": [[1, 2], [3, {}]]}})", number);
-    CHECK(found == read(R"({{"candidates":[[1,2],[3,{}]],"message":"evaluate"}})", number));
-    return found.has_value();
-  };
   for (const char* number : {"0", "-0.5", "1e-3", "1E5", "12345678901234567890", "0.1000000000000000055", "1e-400"})
-    CHECK(alike(number));
+    CHECK(is_read(number));
   for (const char* number : {"-", "1.", "1.e5", "01", "-01", ".5", "nan", "inf", "1e999", "+1", "0x1", "", "1 2", "1,2",
                              "1],[2", "[1]", "\"1\""})
-    CHECK_FALSE(alike(number));
+    CHECK_FALSE(is_read(number));
 }
 
 TEST_CASE("a claim may be off by rounding and twice what snapping moves", "[foreign]") {
