@@ -34,9 +34,9 @@ const std::map<std::string, Names>& may_know() {
 }
 
 // CMake writes these into the build folder of those that include them.
-const Names generated{"arms.inc",    "references.inc",       "build_info.hpp",     "multiverse.inc", "paper_files.inc",
-                      "studies.inc", "published_tables.inc", "source_digests.inc", "style.inc",      "templates.inc",
-                      "three.inc"};
+const Names generated{"arms.inc",        "references.inc", "build_info.hpp",       "multiverse.inc",
+                      "paper_files.inc", "studies.inc",    "published_tables.inc", "source_digests.inc",
+                      "style.inc",       "styles.inc",     "templates.inc",        "three.inc"};
 
 // The folder of the table that contains a path of the repository; else its first part.
 std::string folder_of(const std::string& path) {
