@@ -166,7 +166,7 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 void remove_temporary_folders() {
-  temporary_mutex.lock();  // to the end of the process: no half folder gets its name meanwhile
+  temporary_mutex.lock();  // to the end of the process: no half file gets its name meanwhile
   for (const fs::path& folder : temporary_folders) {
     std::error_code error;
     for (int attempt = 0; attempt < 100; ++attempt) {  // another thread may still write into it
@@ -174,19 +174,6 @@ void remove_temporary_folders() {
       if (!error) break;
     }
   }
-}
-
-void write_folder(const fs::path& folder, const std::function<void(const fs::path&)>& fill) {
-  std::error_code error, ignored;
-  fs::path place = folder.has_filename() ? folder : folder.parent_path();
-  if (fs::exists(place, ignored)) place = fs::canonical(place, ignored);
-  const TemporaryFolder scratch(folder_of(place), folder);
-  const fs::path half = scratch.path() / place.filename();
-  fs::create_directory(half, error);
-  if (!error) fill(half);
-  const std::scoped_lock lock(temporary_mutex);
-  if (!error) fs::rename(half, place, error);
-  if (error) refuse(fmt::format("'{}'", folder.string()), error.message(), error);
 }
 
 }  // namespace ikbench::results

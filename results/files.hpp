@@ -21,9 +21,6 @@ using Contents = std::function<void(const Write&)>;
 void write_file(const std::filesystem::path& file, const Contents& contents);
 // The same for a file that the user named: follows a link, and refuses a pipe or a device.
 void write_through(const std::filesystem::path& file, const Contents& contents);
-// Writes a folder that is whole or absent; an existing one must be empty. `fill` writes into another folder, which then
-// gets its name.
-void write_folder(const std::filesystem::path& folder, const std::function<void(const std::filesystem::path&)>& fill);
 // Refuses a link in place of a report's tables/ or figures/: what it leads to belongs to somebody else.
 void refuse_links(const std::filesystem::path& folder);
 // Reads a regular file, where a link leads too; nothing if it cannot be read. A user's own: numerics/inputs.hpp.

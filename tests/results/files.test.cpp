@@ -26,11 +26,9 @@ TEST_CASE("what a killed process left a day ago is removed by the next write, an
   std::set<std::string> kept = names();
   age();
   const pid_t child = in_a_process([&] {
-    write_folder(place / "b", [](const fs::path& half) {
-      write_file(half / "c", [](const Write& write) {
-        write("half");
-        raise(SIGKILL);
-      });
+    write_file(place / "b", [](const Write& write) {
+      write("half");
+      raise(SIGKILL);
     });
     return false;
   });
@@ -44,26 +42,13 @@ TEST_CASE("what a killed process left a day ago is removed by the next write, an
   CHECK(names() == kept);
 }
 
-TEST_CASE("a folder is whole or not there, and takes the place of an empty one alone", "[files]") {
-  const ScratchFolder folder;
-  CHECK_THROWS_AS(write_folder(folder.path / "a", [](const fs::path&) { throw std::logic_error("no"); }),
-                  std::logic_error);
-  CHECK(fs::is_empty(folder.path));
-  fs::create_directory(folder.path / "empty");
-  write_folder(folder.path / "empty/", [](const fs::path& place) { write_file(place / "c", "whole"); });
-  CHECK(text_in(folder.path / "empty" / "c") == "whole");
-  CHECK_THAT(complaint<std::invalid_argument>([&] { write_folder(folder.path / "empty", [](const fs::path&) {}); }),
-             ContainsSubstring("cannot write " + quoted(folder.path / "empty")));
-  CHECK(text_in(folder.path / "empty" / "c") == "whole");
-}
-
-TEST_CASE("a process that ends gives no half folder its name", "[files]") {
+TEST_CASE("a process that ends gives no half file its name", "[files]") {
   const ScratchFolder folder;
   const pid_t child = in_a_process([&] {
     std::atomic<bool> is_removed = false;
     std::future<void> ending;
-    write_folder(folder.path / "a", [&](const fs::path& place) {
-      write_file(place / "b" / "c", "half");
+    write_file(folder.path / "a", [&](const Write& write) {
+      write("half");
       ending = std::async(std::launch::async, [&] {
         remove_temporary_folders();
         is_removed = true;
@@ -71,7 +56,6 @@ TEST_CASE("a process that ends gives no half folder its name", "[files]") {
         _exit(3);
       });
       while (!is_removed) std::this_thread::yield();
-      write_file(place / "d" / "e", "half");
     });
     return true;
   });
