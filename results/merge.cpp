@@ -118,12 +118,11 @@ std::int64_t copy_missing(SQLite::Database& sqlite) {
                   "WHERE json_extract(excluded.definition, '$.runs') > json_extract(definition, '$.runs');"
                   "INSERT OR IGNORE INTO main.series SELECT * FROM source.series",
                   session, row));
-  if (sqlite.execAndGet("SELECT count(*) FROM source.sqlite_master WHERE name = 'extras'").getInt() > 0) {
-    const std::string table =
-        sqlite.execAndGet("SELECT sql FROM source.sqlite_master WHERE name = 'extras'").getString();
-    if (!sqlite.tableExists("extras")) sqlite.exec(table);
-    sqlite.exec("INSERT OR IGNORE INTO main.extras SELECT * FROM source.extras");
-  }
+  const std::string table =
+      sqlite.execAndGet("SELECT coalesce(max(sql), '') FROM source.sqlite_master WHERE name = 'extras'").getString();
+  if (table.empty()) return added;
+  if (!sqlite.tableExists("extras")) sqlite.exec(table);
+  sqlite.exec("INSERT OR IGNORE INTO main.extras SELECT * FROM source.extras");
   return added;
 }
 

@@ -171,6 +171,14 @@ bool lacks_locks(const std::string& file) {
   }
 }
 
+// Executes a statement that returns nothing, any number of times.
+template <class... Values>
+void execute(SQLite::Statement& statement, const Values&... values) {
+  SQLite::bind(statement, values...);
+  statement.exec();
+  statement.reset();
+}
+
 // Calls `action` and returns its result; refuses the file if SQLite fails or finds damage.
 template <class Action>
 auto guarded(const std::string& file, Action&& action) {
@@ -269,11 +277,7 @@ struct Store::Database {
 
   void add_environment(std::int64_t session, const std::map<std::string, std::string>& environment) {
     SQLite::Statement add(sqlite, "INSERT INTO environment (session, key, value) VALUES (?, ?, ?)");
-    for (const auto& [key, value] : environment) {
-      SQLite::bind(add, session, key, value);
-      add.exec();
-      add.reset();
-    }
+    for (const auto& [key, value] : environment) execute(add, session, key, value);
   }
 
   std::vector<StoredStudy> studies() {
@@ -345,20 +349,15 @@ void Store::save_study(const StoredStudy& study) {
         database_->sqlite,
         "INSERT INTO studies (name, definition, saved) VALUES (?1, ?2, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) "
         "ON CONFLICT (name) DO UPDATE SET definition = excluded.definition, saved = excluded.saved");
-    SQLite::bind(save, study.name, study.definition);
-    save.exec();
+    execute(save, study.name, study.definition);
     SQLite::Statement clear(database_->sqlite, "DELETE FROM series WHERE study = ?");
-    clear.bind(1, study.name);
-    clear.exec();
+    execute(clear, study.name);
     SQLite::Statement add(
         database_->sqlite,
         "INSERT INTO series (study, position, key, label, algorithm, options) VALUES (?, ?, ?, ?, ?, ?)");
     std::int64_t position = 0;
-    for (const Series& series : study.series) {
-      SQLite::bind(add, study.name, ++position, series.key, series.label, series.algorithm, series.options);
-      add.exec();
-      add.reset();
-    }
+    for (const Series& series : study.series)
+      execute(add, study.name, ++position, series.key, series.label, series.algorithm, series.options);
   });
 }
 
@@ -415,11 +414,8 @@ void Store::append(const std::vector<SolveRecord>& records) {
       if (record.extras.empty()) continue;
       if (!database_->sqlite.tableExists("extras")) database_->sqlite.exec(create_extras);
       SQLite::Statement add(database_->sqlite, "INSERT INTO extras VALUES (?, ?, ?, ?, ?)");
-      for (const auto& [name, value] : record.extras) {
-        SQLite::bind(add, record.series, record.run, record.point, name, value);  // a NaN becomes NULL
-        add.exec();
-        add.reset();
-      }
+      for (const auto& [name, value] : record.extras)
+        execute(add, record.series, record.run, record.point, name, value);  // a NaN becomes NULL
     }
   });
 }
