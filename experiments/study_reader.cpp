@@ -225,18 +225,14 @@ Robot read_arm(const TomlReader& reader, Study& study) {
 
 constexpr std::array<std::string_view, 2> if_missing_choices{"refuse", "leave_out"};
 
-// An entry that may be left out and whose library this program was built without.
-std::optional<LeftOut> left_out_of(TomlReader entry) {
+// Throws LeftOut if the entry of what is missing may be left out.
+void leave_out(TomlReader& entry, const std::string& what, const std::string& why) {
   IfMissing if_missing = IfMissing::refuse;
-  const std::string solver = entry.table()["solver"].value_or(std::string());
-  const std::vector<MissingPeer> missing = missing_peers();
-  const auto peer = std::ranges::find(missing, solver, &MissingPeer::name);
-  if (peer == missing.end()) return std::nullopt;
   entry.choice("if_missing", if_missing, if_missing_choices);
-  if (if_missing == IfMissing::refuse) return std::nullopt;
-  LeftOut left_out{solver, peer->how};
+  if (if_missing == IfMissing::refuse) return;
+  LeftOut left_out{what, why};
   entry.text("label", left_out.label);
-  return left_out;
+  throw left_out;
 }
 
 // Starts the program to read its name and options. Throws LeftOut if it does not start and may be left out.
@@ -249,16 +245,13 @@ std::shared_ptr<const Program> read_program(TomlReader& reader) {
   try {
     return meet(choice, folder_of(reader, key));
   } catch (const std::invalid_argument& error) {
-    IfMissing if_missing = IfMissing::refuse;
-    reader.choice("if_missing", if_missing, if_missing_choices);
-    LeftOut left_out{choice.process[0], error.what()};
-    reader.text("label", left_out.label);
-    if (if_missing == IfMissing::leave_out) throw left_out;
+    leave_out(reader, choice.process[0], error.what());
     throw reader.mistake(key, fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
   }
 }
 
-// Reads what an entry is: a built-in solver or a program.
+// Reads what an entry is: a built-in solver or a program. Throws LeftOut as read_program does, also for a library that
+// this program was built without.
 void read_kind(TomlReader& reader, SolverEntry& entry) {
   reader.text("solver", entry.solver);
   const bool is_program = reader.find("process") != nullptr;
@@ -272,6 +265,9 @@ void read_kind(TomlReader& reader, SolverEntry& entry) {
     entry.program = read_program(reader);
     entry.solver = entry.program->hello.name;
     return;
+  }
+  for (const MissingPeer& peer : missing_peers()) {
+    if (peer.name == entry.solver) leave_out(reader, entry.solver, peer.how);
   }
   try {
     static_cast<void>(solver(entry.solver));
@@ -435,14 +431,9 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
   constexpr std::string_view key = "solvers", expected = "1 to 400 tables [[solvers]] with solver = \"...\"";
   std::set<std::string> labels;
   for (const toml::table* const table : reader.tables(key, most_solvers, expected)) {
-    const TomlReader of_entry = reader.nested(*table, "solvers.");
-    if (const std::optional<LeftOut> left_out = left_out_of(of_entry)) {
-      study.left_out.push_back(*left_out);
-      continue;
-    }
     std::vector<SolverEntry> entries;
     try {
-      entries = read_entry(of_entry);
+      entries = read_entry(reader.nested(*table, "solvers."));
     } catch (const LeftOut& left_out) {
       study.left_out.push_back(left_out);
     }
