@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -35,6 +34,13 @@ namespace {
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+Pose target_of(const SolveRecord& solve) {
+  Pose target = Pose::Identity();
+  target.translation() = vector_of(solve.target_position_m);
+  target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
+  return target;
 }
 
 [[noreturn]] void refuse(const SolveRecord& solve, const std::string& what) {
@@ -98,10 +104,7 @@ void check(const Definition& study, const Robot& arm, const Left& before, bool i
     refuse(solve,
            fmt::format("{} evaluations (counted by {}) in {} iterations are stored, which no solve of this study makes",
                        solve.evaluations, name_of(solve.counted_by), solve.iterations));
-  Pose target = Pose::Identity();
-  target.translation() = vector_of(solve.target_position_m);
-  target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
-  const Verification computed = verify(arm, target, vector_of(solve.start_rad), vector_of(solve.answer_rad),
+  const Verification computed = verify(arm, target_of(solve), vector_of(solve.start_rad), vector_of(solve.answer_rad),
                                        study.search == Search::axis, study.motion_joints);
   expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);
   expect("orientation_error", solve, solve.orientation_error, computed.orientation_error, 1e-8);
@@ -179,24 +182,17 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
   for (const SolveRecord& solve : drawn) {
     study.trace = solve.trace_cm.empty() ? solvers::Trace::none : solvers::Trace::best_error;
     const SolveRunner runner(study, entries.at(solve.label), solve.series, *study.robot_of_file);
-    Pose target = Pose::Identity();
-    target.translation() = vector_of(solve.target_position_m);
-    target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
     const auto solver = runner.make_solver();
-    const SolveRecord again = runner.solve(*solver, target, vector_of(solve.start_rad), solve.run, solve.point);
+    const SolveRecord again =
+        runner.solve(*solver, target_of(solve), vector_of(solve.start_rad), solve.run, solve.point);
     const auto counts = [](const SolveRecord& of) {
       return std::tie(of.status, of.stop_reason, of.evaluations, of.iterations, of.restarts, of.improved_at);
     };
-    const auto is_same = [](double a, double b) {
-      return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-    };
-    if (!std::ranges::equal(again.answer_rad, solve.answer_rad, is_same) || counts(again) != counts(solve))
-      refuse(solve, fmt::format("made again, it has {}",
-                                counts(again) != counts(solve)
-                                    ? fmt::format("{} evaluations, {} iterations and status {}, not {}, {} and {}",
-                                                  again.evaluations, again.iterations, name_of(again.status),
-                                                  solve.evaluations, solve.iterations, name_of(solve.status))
-                                    : "another answer"));
+    if (counts(again) != counts(solve))
+      refuse(solve, fmt::format("made again, it has {} evaluations, {} iterations and status {}, not {}, {} and {}",
+                                again.evaluations, again.iterations, name_of(again.status), solve.evaluations,
+                                solve.iterations, name_of(solve.status)));
+    if (!same_bits(again.answer_rad, solve.answer_rad)) refuse(solve, "made again, it has another answer");
     ++found.solves;
   }
   return found;

@@ -1,6 +1,9 @@
 // One entry of a study: its solves, each timed, verified and recorded.
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +17,13 @@
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
+
+template <class Numbers>
+bool same_bits(const Numbers& a, const Numbers& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  });
+}
 
 // Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
 class SolveRunner {
