@@ -78,7 +78,9 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   }
   const bool is_told = std::isfinite(record.claimed_seconds);
   const double seconds = is_told ? record.claimed_seconds : record.seconds;
+  const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;
   const bool is_alone = record.timing == Timing::clean || (record.timing == Timing::process && is_told);
+  const double period = study.definition.loop.period;
   study.solves.push_back(
       {.run = record.run,
        .point = record.point,
@@ -91,9 +93,8 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
        .was_disturbed = is_alone && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
        .is_told = is_told,
-       .is_told_short = is_told && seconds<least_told(record.cpu_seconds), .is_late = study.definition.loop.period> 0 &&
-                        seconds > study.definition.loop.period &&
-                        (record.timing == Timing::clean || record.timing == Timing::process),
+       .is_told_short = is_told && seconds < least_told(record.cpu_seconds),
+       .is_late = is_timed && period > 0 && seconds > period,
        .is_too_fast = is_too_fast(study.definition, record),
        .position_error_cm = record.position_error_cm,
        .orientation_error_deg = angle_deg(record.orientation_error),
