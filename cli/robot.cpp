@@ -83,9 +83,7 @@ std::string reach_text(const Robot& arm) {
 
 // The configuration of --at.
 Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
-  if (at.empty()) {  // zeros, or the nearest that the limits allow
-    return arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
-  }
+  if (at.empty()) return experiments::nearest_to_zero(arm);
   if (at.size() != static_cast<std::size_t>(arm.joints())) {
     throw std::invalid_argument(
         fmt::format("--at has {} values; expected {}, one for each joint of {}", at.size(), arm.joints(), arm.name));
