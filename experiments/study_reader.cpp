@@ -459,14 +459,13 @@ void check_stop(const TomlReader& stop, const Study& study) {
     throw stop.mistake("iterations",
                        "stop.iterations is 0, so nothing would be solved; expected at least 1, or "
                        "1000000000 where only another limit shall count");
-  const bool is_directed = goal_kind(study.search) != GoalKind::position;
-  if (is_directed && (position > 0) != (angle > 0)) {
+  if (study.has_direction() && (position > 0) != (angle > 0)) {
     throw stop.mistake(position > 0 ? "tolerance_cm" : "tolerance_deg",
                        fmt::format("stop.tolerance_cm is {:g} and stop.tolerance_deg is {:g}; search = \"pose\" or "
                                    "\"axis\" expects both, or neither",
                                    position, angle));
   }
-  if (!is_directed && angle > 0) {
+  if (!study.has_direction() && angle > 0) {
     throw stop.mistake("tolerance_deg",
                        "stop.tolerance_deg is about the orientation, which is not searched; expected search = \"pose\" "
                        "or \"axis\", or no stop.tolerance_deg");
@@ -512,8 +511,7 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
             fmt::format("search is \"flange\", but the last joint of {} moves the tool's point; expected "
                         "\"all_joints\", \"axis\" or \"pose\"",
                         arm.name));
-  refuse_if(goal_kind(study.search) == GoalKind::position && study.rotation_weight != Study{}.rotation_weight,
-            "rotation_weight_m",
+  refuse_if(!study.has_direction() && study.rotation_weight != Study{}.rotation_weight, "rotation_weight_m",
             "rotation_weight_m weighs the orientation, which is not searched; expected search = \"pose\" or \"axis\", "
             "or no rotation_weight_m");
 }
