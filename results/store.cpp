@@ -280,31 +280,6 @@ struct Store::Database {
     for (const auto& [key, value] : environment) execute(add, session, key, value);
   }
 
-  std::vector<StoredStudy> studies() {
-    SQLite::Statement query(sqlite, "SELECT name, definition FROM studies ORDER BY position");
-    SQLite::Statement of_study(sqlite,
-                               "SELECT key, label, algorithm, options FROM series WHERE study = ? ORDER BY position");
-    std::vector<StoredStudy> list;
-    const auto object = [](SQLite::Column column) {
-      if (!numerics::parsed_json(column.getString()).is_object())
-        throw Damage(fmt::format("{} {} is no JSON object", column.getName(), excerpt(column.getString())));
-      return column.getString();
-    };
-    while (query.executeStep()) {
-      StoredStudy study{.name = query.getColumn(0).getString(), .definition = object(query.getColumn(1)), .series = {}};
-      for (of_study.bind(1, study.name); of_study.executeStep();)
-        study.series.push_back({.key = of_study.getColumn(0).getString(),
-                                .label = of_study.getColumn(1).getString(),
-                                .algorithm = of_study.getColumn(2).getString(),
-                                .options = object(of_study.getColumn(3))});
-      of_study.reset();
-      if (study.series.size() > most_solvers)
-        throw Damage(fmt::format("study {} has more than {} solvers", excerpt(study.name), most_solvers));
-      list.push_back(std::move(study));
-    }
-    return list;
-  }
-
   // Passes on the solves of a query.
   void read_solves(SQLite::Statement& query, const Take& take) {
     SolveRecord solve;  // one for all, so that its lists keep their memory
@@ -362,7 +337,30 @@ void Store::save_study(const StoredStudy& study) {
 }
 
 std::vector<StoredStudy> Store::studies() const {
-  return guarded(database_->name, [&] { return database_->studies(); });
+  return guarded(database_->name, [&] {
+    SQLite::Statement query(database_->sqlite, "SELECT name, definition FROM studies ORDER BY position");
+    SQLite::Statement of_study(database_->sqlite,
+                               "SELECT key, label, algorithm, options FROM series WHERE study = ? ORDER BY position");
+    std::vector<StoredStudy> list;
+    const auto object = [](SQLite::Column column) {
+      if (!numerics::parsed_json(column.getString()).is_object())
+        throw Damage(fmt::format("{} {} is no JSON object", column.getName(), excerpt(column.getString())));
+      return column.getString();
+    };
+    while (query.executeStep()) {
+      StoredStudy study{.name = query.getColumn(0).getString(), .definition = object(query.getColumn(1)), .series = {}};
+      for (of_study.bind(1, study.name); of_study.executeStep();)
+        study.series.push_back({.key = of_study.getColumn(0).getString(),
+                                .label = of_study.getColumn(1).getString(),
+                                .algorithm = of_study.getColumn(2).getString(),
+                                .options = object(of_study.getColumn(3))});
+      of_study.reset();
+      if (study.series.size() > most_solvers)
+        throw Damage(fmt::format("study {} has more than {} solvers", excerpt(study.name), most_solvers));
+      list.push_back(std::move(study));
+    }
+    return list;
+  });
 }
 
 StoredStudy Store::study(const std::string& name) const {
