@@ -91,7 +91,4 @@ class Evaluations {
   bool is_over_ = false;
 };
 
-// Thrown to end a call of the library.
-struct IsOver {};
-
 }  // namespace ikbench::solvers
