@@ -110,7 +110,8 @@ void add_run(CLI::App& app, Invocation& invocation) {
     const Store store(store_in(folder), Store::Mode::read);
     write_and_announce(store, stored, folder, arguments->report);
     if (is_of_any_arm && !arguments->report.is_json)
-      say_command(fmt::format("To change it: ikbench list studies {} > my.toml, and run my.toml", study_of_any_arm));
+      say_command(fmt::format("To change it: ikbench list studies {} > my.toml, then {}", study_of_any_arm,
+                              shell_command("ikbench", {"run", "my.toml", "--robot", arguments->robot})));
   });
 }
 

@@ -248,7 +248,8 @@ bool Sheet::counts_rows(std::size_t column) const {
   for (std::size_t row = 0; row < table_.rows(); ++row) {
     if (cell(row, column).empty()) continue;
     const auto number = numerics::number_from(cell(row, column));
-    if (!number || *number != std::floor(*number) || (before && *number != *before + 1)) return false;
+    if (!number || !std::isfinite(*number) || *number != std::floor(*number) || (before && *number != *before + 1))
+      return false;
     before = number;
     ++rows;
   }

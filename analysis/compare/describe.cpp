@@ -154,7 +154,8 @@ std::optional<TestOfAll> anova(const Observations& observed) {
 
 std::optional<TestOfAll> test_of_ranks(const Observations& observed) {
   const Columns columns = columns_of(observed);
-  if (columns.empty()) return {};
+  const auto has_one = [](const std::vector<double>& column) { return column.size() < 2; };
+  if (std::ranges::all_of(columns, has_one)) return {};
   const auto k = static_cast<double>(columns.size()), n = static_cast<double>(columns.front().size());
   TestOfAll test{.name = observed.is_paired ? "Friedman" : "Kruskal-Wallis", .statistic = 0, .df = k - 1};
   std::vector<double> all;

@@ -422,10 +422,11 @@ std::optional<Figure> ranks_of(const JudgedMetric& metric, const DrawnUnit& unit
   }
   const double sign = are_means && observed.better == Better::larger ? -1 : 1;
   std::ranges::stable_sort(rows, {}, [=](const RankRow& row) { return sign * row.place; });
-  About about{.name = "ranks",
-              .caption = fmt::format("{} of {}{}. A bar joins solvers that are not told apart (at adjusted p < {}).",
-                                     are_means ? "Mean" : "Mean rank", observed.quantity,
-                                     are_means ? "" : ", 1 is best", metric.plan.significance)};
+  About about{
+      .name = "ranks",
+      .caption = fmt::format("{} of {}{}. No two solvers with a dot on one bar are told apart (at adjusted p < {}).",
+                             are_means ? "Mean" : "Mean rank", observed.quantity, are_means ? "" : ", 1 is best",
+                             metric.plan.significance)};
   about.quantity = are_means ? "mean " + observed.quantity : "mean rank of " + observed.quantity;
   if (are_means) about.unit = unit.name;
   if (!without.empty()) about.caption += fmt::format(" Without {}: not compared with all.", fmt::join(without, ", "));

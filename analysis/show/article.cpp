@@ -218,6 +218,7 @@ std::vector<std::string> write_article(const Report& report, const std::vector<s
         filled_template(
             "main.tex",
             {{"program", program},
+             {"commands", keys.empty() ? "pdflatex main" : "pdflatex main, bibtex main, pdflatex main, pdflatex main"},
              {"title", latex_text(title_of(report.study))},
              {"floats", floats},
              {"bibliography",
