@@ -37,7 +37,7 @@ void add_verify(CLI::App& app, Invocation&) {
     const StoredStudy study = store.study(arguments->study);
     const auto all = checked_study(store, study).solves.size();
     const SolvedAgain again = solve_again(store, study, arguments->solves);
-    std::vector<std::string> unchecked{"times"};
+    std::vector<std::string> unchecked{"times, targets, starts, missing solves, traces and extras"};
     const auto leave_out = [&](const std::vector<std::string>& labels, const char* why) {
       if (!labels.empty()) unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), why));
     };

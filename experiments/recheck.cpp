@@ -19,6 +19,7 @@
 #include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
 #include "numerics/json.hpp"
+#include "numerics/names.hpp"
 #include "numerics/units.hpp"
 #include "results/study.hpp"
 #include "robots/robot.hpp"
@@ -73,9 +74,13 @@ std::optional<SolverEntry> built_in(const Series& series) {
   if (info == known.end() || !info->library.empty() || options.contains("process")) return std::nullopt;
   SolverEntry entry{.label = series.label, .solver = series.algorithm};
   for (const auto& [name, value] : options.items()) {
-    if (name == "population")
+    if (name == "population") {
+      if (!value.is_number_integer() || value < populations.first || value > populations.second)
+        throw std::invalid_argument(fmt::format(
+            "the population of {} is no whole number from {} to {}; it was changed: solve again into another folder",
+            numerics::one_line(numerics::front(series.label, 60)), populations.first, populations.second));
       entry.population = value;
-    else
+    } else
       entry.options[name] = value.is_string() ? value.get<std::string>() : value.dump();
   }
   return entry;

@@ -122,7 +122,10 @@ std::int64_t copy_missing(SQLite::Database& sqlite) {
       sqlite.execAndGet("SELECT coalesce(max(sql), '') FROM source.sqlite_master WHERE name = 'extras'").getString();
   if (table.empty()) return added;
   if (!sqlite.tableExists("extras")) sqlite.exec(table);
-  sqlite.exec("INSERT OR IGNORE INTO main.extras SELECT * FROM source.extras");
+  sqlite.exec(fmt::format(
+      "INSERT OR IGNORE INTO main.extras SELECT own.* FROM source.extras AS own JOIN main.solves USING (series, run, point) "
+      "WHERE main.solves.rowid > {}",
+      row));
   return added;
 }
 

@@ -525,7 +525,8 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     lower.push_back(in_unit(limits[0], unit) * unit);
     upper.push_back(in_unit(limits[1], unit) * unit);
     const XMLElement* const limit = joint->FirstChildElement("limit");
-    velocity.push_back(limit == nullptr ? 0 : std::max(0.0, place.limit(*limit, "velocity", 0)));
+    const double fastest = limit == nullptr ? 0 : place.limit(*limit, "velocity", 0);
+    velocity.push_back(fastest > 0 && fastest <= 1000 ? fastest : 0);  // a million stands for none
     if (limit == nullptr || limits.allFinite()) continue;
     if (limit->Attribute("lower") == nullptr && limit->Attribute("upper") == nullptr) continue;
     ++unlimited;

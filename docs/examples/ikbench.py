@@ -170,9 +170,10 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
             if not problem.evaluated:  # else ikbench's time is in it
                 answer["seconds"] = seconds
             if problem.extras:
-                answer["extras"] = problem.extras
+                answer["extras"] = dict(zip(problem.extras, _numbers(problem.extras.values())))
             own = lambda q: _numbers(inside([float(x) for x in q], robot.turns, problem.lower, problem.upper))
-            if isinstance(q, list) and q and hasattr(q[0], "__len__"):
+            q = None if isinstance(q, (list, tuple)) and not q else q
+            if isinstance(q, (list, tuple)) and hasattr(q[0], "__len__"):
                 answer["answers"] = [own(each) for each in q]
             elif q is not None or not problem.evaluated:
                 answer["q"] = own(problem.start if q is None else q)

@@ -31,7 +31,7 @@ OrderedJson numbers(const Eigen::VectorXd& values) {
   return std::vector<double>(values.begin(), values.end());  // values that are not finite are dumped as null
 }
 
-double number_in(const OrderedJson& object, const char* key, double fallback) {
+double number_in(const Json& object, const char* key, double fallback) {
   const auto found = object.find(key);
   return found != object.end() && found->is_number() ? found->get<double>() : fallback;
 }
@@ -64,7 +64,7 @@ Settings options_of(const Hello& hello, const Settings& settings) {
 }
 
 Message::Message(std::string line)
-    : line_(std::move(line)), json_(std::make_shared<OrderedJson>(numerics::parsed_ordered_json(line_))) {
+    : line_(std::move(line)), json_(std::make_shared<Json>(numerics::parsed_json(line_))) {
   if (!json_->is_object()) fail("JSON, in which a number that is not finite is null");
   name_ = text(*json_, "message");
   if (name_.empty()) fail("a \"message\"");
@@ -75,7 +75,7 @@ void Message::fail(const std::string& expected) const {
 }
 
 // A text that is safe in tables and file names.
-std::string Message::text(const OrderedJson& object, const char* key) const {
+std::string Message::text(const Json& object, const char* key) const {
   const auto found = object.find(key);
   if (found == object.end()) return {};
   if (!found->is_string() || !is_plain(found->get<std::string>()))
@@ -83,7 +83,7 @@ std::string Message::text(const OrderedJson& object, const char* key) const {
   return found->get<std::string>();
 }
 
-HelloOption Message::option(const OrderedJson& object) const {
+HelloOption Message::option(const Json& object) const {
   if (!object.is_object()) fail("options that are objects");
   HelloOption option{.name = text(object, "name"), .meaning = text(object, "meaning"), .choices = {}};
   for (const char* key :
@@ -91,7 +91,7 @@ HelloOption Message::option(const OrderedJson& object) const {
     if (option.name == key) fail("options whose \"name\" is no key of [[solvers]]");
   }
   if (const auto choices = object.find("choices"); choices != object.end()) {
-    for (const OrderedJson& choice : *choices) {
+    for (const Json& choice : *choices) {
       if (!choice.is_string() || !is_plain(choice.get<std::string>())) fail("choices that are texts");
       option.choices.push_back(choice.get<std::string>());
     }
@@ -115,15 +115,15 @@ Hello Message::hello() const {
     fail(fmt::format("{{\"message\":\"hello\",\"ikbench\":{},...}}", protocol_version));
   Hello hello{.name = text(*json_, "name"), .version = text(*json_, "version"), .options = {}, .goals = {}};
   if (hello.name.empty()) fail("a \"name\"");
-  OrderedJson options = json_->value("options", OrderedJson::array());
-  if (options.is_object()) options = OrderedJson::array({options});  // Octave writes a list of one so
+  Json options = json_->value("options", Json::array());
+  if (options.is_object()) options = Json::array({options});  // Octave writes a list of one so
   if (options.size() > most_options) fail(fmt::format("at most {} options", most_options));
-  for (const OrderedJson& each : options) {
+  for (const Json& each : options) {
     hello.options.push_back(option(each));
     if (std::ranges::count(hello.options, hello.options.back().name, &HelloOption::name) > 1)
       fail(fmt::format("the option {} once", hello.options.back().name));
   }
-  for (const OrderedJson& goal : json_->value("goals", OrderedJson::array({"position", "axis", "pose"}))) {
+  for (const Json& goal : json_->value("goals", Json::array({"position", "axis", "pose"}))) {
     if (std::ranges::none_of(goal_names, [&](const char* name) { return goal == name; }))
       fail("\"goals\" of position, axis and pose");
     hello.goals.push_back(goal.get<std::string>());
@@ -137,11 +137,11 @@ std::string Message::why() const {
   return why.empty() ? "it does not say why" : why;
 }
 
-Configuration Message::configuration(const OrderedJson& list, int joints, const std::string& expected) const {
+Configuration Message::configuration(const Json& list, int joints, const std::string& expected) const {
   if (!list.is_array() || list.size() != static_cast<std::size_t>(joints)) fail(expected);
   Configuration q(joints);
   for (int j = 0; j < joints; ++j) {
-    const OrderedJson& value = list[static_cast<std::size_t>(j)];
+    const Json& value = list[static_cast<std::size_t>(j)];
     if (!value.is_number() && !value.is_null()) fail(expected);
     q[j] = value.is_null() ? not_a_number : value.get<double>();
   }
@@ -150,9 +150,9 @@ Configuration Message::configuration(const OrderedJson& list, int joints, const 
 
 Candidates Message::candidates(int joints, const char* key) const {
   const std::string expected = fmt::format("\"{}\", a list of lists of {} numbers", key, joints);
-  OrderedJson list = json_->value(key, OrderedJson());
+  Json list = json_->value(key, Json());
   if (!list.is_array() || list.empty()) fail(expected);
-  if (!list.front().is_array()) list = OrderedJson::array({list});  // Octave writes a list of one so
+  if (!list.front().is_array()) list = Json::array({list});  // Octave writes a list of one so
   Candidates q(joints, static_cast<Eigen::Index>(list.size()));
   for (Eigen::Index i = 0; i < q.cols(); ++i) {
     q.col(i) = configuration(list[static_cast<std::size_t>(i)], joints, expected);
@@ -161,13 +161,13 @@ Candidates Message::candidates(int joints, const char* key) const {
 }
 
 Configuration Message::joints(int joints) const {
-  return configuration(json_->value("q", OrderedJson()), joints, fmt::format("\"q\", a list of {} numbers", joints));
+  return configuration(json_->value("q", Json()), joints, fmt::format("\"q\", a list of {} numbers", joints));
 }
 
 std::map<std::string, double> Message::extras() const {
   constexpr std::size_t most = 50;
   std::map<std::string, double> extras;
-  const OrderedJson object = json_->value("extras", OrderedJson::object());
+  const Json object = json_->value("extras", Json::object());
   if (!object.is_object() || object.size() > most) fail(fmt::format("at most {} numbers by name as \"extras\"", most));
   for (const auto& [name, value] : object.items()) {
     if (!is_plain(name) || !(value.is_number() || value.is_null())) fail("numbers by name as \"extras\"");

@@ -57,12 +57,12 @@ class Message {
   [[noreturn]] void fail(const std::string& expected) const;
 
  private:
-  std::string text(const numerics::OrderedJson& object, const char* key) const;
-  HelloOption option(const numerics::OrderedJson& object) const;
-  robots::Configuration configuration(const numerics::OrderedJson& list, int joints, const std::string& expected) const;
+  std::string text(const numerics::Json& object, const char* key) const;
+  HelloOption option(const numerics::Json& object) const;
+  robots::Configuration configuration(const numerics::Json& list, int joints, const std::string& expected) const;
 
   std::string line_, name_;
-  std::shared_ptr<const numerics::OrderedJson> json_;
+  std::shared_ptr<const numerics::Json> json_;
 };
 
 // What is the same for all solves. `searched` has the joints before the wrist, or all; of `goal` the target does not

@@ -171,6 +171,11 @@ TEST_CASE("solves are made again from the store alone, and another bit or count 
     CHECK_THAT(complaint<std::invalid_argument>([&] { found_in(what == 0 ? "counts" : "bits", forged); }),
                ContainsSubstring("made again"));
   }
+  StoredStudy odd = entry;
+  for (const char* population : {"\"x\"", "-5", "1e300", "2000000000"}) {
+    odd.series.front().options = fmt::format("{{\"population\": {}}}", population);
+    CHECK_THAT(complaint<std::invalid_argument>([&] { recheck_of(odd); }), ContainsSubstring("population"));
+  }
   for (Series& series : entry.series) series.key.back() = series.key.back() == '0' ? '1' : '0';
   CHECK(found_in("of_other_source", {}).of_other_source.size() == entry.series.size());
 }

@@ -249,6 +249,11 @@ TEST_CASE("what of a joint would be left out or be misread is told with its line
             .joints() == 1);
   CHECK(read({{"revolute", "<origin xyz=' 1\t+2\n 3 '/>" + limit}}).description[0].origin.position ==
         Eigen::Vector3d(1, 2, 3));
+  // A velocity that no joint has stands for none.
+  for (const char* fastest : {"1000000", "1e308", "inf", "-1"})
+    CHECK(read({{"revolute", fmt::format("<limit lower='-1' upper='2' velocity='{}'/>", fastest)}}).velocity.size() ==
+          0);
+  CHECK(read({{"revolute", "<limit lower='-1' upper='2' velocity='2.5'/>"}}).velocity[0] == 2.5);
   CHECK(read({{"revolute", "<limit command_effort='40' current='10' lower='-1' upper='2' gear_velocity='10'/>"}})
             .limits.upper[0] == 2);
 }
