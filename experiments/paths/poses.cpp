@@ -97,8 +97,9 @@ class PoseColumns {
 
   double number(std::size_t row, std::size_t column) {
     const double value = sheet_.number(row, column);
-    const bool is_word = std::isalpha(static_cast<unsigned char>(sheet_.cell(row, column).front())) != 0;
-    if (!std::isfinite(value) || is_word) sheet_.refuse(row, column, "is no number");
+    // An empty cell has no number, and so no first letter.
+    if (!std::isfinite(value) || std::isalpha(static_cast<unsigned char>(sheet_.cell(row, column).front())) != 0)
+      sheet_.refuse(row, column, "is no number");
     return value;
   }
 
