@@ -181,10 +181,9 @@ class Finder {
     const auto repeats = [&](const Class& each) {
       return 2 * each.different <= each.rows && (each.changes == each.different || (are_in_all && each.different > 2));
     };
-    const bool is_of_one = [&] {  // each repeats, in one class alone, as a run's own number
-      const auto in_one = [](const Text& text) { return text.classes == 1; };
-      return single == 0 && classes.size() > 1 && texts.size() > classes.size() && std::ranges::all_of(texts, in_one);
-    }();
+    const auto in_one = [](const Text& text) { return text.classes == 1; };
+    const bool is_of_one =  // each repeats, in one class alone, as a run's own number
+        single == 0 && classes.size() > 1 && texts.size() > classes.size() && std::ranges::all_of(texts, in_one);
     return is_of_one ||
            std::ranges::any_of(regular, [&](const auto& each) { return 2 * each.second > texts.size(); }) ||
            std::ranges::all_of(classes, repeats);
@@ -200,7 +199,7 @@ class Finder {
   }
 
   // Refuses groups that cannot be compared, and a measured column that is no number where another was taken for it.
-  void refuse_others(const Way& way) const {
+  void refuse_others(const Way& way) {
     std::set<std::string> titles, units;
     for (const std::size_t column : way.label ? Columns() : way.values) {
       if (!titles.insert(title(column)).second)
@@ -220,18 +219,15 @@ class Finder {
                                   titles_of({column}), filled[1]));
     }
     for (const std::size_t column : asked_.values.empty() && way.label && way.asked.empty() ? texts_ : Columns()) {
-      std::set<std::string_view> different;
-      std::size_t measured = 0;
       const auto cell_of = [&](Index row) { return sheet_.cell(row, column); };
-      for (const Index row : way.rows) {
-        const std::string_view cell = cell_of(row);
-        different.insert(cell);
-        measured += !cell.empty() && std::isalpha(static_cast<unsigned char>(cell.front())) == 0 &&
-                    cell.find_first_of("0123456789") != std::string_view::npos;
-      }
+      const auto is_measured = [](std::string_view cell) {
+        return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell.front())) == 0 &&
+               cell.find_first_of("0123456789") != std::string_view::npos;
+      };
+      if (has(way, column) || 2 * count(way.rows, {column}) <= way.rows.size()) continue;
+      if (2 * std::ranges::count_if(way.rows, is_measured, cell_of) <= std::ssize(way.rows)) continue;
       constexpr std::size_t by_chance = 8;  // rows that are in order by chance in one of 40 000 files, not by a clock
       if (way.rows.size() >= by_chance && std::ranges::is_sorted(way.rows, {}, cell_of)) continue;
-      if (has(way, column) || 2 * different.size() <= way.rows.size() || 2 * measured <= way.rows.size()) continue;
       Options answer;
       for (const std::size_t value : way.values) answer.insert(answer.end(), {"--value", title(value)});
       throw Question(sheet_.said(fmt::format("{} of {} in line {} is no number, so it was left out; write numbers "
