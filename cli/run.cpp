@@ -80,9 +80,9 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->callback([arguments, &invocation] {
     Overrides overrides = arguments->set;
     std::string& name = arguments->study;
-    const bool is_of_any_arm = name.empty() && !arguments->robot.empty();
+    const bool is_of_any_arm = name.empty();
     if (!arguments->robot.empty()) overrides.insert(overrides.begin(), "robot=" + arguments->robot);
-    if (name.empty() && !is_of_any_arm)
+    if (is_of_any_arm && arguments->robot.empty())
       throw std::invalid_argument(
           "no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");
     if (is_of_any_arm) name = study_of_any_arm;
