@@ -2,7 +2,7 @@
 // (docs/reference/api.md).
 #pragma once
 
-#include "analysis/compare/judge.hpp"    // read_study, judge
+#include "analysis/judge/judge.hpp"      // read_study, judge
 #include "analysis/show/report.hpp"      // reported, publish: tables, figures and report.html of a judged study
 #include "experiments/runner.hpp"        // run a study, solve_once
 #include "experiments/study_reader.hpp"  // load_study, parse_study

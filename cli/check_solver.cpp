@@ -7,16 +7,17 @@
 #include <memory>
 #include <utility>
 
+#include "base/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/verifier.hpp"
-#include "numerics/names.hpp"
 
 namespace ikbench::cli {
 
 using namespace experiments;
+using namespace base;
 using namespace numerics;
 using namespace robots;
 using namespace solvers;
@@ -161,7 +162,7 @@ class Checks {
     else if (account.went_on)
       wrong = "it asks for more evaluations after it is told that its budget is used up";
     const std::string counted = account.counted_by == CountedBy::suite
-                                    ? numerics::counted(account.evaluations, "evaluations") + ", counted here"
+                                    ? base::counted(account.evaluations, "evaluations") + ", counted here"
                                 : account.counted_by == CountedBy::solver ? "own kinematics; its own count"
                                                                           : "own kinematics; it counts nothing";
     const bool declined = account.failure == Status::declined;
@@ -214,10 +215,10 @@ class Checks {
 
   void farewell(Conversation last) {
     if (last.child) last.child->end_input();
-    const Trouble heard =
-        last.child ? unasked(*last.child, std::chrono::seconds(2)) : Trouble{Status::declined, "it had ended before"};
-    line("it answers once, and ends with its standard input", heard.status == Status::crashed ? ""
-                                                              : heard.status == Status::timed_out
+    const Trouble heard = last.child ? unasked(*last.child, std::chrono::seconds(2))
+                                     : Trouble{Trouble::Kind::declined, "it had ended before"};
+    line("it answers once, and ends with its standard input", heard.kind == Trouble::Kind::crashed ? ""
+                                                              : heard.kind == Trouble::Kind::timed_out
                                                                   ? "it still ran after 2 s"
                                                                   : heard.why);
   }

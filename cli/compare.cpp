@@ -8,21 +8,21 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/compare/gate.hpp"
+#include "analysis/judge/gate.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
+#include "base/files.hpp"
+#include "base/json.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "numerics/json.hpp"
-#include "numerics/names.hpp"
-#include "numerics/number.hpp"
-#include "results/files.hpp"
 
 namespace ikbench::cli {
 
-using namespace compare;
+using namespace judge;
 
 namespace {
 
@@ -34,7 +34,7 @@ struct CompareArguments {
 
 // "5%".
 double margin_from(const std::string& text, const char* option = "--margin") {
-  const auto value = text.ends_with('%') ? numerics::number_from(text.substr(0, text.size() - 1)) : std::nullopt;
+  const auto value = text.ends_with('%') ? base::number_from(text.substr(0, text.size() - 1)) : std::nullopt;
   const double share = value ? *value / 100 : -1;
   if (!(share >= 0 && share <= results::margins_percent.second / 100))
     throw std::invalid_argument(fmt::format("{} {}; expected a share from 0% to {}%, such as 5%", option, text,
@@ -57,10 +57,10 @@ struct Source {
     for (const std::string& label : chosen) {
       auto series = std::ranges::find(entry.series, label, &results::Series::label);
       if (series == entry.series.end()) {  // as a screen shows it
-        const auto shown = numerics::short_names(labels(), show::longest_name);
+        const auto shown = base::short_names(labels(), show::longest_name);
         series = std::ranges::find_if(entry.series, [&](const auto& its) { return shown.at(its.label) == label; });
       }
-      if (series == entry.series.end()) throw std::invalid_argument(numerics::unknown_name("label", label, labels()));
+      if (series == entry.series.end()) throw std::invalid_argument(base::unknown_name("label", label, labels()));
       part.series.push_back(*series);
     }
     StudyResults study = checked_study(store, part);
@@ -109,7 +109,7 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
 std::string why_not_compared(const Gate& gate) {
   const auto* const open = std::get_if<Open>(&gate.judged.metrics[gate.judged.deciding].findings.front().what);
   if (open == nullptr || open->why != Open::Why::too_few || open->n == 0) return "the warnings say why";
-  return fmt::format("{} cannot decide it, it takes {}", numerics::counted(open->n, show::answer_of(gate.judged).noun),
+  return fmt::format("{} cannot decide it, it takes {}", base::counted(open->n, show::answer_of(gate.judged).noun),
                      open->needed);
 }
 
@@ -150,7 +150,7 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
     if (!gate.are_same) continue;
     names.push_back(gate.label.empty() ? show::listed(gate.judged.study.labels) : gate.label);
     solves += gate.judged.metrics.back().described.front().n;
-    for (const compare::JudgedMetric& judged : show::answer_of(gate.judged).metrics) {
+    for (const judge::JudgedMetric& judged : show::answer_of(gate.judged).metrics) {
       if (gate.label.empty() || is_told(gate) || judged.observations.unit != "ms") continue;
       times.push_back(fmt::format("{} {} and {} ms", gate.label,
                                   show::number_text(show::shown_average(judged, 1).value),
@@ -159,7 +159,7 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
   }
   if (names.empty()) return "";
   return fmt::format(
-      "{}: all solves are the same, bit for bit ({}).{}", show::listed(names), numerics::counted(solves, "solves"),
+      "{}: all solves are the same, bit for bit ({}).{}", show::listed(names), base::counted(solves, "solves"),
       times.empty() ? "" : fmt::format(" Times before and now, of two sessions: {}.", show::listed(times)));
 }
 
@@ -173,7 +173,7 @@ show::Answer answer_of(const Gate& gate) {
 std::string sight_of(const Gate& gate) {
   if (!gate.sight || gate.are_same) return "";
   const auto& [smallest, targets, of_margin] = *gate.sight;
-  std::string text = fmt::format("These {} show a loss of {:.2g} points or more", numerics::counted(targets, "targets"),
+  std::string text = fmt::format("These {} show a loss of {:.2g} points or more", base::counted(targets, "targets"),
                                  std::ceil(100 * smallest));
   if (of_margin > targets)
     text += fmt::format("; {:.2g} points take {}", 100 * gate.judged.metrics.front().plan.margin, of_margin);
@@ -206,13 +206,13 @@ std::string screen_of(const std::vector<Gate>& all) {
 }
 
 // That of a report, with the rows of all labels.
-numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
-  numerics::OrderedJson json;
+base::OrderedJson json_of(const std::vector<Gate>& all, int code) {
+  base::OrderedJson json;
   std::vector<std::string> sentences;
   for (const Gate& gate : all) {
     const std::string& label = gate.label.empty() ? gate.judged.study.labels.front() : gate.label;
-    numerics::OrderedJson report = show::to_json(answer_of(gate));
-    report["tests"] = numerics::OrderedJson::array();  // of all solvers at once: a gate has two
+    base::OrderedJson report = show::to_json(answer_of(gate));
+    report["tests"] = base::OrderedJson::array();  // of all solvers at once: a gate has two
     for (const char* rows : {"groups", "findings"}) {
       for (auto& row : report[rows]) row["label"] = label;
     }
@@ -234,7 +234,7 @@ numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
   }
   if (const std::string same = verdict_of_same(all); !same.empty()) sentences.push_back(same);
   json["headline"] = fmt::format("{}", fmt::join(sentences, " "));
-  json["files"] = numerics::OrderedJson::array();
+  json["files"] = base::OrderedJson::array();
   json["exit_code"] = code;
   return json;
 }
@@ -291,7 +291,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
     const std::vector<Gate> all = compare_all(*arguments);
     invocation.exit_code = exit_code(all, arguments->is_strict);
     if (!arguments->output.empty())
-      results::write_through(arguments->output, [&](const results::Write& write) { write(markdown_of(all)); });
+      base::write_through(arguments->output, [&](const base::Write& write) { write(markdown_of(all)); });
     if (arguments->is_json) return show_json(json_of(all, invocation.exit_code));
     fmt::print("{}", printable(screen_of(all)));
   });

@@ -14,13 +14,13 @@
 #include <utility>
 
 #include "analysis/show/text.hpp"
-#include "numerics/names.hpp"
-#include "results/files.hpp"
+#include "base/files.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::cli {
 
 using namespace experiments;
-using namespace numerics;
+using namespace base;
 
 namespace {
 
@@ -51,7 +51,7 @@ void watch(const sigset_t& set) {
       continue;
     }
     write_at_once("\nStopped. What is stored is kept.\n");
-    results::remove_temporary_folders();
+    base::remove_temporary_folders();
     _exit(128 + number);
   }
 }

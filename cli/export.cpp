@@ -8,14 +8,15 @@
 #include <memory>
 #include <optional>
 
+#include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "results/files.hpp"
 #include "results/fingerprint.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::cli {
 
+using namespace base;
 using namespace results;
 using namespace experiments;
 

@@ -8,21 +8,22 @@
 #include <memory>
 #include <stdexcept>
 
-#include "analysis/compare/observe.hpp"
+#include "analysis/judge/observe.hpp"
+#include "base/inputs.hpp"
+#include "base/names.hpp"
+#include "base/toml_table.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
-#include "numerics/inputs.hpp"
 #include "numerics/instruction_set.hpp"
-#include "numerics/names.hpp"
-#include "numerics/toml_table.hpp"
 #include "results/export.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::cli {
 
+using namespace base;
 using namespace numerics;
 using namespace robots;
 using namespace solvers;
@@ -92,10 +93,10 @@ Rows list_of(std::string_view kind) {
       rows.push_back({std::string(column.name), std::string(column.type), std::string(column.meaning)});
   } else if (kind == "metrics") {
     rows = {{"METRIC", "UNIT", "BETTER", "OF", "WHAT"}};
-    for (const compare::Metric& metric : compare::metrics())
+    for (const judge::Metric& metric : judge::metrics())
       rows.push_back({std::string(metric.column), std::string(metric.unit),
-                      metric.kind == compare::Kind::share ? "larger" : "smaller",
-                      metric.kind == compare::Kind::run ? "run" : "solve", std::string(metric.name)});
+                      metric.kind == judge::Kind::share ? "larger" : "smaller",
+                      metric.kind == judge::Kind::run ? "run" : "solve", std::string(metric.name)});
   } else {
     rows = {{"NAME", "IN USE"}};
     for (const InstructionSet set : instruction_sets())

@@ -17,11 +17,11 @@
 #include <vector>
 
 #include "analysis/show/text.hpp"
+#include "base/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
 #include "numerics/instruction_set.hpp"
-#include "numerics/names.hpp"
 
 namespace ikbench::cli {
 #define COMMAND(name) void add_##name(CLI::App& app, Invocation& invocation);
@@ -47,6 +47,7 @@ class Help : public CLI::Formatter {
 
 int main(int argc, char** argv) {
   namespace cli = ikbench::cli;
+  using namespace ikbench::base;
   using namespace ikbench::numerics;
   using namespace ikbench::experiments;
   constexpr auto unwritten = "cannot write to standard output; make room on its disk, or do not close it";

@@ -8,13 +8,14 @@
 #include <memory>
 #include <stdexcept>
 
+#include "base/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "numerics/names.hpp"
 
 namespace ikbench::cli {
 
+using namespace base;
 using namespace results;
 
 namespace {
@@ -71,8 +72,8 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       return merge(out, stores, [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });
     }();
     fmt::print("{}\n", wrapped(fmt::format("{}: {} added from {}, {} were there with the same bits", out.string(),
-                                           numerics::counted(merged.added, "solves"),
-                                           numerics::counted(std::ssize(stores), "stores"), merged.known)));
+                                           base::counted(merged.added, "solves"),
+                                           base::counted(std::ssize(stores), "stores"), merged.known)));
     for (const auto& [study, solves, of_all] : merged.lacks) {
       say(fmt::format("{} lacks {} of {} solves; solve its missing shards, then merge again", study, solves, of_all));
       invocation.exit_code = 5;

@@ -7,16 +7,16 @@
 #include <memory>
 #include <stdexcept>
 
+#include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/study_reader.hpp"
-#include "results/files.hpp"
 
 namespace ikbench::cli {
 
-using namespace numerics;
+using namespace base;
 using namespace results;
 using namespace experiments;
 

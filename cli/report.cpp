@@ -13,15 +13,16 @@
 #include <string>
 #include <vector>
 
-#include "analysis/compare/judge.hpp"
+#include "analysis/judge/judge.hpp"
+#include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
-#include "results/files.hpp"
 
 namespace ikbench::cli {
 
+using namespace base;
 using namespace results;
 using namespace experiments;
 
@@ -39,7 +40,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   for (const std::string& file : files) {
     const Store store(file, Store::Mode::read);
     const StoredStudy entry = store.study(study);
-    const compare::JudgedStudy judged = compare::judge(checked_study(store, entry));
+    const judge::JudgedStudy judged = judge::judge(checked_study(store, entry));
     names.push_back(entry.name);
     arms.push_back(judged.study.definition.robot);
     folders.push_back(std::filesystem::path(file).parent_path().filename());

@@ -13,23 +13,23 @@
 #include <sstream>
 #include <thread>
 
-#include "analysis/compare/judge.hpp"
 #include "analysis/figures/of_study.hpp"
+#include "analysis/judge/judge.hpp"
 #include "analysis/papers/paper.hpp"
+#include "base/embedded_file.hpp"
+#include "base/inputs.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
-#include "numerics/embedded_file.hpp"
-#include "numerics/inputs.hpp"
-#include "numerics/names.hpp"
-#include "numerics/number.hpp"
 #include "results/export.hpp"
 #include "results/merge.hpp"
 
 namespace ikbench::cli {
 
-using namespace numerics;
+using namespace base;
 using namespace results;
 using namespace experiments;
 
@@ -112,11 +112,11 @@ void read_style_of(const ReportArguments& arguments, FigureStyle& style, TableSt
 bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
 
 // The door of these numbers: a run with an answer that is not finite is lost.
-compare::Group group_of(const std::vector<double>& runs) {
+judge::Group group_of(const std::vector<double>& runs) {
   std::vector<double> finite = runs;
   const auto lost = static_cast<int>(std::erase_if(finite, [](double value) { return !std::isfinite(value); }));
-  if (lost > 0) return {.sample = compare::Untold{.lost = lost, .values = std::move(finite)}};
-  return {.sample = compare::Measured{std::move(finite)}};
+  if (lost > 0) return {.sample = judge::Untold{.lost = lost, .values = std::move(finite)}};
+  return {.sample = judge::Measured{std::move(finite)}};
 }
 
 }  // namespace
@@ -150,7 +150,7 @@ void add_json_option(CLI::App& command, bool& is_json) {
   command.add_flag("--json", is_json, "print the answer as JSON");
 }
 
-void show_json(const numerics::OrderedJson& json) { fmt::print("{}\n", numerics::text_of(json, 2)); }
+void show_json(const base::OrderedJson& json) { fmt::print("{}\n", base::text_of(json, 2)); }
 
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
   command.add_option("--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
@@ -212,7 +212,7 @@ void add_paper_option(CLI::App& command, std::string& paper) {
 }
 
 void check_plan(const Study& study) {
-  if (!study.plan.metric.empty()) static_cast<void>(compare::metric_named(study.plan.metric));
+  if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric));
 }
 
 std::vector<std::string> references_of(std::string_view name) {
@@ -252,7 +252,7 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
   bar.reset();  // leaves its line to the screen
   for (const std::string& warning : written.warnings) warn(warning);
   if (arguments.is_json) {
-    numerics::OrderedJson json = show::to_json(reported.answer);
+    base::OrderedJson json = show::to_json(reported.answer);
     json["files"] = written.files;
     return show_json(json);
   }
@@ -264,27 +264,25 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
 void write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
   FigureStyle style = styled(study, arguments);  // refuses before the study is read
-  compare::JudgedStudy judged = compare::judge(exported_study(store, study, folder));
+  judge::JudgedStudy judged = judge::judge(exported_study(store, study, folder));
   const figures::Look look = figures::look_of(judged, std::move(style));
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
   announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, look.style);
 }
 
-compare::StudyResults checked_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
-  compare::StudyResults study =
-      compare::read_study(store, entry, [&, check = recheck_of(entry)](const SolveRecord& solve) {
-        check(solve);
-        if (also) also(solve);
-      });
+judge::StudyResults checked_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
+  judge::StudyResults study = judge::read_study(store, entry, [&, check = recheck_of(entry)](const SolveRecord& solve) {
+    check(solve);
+    if (also) also(solve);
+  });
   if (study.solves.empty())
     throw std::invalid_argument(
         fmt::format("no solve of {} in the store is by its solvers as they are now; run the study", entry.name));
   return study;
 }
 
-compare::StudyResults exported_study(const Store& store, const StoredStudy& entry,
-                                     const std::filesystem::path& folder) {
-  compare::StudyResults study;
+judge::StudyResults exported_study(const Store& store, const StoredStudy& entry, const std::filesystem::path& folder) {
+  judge::StudyResults study;
   const auto pass = [&](const TakeSolve& take) { study = checked_study(store, entry, take); };
   write_file(folder / "solves.csv", [&](const Write& write) { write_csv(pass, write, store.names_of_extras(entry)); });
   return study;

@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/compare/study.hpp"
+#include "analysis/judge/study.hpp"
 #include "analysis/papers/multiverse.hpp"
 #include "analysis/show/report.hpp"
+#include "base/json.hpp"
 #include "cli/commands.hpp"
 #include "experiments/multiverse.hpp"
 #include "experiments/runner.hpp"
-#include "numerics/json.hpp"
 #include "results/figure_style.hpp"
 #include "results/store.hpp"
 
@@ -33,7 +33,7 @@ CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range = {0, la
 CLI::Validator not_empty();
 
 void add_json_option(CLI::App& command, bool& is_json);
-void show_json(const numerics::OrderedJson& json);
+void show_json(const base::OrderedJson& json);
 
 // Adds PAPER, the name of a paper; the first by default.
 void add_paper_option(CLI::App& command, std::string& paper);
@@ -67,11 +67,11 @@ void write_and_announce(const results::Store& store, const results::StoredStudy&
                         const std::filesystem::path& folder, const ReportArguments& arguments);
 
 // Reads a study, computes the errors of all its solves again (experiments/runner.hpp), and passes each on to `also`.
-compare::StudyResults checked_study(const results::Store& store, const results::StoredStudy& entry,
-                                    const results::TakeSolve& also = {});
+judge::StudyResults checked_study(const results::Store& store, const results::StoredStudy& entry,
+                                  const results::TakeSolve& also = {});
 // The same, and writes the solves into the folder's solves.csv, which belongs to its report.
-compare::StudyResults exported_study(const results::Store& store, const results::StoredStudy& entry,
-                                     const std::filesystem::path& folder);
+judge::StudyResults exported_study(const results::Store& store, const results::StoredStudy& entry,
+                                   const std::filesystem::path& folder);
 
 struct RunArguments {
   std::string out;

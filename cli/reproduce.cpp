@@ -11,18 +11,19 @@
 #include "analysis/papers/claims.hpp"
 #include "analysis/show/words.hpp"
 #include "analysis/slim2023/slim2023.hpp"
+#include "base/inputs.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
-#include "numerics/inputs.hpp"
 #include "results/fingerprint.hpp"
 #include "results/published.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::cli {
 
+using namespace base;
 using namespace results;
 using namespace experiments;
 using papers::Paper;
@@ -60,7 +61,7 @@ std::vector<Study> studies_of(const Paper& paper, const Arguments& arguments) {
 
 // How many equal the references, which every machine should give, and which differ. Solvers of libraries have no
 // reference: their bits are the library's.
-std::string fingerprints_of(const Store& store, const std::vector<compare::JudgedStudy>& studies,
+std::string fingerprints_of(const Store& store, const std::vector<judge::JudgedStudy>& studies,
                             const std::vector<Study>& as_built_in) {
   std::vector<std::string> different;
   std::size_t compared = 0;
@@ -100,13 +101,13 @@ papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper
 }
 
 // The first of the studies is the paper's own.
-void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
+void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
             const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
   const FigureStyle style = styled(all.front().study.entry, arguments.report);
   const std::filesystem::path anew = folder / "programs.csv";  // solved on this machine
   std::error_code none;
   const bool is_anew = !paper.rates.programs.empty() && std::filesystem::exists(anew, none);
-  const std::string text = is_anew ? numerics::text_of_file(anew) : "";
+  const std::string text = is_anew ? base::text_of_file(anew) : "";
   const CsvTable programs =
       is_anew ? parse_csv(text, anew.string()) : published::table(paper.name, paper.rates.programs);
   if (is_anew && programs.rows() != paper.rates.rows.size())
@@ -125,10 +126,10 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   show::Report reported = show::report_of(all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look)
                                                        : has_arms  ? std::vector<figures::Figure>()
                                                                    : figures::of_study(all.front(), look));
-  const std::vector<compare::Doubt> own = reported.answer.all_doubts();
+  const std::vector<judge::Doubt> own = reported.answer.all_doubts();
   std::vector<std::string> doubts, whose;
-  for (const compare::JudgedStudy& companion : repeated.studies.subspan(1)) {
-    for (const compare::Doubt& doubt : show::answer_of(companion).all_doubts()) {
+  for (const judge::JudgedStudy& companion : repeated.studies.subspan(1)) {
+    for (const judge::Doubt& doubt : show::answer_of(companion).all_doubts()) {
       if (std::ranges::count(own, words_of(doubt), [](const auto& each) { return words_of(each); }) > 0) continue;
       doubts.push_back(words_of(doubt));
       whose.push_back(companion.study.entry.name);
@@ -139,7 +140,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
   std::vector<figures::Figure> of_circle;
   std::vector<std::string> sentences;
   if (is_slim2023) {
-    if (const compare::JudgedStudy* const dobot = repeated.part("dobot"))
+    if (const judge::JudgedStudy* const dobot = repeated.part("dobot"))
       of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style));
     std::vector<papers::Explained> numbers;
     show::Blocks by_other;
@@ -157,7 +158,7 @@ void report(const std::vector<compare::JudgedStudy>& all, const Paper& paper, co
     reported.additions.push_back(std::move(by_other));
     reported.has_own_numbers = true;
     std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many
-                  [](const compare::JudgedMetric& each) { return each.observations.metric == "evaluations"; });
+                  [](const judge::JudgedMetric& each) { return each.observations.metric == "evaluations"; });
   }
   if (!sentences.empty() && !readings.explains.empty())
     sentences.push_back(fmt::format("Of the other numbers, with one other setting and seed 1: {}.", readings.explains));
@@ -211,13 +212,13 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       throw std::invalid_argument(
           fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));
     const std::filesystem::path folder = folder_for(paper.studies.front(), arguments->run.out);
-    std::vector<compare::JudgedStudy> judged;
+    std::vector<judge::JudgedStudy> judged;
     for (const Study& study : studies_of(paper, *arguments)) {
       const StoredStudy stored = stored_study(study);
       run_study(study, stored, folder, {.jobs = arguments->run.jobs, .command = invocation.command});
       const Store store(store_in(folder), Store::Mode::read);
       const bool is_first = judged.empty();
-      judged.push_back(compare::judge(is_first ? exported_study(store, stored, folder) : checked_study(store, stored)));
+      judged.push_back(judge::judge(is_first ? exported_study(store, stored, folder) : checked_study(store, stored)));
     }
     report(judged, paper, *arguments, folder, judged_readings(*arguments, paper));
   });

@@ -10,17 +10,17 @@
 #include "analysis/figures/figure.hpp"
 #include "analysis/figures/of_study.hpp"
 #include "analysis/figures/plots.hpp"
+#include "base/units.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study.hpp"
-#include "numerics/units.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "robots/urdf.hpp"
 
 namespace ikbench::cli {
 
-using namespace numerics;
+using namespace base;
 using namespace robots;
 using namespace figures;
 

@@ -7,16 +7,17 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
-#include "numerics/names.hpp"
 
 namespace ikbench::cli {
 
+using namespace base;
 using namespace results;
 using namespace experiments;
 
@@ -27,7 +28,7 @@ void refuse_empty_shard(const Study& study, Shard shard) {
   if (shard.count <= parts) return;
   throw std::invalid_argument(fmt::format("--shard {}: {} has only {} to share out, so give at most that many shards",
                                           shard.text(), study.name,
-                                          numerics::counted(parts, study.is_chained() ? "runs" : "targets")));
+                                          base::counted(parts, study.is_chained() ? "runs" : "targets")));
 }
 
 constexpr const char* study_of_any_arm = "any-arm";

@@ -12,11 +12,11 @@
 #include "analysis/figures/of_study.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/words.hpp"
+#include "base/csv.hpp"
+#include "base/inputs.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "numerics/inputs.hpp"
-#include "results/csv.hpp"
 
 namespace ikbench::cli {
 
@@ -33,19 +33,19 @@ struct StatsArguments {
 std::string name_of_source(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 std::string contents_of(const std::string& file) {
-  if (file == "-") return results::csv_text(std::cin, name_of_source(file));
-  numerics::note_input(file);
+  if (file == "-") return base::csv_text(std::cin, name_of_source(file));
+  base::note_input(file);
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file))
     throw std::invalid_argument(fmt::format("cannot read {}; expected a CSV file, or - for standard input", file));
-  return results::csv_text(stream, file);
+  return base::csv_text(stream, file);
 }
 
 // "smaller is better, of quality larger"
-std::string direction_of(const std::vector<compare::JudgedMetric>& metrics) {
+std::string direction_of(const std::vector<judge::JudgedMetric>& metrics) {
   std::vector<std::string> larger;
-  for (const compare::JudgedMetric& metric : metrics) {
-    if (metric.observations.better == compare::Better::larger) larger.push_back(metric.observations.quantity);
+  for (const judge::JudgedMetric& metric : metrics) {
+    if (metric.observations.better == judge::Better::larger) larger.push_back(metric.observations.quantity);
   }
   if (larger.size() == metrics.size()) return "larger is better";
   return "smaller is better" + (larger.empty() ? "" : fmt::format(", of {} larger", fmt::join(larger, ", ")));
@@ -56,17 +56,17 @@ show::Report judged(const StatsArguments& arguments, results::FigureStyle& style
   const std::string text = contents_of(arguments.file), source = name_of_source(arguments.file);
   csv::Quantities quantities = arguments.are_summaries ? csv::read_summaries(text, source, arguments.csv)
                                                        : csv::read(text, source, arguments.csv);
-  std::vector<compare::JudgedMetric> metrics;
-  for (compare::Observations& observed : quantities.observed) {
+  std::vector<judge::JudgedMetric> metrics;
+  for (judge::Observations& observed : quantities.observed) {
     const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, observed);
     if (arguments.margin.empty() && plan.margin == 0)
       quantities.notes.push_back(fmt::format("Of {}, which may be negative, no margin is used.", observed.quantity));
-    metrics.push_back(compare::judge(std::move(observed), plan));
+    metrics.push_back(judge::judge(std::move(observed), plan));
   }
   show::Report reported;
   if (!arguments.out.empty()) {
     std::vector<results::Series> groups;
-    for (const compare::Group& group : metrics.front().observations.groups)
+    for (const judge::Group& group : metrics.front().observations.groups)
       groups.push_back({.label = group.name, .algorithm = group.name});
     const figures::Look look = figures::look_of(groups, styled({}, labels_of({.series = groups}), arguments.report));
     reported.figures = figures::of_file(metrics, look);

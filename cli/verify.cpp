@@ -4,15 +4,16 @@
 
 #include <memory>
 
+#include "base/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/runner.hpp"
-#include "numerics/names.hpp"
 #include "results/study.hpp"
 
 namespace ikbench::cli {
 
+using namespace base;
 using namespace results;
 using namespace experiments;
 
@@ -50,7 +51,7 @@ void add_verify(CLI::App& app, Invocation&) {
                                     again.solves, again.of);
     const std::string text = fmt::format(
         "{}: errors, joint motion and status of all {} follow from their answers. {}\nNot checked: {}.", study.name,
-        numerics::counted(static_cast<std::int64_t>(all), "solves"), made, fmt::join(unchecked, "; "));
+        base::counted(static_cast<std::int64_t>(all), "solves"), made, fmt::join(unchecked, "; "));
     fmt::print("{}\n", printable(wrapped(text)));
   });
 }

@@ -8,17 +8,17 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/embedded_file.hpp"
+#include "base/names.hpp"
+#include "base/toml_table.hpp"
+#include "base/units.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/task.hpp"
 #include "experiments/verifier.hpp"
-#include "numerics/embedded_file.hpp"
-#include "numerics/names.hpp"
-#include "numerics/toml_table.hpp"
-#include "numerics/units.hpp"
 
 namespace ikbench::experiments {
 
-using namespace numerics;
+using namespace base;
 using namespace results;
 
 namespace {

@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "numerics/fields.hpp"
+#include "base/fields.hpp"
 #include "numerics/random.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::experiments {
 
-using numerics::Fields, numerics::InKey;
+using base::Fields, base::InKey;
 
 // A kind of path, with the fields of one path of it. Its file defines NAME_path(), a path with the defaults.
 class PathKind {
@@ -62,7 +62,7 @@ std::vector<Path> paths();
 // The path of the kind `poses`.
 Path path_through(std::vector<robots::Pose> poses);
 
-// Poses from a table of any origin (results/sheet.hpp). The header names the columns, in any order and case, with their
+// Poses from a table of any origin (base/sheet.hpp). The header names the columns, in any order and case, with their
 // units: x, y and z in m, cm or mm, of one thing ("pose.position.x", "x [mm]"), without a unit m; and w, x, y, z of
 // another (of length 1 to 1 %, then made exact); or roll, pitch, yaw in deg or rad (Rz(yaw) Ry(pitch) Rx(roll)); or
 // nothing for a tool that points straight down. Columns before them that never fall are left out. Rows may also be 12

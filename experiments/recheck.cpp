@@ -14,19 +14,20 @@
 #include <utility>
 #include <vector>
 
+#include "base/json.hpp"
+#include "base/names.hpp"
+#include "base/units.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/solve_runner.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
-#include "numerics/json.hpp"
-#include "numerics/names.hpp"
-#include "numerics/units.hpp"
 #include "results/study.hpp"
 #include "robots/robot.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
 
+using namespace base;
 using namespace numerics;
 using namespace robots;
 using namespace results;
@@ -78,7 +79,7 @@ std::optional<SolverEntry> built_in(const Series& series) {
       if (!value.is_number_integer() || value < populations.first || value > populations.second)
         throw std::invalid_argument(fmt::format(
             "the population of {} is no whole number from {} to {}; it was changed: solve again into another folder",
-            numerics::one_line(numerics::front(series.label, 60)), populations.first, populations.second));
+            base::one_line(base::front(series.label, 60)), populations.first, populations.second));
       entry.population = value;
     } else
       entry.options[name] = value.is_string() ? value.get<std::string>() : value.dump();

@@ -9,15 +9,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/json.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/solve_runner.hpp"
 #include "experiments/study_writer.hpp"
-#include "numerics/json.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
 
+using namespace base;
 using namespace robots;
 using namespace solvers;
 using namespace results;
@@ -213,7 +214,7 @@ void solve_missing(Work& work, Store& store, const RunRequest& request, Progress
   if (request.shard.count > 1) session["shard"] = request.shard.text();
   session["study"] = work.study.name;
   session["analysis"] = to_json(work.study.plan);  // this and the solvers: the study may be saved with others later
-  session["solvers"] = numerics::text_of(numerics::Json(labels_of(work.study)));
+  session["solvers"] = base::text_of(base::Json(labels_of(work.study)));
   const std::int64_t session_id = store.begin_session(session);
   const double stolen_before = stolen_seconds();
   const auto store_them = [&](std::vector<SolveRecord>& records) {

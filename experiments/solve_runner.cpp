@@ -15,13 +15,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/inputs.hpp"
+#include "base/names.hpp"
+#include "base/units.hpp"
 #include "experiments/environment.hpp"
-#include "numerics/inputs.hpp"
-#include "numerics/names.hpp"
-#include "numerics/units.hpp"
 
 namespace ikbench::experiments {
 
+using namespace base;
 using namespace numerics;
 using namespace robots;
 using namespace solvers;

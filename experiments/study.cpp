@@ -44,7 +44,7 @@ GoalKind goal_kind(Search search) {
 Robot arm_of(const Study& study) { return study.robot_of_file ? *study.robot_of_file : robot(study.robot); }
 
 Configuration joint_units(const Chain& arm) {
-  Configuration units = Configuration::Constant(arm.joints(), degree);
+  Configuration units = Configuration::Constant(arm.joints(), base::degree);
   for (Eigen::Index j = 0; j < units.size(); ++j) {
     if (arm.slides(j)) units[j] = 1;
   }

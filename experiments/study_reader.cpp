@@ -13,21 +13,22 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/embedded_file.hpp"
+#include "base/inputs.hpp"
+#include "base/json.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
+#include "base/toml_table.hpp"
 #include "experiments/foreign/program.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/task.hpp"
-#include "numerics/embedded_file.hpp"
-#include "numerics/inputs.hpp"
-#include "numerics/json.hpp"
-#include "numerics/names.hpp"
-#include "numerics/number.hpp"
-#include "numerics/toml_table.hpp"
 #include "results/published.hpp"
 #include "robots/rotation.hpp"
 #include "robots/spherical_wrist.hpp"
 
 namespace ikbench::experiments {
 
+using namespace base;
 using namespace numerics;
 using namespace robots;
 using namespace solvers;
@@ -625,7 +626,7 @@ std::string sweep_override(const std::string& text) {
     const std::size_t end = std::min(text.find(',', from), text.size());
     const std::string value = text.substr(from, end - from);
     const std::optional<double> number = number_from(value);
-    values += number && std::isfinite(*number) ? text_of(*number) : text_of(numerics::Json(value));
+    values += number && std::isfinite(*number) ? text_of(*number) : text_of(base::Json(value));
     values += ", ";
     from = end + 1;
   }

@@ -9,18 +9,19 @@
 #include <sstream>
 #include <utility>
 
+#include "base/json.hpp"
+#include "base/number.hpp"
+#include "base/toml_table.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/foreign/program.hpp"
 #include "experiments/study_reader.hpp"
-#include "numerics/json.hpp"
-#include "numerics/number.hpp"
-#include "numerics/toml_table.hpp"
 #include "results/record.hpp"
 #include "robots/arm_fields.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
 
+using namespace base;
 using namespace numerics;
 using namespace robots;
 using namespace solvers;
@@ -56,7 +57,7 @@ std::string toml_text(const OrderedJson& value) {
     for (const OrderedJson& element : value) texts.push_back(toml_text(element));
     return fmt::format("[{}]", fmt::join(texts, ", "));
   }
-  if (!value.is_number_float()) return numerics::text_of(value);
+  if (!value.is_number_float()) return base::text_of(value);
   const auto number = value.get<double>();  // "-0" would be read as the integer 0
   return number == 0 && std::signbit(number) ? "-0.0" : fmt::format("{}", number);
 }
@@ -77,7 +78,7 @@ class Written final : public Fields {
   void on_text(Name name, std::string& field) override { add(name, field, field); }
   void on_texts(Name name, std::vector<std::string>& field) override {
     std::vector<std::string> words;
-    for (const std::string& word : field) words.push_back(numerics::text_of(numerics::Json(word)));
+    for (const std::string& word : field) words.push_back(base::text_of(base::Json(word)));
     add(name, field, field.empty() ? "" : fmt::format("{} {}", field.size(), fmt::join(words, "\n")));
   }
   void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
@@ -322,10 +323,10 @@ std::string to_json(const Study& study) {
                             {"farthest_cm", farthest.distance / centimetre},
                             {"reach_cm", farthest.reach / centimetre}};
   }
-  return numerics::text_of(json);
+  return base::text_of(json);
 }
 
-std::string to_json(results::Plan plan) { return numerics::text_of(json_of(written(plan))); }
+std::string to_json(results::Plan plan) { return base::text_of(json_of(written(plan))); }
 
 std::string configuration_key(const Study& study, const SolverEntry& entry) {
   // The fields marked InKey::in_text. Another word or order here would solve all stored solves anew.
@@ -391,7 +392,7 @@ std::vector<Series> series_of(const Study& study) {
     all.push_back({.key = series_key(study, entry),
                    .label = entry.label,
                    .algorithm = entry.solver,
-                   .options = numerics::text_of(values)});
+                   .options = base::text_of(values)});
   }
   return all;
 }

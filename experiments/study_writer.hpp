@@ -4,9 +4,9 @@
 
 #include <string>
 
+#include "base/fields.hpp"
+#include "base/units.hpp"
 #include "experiments/study.hpp"
-#include "numerics/fields.hpp"
-#include "numerics/units.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::experiments {
@@ -52,7 +52,7 @@ inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
   io.choice("limits", urdf.limits, {"hard", "soft"},
             "hard: the joints' <limit>; soft: the tighter of it and <safety_controller>", InKey::in_text);
   io.number(
-      "snap_deg", urdf.snap, numerics::degree, {0, 1},
+      "snap_deg", urdf.snap, base::degree, {0, 1},
       "angles this near a multiple of 15 deg, and axes this near parallel, are meant to be it: up to 0.001 only if "
       "the printed digits may mean it",
       InKey::in_text);

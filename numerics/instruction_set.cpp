@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "numerics/names.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::numerics {
 
@@ -48,7 +48,7 @@ InstructionSet instruction_set() {
     if (name_of(set) == wanted) return set;
     names.emplace_back(name_of(set));
   }
-  throw std::invalid_argument("IKBENCH_INSTRUCTION_SET: " + unknown_name("instruction set", wanted, names));
+  throw std::invalid_argument("IKBENCH_INSTRUCTION_SET: " + base::unknown_name("instruction set", wanted, names));
 }
 
 }  // namespace ikbench::numerics

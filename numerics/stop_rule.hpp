@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "numerics/fields.hpp"
-#include "numerics/number.hpp"
-#include "numerics/units.hpp"
+#include "base/fields.hpp"
+#include "base/number.hpp"
+#include "base/units.hpp"
 
 namespace ikbench::numerics {
 
@@ -26,23 +26,23 @@ struct StopRule {
   double seconds = 0;            // wall time, checked after each iteration
 
   // As in the study.
-  double tolerance_cm() const { return in_unit(tolerance, centimetre); }
-  double tolerance_deg() const { return in_unit(angle_tolerance, degree); }
+  double tolerance_cm() const { return base::in_unit(tolerance, base::centimetre); }
+  double tolerance_deg() const { return base::in_unit(angle_tolerance, base::degree); }
 };
 
-inline void list_fields(Fields& io, StopRule& stop) {
+inline void list_fields(base::Fields& io, StopRule& stop) {
   io.whole("iterations", stop.iterations, {0, 1'000'000'000}, "maximum number of iterations, 200 unless given",
-           InKey::in_text);
-  io.number("tolerance_cm", stop.tolerance, centimetre, {0, 1e6},
-            "a solve stops at this position error; 0: no tolerance", InKey::in_text);
+           base::InKey::in_text);
+  io.number("tolerance_cm", stop.tolerance, base::centimetre, {0, 1e6},
+            "a solve stops at this position error; 0: no tolerance", base::InKey::in_text);
   io.number(
-      "tolerance_deg", stop.angle_tolerance, degree, {0, 180},
+      "tolerance_deg", stop.angle_tolerance, base::degree, {0, 180},
       "with search = \"pose\" or \"axis\": a solve stops where the tool, or its z axis, is also turned no further than "
       "this from its target; 0: no tolerance");
-  io.whole("evaluations", stop.evaluations, {0, no_limit}, "maximum number of evaluations; 0: no maximum",
-           InKey::in_text);
+  io.whole("evaluations", stop.evaluations, {0, base::no_limit}, "maximum number of evaluations; 0: no maximum",
+           base::InKey::in_text);
   io.number("seconds", stop.seconds, 1, {0, 1e6},
-            "maximum wall time of a solve; results then depend on the machine; 0: no maximum", InKey::in_text);
+            "maximum wall time of a solve; results then depend on the machine; 0: no maximum", base::InKey::in_text);
 }
 
 }  // namespace ikbench::numerics

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "numerics/number.hpp"
-#include "results/csv.hpp"
+#include "base/csv.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::results {
 
-using namespace numerics;
+using namespace base;
 
 namespace {
 
@@ -30,13 +30,13 @@ constexpr bool is_list = std::is_same_v<Value, std::vector<double>>;
 template <class Value>
 void append(std::string& text, const Value& value) {
   if constexpr (std::is_same_v<Value, std::string>) {
-    append_csv_cell(text, value);
+    base::append_csv_cell(text, value);
   } else if constexpr (std::is_enum_v<Value>) {
     text += name_of(value);
   } else if constexpr (std::is_integral_v<Value>) {
     text += std::to_string(value);
   } else if (std::isfinite(value)) {
-    numerics::append(text, value);
+    base::append(text, value);
   } else {
     text += text_of(value);
   }
@@ -74,7 +74,7 @@ void append_header(std::string& text, const Widths& widths, const std::vector<st
     }
   });
   for (const std::string& name : extras) cells.push_back("extra_" + name);
-  append_csv_row(text, cells);
+  base::append_csv_row(text, cells);
 }
 
 void append_row(std::string& text, const SolveRecord& record, const Widths& widths,
@@ -117,7 +117,7 @@ std::vector<ColumnInfo> columns() {
   return list;
 }
 
-void write_csv(const PassSolves& pass, const Write& write, const std::vector<std::string>& extras) {
+void write_csv(const PassSolves& pass, const base::Write& write, const std::vector<std::string>& extras) {
   constexpr std::size_t part = 1 << 20;  // written at a time
   Widths widths;
   std::string text;

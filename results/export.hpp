@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "results/files.hpp"
+#include "base/files.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
 
@@ -27,6 +27,6 @@ using PassSolves = std::function<void(const TakeSolve& take)>;
 // the first solve has; shorter lists leave cells empty, and longer ones throw std::invalid_argument. The trace and the
 // improvements have up to one element per iteration, so only the store has them. Values that are not finite are NaN,
 // Inf or -Inf; evaluations that nobody counted are empty. Then a column for each of these extras (extra_restarts ...).
-void write_csv(const PassSolves& pass, const Write& write, const std::vector<std::string>& extras = {});
+void write_csv(const PassSolves& pass, const base::Write& write, const std::vector<std::string>& extras = {});
 
 }  // namespace ikbench::results

@@ -7,11 +7,11 @@
 #include <cctype>
 #include <set>
 
-#include "numerics/toml_table.hpp"
+#include "base/toml_table.hpp"
 
 namespace ikbench::results {
 
-using namespace numerics;
+using namespace base;
 
 namespace {
 
@@ -54,7 +54,7 @@ std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle&
   return std::nullopt;
 }
 
-void read_style(TomlReader reader, FigureStyle& style) {
+void read_style(base::TomlReader reader, FigureStyle& style) {
   list_fields(reader, style);
   reader.refuse_unknown_keys();
   if (const auto mistake = mistake_in(style)) {
@@ -65,9 +65,9 @@ void read_style(TomlReader reader, FigureStyle& style) {
 }
 
 void read_style_text(std::string_view toml, std::string_view source, FigureStyle& style, TableStyle& tables) {
-  const toml::table table = parse_toml(toml, source);
-  TomlReader reader(table, source, "");
-  TomlReader of_tables = reader.part("tables");
+  const toml::table table = base::parse_toml(toml, source);
+  base::TomlReader reader(table, source, "");
+  base::TomlReader of_tables = reader.part("tables");
   list_fields(of_tables, tables);
   of_tables.refuse_unknown_keys();
   read_style(std::move(reader), style);

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "numerics/fields.hpp"
+#include "base/fields.hpp"
 
-namespace ikbench::numerics {
+namespace ikbench::base {
 class TomlReader;
 }
 
@@ -46,14 +46,14 @@ struct TableStyle {
   bool operator==(const TableStyle&) const = default;
 };
 
-inline void list_fields(numerics::Fields& io, TableStyle& style) {
+inline void list_fields(base::Fields& io, TableStyle& style) {
   io.choice("show", style.show, {"tested", "medians", "means"},
             "medians with quartiles, or means with standard deviations; tested: those by which the plan tests");
 }
 
 constexpr std::string_view expected_colour = "a colour such as \"#1E8CF8\"";
 
-inline void list_fields(numerics::Fields& io, FigureStyle& style) {
+inline void list_fields(base::Fields& io, FigureStyle& style) {
   io.number("width_cm", style.width_cm, 1, {0, 60}, "width of every figure, at least 4; 0: each its own");
   io.number("height_cm", style.height_cm, 1, {0, 60},
             "height of every figure, or more where its rows need it, at least 3; 0: each its own");
@@ -71,8 +71,8 @@ std::optional<std::string> hex_colour(std::string_view colour);
 // The key of a value that no figure may have, and what is expected; nothing if all may.
 std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle& style);
 
-// Sets the given keys and leaves the others. Throws std::invalid_argument (numerics/toml_table.hpp).
-void read_style(numerics::TomlReader reader, FigureStyle& style);
+// Sets the given keys and leaves the others. Throws std::invalid_argument (base/toml_table.hpp).
+void read_style(base::TomlReader reader, FigureStyle& style);
 // The same of a text, whose keys are those of [figures], and the table [tables].
 void read_style_text(std::string_view toml, std::string_view source, FigureStyle& style, TableStyle& tables);
 

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "numerics/json.hpp"
+#include "base/json.hpp"
 #include "results/fingerprint.hpp"
 #include "results/store_codec.hpp"
 #include "results/study.hpp"
@@ -132,12 +132,12 @@ std::int64_t copy_missing(SQLite::Database& sqlite) {
 }  // namespace
 
 std::string difference_in_solves(const std::string& first, const std::string& second) {
-  const auto left = numerics::parsed_json(first);
-  const auto right = numerics::parsed_json(second);
+  const auto left = base::parsed_json(first);
+  const auto right = base::parsed_json(second);
   const auto text_of = [](const nlohmann::json& json, const std::string& key) {
     constexpr std::size_t most = 60;
     if (!json.contains(key)) return std::string("not there");
-    const std::string text = numerics::text_of(json[key]);
+    const std::string text = base::text_of(json[key]);
     return text.size() <= most ? text : "another";
   };
   std::set<std::string> keys;

@@ -5,30 +5,30 @@
 
 #include <algorithm>
 
-#include "numerics/embedded_file.hpp"
+#include "base/embedded_file.hpp"
 
 namespace ikbench::results::published {
 
-using namespace numerics;
+using namespace base;
 
 namespace {
 
-constexpr EmbeddedFile files[]{
+constexpr base::EmbeddedFile files[]{
 #include "published_tables.inc"
 };
 
-std::string_view paper_of(const EmbeddedFile& file) { return file.name.substr(0, file.name.find('/')); }
+std::string_view paper_of(const base::EmbeddedFile& file) { return file.name.substr(0, file.name.find('/')); }
 
 }  // namespace
 
-CsvTable table(std::string_view paper, std::string_view name) {
-  const EmbeddedFile* const file = find_embedded(files, fmt::format("{}/{}", paper, name));
-  return file == nullptr ? CsvTable() : parse_csv(file->text, file->name);
+base::CsvTable table(std::string_view paper, std::string_view name) {
+  const base::EmbeddedFile* const file = base::find_embedded(files, fmt::format("{}/{}", paper, name));
+  return file == nullptr ? base::CsvTable() : base::parse_csv(file->text, file->name);
 }
 
 std::vector<std::string_view> papers() {
   std::vector<std::string_view> names;
-  for (const EmbeddedFile& file : files)
+  for (const base::EmbeddedFile& file : files)
     if (std::ranges::find(names, paper_of(file)) == names.end()) names.push_back(paper_of(file));
   return names;
 }

@@ -4,12 +4,12 @@
 #include <string_view>
 #include <vector>
 
-#include "results/csv.hpp"
+#include "base/csv.hpp"
 
 namespace ikbench::results::published {
 
 // The table as printed, e.g. table("slim2023", "table-3"); without rows if there is none.
-CsvTable table(std::string_view paper, std::string_view name);
+base::CsvTable table(std::string_view paper, std::string_view name);
 std::vector<std::string_view> papers();
 
 }  // namespace ikbench::results::published

@@ -15,8 +15,8 @@
 #include <system_error>
 #include <utility>
 
-#include "numerics/inputs.hpp"
-#include "numerics/json.hpp"
+#include "base/inputs.hpp"
+#include "base/json.hpp"
 #include "results/store_codec.hpp"
 #include "results/study.hpp"
 
@@ -202,7 +202,7 @@ struct Store::Database {
                    SQLite::OPEN_NOMUTEX,  // a store belongs to one thread at a time
                patience_ms),
         identity(identity_there()) {
-    for (const char* part : {"", "-wal", "-shm", "-journal"}) numerics::note_input(name + part);
+    for (const char* part : {"", "-wal", "-shm", "-journal"}) base::note_input(name + part);
     if (mode != Mode::read) sqlite.exec("PRAGMA page_size = 16384");  // of a new file; fewer pages are faster
     using enum SQLite::TransactionBehavior;
     SQLite::Transaction transaction(sqlite, mode == Mode::read ? DEFERRED : IMMEDIATE);
@@ -343,7 +343,7 @@ std::vector<StoredStudy> Store::studies() const {
                                "SELECT key, label, algorithm, options FROM series WHERE study = ? ORDER BY position");
     std::vector<StoredStudy> list;
     const auto object = [](SQLite::Column column) {
-      if (!numerics::parsed_json(column.getString()).is_object())
+      if (!base::parsed_json(column.getString()).is_object())
         throw Damage(fmt::format("{} {} is no JSON object", column.getName(), excerpt(column.getString())));
       return column.getString();
     };

@@ -8,11 +8,11 @@
 #include <system_error>
 #include <type_traits>
 
-#include "numerics/number.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::results {
 
-using namespace numerics;
+using namespace base;
 
 namespace {
 
@@ -38,7 +38,7 @@ double json_number(std::string_view text) {
   if (text == json_nan) return std::numeric_limits<double>::quiet_NaN();
   if (text == json_infinity) return std::numeric_limits<double>::infinity();
   if (text == json_minus_infinity) return -std::numeric_limits<double>::infinity();
-  if (const auto number = number_from(text)) return *number;
+  if (const auto number = base::number_from(text)) return *number;
   throw Damage(fmt::format("{} in a list of numbers", excerpt(text)));
 }
 
@@ -49,7 +49,7 @@ void read_numbers(std::string_view array, std::vector<double>& numbers) {
   const char *at = array.data() + 1, *const end = array.data() + array.size() - 1;
   for (const char* next = at; at < end; at = next + 1) {
     double& number = numbers.emplace_back();
-    const auto [stop, error] = read_number(at, end, number);
+    const auto [stop, error] = base::read_number(at, end, number);
     next = stop;
     if (error == std::errc{} && (next == end || *next == ',')) continue;
     next = std::find(at, end, ',');

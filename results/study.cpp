@@ -6,29 +6,29 @@
 #include <limits>
 #include <stdexcept>
 
-#include "numerics/json.hpp"
-#include "numerics/toml_table.hpp"
-#include "numerics/units.hpp"
+#include "base/json.hpp"
+#include "base/toml_table.hpp"
+#include "base/units.hpp"
 
 namespace ikbench::results {
 
-using namespace numerics;
+using namespace base;
 
-void list_fields(Fields& io, StudyData& study) {
-  io.text("name", study.name, "results go to out/<name>/; default: the name of the file", InKey::no);
-  io.text("title", study.title, "", InKey::no);
+void list_fields(base::Fields& io, StudyData& study) {
+  io.text("name", study.name, "results go to out/<name>/; default: the name of the file", base::InKey::no);
+  io.text("title", study.title, "", base::InKey::no);
   io.text("published", study.published, "compare the results with the printed tables of this paper; \"\": none",
-          InKey::no);
+          base::InKey::no);
   io.text("robot", study.robot,
           "a name from ikbench list robots, or a file beside the study: \"my_arm.toml\", \"my_arm.urdf\"",
-          InKey::in_text);
+          base::InKey::in_text);
   io.choice(
       "search", study.search, names_of(study.search),
       "wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: search all "
       "joints for the position alone; pose: search all joints for position and orientation; axis: for the position and "
       "the direction of the tool's z axis; flange: search all but the last, which only turns the tool, for the "
       "position alone",
-      InKey::in_text);
+      base::InKey::in_text);
   io.number(
       "rotation_weight_m", study.rotation_weight, 1, {0.001, 10},
       "with search = \"pose\" or \"axis\": the error that solvers reduce is the root mean square distance of three "
@@ -36,9 +36,9 @@ void list_fields(Fields& io, StudyData& study) {
   io.choice(
       "bounds", study.bounds, names_of(study.bounds),
       "joint limits of candidates: as each solver's own option says, or the same for all solvers with that option",
-      InKey::in_text);
+      base::InKey::in_text);
   io.choice("wrist_branch", study.wrist_branch, {"nearest", "positive", "negative", "inside"},
-            "which of the two wrist branches completes an answer", InKey::in_text);
+            "which of the two wrist branches completes an answer", base::InKey::in_text);
   io.choice(
       "wrist_turns", study.wrist_turns, {"principal", "nearest"},
       "the wrist's angles lie within half a turn of 0, or they are turned by whole turns to where they move least");
@@ -55,26 +55,27 @@ void list_fields(Fields& io, StudyData& study) {
   io.choice("start", study.start, names_of(study.start),
             "a solve starts where the previous one left the arm, at initial_deg, in the middle of the joint limits, at "
             "random within them, or near a solution of a random target");
-  io.number("near_deg", study.near, degree, {0, 360},
+  io.number("near_deg", study.near, base::degree, {0, 360},
             "with start = \"near\": largest distance of each joint that turns from that solution");
   io.whole("population", study.population, populations, "candidates per iteration; a solver can override it",
-           InKey::in_text);
-  io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions", InKey::no);
+           base::InKey::in_text);
+  io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions", base::InKey::no);
   io.whole(
       "repeats", study.repeats, {1, 1000},
       "how often each solve is timed; its time is the median. 1 with --jobs above 1, stop.seconds or a debug build",
-      InKey::no);
-  io.whole("seed", study.seed, {0, no_limit}, "seed of all random numbers", InKey::in_text);
+      base::InKey::no);
+  io.whole("seed", study.seed, {0, base::no_limit}, "seed of all random numbers", base::InKey::in_text);
 }
 
 Definition definition_of(std::string_view json) {
-  const Json all = parsed_json(json);
+  const base::Json all = base::parsed_json(json);
   if (!all.is_object()) throw std::invalid_argument("the definition of a study is no JSON object");
-  const toml::table table = toml_of(all);
-  TomlReader reader(table, fmt::format("study {}", table["name"].value_or("without a name")), "");
-  TomlReader path = reader.part("path"), stop = reader.part("stop"), reach = reader.part("out_of_reach"),
-             figures = reader.part("figures"), colours = figures.part("colours"), analysis = reader.part("analysis"),
-             arm = reader.part("arm"), loop = reader.part("loop"), tables = reader.part("tables");
+  const toml::table table = base::toml_of(all);
+  base::TomlReader reader(table, fmt::format("study {}", table["name"].value_or("without a name")), "");
+  base::TomlReader path = reader.part("path"), stop = reader.part("stop"), reach = reader.part("out_of_reach"),
+                   figures = reader.part("figures"), colours = figures.part("colours"),
+                   analysis = reader.part("analysis"), arm = reader.part("arm"), loop = reader.part("loop"),
+                   tables = reader.part("tables");
   constexpr std::pair<std::int64_t, std::int64_t> counts{0, std::numeric_limits<int>::max()};
   Definition study;
   list_fields(reader, study);
@@ -101,13 +102,13 @@ Definition definition_of(std::string_view json) {
   arm.numbers("velocity_deg_s", velocities, 1, 0);
   for (std::size_t j = 0; j < velocities.size() && study.loop.period > 0; ++j) {
     const auto link = table["arm"]["links"][j];
-    const double unit = link["joint"].value_or(std::string()) == "slides" ? 1 : degree;
+    const double unit = link["joint"].value_or(std::string()) == "slides" ? 1 : base::degree;
     study.steps.emplace_back(velocities[j] > 0 ? velocities[j] * unit * study.loop.period : INFINITY,
                              link["limits_deg"].is_string());
   }
-  study.arm = text_of(all.value("arm", Json()));
-  study.task = text_of(all.value("initial_deg", Json()));
-  if (study.draws_targets) study.task += text_of(all.value("path", Json()));
+  study.arm = text_of(all.value("arm", base::Json()));
+  study.task = text_of(all.value("initial_deg", base::Json()));
+  if (study.draws_targets) study.task += text_of(all.value("path", base::Json()));
   return study;
 }
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "numerics/fields.hpp"
+#include "base/fields.hpp"
+#include "base/units.hpp"
 #include "numerics/stop_rule.hpp"
-#include "numerics/units.hpp"
 #include "results/figure_style.hpp"
 #include "results/record.hpp"
 
@@ -33,7 +33,7 @@ struct Plan {
 constexpr std::pair<double, double> margins_percent{0, 99};
 
 // The fields, listed once for study files, the store's JSON and the command line: name, member, range and meaning.
-inline void list_fields(numerics::Fields& io, Plan& plan) {
+inline void list_fields(base::Fields& io, Plan& plan) {
   constexpr double percent = 0.01;
   io.choice("test", plan.test, {"ranks", "means"}, "what decides: ranks, or means as papers compare them");
   io.choice(
@@ -57,7 +57,7 @@ inline void list_fields(numerics::Fields& io, Plan& plan) {
 struct Loop {
   double period = 0;  // [s]; 0: there is none
 };
-inline void list_fields(numerics::Fields& io, Loop& loop) {
+inline void list_fields(base::Fields& io, Loop& loop) {
   io.number(
       "period_ms", loop.period, 0.001, {0, 1e6},
       "of a path with start = \"previous\": tells solves that take longer, and steps for which a joint is too slow; "
@@ -120,7 +120,7 @@ struct StudyData {
   Wrap wrap = Wrap::no;
   int motion_joints = 0;
   Start start = Start::previous;
-  double near = 5 * numerics::degree;  // [rad] for Start::near: largest distance of a joint from the solution
+  double near = 5 * base::degree;  // [rad] for Start::near: largest distance of a joint from the solution
   int population = 50;
   int runs = 20;
   int repeats = 5;  // timed solves per problem; decides only times (experiments/runner.hpp)
@@ -143,7 +143,7 @@ constexpr std::size_t most_solvers = 400;  // of a study, whose pairs all stand 
 // The fields, listed once: name, member, range, meaning, and whether each decides a number of a solve. Readers and
 // writers of study files and of the store follow this list, and so does the key of a series. A new option of a study is
 // a member above and an entry there. `stop`, `plan` and `figures` have lists of their own.
-void list_fields(numerics::Fields& io, StudyData& study);
+void list_fields(base::Fields& io, StudyData& study);
 
 // A study as the store keeps it, with what judging needs of its arm and targets.
 struct Definition : StudyData {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "numerics/fields.hpp"
-#include "numerics/units.hpp"
+#include "base/fields.hpp"
+#include "base/units.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::robots {
@@ -20,34 +20,34 @@ constexpr std::pair<double, double> lengths_m{-100, 100}, angles_deg{-3600, 3600
 // A link in a file, with its joint's limits: [rad], or [m] if it slides; infinite if it has none.
 struct LimitedLink {
   DhLink link;
-  Eigen::Vector2d limits{-180 * numerics::degree, 180 * numerics::degree};
+  Eigen::Vector2d limits{-180 * base::degree, 180 * base::degree};
   std::pair<double, double> lengths = lengths_m;
 };
 
-inline void list_fields(numerics::Fields& io, LimitedLink& one) {
+inline void list_fields(base::Fields& io, LimitedLink& one) {
   DhLink& link = one.link;
   io.choice("joint", link.joint, {"turns", "slides", "coupled"},
             "turns about z, slides along z, or turns this link alone about y, as in a parallelogram");
-  io.number("offset_deg", link.offset, numerics::degree, angles_deg, "added to the joint's angle");
+  io.number("offset_deg", link.offset, base::degree, angles_deg, "added to the joint's angle");
   io.number("d_m", link.d, 1, one.lengths, "along z");
   io.number("a_m", link.a, 1, one.lengths, "along x");
-  io.number("alpha_deg", link.alpha, numerics::degree, angles_deg, "about x");
+  io.number("alpha_deg", link.alpha, base::degree, angles_deg, "about x");
   if (link.joint == Joint::slides) {
     io.numbers("limits_m", one.limits, 1, 2, "from, to");
   } else if (!one.limits.allFinite()) {
     std::string none(no_limits);
     io.text("limits_deg", none, "it turns without end");
   } else {
-    io.numbers("limits_deg", one.limits, numerics::degree, 2, "from, to");
+    io.numbers("limits_deg", one.limits, base::degree, 2, "from, to");
   }
 }
 
-inline void list_fields(numerics::Fields& io, Frame& frame) {
+inline void list_fields(base::Fields& io, Frame& frame) {
   io.numbers("position_m", frame.position, 1, 3, "x, y, z");
-  io.numbers("rpy_deg", frame.rpy, numerics::degree, 3, "turned by Rz(yaw) Ry(pitch) Rx(roll)");
+  io.numbers("rpy_deg", frame.rpy, base::degree, 3, "turned by Rz(yaw) Ry(pitch) Rx(roll)");
 }
 
-inline void list_fields(numerics::Fields& io, Robot& arm) {
+inline void list_fields(base::Fields& io, Robot& arm) {
   io.text("summary", arm.summary, "in a line");
   io.text("source", arm.source, "where the numbers are from");
   io.numbers("velocity_deg_s", arm.velocity, 1, 0,

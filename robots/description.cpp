@@ -6,12 +6,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/number.hpp"
 #include "numerics/functions.hpp"
-#include "numerics/number.hpp"
 #include "numerics/random.hpp"
 
 namespace ikbench::robots {
 
+using namespace base;
 using namespace numerics;
 
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "numerics/units.hpp"
+#include "base/units.hpp"
 #include "robots/chain.hpp"
 
 namespace ikbench::robots {
@@ -41,7 +41,7 @@ Chain chain_of(const Description& description);
 // Makes angles within `within` [rad] of multiples of 15 degrees exact, and axes that are so near to those of a frame or
 // to parallel: files print 1.5708 for a quarter turn. Up to least_snap only what the printed digits may mean: 1.5e-05
 // is a calibration. Returns the name of the joint of each change.
-constexpr double least_snap = 0.001 * numerics::degree;
+constexpr double least_snap = 0.001 * base::degree;
 std::vector<std::string> snap(Description& description, double within);
 
 }  // namespace ikbench::robots

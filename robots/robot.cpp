@@ -6,17 +6,17 @@
 #include <limits>
 #include <stdexcept>
 
-#include "numerics/embedded_file.hpp"
-#include "numerics/inputs.hpp"
-#include "numerics/json.hpp"
-#include "numerics/names.hpp"
-#include "numerics/toml_table.hpp"
+#include "base/embedded_file.hpp"
+#include "base/inputs.hpp"
+#include "base/json.hpp"
+#include "base/names.hpp"
+#include "base/toml_table.hpp"
 #include "robots/arm_fields.hpp"
 #include "robots/urdf.hpp"
 
 namespace ikbench::robots {
 
-using namespace numerics;
+using namespace base;
 
 namespace {
 

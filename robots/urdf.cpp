@@ -14,14 +14,15 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "numerics/names.hpp"
-#include "numerics/number.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
 #include "numerics/random.hpp"
 #include "robots/arm_fields.hpp"
 #include "robots/description.hpp"
 
 namespace ikbench::robots {
 
+using namespace base;
 using namespace numerics;
 using tinyxml2::XMLAttribute;
 using tinyxml2::XMLElement;

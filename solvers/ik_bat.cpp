@@ -1,14 +1,15 @@
 // IK-BA, the bat algorithm for inverse kinematics: Slim et al. 2023, Algorithm 2.
 // Every candidate is drawn between the best configuration and the arm's (Eq. 14), so Eqs. 5, 13 and 7 move the bats
 // without any effect on the result (docs/papers/slim2023-notes.md 2.4). They are kept as in the paper.
+#include "base/units.hpp"
 #include "numerics/functions.hpp"
-#include "numerics/units.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::solvers {
 
+using namespace base;
 using namespace numerics;
 using namespace robots;
 

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/units.hpp"
+#include "base/units.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/roulette.hpp"
 
 namespace ikbench::solvers {
 
+using namespace base;
 using namespace numerics;
 using namespace robots;
 

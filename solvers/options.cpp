@@ -5,12 +5,12 @@
 
 #include <stdexcept>
 
-#include "numerics/names.hpp"
-#include "numerics/number.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::solvers {
 
-using namespace numerics;
+using namespace base;
 
 namespace {
 

@@ -4,10 +4,11 @@
 
 #include <stdexcept>
 
-#include "numerics/names.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::solvers {
 
+using namespace base;
 using namespace numerics;
 
 #define SOLVER(name) SolverInfo name();

@@ -1,10 +1,10 @@
 // A hand-made study, read from a store.
 #pragma once
 
-#include "analysis/compare/study.hpp"
+#include "analysis/judge/study.hpp"
 #include "tests/common.hpp"
 
-namespace ikbench::compare {
+namespace ikbench::judge {
 
 // Records without a series are of the series with their solver's label. One store has all studies of a program, because
 // making one waits for the disk.
@@ -26,4 +26,4 @@ inline StudyResults stored_study(results::StoredStudy entry, std::vector<results
   return read_study(store, entry);
 }
 
-}  // namespace ikbench::compare
+}  // namespace ikbench::judge

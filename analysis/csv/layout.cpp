@@ -11,7 +11,7 @@
 #include <set>
 #include <unordered_map>
 
-#include "numerics/names.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::csv {
 namespace {
@@ -204,7 +204,7 @@ class Finder {
     for (const std::size_t column : way.label ? Columns() : way.values) {
       if (!titles.insert(title(column)).second)
         sheet_.refuse(fmt::format("two columns {}; give them different names", titles_of({column})));
-      units.insert(results::Title(title(column)).unit);
+      units.insert(base::Title(title(column)).unit);
     }
     if (units.size() > 1) sheet_.refuse(fmt::format("{} have different units; convert them", titles_of(way.values)));
     for (const std::size_t column : way.label ? texts_ : Columns()) {  // every n-th row has a text: merged cells
@@ -378,7 +378,7 @@ class Finder {
         find_rows(of_one);
         more_.push_back(of_one.options);
       }
-      metrics = ", metrics, of which --where " + numerics::one_line(numerics::front(where, 60)) + " takes one";
+      metrics = ", metrics, of which --where " + base::one_line(base::front(where, 60)) + " takes one";
     }
     if (is_first)
       way.asked.push_back(

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "results/sheet.hpp"
+#include "base/sheet.hpp"
 
 namespace ikbench::csv {
 
-using results::Sheet, results::in_quotes, results::listed;
+using base::Sheet, base::in_quotes, base::listed;
 
 constexpr std::size_t most_groups = 100;
 

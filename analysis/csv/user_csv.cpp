@@ -10,15 +10,15 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "numerics/names.hpp"
-#include "numerics/number.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::csv {
 namespace {
 
-using namespace compare;
-using numerics::lower_case;
-using results::is_one_of, results::Words;
+using namespace judge;
+using base::is_one_of, base::Words;
+using base::lower_case;
 using Index = std::uint32_t;
 
 struct Value {
@@ -88,8 +88,8 @@ Better better_of(const Sheet& sheet, const Request& request, const std::vector<s
     if (way != "smaller" && way != "larger")
       sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(option)));
     if (!is_of_all && std::ranges::count(titles, column) == 0)
-      sheet.refuse(fmt::format("--better {}: {}", in_quotes(option),
-                               numerics::unknown_name("column of values", column, titles)));
+      sheet.refuse(
+          fmt::format("--better {}: {}", in_quotes(option), base::unknown_name("column of values", column, titles)));
     if (is_of_all ? said.empty() : column == title) said = way;
   }
   if (said.empty() && are_shares)
@@ -99,7 +99,7 @@ Better better_of(const Sheet& sheet, const Request& request, const std::vector<s
 }
 
 Observations quantity_of(const std::string& title) {
-  const results::Title parts(title);
+  const base::Title parts(title);
   Observations observed{.metric = "", .quantity = parts.name, .unit = parts.unit, .tells_incomplete = true};
   for (const char c : lower_case(title)) observed.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
   return observed;
@@ -179,7 +179,7 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
 // Half of the last digit; nothing of whole numbers, and what sums of doubles are wrong by.
 double rounding_of(std::string_view text, double value) {
   const std::size_t mark = text.find_last_of(".,"), exponent = std::min(text.find_first_of("eE"), text.size());
-  const double shift = exponent < text.size() ? numerics::number_from(text.substr(exponent + 1)).value_or(0) : 0;
+  const double shift = exponent < text.size() ? base::number_from(text.substr(exponent + 1)).value_or(0) : 0;
   const double last = mark < exponent ? std::pow(10, shift - static_cast<double>(exponent - mark - 1)) / 2 : 0;
   return std::max(last, std::abs(value) * 1e-9) * (1 + 1e-6);
 }
@@ -336,7 +336,7 @@ Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {
     return plan;
   }
   const bool is_relative = margin.ends_with('%');
-  const auto number = numerics::number_from(std::string_view(margin).substr(0, margin.size() - is_relative));
+  const auto number = base::number_from(std::string_view(margin).substr(0, margin.size() - is_relative));
   const char* wrong =
       !number || !(*number >= 0) || !std::isfinite(*number) ? "expected 5%, or 0.1 in the unit of the values"
       : is_relative && has_no_share

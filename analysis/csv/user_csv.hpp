@@ -5,13 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/compare/compare.hpp"
 #include "analysis/csv/layout.hpp"
+#include "analysis/judge/compare.hpp"
 
 namespace ikbench::csv {
 
 struct Quantities {
-  std::vector<compare::Observations> observed;
+  std::vector<judge::Observations> observed;
   std::vector<std::string> notes = {};  // what the values settled, as sentences; they stand below the table of results
 };
 
@@ -28,6 +28,6 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
 
 // The plan with a margin, "5%"; or "0.1" in the unit of the values, which becomes theirs. Empty: the plan's, but none
 // of values that may be negative, of which a share means nothing.
-compare::Plan with_margin(compare::Plan plan, const std::string& margin, compare::Observations& observed);
+judge::Plan with_margin(judge::Plan plan, const std::string& margin, judge::Observations& observed);
 
 }  // namespace ikbench::csv

@@ -16,15 +16,15 @@
 #include <utility>
 
 #include "analysis/figures/pdf_date.hpp"
-#include "numerics/embedded_file.hpp"
-#include "numerics/names.hpp"
-#include "numerics/number.hpp"
-#include "results/child_process.hpp"
-#include "results/files.hpp"
+#include "base/child_process.hpp"
+#include "base/embedded_file.hpp"
+#include "base/files.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::figures {
 
-using namespace numerics;
+using namespace base;
 using namespace results;
 
 namespace {

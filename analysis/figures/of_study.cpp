@@ -9,13 +9,13 @@
 #include <span>
 #include <utility>
 
-#include "numerics/names.hpp"
-#include "numerics/units.hpp"
+#include "base/names.hpp"
+#include "base/units.hpp"
 
 namespace ikbench::figures {
 
-using namespace compare;
-using namespace numerics;
+using namespace judge;
+using namespace base;
 using results::SolveRecord;
 
 namespace {
@@ -27,7 +27,7 @@ constexpr std::size_t most_iterations = 200;  // drawn
 bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.definition.points > 1; }
 
 CurveRow row_at(double x, const std::vector<double>& values, Average average) {
-  const compare::Description all = compare::described(values);
+  const judge::Description all = judge::described(values);
   if (average == Average::mean) return {.x = x, .y = all.mean};
   if (values.size() == 1) return {.x = x, .y = all.median};
   return {.x = x, .y = all.median, .low = all.lower_quartile, .high = all.upper_quartile};
@@ -283,7 +283,7 @@ std::vector<BoxRow> box_rows(const JudgedMetric& metric, const DrawnUnit& unit, 
   std::vector<BoxRow> rows;
   for (const std::string& name : shown) {
     const Group& group = metric.observations.groups[place_of(metric.observations, name)];
-    const compare::Description all = describe(group);
+    const judge::Description all = describe(group);
     const std::span<const double> values = values_of(group);
     BoxRow& row = rows.emplace_back(
         BoxRow{.label = look.names.at(name), .style = look.lines.at(name), .values = {values.begin(), values.end()}});

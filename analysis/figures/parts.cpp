@@ -8,12 +8,12 @@
 #include <cmath>
 #include <iterator>
 
-#include "numerics/names.hpp"
-#include "numerics/number.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::figures {
 
-using namespace numerics;
+using namespace base;
 
 namespace {
 

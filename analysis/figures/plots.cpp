@@ -11,12 +11,12 @@
 #include <string_view>
 
 #include "analysis/figures/parts.hpp"
-#include "numerics/names.hpp"
-#include "numerics/number.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::figures {
 
-using namespace numerics;
+using namespace base;
 
 namespace {
 

@@ -7,11 +7,11 @@
 #include <array>
 
 #include "analysis/show/text.hpp"
-#include "numerics/names.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::papers {
 
-using namespace compare;
+using namespace judge;
 
 namespace {
 
@@ -78,7 +78,7 @@ std::string tally_words(const std::vector<JudgedClaim>& claims) {
     const auto count = std::ranges::count(claims, static_cast<Holds>(i), &JudgedClaim::holds);
     if (count > 0) parts.push_back(fmt::format("{} {}", verdicts[i], count));
   }
-  return fmt::format("{}: {}.", numerics::counted(std::ssize(claims), "claims"), show::listed(parts, ", "));
+  return fmt::format("{}: {}.", base::counted(std::ssize(claims), "claims"), show::listed(parts, ", "));
 }
 
 show::Blocks beginning(const Paper& paper, const std::vector<std::string>& sentences, const show::Table& table) {

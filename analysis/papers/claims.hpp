@@ -57,7 +57,7 @@ std::span<const Rule> rules();
 struct Tally {
   int better = 0, worse = 0, open = 0, untested = 0;
 
-  void add(compare::Verdict verdict);
+  void add(judge::Verdict verdict);
   int all() const { return better + worse + open + untested; }
 };
 // All better: holds; one worse: fails; else more data decide.
@@ -67,9 +67,9 @@ Holds holds_of(const std::vector<Holds>& parts);
 
 // Each value as its distance from its group's median (Brown and Forsythe, JASA 69 (1974) 364), whose means are compared
 // in place of spreads.
-compare::Observations deviations(compare::Observations observed);
+judge::Observations deviations(judge::Observations observed);
 
 // Of the first, in the findings of either order.
-compare::Verdict verdict_between(const compare::JudgedMetric& judged, std::string_view first, std::string_view second);
+judge::Verdict verdict_between(const judge::JudgedMetric& judged, std::string_view first, std::string_view second);
 
 }  // namespace ikbench::papers

@@ -13,7 +13,7 @@
 
 namespace ikbench::papers {
 
-using namespace compare;
+using namespace judge;
 using results::Choice;
 using results::Chosen;
 using results::Dimension;
@@ -44,7 +44,7 @@ Verdict verdict_of(const Group& own, const Group& theirs, const Claim& claim, co
                         .floor = metric.floor,
                         .rounding = metric.rounding,
                         .groups = {own, theirs}};
-  return compare::verdict_of(compare::compare(claim.of == Of::spread ? deviations(observed) : observed, plan).front());
+  return judge::verdict_of(judge::compare(claim.of == Of::spread ? deviations(observed) : observed, plan).front());
 }
 
 // How the claim's solvers, by one choice of the study and of each of them, do against each choice of each rival.

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 2> metrics_of_readings{"position_error_cm
 
 struct SolvedMultiverse : results::Multiverse {
   // By part and metric: the mean of each run over its targets.
-  std::vector<std::array<compare::Group, metrics_of_readings.size()>> means;
+  std::vector<std::array<judge::Group, metrics_of_readings.size()>> means;
 };
 
 struct JudgedMultiverse {

@@ -10,16 +10,16 @@
 #include "analysis/figures/plots.hpp"
 #include "analysis/papers/claims.hpp"
 #include "analysis/show/text.hpp"
-#include "numerics/embedded_file.hpp"
-#include "numerics/names.hpp"
-#include "numerics/number.hpp"
-#include "numerics/toml_table.hpp"
+#include "base/embedded_file.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
+#include "base/toml_table.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::papers {
 
-using namespace compare;
-using namespace numerics;
+using namespace judge;
+using namespace base;
 
 namespace {
 
@@ -152,7 +152,7 @@ std::string Repeated::reading() const {
 std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated) {
   const Rates& plan = repeated.paper.rates;
   std::map<std::string, std::vector<Rate>> rates;
-  const results::CsvTable table = results::published::table(repeated.paper.name, plan.table);
+  const base::CsvTable table = results::published::table(repeated.paper.name, plan.table);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto add = [&](const std::string& heading, const std::string& name, double solved, double n,
                          const std::string& column) -> Rate& {
@@ -178,7 +178,7 @@ std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated) {
       for (const auto& [solver, column] : plan.columns)
         add_solves(solver, arm->second, judged.study.of(solver), column);
     }
-    const results::CsvTable* const programs = repeated.programs;
+    const base::CsvTable* const programs = repeated.programs;
     for (std::size_t i = 0; programs != nullptr && i < programs->rows(); ++i) {
       const auto solver = plan.columns.find(std::string(programs->cell(i, programs->column("solver"))));
       const auto arm = plan.rows.find(std::string(programs->cell(i, programs->column("robot"))));
@@ -222,7 +222,7 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
   for (const auto& [solver, rates] : rates_of(repeated)) {
     std::vector<double> times;
     for (const Rate& rate : rates) {
-      if (!rate.printed_ms.empty()) times.push_back(rate.mean_ms / numerics::number_from(rate.printed_ms).value());
+      if (!rate.printed_ms.empty()) times.push_back(rate.mean_ms / base::number_from(rate.printed_ms).value());
     }
     if (!times.empty())
       sentences.push_back(fmt::format("The mean times of {} are {:.2g} to {:.2g} times the printed ones.", solver,
@@ -280,7 +280,7 @@ Explained explained_by(const Repeated& repeated) {
 show::Table means_table(const Repeated& repeated) {
   const StudyResults& study = repeated.study().study;
   show::Table table{.name = "means", .columns = {{"solver"}}};
-  table.caption = fmt::format("Means of {}, here and as printed", numerics::counted(study.definition.runs, "runs"));
+  table.caption = fmt::format("Means of {}, here and as printed", base::counted(study.definition.runs, "runs"));
   Explained count;
   for (const std::string& solver : study.labels) table.rows.push_back({solver});
   for (const JudgedMetric& judged : repeated.study().metrics) {
@@ -333,7 +333,7 @@ show::Table rates_table(const Repeated& repeated) {
   if (!plan.picked.empty())
     table.notes.emplace_back("* of several files or sides of the arm, the one nearest to the printed.");
   if (!plan.note.empty()) table.notes.push_back(plan.note);
-  if (const results::CsvTable* const of = repeated.programs; of != nullptr && of->rows() > 0)
+  if (const base::CsvTable* const of = repeated.programs; of != nullptr && of->rows() > 0)
     table.notes.push_back(fmt::format("{}: {} poses an arm by {}, {}, {}.", of->cell(0, of->column("solver")),
                                       of->cell(0, of->column("n")), of->cell(0, of->column("program")),
                                       of->cell(0, of->column("machine")), of->cell(0, of->column("day"))));

@@ -10,33 +10,33 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/compare/judge.hpp"
 #include "analysis/figures/figure.hpp"
+#include "analysis/judge/judge.hpp"
 #include "analysis/show/block.hpp"
-#include "results/csv.hpp"
+#include "base/csv.hpp"
 
 namespace ikbench::papers {
 
 // These throw std::invalid_argument for a text that is no number.
-double half_unit(std::string_view printed);                                // of the last digit: 5e-9 of "1.7824e-4"
-bool agrees(double ours, std::string_view printed);                        // our number rounds to the printed digits
-bool can_be(const compare::Interval& interval, std::string_view printed);  // a number in it does
+double half_unit(std::string_view printed);                              // of the last digit: 5e-9 of "1.7824e-4"
+bool agrees(double ours, std::string_view printed);                      // our number rounds to the printed digits
+bool can_be(const judge::Interval& interval, std::string_view printed);  // a number in it does
 
 // What a table of means may have, by its columns.
 struct Statistic {
   std::string_view column;
-  double compare::Description::*of;
+  double judge::Description::*of;
 };
-constexpr std::array<Statistic, 5> statistics{{{"mean", &compare::Description::mean},
-                                               {"median", &compare::Description::median},
-                                               {"std", &compare::Description::sd},
-                                               {"max", &compare::Description::largest},
-                                               {"min", &compare::Description::smallest}}};
+constexpr std::array<Statistic, 5> statistics{{{"mean", &judge::Description::mean},
+                                               {"median", &judge::Description::median},
+                                               {"std", &judge::Description::sd},
+                                               {"max", &judge::Description::largest},
+                                               {"min", &judge::Description::smallest}}};
 
 // Of one solver and metric.
 struct PrintedRow {
   std::string solver;
-  compare::Description numbers = {};  // unknown where the table has no such column
+  judge::Description numbers = {};  // unknown where the table has no such column
   std::array<std::string, statistics.size()> digits = {};
 };
 using PrintedRows = std::vector<PrintedRow>;
@@ -52,7 +52,7 @@ PrintedRows printed_times(std::string_view paper, std::string_view table);
 // the values: the next one is equally likely in each gap of the known ones, and then is known itself; beyond the last
 // there is an exponential tail of Hill's slope (Annals of Statistics 3 (1975) 1163). It is made for 95 % of studies,
 // and holds 92 % (tests/papers/published.test.cpp). None for fewer than five values, or one that is not above 0.
-using Ranges = std::array<compare::Interval, statistics.size()>;
+using Ranges = std::array<judge::Interval, statistics.size()>;
 std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int runs);
 
 // Ours beside the printed digits, if there are any.
@@ -73,7 +73,7 @@ struct Claim {
   bool is_ours = false;               // our question, no claim of the paper
   std::vector<std::string> solvers;   // it says something of; by default the paper's own
   std::vector<std::string> against;   // these; empty: all others
-  std::vector<const compare::Metric*> metrics = {};
+  std::vector<const judge::Metric*> metrics = {};
   Of of = Of::means;
   std::string study = {};  // "limits": of the companion NAME-limits
   From from = From::both;
@@ -112,7 +112,7 @@ const Paper& paper_named(std::string_view name);
 Paper read_paper(std::string_view name, std::string_view toml, std::string_view source);
 
 // Of its table of means.
-PrintedRows printed_rows(const Paper& paper, const compare::JudgedMetric& judged);
+PrintedRows printed_rows(const Paper& paper, const judge::JudgedMetric& judged);
 
 // A solver's share of solved targets. The interval is ours, as wide as that of the difference of the two
 // shares: it has the printed one where the two do not differ.
@@ -120,7 +120,7 @@ struct Rate {
   std::string row;  // the arm as printed, or the solver
   bool is_picked;
   double printed, share;
-  compare::Interval interval;
+  judge::Interval interval;
   double margin;                                              // of the study, which matters
   double mean_ms = std::numeric_limits<double>::quiet_NaN();  // of a program's solves
   std::string printed_ms = {};
@@ -135,12 +135,12 @@ struct Rate {
 // A paper's study with its companions.
 struct Repeated {
   const Paper& paper;
-  std::span<const compare::JudgedStudy> studies;  // the first is the paper's own
-  const results::CsvTable* programs = nullptr;    // robot, solver, n, solved, mean_ms; null: none
+  std::span<const judge::JudgedStudy> studies;  // the first is the paper's own
+  const base::CsvTable* programs = nullptr;     // robot, solver, n, solved, mean_ms; null: none
 
-  const compare::JudgedStudy& study() const { return studies.front(); }
+  const judge::JudgedStudy& study() const { return studies.front(); }
   // The companion NAME-part; null if there is none.
-  const compare::JudgedStudy* part(std::string_view part) const;
+  const judge::JudgedStudy* part(std::string_view part) const;
   // Each study of which the paper's table of means may be, by itself, the paper's own first.
   std::vector<Repeated> readings() const;
   // "20 agents (Sec. 5.3.2)"; empty if the paper's table is of one study.
@@ -157,9 +157,9 @@ std::vector<std::string> rates_sentences(const Repeated& repeated);
 
 // A solver's statistics beside a printed row, with signs; unknown where values are lost. Times have no sign, for
 // machines differ.
-std::vector<show::Cell> beside(const compare::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
+std::vector<show::Cell> beside(const judge::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
 // Whether a statistic of ours rounds to the printed digits, or a new study's may.
-bool repeats(double ours, const compare::Interval& range, std::string_view printed);
+bool repeats(double ours, const judge::Interval& range, std::string_view printed);
 constexpr double share_in_ranges = 0.92;  // of numbers of the same program
 constexpr std::string_view meaning_of_signs =
     "~ in the range that holds 92 % of such numbers of new studies by our program; x outside";

@@ -8,16 +8,16 @@
 #include <stdexcept>
 
 #include "analysis/papers/paper.hpp"
-#include "numerics/number.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::papers {
 
-using results::CsvTable;
+using base::CsvTable;
 
 namespace {
 
 double parsed(std::string_view text) {
-  if (const auto number = numerics::number_from(text)) return *number;
+  if (const auto number = base::number_from(text)) return *number;
   throw std::invalid_argument(fmt::format("'{}' is no number", text));
 }
 
@@ -56,7 +56,7 @@ double half_unit(std::string_view printed) {
   return parsed(fmt::format("0.5e-{}", decimals)) * parsed(fmt::format("1{}", printed.substr(e)));
 }
 
-bool can_be(const compare::Interval& interval, std::string_view printed) {
+bool can_be(const judge::Interval& interval, std::string_view printed) {
   constexpr double room = 1 + 1e-9;  // 2.5 printed as 2 is half a unit off, and doubles are not exact
   const double number = parsed(printed), half = half_unit(printed) * room;
   return interval.low <= number + half && number - half <= interval.high;
@@ -64,7 +64,7 @@ bool can_be(const compare::Interval& interval, std::string_view printed) {
 
 bool agrees(double ours, std::string_view printed) { return can_be({ours, ours}, printed); }
 
-bool repeats(double ours, const compare::Interval& range, std::string_view printed) {
+bool repeats(double ours, const judge::Interval& range, std::string_view printed) {
   return agrees(ours, printed) || can_be(range, printed);
 }
 
@@ -117,7 +117,7 @@ std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int ru
       known.insert(known.begin() + static_cast<std::ptrdiff_t>(gap), value);
       study.push_back(std::exp(value));
     }
-    const compare::Description its = compare::described(study);
+    const judge::Description its = judge::described(study);
     for (std::size_t s = 0; s < statistics.size(); ++s) replicates[s].push_back(its.*statistics[s].of);
   }
   Ranges ranges;

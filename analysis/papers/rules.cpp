@@ -11,7 +11,7 @@
 
 namespace ikbench::papers {
 
-using namespace compare;
+using namespace judge;
 using show::number_text;
 
 namespace {
@@ -39,11 +39,11 @@ bool is_rival(const std::string& name, const Claim& claim) {
 // As its report judged it, so that a claim and the report cannot disagree. What a report does not have is judged alike.
 JudgedMetric judged_in(const JudgedStudy& study, const Metric& metric) {
   const JudgedMetric* const reported = judged_of(study, metric.column);
-  return reported ? *reported : judge(observe(study.study, metric), study.study.definition.plan);
+  return reported ? *reported : judge::judge(observe(study.study, metric), study.study.definition.plan);
 }
 
 JudgedMetric spread_of(const JudgedMetric& judged) {
-  JudgedMetric spread = judge(deviations(judged.observations), judged.plan);
+  JudgedMetric spread = judge::judge(deviations(judged.observations), judged.plan);
   for (std::size_t i = 0; i < spread.described.size(); ++i) spread.described[i].mean = judged.described[i].sd;
   return spread;
 }
@@ -82,7 +82,7 @@ std::optional<JudgedMetric> judged_here(const Claim& claim, const Repeated& repe
     for (Group& group : all.groups) {
       if (auto* const measured = std::get_if<Measured>(&group.sample)) measured->blocks.clear();
     }
-    judged = judge(std::move(all), judged.plan);
+    judged = judge::judge(std::move(all), judged.plan);
   }
   return about(claim, claim.of == Of::spread ? spread_of(judged) : judged);
 }

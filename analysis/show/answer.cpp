@@ -10,11 +10,11 @@
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/show/text.hpp"
-#include "numerics/names.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::show {
 
-using namespace compare;
+using namespace judge;
 
 namespace {
 
@@ -124,7 +124,7 @@ Answer with_short_names(Answer answer, std::size_t length) {
   for (const JudgedMetric& judged : answer.metrics) {
     for (const Group& group : judged.observations.groups) names.insert(group.name);
   }
-  const auto short_of = numerics::short_names({names.begin(), names.end()}, length);
+  const auto short_of = base::short_names({names.begin(), names.end()}, length);
   const auto shorten = [&](std::string& name) {
     if (const auto found = short_of.find(name); found != short_of.end()) name = found->second;
   };

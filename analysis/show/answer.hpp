@@ -6,45 +6,45 @@
 #include <string>
 #include <vector>
 
-#include "analysis/compare/judge.hpp"
+#include "analysis/judge/judge.hpp"
 #include "analysis/show/block.hpp"
 
 namespace ikbench::show {
 
 struct Answer {
-  std::vector<compare::JudgedMetric> metrics;  // first that of the headline
-  std::vector<std::size_t> order;              // its groups, best first
-  std::vector<compare::Doubt> doubts;          // of all
-  std::string noun = "values";                 // what observations are
-  std::vector<std::string> notes;              // of the table of results
-  std::string studied = {};                    // of a study: what its solvers did, and when a solve ended, as sentences
+  std::vector<judge::JudgedMetric> metrics;  // first that of the headline
+  std::vector<std::size_t> order;            // its groups, best first
+  std::vector<judge::Doubt> doubts;          // of all
+  std::string noun = "values";               // what observations are
+  std::vector<std::string> notes;            // of the table of results
+  std::string studied = {};                  // of a study: what its solvers did, and when a solve ended, as sentences
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
   results::TableStyle::Show show = results::TableStyle::Show::tested;  // of the table of results
 
-  const compare::JudgedMetric& decisive() const { return metrics.front(); }
+  const judge::JudgedMetric& decisive() const { return metrics.front(); }
   // Those of all and of each metric, each once; what several metrics have alike, as one.
-  std::vector<compare::Doubt> all_doubts() const;
+  std::vector<judge::Doubt> all_doubts() const;
 };
 
 // Shares in percent; of studies times in ms, and errors in mm, but in cm where a paper's study is repeated. With a
 // control it is the second of each pair.
-Answer answer_of(std::vector<compare::JudgedMetric> metrics, std::size_t deciding = 0);
-Answer answer_of(const compare::JudgedStudy& judged);
+Answer answer_of(std::vector<judge::JudgedMetric> metrics, std::size_t deciding = 0);
+Answer answer_of(const judge::JudgedStudy& judged);
 
-// With names of solvers that fit a line (numerics::short_names).
+// With names of solvers that fit a line (base::short_names).
 constexpr std::size_t longest_name = 24;  // in a table
 Answer with_short_names(Answer answer, std::size_t length);
 
-bool is_share(const compare::JudgedMetric& judged);
+bool is_share(const judge::JudgedMetric& judged);
 // A group's average as readers see it: at most the tolerance, or the floor that ratios know nothing below.
 struct Shown {
   double value;
   bool is_bound = false;
 };
-Shown shown(const compare::JudgedMetric& judged, std::size_t group, double value);
-Shown shown_average(const compare::JudgedMetric& judged, std::size_t group);  // by which it is tested
-std::vector<double> ends_of_shares(const compare::JudgedMetric& judged);      // 99.97 % is not 100; of others none
+Shown shown(const judge::JudgedMetric& judged, std::size_t group, double value);
+Shown shown_average(const judge::JudgedMetric& judged, std::size_t group);  // by which it is tested
+std::vector<double> ends_of_shares(const judge::JudgedMetric& judged);      // 99.97 % is not 100; of others none
 
 std::string reference_of(const Answer& answer);  // the control, else the first of the table of results
 
@@ -66,28 +66,28 @@ std::string of_pairs(const Answer& answer);  // what estimates are of, where the
 Table descriptives_table(const Answer& answer);
 Table anova_table(const Answer& answer);
 // Times of single solves up to the rarest, and how many failed, whatever an observation is made of.
-Table solves_table(const compare::StudyResults& study, const std::vector<std::string>& solvers);
+Table solves_table(const judge::StudyResults& study, const std::vector<std::string>& solvers);
 // Medians of the solvers' own numbers.
-Table extras_table(const compare::StudyResults& study, const std::vector<std::string>& solvers);
+Table extras_table(const judge::StudyResults& study, const std::vector<std::string>& solvers);
 // Of a control loop; without rows if the study has none.
-Table loop_table(const compare::StudyResults& study, const std::vector<std::string>& solvers);
+Table loop_table(const judge::StudyResults& study, const std::vector<std::string>& solvers);
 
 // The answer as data: headline, groups, tests, findings and doubts.
 nlohmann::ordered_json to_json(const Answer& answer);
 
-const std::string& title_of(const compare::StudyResults& study);  // or its name
+const std::string& title_of(const judge::StudyResults& study);  // or its name
 // "ur5e, 20 runs of 5 targets (random)"
-std::string what_is_solved(const compare::StudyResults& study);
+std::string what_is_solved(const judge::StudyResults& study);
 // A paragraph for an article, without the last point; `program` made what is of no study. And one of results.
-std::string methods_of(const Answer& answer, const compare::StudyResults& study, const std::string& program = {});
+std::string methods_of(const Answer& answer, const judge::StudyResults& study, const std::string& program = {});
 std::vector<std::string> results_of(const Answer& answer);
-std::string stops_of(const compare::StudyResults& study);  // "0.01 mm or 10000 evaluations"
+std::string stops_of(const judge::StudyResults& study);  // "0.01 mm or 10000 evaluations"
 // "What ended unsolved solves: evaluations (DLS); gave up or iterations (PSO and DE)."; empty if all are solved.
-std::string ends_of_unsolved(const compare::StudyResults& study);
+std::string ends_of_unsolved(const judge::StudyResults& study);
 
 // How it was made. They have no files.
-Table study_table(const compare::StudyResults& study);
-Table options_table(const compare::StudyResults& study);
-Table machine_table(const compare::StudyResults& study);
+Table study_table(const judge::StudyResults& study);
+Table options_table(const judge::StudyResults& study);
+Table machine_table(const judge::StudyResults& study);
 
 }  // namespace ikbench::show

@@ -13,12 +13,12 @@
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
-#include "numerics/names.hpp"
-#include "results/files.hpp"
+#include "base/files.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::show {
 
-using namespace compare;
+using namespace judge;
 
 namespace {
 
@@ -46,7 +46,7 @@ std::string tests_of(const Answer& answer, const std::vector<Finding>& findings)
   std::vector<std::string> all;
   for (const auto& [test, n] : sizes)
     all.push_back(fmt::format("{} (n = {}{})", test, n.first == n.second ? "" : fmt::format("{} to ", n.first),
-                              numerics::counted(n.second, answer.noun)));
+                              base::counted(n.second, answer.noun)));
   return listed(all);
 }
 
@@ -77,7 +77,7 @@ std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
   if (findings.size() > most_pairs) {
     std::map<std::string_view, int> by_verdict;
     for (const Finding& its : findings)
-      ++by_verdict[is_difference(verdict_of(its)) ? "decided" : compare::name_of(verdict_of(its))];
+      ++by_verdict[is_difference(verdict_of(its)) ? "decided" : judge::name_of(verdict_of(its))];
     for (const auto& [verdict, count] : by_verdict) counts.push_back(fmt::format("{} {}", count, verdict));
     parts.push_back(fmt::format("{} pairs ({})", findings.size(), listed(counts, ", ")));
     std::erase_if(findings, [&](const Finding& its) { return its.first != reference && its.second != reference; });
@@ -138,9 +138,9 @@ std::string methods_of(const Answer& answer, const StudyResults& study, const st
   }
   const auto given = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };
   const std::int64_t runs = definition.runs;
-  const std::string targets = definition.draws_targets ? numerics::counted(runs * definition.points, "targets")
-                                                       : numerics::counted(definition.points, "targets") +
-                                                             " in each of " + numerics::counted(runs, "runs");
+  const std::string targets = definition.draws_targets ? base::counted(runs * definition.points, "targets")
+                                                       : base::counted(definition.points, "targets") + " in each of " +
+                                                             base::counted(runs, "runs");
   const auto fact = [&](const char* name) {
     const std::set<std::string> values = facts_of(study, name);
     return values.empty() ? "unknown" : given(values);
@@ -155,7 +155,7 @@ std::string methods_of(const Answer& answer, const StudyResults& study, const st
                                 : "from its " + with_blanks(name_of(definition.start)) + " position",
         stops_of(study), fact("cpu"));
   else
-    text = fmt::format("{} of {} were compared; {}. {}", numerics::counted(std::ssize(decisive.described), "groups"),
+    text = fmt::format("{} of {} were compared; {}. {}", base::counted(std::ssize(decisive.described), "groups"),
                        study.entry.name, answer.direction, fmt::join(answer.notes, " "));
   if (!tests.empty())
     text += fmt::format(
@@ -186,7 +186,7 @@ std::vector<std::string> write_article(const Report& report, const std::vector<s
   std::vector<std::string> files;
   const auto write = [&](const std::string& name, const std::string& text) {
     files.push_back("article/" + name);
-    results::write_file(folder / files.back(), text);
+    base::write_file(folder / files.back(), text);
   };
   const std::string methods = methods_of(report.answer, report.study, program);
   std::vector<std::string> sentences, of_report = results_of(report.answer);

@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/compare/observations.hpp"
-#include "analysis/compare/tests_of_two.hpp"
 #include "analysis/figures/figure.hpp"
+#include "analysis/judge/observations.hpp"
+#include "analysis/judge/tests_of_two.hpp"
 
 namespace ikbench::show {
 
@@ -29,9 +29,9 @@ struct Marked {
   double value;
   std::string mark = {};
   bool is_bound = false;
-  std::optional<compare::Interval> interval = {};
+  std::optional<judge::Interval> interval = {};
   std::optional<double> sd = {};
-  std::optional<compare::Scale> to_reference = {};
+  std::optional<judge::Scale> to_reference = {};
   bool is_best = false;    // bold in LaTeX
   std::string words = {};  // in place of the value: "in 61 %"
 };
@@ -46,7 +46,7 @@ struct Judgement {
   Tone tone = Tone::neutral;
 };
 // Readers see three digits, and "-" for an empty cell (std::monostate), an absent number and one that is not finite.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, Marked, Absent,
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, judge::Interval, Printed, Marked, Absent,
                           Judgement>;
 
 inline Cell text_cell(std::string text) { return text.empty() ? Cell() : Cell(std::move(text)); }
@@ -88,7 +88,7 @@ constexpr std::array<std::string_view, 13> names_of_tables{
     "pairs", "questions", "results",      "solve-rates", "solves", "table-"};
 
 // "0.1 to 0.8", "above 0 to 0.8"
-std::string interval_text(const compare::Interval& interval, std::string (*number)(double, int),
+std::string interval_text(const judge::Interval& interval, std::string (*number)(double, int),
                           const std::vector<double>& ends);
 
 // All escape what they are given. An interval and a printed number take two columns of CSV, and two members of JSON;

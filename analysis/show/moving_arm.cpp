@@ -5,16 +5,16 @@
 #include "analysis/figures/of_study.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
-#include "numerics/embedded_file.hpp"
-#include "numerics/json.hpp"
-#include "numerics/units.hpp"
+#include "base/embedded_file.hpp"
+#include "base/json.hpp"
+#include "base/units.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::show {
 
 using namespace results;
-using compare::StudyResults;
-using Json = numerics::OrderedJson;
+using judge::StudyResults;
+using Json = base::OrderedJson;
 
 namespace {
 
@@ -22,62 +22,62 @@ constexpr std::size_t most_points = 200;
 constexpr std::size_t most_solvers = 24;
 
 // Rounds to 1e-5, a 30th of a pixel's width for an arm of 1 m. JSON has null for what is not finite.
-Json rounded(const std::vector<double>& values) {
-  Json list = Json::array();
+base::Json rounded(const std::vector<double>& values) {
+  base::Json list = base::Json::array();
   for (const double value : values) list.push_back(std::round(value * 1e5) / 1e5);
   return list;
 }
 
 // Joints of an answer outside their limits, and by how much. Up to 1e-9 is rounding, as in experiments/verifier.cpp.
 // Computed here because the page has rounded angles.
-Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
+base::Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
   constexpr double rounding = 1e-9;
-  Json list = Json::array();
+  base::Json list = base::Json::array();
   if (!(solve.limit_violation_deg > 0 || solve.limit_violation_m > 0)) return list;
   for (std::size_t joint = 0; joint < solve.answer_rad.size(); ++joint) {
     const auto j = static_cast<Eigen::Index>(joint);
     const double q = solve.answer_rad[joint], outside = std::max(arm.limits.lower[j] - q, q - arm.limits.upper[j]);
     if (!(outside > rounding)) continue;
     list.push_back({{"joint", joint},
-                    {"by", arm.chain.slides(j) ? outside * 100 : outside / numerics::degree},
+                    {"by", arm.chain.slides(j) ? outside * 100 : outside / base::degree},
                     {"unit", arm.chain.slides(j) ? " cm" : "\u00b0"}});
   }
   return list;
 }
 
 // The first run of a solver, point by point; a start only if it differs from the previous answer.
-Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm) {
+base::Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm) {
   const std::span<const SolveRecord> solves = study.first_run_of(solver);
   if (solves.empty()) return nullptr;
   const auto [unit, factor] = figures::drawn_unit(study, "cm");
-  Json steps = Json::array();
+  base::Json steps = base::Json::array();
   const SolveRecord* before = nullptr;
   for (const SolveRecord& solve : solves.first(std::min(solves.size(), most_points))) {
-    const compare::Solve& judged = study.of(solver)[steps.size()];
-    Json step{{"point", solve.point},
-              {"target", rounded(solve.target_position_m)},
-              {"answer", rounded(solve.answer_rad)},
-              {"error", factor * solve.position_error_cm},
-              {"variation_deg", solve.variation_deg},
-              {"variation_m", solve.variation_m},
-              {"outside", joints_outside(solve, arm)},
-              {"late", judged.is_late},
-              {"too_fast", judged.is_too_fast}};
+    const judge::Solve& judged = study.of(solver)[steps.size()];
+    base::Json step{{"point", solve.point},
+                    {"target", rounded(solve.target_position_m)},
+                    {"answer", rounded(solve.answer_rad)},
+                    {"error", factor * solve.position_error_cm},
+                    {"variation_deg", solve.variation_deg},
+                    {"variation_m", solve.variation_m},
+                    {"outside", joints_outside(solve, arm)},
+                    {"late", judged.is_late},
+                    {"too_fast", judged.is_too_fast}};
     if (!before || before->answer_rad != solve.start_rad) step["start"] = rounded(solve.start_rad);
     steps.push_back(std::move(step));
     before = &solve;
   }
-  return {{"name", one_line(solver)}, {"unit", unit}, {"steps", std::move(steps)}};
+  return {{"name", base::one_line(solver)}, {"unit", unit}, {"steps", std::move(steps)}};
 }
 
-Json drawn(const robots::Frame& frame) {
-  const auto numbers = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+base::Json drawn(const robots::Frame& frame) {
+  const auto numbers = [](const Eigen::Vector3d& v) { return base::Json{v.x(), v.y(), v.z()}; };
   return {{"position_m", numbers(frame.position)}, {"rpy_rad", numbers(frame.rpy)}};
 }
 
-Json drawn(const robots::Chain& chain) {
+base::Json drawn(const robots::Chain& chain) {
   constexpr std::array joints{"turns", "slides", "coupled"};
-  Json links = Json::array();
+  base::Json links = base::Json::array();
   for (const robots::DhLink& link : chain.links()) {
     links.push_back({{"joint", joints[static_cast<std::size_t>(link.joint)]},
                      {"offset_rad", link.offset},
@@ -101,27 +101,27 @@ bool can_be_drawn(const StudyResults& study, std::size_t joints) {
 std::optional<std::string> moving_arm(const StudyResults& study, const std::vector<std::string>& order) {
   const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
   if (!arm || !can_be_drawn(study, arm->chain.links().size())) return std::nullopt;
-  Json solvers = Json::array();
+  base::Json solvers = base::Json::array();
   for (const std::string& solver : order) {
     if (solvers.size() == most_solvers) break;
-    Json run = first_run(study, solver, *arm);
+    base::Json run = first_run(study, solver, *arm);
     if (!run.is_null()) solvers.push_back(std::move(run));
   }
   if (solvers.empty()) return std::nullopt;
   const bool is_path = !study.definition.draws_targets;
   std::string text =
-      numerics::text_of(Json{{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"solvers", std::move(solvers)}});
+      base::text_of(base::Json{{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"solvers", std::move(solvers)}});
   for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
     text.replace(at, 1, "\\u003c");  // no text ends the element
   return text;
 }
 
 std::string drawing_library() {
-  const std::initializer_list<numerics::EmbeddedFile> files{
+  const std::initializer_list<base::EmbeddedFile> files{
 #include "three.inc"
   };
   std::string library;
-  for (const numerics::EmbeddedFile& file : files) library.append(file.text) += '\n';
+  for (const base::EmbeddedFile& file : files) library.append(file.text) += '\n';
   return library;
 }
 

@@ -9,19 +9,19 @@
 
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
-#include "numerics/embedded_file.hpp"
-#include "results/files.hpp"
+#include "base/embedded_file.hpp"
+#include "base/files.hpp"
 
 namespace ikbench::show {
 
 namespace {
 
-constexpr numerics::EmbeddedFile templates[]{
+constexpr base::EmbeddedFile templates[]{
 #include "templates.inc"
 };
 
 std::string_view template_named(std::string_view name) {
-  return std::ranges::find(templates, name, &numerics::EmbeddedFile::name)->text;
+  return std::ranges::find(templates, name, &base::EmbeddedFile::name)->text;
 }
 
 std::string base64(std::string_view bytes) {
@@ -62,7 +62,7 @@ struct PageWriter {
     std::string picture;
     for (const auto& [type, media] : {std::pair("svg", "svg+xml"), std::pair("png", "png")}) {
       const std::string file = fmt::format("{}.{}", figure.name, type);
-      const auto drawn = results::read_file(folder / "figures" / file);
+      const auto drawn = base::read_file(folder / "figures" / file);
       if (!drawn || drawn->size() > largest || !picture.empty()) continue;
       picture = fmt::format("<div class=\"scroll\"><img alt=\"{}\" src=\"data:image/{};base64,{}\"></div>\n", caption,
                             media, base64(*drawn));

@@ -8,13 +8,13 @@
 #include "analysis/figures/of_study.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
-#include "numerics/inputs.hpp"
-#include "numerics/json.hpp"
-#include "results/files.hpp"
+#include "base/files.hpp"
+#include "base/inputs.hpp"
+#include "base/json.hpp"
 
 namespace ikbench::show {
 
-using Json = numerics::OrderedJson;
+using Json = base::OrderedJson;
 namespace fs = std::filesystem;
 
 namespace {
@@ -33,8 +33,8 @@ bool is_own(const fs::path& folder, std::string_view name) {
 
 // Of what the report of a folder says that it has written what a report may have written.
 std::vector<std::string> files_of_earlier(const fs::path& folder) {
-  const auto text = results::read_file(folder / own_files[2]);
-  const Json json = text ? numerics::parsed_ordered_json(*text) : Json();
+  const auto text = base::read_file(folder / own_files[2]);
+  const Json json = text ? base::parsed_ordered_json(*text) : Json();
   std::vector<std::string> files;
   if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) return files;
   for (const Json& entry : json["files"]) {
@@ -94,17 +94,17 @@ std::vector<std::string> types_of(const figures::Figure& figure, const fs::path&
 
 void write_table(const Table& table, const Table& article, const fs::path& folder, const std::string& program) {
   const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
-  results::write_file(folder / (table.name + ".csv"), to_csv(table));
-  results::write_file(folder / (table.name + ".md"), to_markdown(table));
-  results::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
+  base::write_file(folder / (table.name + ".csv"), to_csv(table));
+  base::write_file(folder / (table.name + ".md"), to_markdown(table));
+  base::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
 }
 
 Written publish(const Report& report, const fs::path& folder, const figures::RenderOptions& options,
                 const std::string& program) {
-  results::refuse_links(folder);
-  for (const char* name : own_files) numerics::refuse_input(folder / name);
+  base::refuse_links(folder);
+  for (const char* name : own_files) base::refuse_input(folder / name);
   const std::vector<std::string> earlier = files_of_earlier(folder);
-  for (const std::string& file : earlier) numerics::refuse_input(folder / file);
+  for (const std::string& file : earlier) base::refuse_input(folder / file);
   std::vector<Blocks> sections = sections_of(report);
   const std::vector<Table*> tables = all_in<Table>(sections);
   std::vector<figures::Figure> figures;
@@ -136,7 +136,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
 
   Json json = to_json(report.answer);
   json["files"] = files;
-  results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
+  base::write_file(folder / "results.json", base::text_of(json, 1) + '\n');
   for (Table* table : tables) {
     if (!table->on_page.empty()) *table = Table(table->on_page.front());
   }
@@ -154,7 +154,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
     std::erase_if(blocks, is_not_drawn);
   }
   std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });  // that had nothing else
-  results::write_file(folder / "report.md", to_markdown(sections, folder));
+  base::write_file(folder / "report.md", to_markdown(sections, folder));
   std::vector<std::string> order;
   for (const std::size_t i : report.answer.order) order.push_back(report.answer.decisive().observations.groups[i].name);
   const auto control = std::ranges::find(order, report.answer.decisive().plan.control);  // beside the first
@@ -164,7 +164,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
     written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
     arm.reset();
   }
-  results::write_file(written.page, to_page(title_of(report.study), sections, arm, folder, program));
+  base::write_file(written.page, to_page(title_of(report.study), sections, arm, folder, program));
   return written;
 }
 

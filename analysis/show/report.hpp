@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/compare/study.hpp"
+#include "analysis/judge/study.hpp"
 #include "analysis/show/answer.hpp"
 #include "analysis/show/block.hpp"
 
@@ -16,7 +16,7 @@ namespace ikbench::show {
 
 // What sections are made of.
 struct Report {
-  compare::StudyResults study;  // a user's file: its name alone
+  judge::StudyResults study;  // a user's file: its name alone
   Answer answer;
   std::vector<figures::Figure> figures;
   // Of a paper: instead of the sentence and the table of results; its claims; and sections of its own, each with its
@@ -28,7 +28,7 @@ struct Report {
   std::vector<std::string> keys = {};      // that its article cites
   std::string_view references = {};        // where they are
 };
-Report report_of(compare::JudgedStudy judged, std::vector<figures::Figure> figures);
+Report report_of(judge::JudgedStudy judged, std::vector<figures::Figure> figures);
 
 // The blocks of each section, the additions after the pictures; empty ones are left out. The first begins with the
 // headline.
@@ -75,7 +75,7 @@ std::string screen(const Answer& answer, const std::string& page = {});
 // Of the page's moving arm (moving_arm.cpp). JSON, safe inside a script element: the arm, and targets, starts and
 // answers of each solver's first run with the joints outside their limits (at most 200 points of 24 solvers, in the
 // given order of labels). nullopt if the definition does not describe the arm or nothing is solved.
-std::optional<std::string> moving_arm(const compare::StudyResults& study, const std::vector<std::string>& order);
+std::optional<std::string> moving_arm(const judge::StudyResults& study, const std::vector<std::string>& order);
 
 // Name and meaning of each figure that some report has, whose files begin with it.
 std::vector<std::pair<std::string, std::string>> all_figures();

@@ -10,7 +10,7 @@
 
 namespace ikbench::show {
 
-using namespace compare;
+using namespace judge;
 
 std::string screen(const Answer& whole, const std::string& page) {
   const Answer answer = with_short_names(whole, longest_name);

@@ -6,7 +6,7 @@
 
 namespace ikbench::show {
 
-using namespace compare;
+using namespace judge;
 
 Report report_of(JudgedStudy judged, std::vector<figures::Figure> figures) {
   Report report{.answer = answer_of(judged), .figures = std::move(figures)};

@@ -12,13 +12,13 @@
 #include "analysis/show/answer.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
-#include "numerics/json.hpp"
-#include "numerics/names.hpp"
+#include "base/json.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::show {
 
-using namespace compare;
-using Json = numerics::OrderedJson;
+using namespace judge;
+using Json = base::OrderedJson;
 
 namespace {
 
@@ -194,7 +194,7 @@ Table results_table(const Answer& answer) {
   if (const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n);
       most.n > 0 && !answer.direction.empty())
     key = fmt::format("{} of {}{}; {}", has_numbers ? key : "Shares",
-                      least.n == most.n ? "" : fmt::format("{} to ", least.n), numerics::counted(most.n, "values"),
+                      least.n == most.n ? "" : fmt::format("{} to ", least.n), base::counted(most.n, "values"),
                       answer.direction);
   if (!kinds.empty()) {
     const bool are_common = std::ranges::any_of(answer.metrics, [](const JudgedMetric& judged) {
@@ -620,9 +620,9 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
 }
 
 // The same members for every pair, null where nothing is known.
-numerics::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
+base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
   constexpr std::array<const char*, 6> verdicts{"better", "worse", "same", "equal", "undecided", "not_tested"};
-  numerics::OrderedJson json{{"metric", judged.observations.quantity}, {"first", finding.first}};
+  base::OrderedJson json{{"metric", judged.observations.quantity}, {"first", finding.first}};
   json["second"] = finding.second;
   for (const char* member : {"estimate", "low", "high", "excluded", "unit", "p", "a12", "ahead", "behind", "g", "test",
                              "n", "n_that_could_decide", "verdict", "size", "reason"})
@@ -660,8 +660,8 @@ numerics::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding
   return json;
 }
 
-numerics::OrderedJson to_json(const Answer& answer) {
-  numerics::OrderedJson findings = numerics::OrderedJson::array(), doubts = findings, direction;
+base::OrderedJson to_json(const Answer& answer) {
+  base::OrderedJson findings = base::OrderedJson::array(), doubts = findings, direction;
   for (const JudgedMetric& judged : answer.metrics) {
     direction[judged.observations.quantity] = judged.observations.better == Better::larger ? "larger" : "smaller";
     for (const Finding& finding : judged.findings) findings.push_back(to_json(judged, finding));
@@ -737,18 +737,18 @@ const std::string& title_of(const StudyResults& study) {
 
 std::string what_is_solved(const StudyResults& study) {
   const results::Definition& definition = study.definition;
-  return fmt::format("{}, {} of {} ({})", definition.robot, numerics::counted(definition.runs, "runs"),
-                     numerics::counted(definition.points, "targets"), with_blanks(definition.path));
+  return fmt::format("{}, {} of {} ({})", definition.robot, base::counted(definition.runs, "runs"),
+                     base::counted(definition.points, "targets"), with_blanks(definition.path));
 }
 
 Table options_table(const StudyResults& study) {
   Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}};
   for (const results::Series& series : study.entry.series) {
     std::vector<std::string> options;
-    const auto json = numerics::parsed_ordered_json(series.options);
+    const auto json = base::parsed_ordered_json(series.options);
     for (auto option = json.begin(); json.is_object() && option != json.end(); ++option)
       options.push_back(fmt::format("{} = {}", option.key(),
-                                    option->is_string() ? option->get<std::string>() : numerics::text_of(*option)));
+                                    option->is_string() ? option->get<std::string>() : base::text_of(*option)));
     table.rows.push_back({series.label, with_blanks(series.algorithm), fmt::format("{}", fmt::join(options, ", "))});
   }
   return table;

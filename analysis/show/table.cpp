@@ -9,13 +9,13 @@
 
 #include "analysis/show/block.hpp"
 #include "analysis/show/text.hpp"
-#include "numerics/json.hpp"
-#include "numerics/number.hpp"
-#include "results/csv.hpp"
+#include "base/csv.hpp"
+#include "base/json.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::show {
 
-using Json = numerics::OrderedJson;
+using Json = base::OrderedJson;
 
 namespace {
 
@@ -40,7 +40,7 @@ struct Readable {
         column.role == Role::p ? p_text(value, column.ends) : number(value, digits_apart(value, column.ends));
     return text == "-" ? text : text + unit;
   }
-  std::string operator()(const compare::Interval& interval) const {
+  std::string operator()(const judge::Interval& interval) const {
     return interval_text(interval, number, column.ends) + unit;
   }
   std::string operator()(const Printed& printed) const {
@@ -49,10 +49,10 @@ struct Readable {
   std::string operator()(const Marked& marked) const {
     const auto digits = [](double size, double small) { return std::abs(size) < small ? 3 : 2; };
     std::string text = marked.words.empty() ? (marked.is_bound ? at_most : "") + (*this)(marked.value) : marked.words;
-    if (marked.to_reference == compare::Scale::ratio)
+    if (marked.to_reference == judge::Scale::ratio)
       text =
           number(marked.value, std::min(5, digits_apart(marked.value, {1}, digits(marked.value - 1, 0.1)))) + " times";
-    if (marked.to_reference == compare::Scale::difference && marked.value > 0) text.insert(0, "+");
+    if (marked.to_reference == judge::Scale::difference && marked.value > 0) text.insert(0, "+");
     if (const std::string around = spread(marked); !around.empty()) text += ' ' + around;
     return text + (marked.mark.empty() ? "" : ' ' + marked.mark);
   }
@@ -60,14 +60,14 @@ struct Readable {
   std::string spread(const Marked& marked) const {
     if (marked.sd) return plus_minus + number(*marked.sd, 2);
     if (!marked.interval) return "";
-    const compare::Interval& its = *marked.interval;
+    const judge::Interval& its = *marked.interval;
     const int wide = std::abs(its.high - its.low) < 3 ? 3 : 2;
     return fmt::format("({}{}{})", number(its.low, wide), its.low < 0 ? " to " : dash, number(its.high, wide));
   }
 };
 
 bool excludes_end(const Cell& cell) {
-  const auto* interval = std::get_if<compare::Interval>(&cell);
+  const auto* interval = std::get_if<judge::Interval>(&cell);
   return interval && (interval->excludes_low || interval->excludes_high);
 }
 
@@ -89,11 +89,11 @@ std::vector<Kinds> kinds_of(const Table& table) {
       const auto* const text = judgement ? &judgement->words : std::get_if<std::string>(&row[c]);
       kinds[c].texts |= text != nullptr;
       kinds[c].long_texts |= text != nullptr && character_count(*text) > 60;
-      kinds[c].intervals |= std::holds_alternative<compare::Interval>(row[c]);
+      kinds[c].intervals |= std::holds_alternative<judge::Interval>(row[c]);
       kinds[c].excluded |= excludes_end(row[c]);
       kinds[c].printed |= std::holds_alternative<Printed>(row[c]);
-      kinds[c].ratios |= its.to_reference == compare::Scale::ratio;
-      kinds[c].differences |= its.to_reference == compare::Scale::difference;
+      kinds[c].ratios |= its.to_reference == judge::Scale::ratio;
+      kinds[c].differences |= its.to_reference == judge::Scale::difference;
       kinds[c].spreads |= its.interval.has_value();
       kinds[c].deviations |= its.sd.has_value();
       kinds[c].marks |= !its.mark.empty();
@@ -154,9 +154,9 @@ std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const
   const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
   const auto* const printed = std::get_if<Printed>(&cell);
   const auto* const marked = std::get_if<Marked>(&cell);
-  const auto* const interval = std::get_if<compare::Interval>(&cell);
+  const auto* const interval = std::get_if<judge::Interval>(&cell);
   const auto* const spread = interval ? interval : marked && marked->interval ? &*marked->interval : nullptr;
-  const auto to_reference = [&](compare::Scale scale) {
+  const auto to_reference = [&](judge::Scale scale) {
     return marked && marked->to_reference == scale ? number(marked->value) : Json();
   };
   Json value;
@@ -169,8 +169,8 @@ std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const
   std::vector<std::pair<std::string_view, Json>> all;
   if (!kinds.intervals) all.emplace_back("", value);
   if (kinds.printed) all.emplace_back("printed", printed ? Json(printed->printed) : Json());
-  if (kinds.ratios) all.emplace_back(times, to_reference(compare::Scale::ratio));
-  if (kinds.differences) all.emplace_back("difference", to_reference(compare::Scale::difference));
+  if (kinds.ratios) all.emplace_back(times, to_reference(judge::Scale::ratio));
+  if (kinds.differences) all.emplace_back("difference", to_reference(judge::Scale::difference));
   if (kinds.intervals || kinds.spreads) {
     all.emplace_back("low", spread ? number(spread->low) : Json());
     all.emplace_back("high", spread ? number(spread->high) : Json());
@@ -226,13 +226,13 @@ std::vector<Column> columns_of(const std::vector<std::string>& names) {
   return columns;
 }
 
-std::string interval_text(const compare::Interval& interval, Number number, const Ends& ends) {
+std::string interval_text(const judge::Interval& interval, Number number, const Ends& ends) {
   const auto end = [&](double value) {
     return std::isinf(value) ? "no bound" : number(value, digits_apart(value, ends));
   };
   // Of an end so near that no digits tell it, what was read.
   const auto read = [&](double value) {
-    const double shown = numerics::number_from(number_text(value, digits_apart(value, ends))).value_or(value);
+    const double shown = base::number_from(number_text(value, digits_apart(value, ends))).value_or(value);
     return std::ranges::count(ends, shown) > 0 ? shown : value;
   };
   return fmt::format("{}{} to {}{}", interval.excludes_low || interval.low > read(interval.low) ? "above " : "",
@@ -250,14 +250,14 @@ std::string to_csv(const Table& table) {
     for (const auto& [member, value] : members(kinds[c], {}))
       heads.push_back(member_name(column, member) + (member == times || member == mark ? "" : unit));
   }
-  results::append_csv_row(text, heads);
+  base::append_csv_row(text, heads);
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
       for (const auto& [member, value] : members(kinds[c], row[c]))
         cells.push_back(value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump());
     }
-    results::append_csv_row(text, cells);
+    base::append_csv_row(text, cells);
   }
   return text;
 }

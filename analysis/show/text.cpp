@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "numerics/number.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::show {
 namespace {
@@ -113,7 +113,7 @@ int digits_apart(double value, const Ends& from, int least) {
   constexpr int most = 9;
   if (!std::isfinite(value)) return least;
   for (int digits = least; digits < most; ++digits) {
-    const double read = numerics::number_from(number_text(value, digits)).value_or(value);
+    const double read = base::number_from(number_text(value, digits)).value_or(value);
     const auto is_apart = [&](double end) { return (value < end) == (read < end) && (value > end) == (read > end); };
     if (std::ranges::all_of(from, is_apart)) return digits;
   }

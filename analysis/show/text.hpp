@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "numerics/names.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::show {
 
-using numerics::character_count, numerics::one_line, numerics::shortened;
+using base::character_count, base::one_line, base::shortened;
 
 std::string html_text(std::string_view text);
 std::string markdown_text(std::string_view text);

@@ -8,11 +8,11 @@
 #include <set>
 
 #include "analysis/show/text.hpp"
-#include "numerics/names.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::show {
 
-using namespace compare;
+using namespace judge;
 
 namespace {
 
@@ -41,7 +41,7 @@ std::string number_of(const Answer& answer, const JudgedMetric& judged, std::siz
   if (std::isnan(value)) return "not known";
   if (counts(judged)) {
     const std::string count = fmt::format("{:.0f}", its.mean * its.n / 100);
-    if (is_first) return fmt::format("{} of {}", count, numerics::counted(its.n, answer.noun));
+    if (is_first) return fmt::format("{} of {}", count, base::counted(its.n, answer.noun));
     return its.n == n_of_first ? count : fmt::format("{} of {}", count, its.n);
   }
   const Observations& observed = judged.observations;
@@ -114,7 +114,7 @@ std::string all_solved(const Answer& answer) {
   const int n = judged.described.front().n;
   const bool have_one_n = std::ranges::count(judged.described, n, &Description::n) == std::ssize(judged.described);
   const std::string what =
-      counts(judged) && have_one_n && n > 1 ? "all " + numerics::counted(n, answer.noun) : "every target";
+      counts(judged) && have_one_n && n > 1 ? "all " + base::counted(n, answer.noun) : "every target";
   std::vector<std::string> names;
   for (const Group& group : judged.observations.groups) names.push_back(group.name);
   return fmt::format("{}{} solved {}", names_of(names), names.size() == 2 ? " both" : "", what);
@@ -167,7 +167,7 @@ Sentence not_tested(const Answer& answer) {
     return other.why == Open::Why::too_few && other.n == open.n && other.needed == open.needed;
   });
   const std::string so_few = open.is_of_differences ? fmt::format("{} of the {} differ", open.n, answer.noun)
-                                                    : numerics::counted(open.n, answer.noun) + " cannot decide it";
+                                                    : base::counted(open.n, answer.noun) + " cannot decide it";
   const std::string why = fmt::format(", since {} and it takes at least {}", so_few, open.needed);
   const bool is_told = is_for_all && (open.n > 0 || open.is_of_differences);
   return {"Not tested" + (is_told ? why : ""), ": " + numbers_of(answer, true)};
@@ -229,7 +229,7 @@ Sentence unbeaten(const Answer& answer) {
     const auto& found = std::get_if<Tested>(&judged.findings.front().what);
     sentence.subject =
         fmt::format("{} are {}: {} {}", names_of(rest),
-                    found ? fmt::format("equal in all {}", numerics::counted(found->n, answer.noun)) : "the same",
+                    found ? fmt::format("equal in all {}", base::counted(found->n, answer.noun)) : "the same",
                     quantity_of(answer), number_of(answer, judged, first, first));
   } else if (same.size() > 1 && are_undecided) {
     sentence = {fmt::format("{} are the same within {}{}", names_of(same), margin_words(judged),
@@ -423,7 +423,7 @@ std::string margin_words(const JudgedMetric& judged) {
 }
 
 std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
-  const std::string margin = margin_words(judged), verdict(compare::name_of(verdict_of(finding)));
+  const std::string margin = margin_words(judged), verdict(judge::name_of(verdict_of(finding)));
   if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
     const auto size_of = [&](const std::string& name) {
       return judged.described[place_of(judged.observations, name)].n;

@@ -18,7 +18,7 @@ std::string names_of(const std::vector<std::string>& names, std::string_view las
 std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::string>& words,
                                                          const std::vector<std::string>& names);
 // Those that are best and alike; empty if there is none.
-std::vector<std::string> best_of(const compare::JudgedMetric& judged);
+std::vector<std::string> best_of(const judge::JudgedMetric& judged);
 // One sentence, without its end: "DLS is best" and ": it solved 100 of 100 targets; PSO 88, mine 54".
 struct Sentence {
   std::string subject, rest = {};
@@ -27,26 +27,26 @@ Sentence headline_of(const Answer& answer);
 std::string headline(const Answer& answer);
 
 // "better", "same within 5 %", "equal in all 20", "not decided", "not tested: it takes 5 values"
-std::string verdict_words(const compare::Finding& finding, const compare::JudgedMetric& judged);
+std::string verdict_words(const judge::Finding& finding, const judge::JudgedMetric& judged);
 // Why a pair is not tested: in JSON, behind its verdict, and in place of a solver's number.
 struct ReasonWords {
   std::string_view key, of_pair, of_solver;
 };
-ReasonWords words_of(compare::Open::Why why);
-std::string enough_words(const compare::Finding& finding);  // "about 340 could decide it"; empty if nobody knows
-std::string effect_words(const compare::Finding& finding);  // "better in 43 %, worse in 3 % of comparisons"
-std::string warning_of(const compare::Doubt& doubt);        // a sentence
+ReasonWords words_of(judge::Open::Why why);
+std::string enough_words(const judge::Finding& finding);  // "about 340 could decide it"; empty if nobody knows
+std::string effect_words(const judge::Finding& finding);  // "better in 43 %, worse in 3 % of comparisons"
+std::string warning_of(const judge::Doubt& doubt);        // a sentence
 // "times", "points", or the metric's unit.
-std::string unit_of(const compare::Finding& finding, const compare::JudgedMetric& judged);
+std::string unit_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
 // "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict, or show nothing of it, how
 // often which is better
-std::string amount_words(const compare::Finding& finding, const compare::JudgedMetric& judged);
+std::string amount_words(const judge::Finding& finding, const judge::JudgedMetric& judged);
 // Of each pair of the deciding metric, "DLS vs PSO", the verdict, the amount and p; of only two solvers those of
 // each metric that were tested. None of more than most_pairs, nor where all solvers are equal.
 std::vector<std::vector<std::string>> pair_rows(const Answer& answer);
 // No difference and the margin's ends, as the finding's numbers are.
-std::vector<double> ends_of(const compare::Finding& finding, const compare::JudgedMetric& judged);
+std::vector<double> ends_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
 // "5 %", "5 points", "5 % or 0.1 mm"
-std::string margin_words(const compare::JudgedMetric& judged);
+std::string margin_words(const judge::JudgedMetric& judged);
 
 }  // namespace ikbench::show

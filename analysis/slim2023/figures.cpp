@@ -8,9 +8,9 @@
 
 namespace ikbench::slim2023 {
 
-using namespace compare;
+using namespace judge;
 using namespace figures;
-using results::CsvTable;
+using base::CsvTable;
 
 namespace {
 

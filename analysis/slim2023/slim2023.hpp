@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/compare/judge.hpp"
 #include "analysis/figures/figure.hpp"
 #include "analysis/figures/of_study.hpp"
+#include "analysis/judge/judge.hpp"
 #include "analysis/papers/claims.hpp"
 
 namespace ikbench::slim2023 {
@@ -29,8 +29,8 @@ show::Table table_3(const papers::Repeated& repeated);
 // Tables 4 to 6: of error, variation and time.
 std::vector<show::Table> anova_tables(const papers::Repeated& repeated);
 // Of random targets and of the circle; none for other studies.
-std::optional<show::Table> table_7(const compare::StudyResults& study);
-std::optional<show::Table> table_8(const compare::StudyResults& study);
+std::optional<show::Table> table_7(const judge::StudyResults& study);
+std::optional<show::Table> table_8(const judge::StudyResults& study);
 
 // Does the paper's conclusion repeat, and how many of its numbers by each reading, the study's own first? On what does
 // it depend that IK-BA is the most accurate?
@@ -44,6 +44,6 @@ std::vector<show::Blocks> sections(const papers::Repeated& repeated,
 // Of its helix 5 the path with the arm, 6 to 8 error, variation and time by point, 9 the joint angles, 10 to 12 box
 // plots beside the printed numbers; of its circle 15 it in space, 16 the joint angles, 17 the error by
 // point beside Table 8's, 18 the mean error by iteration. None if nothing was solved.
-std::vector<figures::Figure> figures_of(const compare::JudgedStudy& judged, const figures::Look& look);
+std::vector<figures::Figure> figures_of(const judge::JudgedStudy& judged, const figures::Look& look);
 
 }  // namespace ikbench::slim2023

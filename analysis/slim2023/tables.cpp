@@ -7,13 +7,13 @@
 
 #include "analysis/show/text.hpp"
 #include "analysis/slim2023/slim2023.hpp"
-#include "numerics/names.hpp"
-#include "numerics/units.hpp"
+#include "base/names.hpp"
+#include "base/units.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {
 
-using namespace compare;
+using namespace judge;
 using namespace papers;
 using results::SolveRecord;
 using show::Cell;
@@ -54,7 +54,7 @@ std::string first_sentence(Holds conclusion, const std::vector<Explained>& numbe
   const auto open = std::ranges::count_if(  // since too few runs give no range of any number
       claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
   return fmt::format("Slim et al. 2023 {}{}{}.", words, by,
-                     open == 0 ? "" : fmt::format("; so few runs leave {} open", numerics::counted(open, "claims")));
+                     open == 0 ? "" : fmt::format("; so few runs leave {} open", base::counted(open, "claims")));
 }
 
 bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds == Holds::holds; }
@@ -97,8 +97,8 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
                                   .caption = fmt::format("Table {}{}: ANOVA of the {} [{}]", anova,
                                                          with(repeated.reading()), name, metric_named(column).unit),
                                   .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
-    const results::CsvTable printed = results::published::table(repeated.paper.name, number);
-    const std::optional<TestOfAll> ours_of_all = compare::anova(judged->observations);
+    const base::CsvTable printed = results::published::table(repeated.paper.name, number);
+    const std::optional<TestOfAll> ours_of_all = judge::anova(judged->observations);
     if (!ours_of_all) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
     const auto ours = rows_of(ours_of_all);
     for (std::size_t r = 0; r < ours.size(); ++r) {
@@ -142,7 +142,7 @@ std::optional<Table> table_7(const StudyResults& study) {
 }
 
 std::optional<Table> table_8(const StudyResults& study) {
-  const results::CsvTable printed = results::published::table("slim2023", "table-8");
+  const base::CsvTable printed = results::published::table("slim2023", "table-8");
   if (study.definition.path != "circle" || study.solves.empty()) return {};
   Table table{.name = "table-8",
               .caption = "Table 8: joint angles and position error along the circle",
@@ -158,7 +158,7 @@ std::optional<Table> table_8(const StudyResults& study) {
       const bool is_angle = c <= angles;
       const std::size_t joint = c == 4 ? 0 : c - 1;  // theta4 is theta1
       const double ours = !is_angle                         ? solve.position_error_cm
-                          : joint < solve.answer_rad.size() ? solve.answer_rad[joint] / numerics::degree
+                          : joint < solve.answer_rad.size() ? solve.answer_rad[joint] / base::degree
                                                             : unknown;
       const std::string in_print(printed.cell(static_cast<std::size_t>(solve.point - 1), c));
       row.push_back(show::Printed{ours, in_print});

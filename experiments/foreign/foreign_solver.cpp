@@ -18,6 +18,20 @@ namespace {
 
 constexpr int warm_ups = 3, most_failures_in_a_row = 3;
 
+Status status_of(Trouble::Kind kind) {
+  switch (kind) {
+    case Trouble::Kind::crashed:
+      return Status::crashed;
+    case Trouble::Kind::timed_out:
+      return Status::timed_out;
+    case Trouble::Kind::broke_protocol:
+      return Status::broke_protocol;
+    case Trouble::Kind::declined:
+      break;
+  }
+  return Status::declined;
+}
+
 // Records the course of the best error as solvers::solve does.
 void add_best(Account& account, std::int64_t evaluations, double best, double at_start) {
   Improvements& improved = account.improved;
@@ -82,14 +96,14 @@ void ForeignSolver::guarded(Talk&& talk) {
     talk();
   } catch (const Trouble& trouble) {
     note(trouble);
-    account_ = {.failure = trouble.status};
+    account_ = {.failure = status_of(trouble.kind)};
     best_.error = std::numeric_limits<double>::infinity();
   }
 }
 
 // Throws std::runtime_error if the program is not what it was.
 bool ForeignSolver::ensure_running() {
-  if (own_.child && !own_.child->is_running()) note({Status::crashed, "it ended between two solves"});
+  if (own_.child && !own_.child->is_running()) note({Trouble::Kind::crashed, "it ended between two solves"});
   if (own_.refusal) throw Trouble(*own_.refusal);
   if (own_.child) return false;
   const Program& program = *all_.program;
@@ -109,17 +123,17 @@ bool ForeignSolver::ensure_running() {
 void ForeignSolver::note(const Trouble& trouble) {
   if (own_.refusal) return;
   failure_ = trouble;
-  if (trouble.status == Status::declined || !own_.child) return;
-  failure_->why += own_.child->end_after(trouble.status);
+  if (trouble.kind == Trouble::Kind::declined || !own_.child) return;
+  failure_->why += own_.child->end_after(trouble.kind);
   own_.child.reset();
 }
 
 void ForeignSolver::count_failure() {
-  if (failure_ && failure_->status != Status::declined && ++own_.failures_in_a_row == most_failures_in_a_row) {
+  if (failure_ && failure_->kind != Trouble::Kind::declined && ++own_.failures_in_a_row == most_failures_in_a_row) {
     failure_->why += "; it is given up after three failures in a row";
     own_.refusal = failure_;
   }
-  if (failure_) all_.note(fmt::format("{}: {}", name_of(failure_->status), failure_->why));
+  if (failure_) all_.note(fmt::format("{}: {}", name_of(status_of(failure_->kind)), failure_->why));
   if (!account_.failure) own_.failures_in_a_row = 0;
 }
 
@@ -135,7 +149,7 @@ void ForeignSolver::prepare(const Problem& problem, const Objective& objective) 
     if (!is_new && !own_.child->has_line()) return;
     // Who answers twice after a pause would stay behind, each answer that of the solve before.
     const Trouble heard = unasked(*own_.child, std::chrono::milliseconds(is_new ? 100 : 0));
-    if (heard.status != Status::timed_out) throw Trouble(heard);
+    if (heard.kind != Trouble::Kind::timed_out) throw Trouble(heard);
   });
 }
 
@@ -198,7 +212,7 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
     message = exchange(*own_.child, errors_message(errors, is_over), deadline);
   }
   account_.cpu_seconds = std::max(0.0, own_.child->cpu_seconds() - cpu_before);  // 0: it ended at once
-  if (message.name() == "declined") throw Trouble{Status::declined, message.why()};
+  if (message.name() == "declined") throw Trouble{Trouble::Kind::declined, message.why()};
   if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
 
   for (const auto& [name, value] : message.extras()) objective.note(name, value);

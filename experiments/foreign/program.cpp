@@ -10,14 +10,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "numerics/names.hpp"
+#include "base/names.hpp"
 #include "numerics/random.hpp"
 
 namespace ikbench::experiments {
 
 namespace fs = std::filesystem;
-
-using results::Status;
 
 namespace {
 
@@ -65,7 +63,7 @@ std::string digest_of_file(const fs::path& file) {
   return digest_of_text(text);
 }
 
-void list_fields(numerics::Fields& io, ProgramChoice& choice) {
+void list_fields(base::Fields& io, ProgramChoice& choice) {
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");
   io.texts("files", choice.files, "what the program consists of besides; an edited file solves anew");
   io.number("patience_s", choice.patience, 1, {0, 86400},
@@ -78,10 +76,10 @@ Message next_message(ChildProcess& child, Clock::time_point deadline) {
     for (;;) {
       std::string line = child.read_line(deadline);
       if (line.starts_with('{')) return Message(std::move(line));
-      noise = fmt::format("; it wrote what is no message: {}", numerics::front(line, 200));
+      noise = fmt::format("; it wrote what is no message: {}", base::front(line, 200));
     }
   } catch (const Trouble& trouble) {
-    throw Trouble{trouble.status, trouble.why + noise};
+    throw Trouble{trouble.kind, trouble.why + noise};
   }
 }
 
@@ -105,10 +103,10 @@ std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const fs::pat
   try {
     hello = next_message(*child, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience)).hello();
   } catch (const Trouble& trouble) {
-    const std::string told = child->end_after(trouble.status);
-    if (trouble.status != Status::timed_out) throw Trouble{trouble.status, trouble.why + told};
-    throw Trouble{trouble.status, fmt::format("it says no hello within {:g} s; a larger patience_s waits longer{}",
-                                              patience.count(), told)};
+    const std::string told = child->end_after(trouble.kind);
+    if (trouble.kind != Trouble::Kind::timed_out) throw Trouble{trouble.kind, trouble.why + told};
+    throw Trouble{trouble.kind, fmt::format("it says no hello within {:g} s; a larger patience_s waits longer{}",
+                                            patience.count(), told)};
   }
   return child;
 }

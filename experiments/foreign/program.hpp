@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/fields.hpp"
 #include "experiments/foreign/protocol.hpp"
-#include "numerics/fields.hpp"
 
 namespace ikbench::experiments {
 
@@ -17,7 +17,7 @@ struct ProgramChoice {
   double patience = 0;               // [s] per solve; 0: max(5 s, 20 x stop.seconds), without that 60 s
 };
 
-void list_fields(numerics::Fields& io, ProgramChoice& choice);
+void list_fields(base::Fields& io, ProgramChoice& choice);
 
 // Throws std::invalid_argument if the file cannot be read.
 std::string digest_of_file(const std::filesystem::path& file);

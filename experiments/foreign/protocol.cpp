@@ -7,14 +7,14 @@
 #include <deque>
 #include <utility>
 
+#include "base/names.hpp"
 #include "experiments/verifier.hpp"
-#include "numerics/names.hpp"
 #include "robots/urdf.hpp"
 #include "solvers/bounds.hpp"
 
 namespace ikbench::experiments {
 
-using namespace numerics;
+using namespace base;
 using namespace robots;
 using namespace solvers;
 
@@ -24,7 +24,7 @@ constexpr std::size_t most_options = 200;
 constexpr const char* goal_names[]{"position", "axis", "pose"};  // as GoalKind
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-std::string line_of(const OrderedJson& json) { return numerics::text_of(json) + '\n'; }
+std::string line_of(const OrderedJson& json) { return base::text_of(json) + '\n'; }
 
 // Of a matrix that is transposed and reshaped: row by row.
 OrderedJson numbers(const Eigen::VectorXd& values) {
@@ -63,15 +63,14 @@ Settings options_of(const Hello& hello, const Settings& settings) {
   return list.values();
 }
 
-Message::Message(std::string line)
-    : line_(std::move(line)), json_(std::make_shared<Json>(numerics::parsed_json(line_))) {
+Message::Message(std::string line) : line_(std::move(line)), json_(std::make_shared<Json>(base::parsed_json(line_))) {
   if (!json_->is_object()) fail("JSON, in which a number that is not finite is null");
   name_ = text(*json_, "message");
   if (name_.empty()) fail("a \"message\"");
 }
 
 void Message::fail(const std::string& expected) const {
-  throw Trouble{results::Status::broke_protocol, fmt::format("it wrote {}; expected {}", front(line_, 200), expected)};
+  throw Trouble{Trouble::Kind::broke_protocol, fmt::format("it wrote {}; expected {}", front(line_, 200), expected)};
 }
 
 // A text that is safe in tables and file names.
@@ -197,7 +196,7 @@ std::string robot_message(const Robot& arm, const Chain& searched, const Goal& g
   OrderedJson values = OrderedJson::object(), joints = OrderedJson::array();
   for (const HelloOption& option : hello.options) {
     const std::string& text = options.at(option.name);
-    values[option.name] = option.choices.empty() ? numerics::parsed_ordered_json(text) : OrderedJson(text);
+    values[option.name] = option.choices.empty() ? base::parsed_ordered_json(text) : OrderedJson(text);
   }
   const std::vector<std::string> names = joint_names(arm);
   for (const DhLink& link : searched.links()) {
@@ -246,7 +245,7 @@ std::string solve_message(const Problem& problem, const Goal& goal, const StopRu
 
 std::string errors_message(const Eigen::VectorXd& errors, bool is_over) {
   std::string text = R"({"message":"errors","errors":[)";
-  for (const double error : errors) text += (std::isfinite(error) ? numerics::text_of(error) : "null") + ',';
+  for (const double error : errors) text += (std::isfinite(error) ? base::text_of(error) : "null") + ',';
   text.back() = ']';  // of the last comma: there is one at least
   return text + fmt::format(",\"over\":{}}}\n", is_over);
 }

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "numerics/json.hpp"
-#include "results/child_process.hpp"
+#include "base/child_process.hpp"
+#include "base/json.hpp"
 #include "robots/robot.hpp"
 #include "solvers/options.hpp"
 #include "solvers/solve.hpp"
 
 namespace ikbench::experiments {
 
-using results::ChildProcess, results::Clock, results::Trouble;
+using base::ChildProcess, base::Clock, base::Trouble;
 
 constexpr int protocol_version = 2;
 
@@ -57,12 +57,12 @@ class Message {
   [[noreturn]] void fail(const std::string& expected) const;
 
  private:
-  std::string text(const numerics::Json& object, const char* key) const;
-  HelloOption option(const numerics::Json& object) const;
-  robots::Configuration configuration(const numerics::Json& list, int joints, const std::string& expected) const;
+  std::string text(const base::Json& object, const char* key) const;
+  HelloOption option(const base::Json& object) const;
+  robots::Configuration configuration(const base::Json& list, int joints, const std::string& expected) const;
 
   std::string line_, name_;
-  std::shared_ptr<const numerics::Json> json_;
+  std::shared_ptr<const base::Json> json_;
 };
 
 // What is the same for all solves. `searched` has the joints before the wrist, or all; of `goal` the target does not

@@ -2,13 +2,14 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/units.hpp"
 #include "experiments/path.hpp"
 #include "numerics/functions.hpp"
-#include "numerics/units.hpp"
 #include "robots/rotation.hpp"
 
 namespace ikbench::experiments {
 
+using namespace base;
 using namespace numerics;
 using namespace robots;
 

@@ -12,20 +12,20 @@
 #include <system_error>
 #include <utility>
 
+#include "base/inputs.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
+#include "base/sheet.hpp"
+#include "base/units.hpp"
 #include "experiments/path.hpp"
-#include "numerics/inputs.hpp"
-#include "numerics/names.hpp"
-#include "numerics/number.hpp"
-#include "numerics/units.hpp"
-#include "results/sheet.hpp"
 #include "robots/arm_fields.hpp"
 #include "robots/rotation.hpp"
 
 namespace ikbench::experiments {
 
+using namespace base;
 using namespace numerics;
 using namespace robots;
-using namespace results;
 
 namespace {
 

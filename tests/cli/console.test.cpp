@@ -4,8 +4,8 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include "tests/base/processes.hpp"
 #include "tests/common.hpp"
-#include "tests/results/processes.hpp"
 
 using ikbench::cli::aligned;
 using ikbench::cli::cancelled_exit_code;

@@ -1,7 +1,7 @@
 // Files as users break them: whatever is in one, it is judged or refused in one sentence.
 
-#include "analysis/compare/judge.hpp"
 #include "analysis/csv/user_csv.hpp"
+#include "analysis/judge/judge.hpp"
 #include "tests/mutator.hpp"
 
 using namespace ikbench;
@@ -25,9 +25,9 @@ TEST_CASE("whatever is in a CSV, it is judged or refused in one sentence", "[mut
     judged += read_mutated(Mutator(2023), whole, 500, "", [&](const std::string& text) {
       csv::Quantities read =
           whole == printed ? csv::read_summaries(text, "m.csv", request) : csv::read(text, "m.csv", request);
-      for (compare::Observations& each : read.observed) {
-        const compare::Plan plan = csv::with_margin({}, "", each);
-        for (const compare::Group& group : compare::judge(std::move(each), plan).observations.groups)
+      for (judge::Observations& each : read.observed) {
+        const judge::Plan plan = csv::with_margin({}, "", each);
+        for (const judge::Group& group : judge::judge(std::move(each), plan).observations.groups)
           CHECK(std::ranges::none_of(values_of(group), [](double value) { return std::isnan(value); }));
       }
     });

@@ -2,11 +2,11 @@
 // wrong.
 #include "analysis/csv/user_csv.hpp"
 
-#include "tests/compare/studies.hpp"
+#include "tests/judge/studies.hpp"
 #include "tests/mistakes.hpp"
 
 using namespace ikbench;
-using namespace ikbench::compare;
+using namespace ikbench::judge;
 using csv::Quantities;
 using csv::Request;
 
@@ -18,8 +18,8 @@ Observations observations(const std::string& text, const Request& request = {}) 
 
 Seen finding(const std::string& text, const Request& request = {}, const std::string& margin = "") {
   Observations of = observations(text, request);
-  const compare::Plan plan = csv::with_margin({}, margin, of);
-  return compare::compared(of, plan).front();
+  const judge::Plan plan = csv::with_margin({}, margin, of);
+  return judge::compared(of, plan).front();
 }
 
 // With the options that a question offers.
@@ -74,8 +74,8 @@ TEST_CASE("equal values of a file are tested as copies and as observations") {
   const Quantities read = csv::read(text_in("tests/data/csv/const2.csv"), "const2.csv", {});
   const Observations& observed = read.observed.front();
   CHECK(list_of(observed.groups.front()) == std::vector(20, 0.01));
-  CHECK(std::get<compare::Measured>(observed.groups.front().sample).may_repeat);
-  const Seen found = compare::compared(observed, {}).front();
+  CHECK(std::get<judge::Measured>(observed.groups.front().sample).may_repeat);
+  const Seen found = judge::compared(observed, {}).front();
   CHECK(found.verdict == Verdict::better);
   CHECK(found.test == "sign test and Mann-Whitney");
 }
@@ -198,7 +198,7 @@ TEST_CASE("values of 0 are what they are, and differences are compared") {
   CHECK(*of_blocks.p == Approx(std::exp2(-79)));
   CHECK(*finding(runs).p == Approx(4.09e-44).epsilon(0.01));  // SciPy's Mann-Whitney
   CHECK(*finding(runs).estimate == -5);
-  const Seen of_means = compare::compared(observations(runs), {.test = Plan::Test::means}).front();
+  const Seen of_means = judge::compared(observations(runs), {.test = Plan::Test::means}).front();
   CHECK(*of_means.estimate == Approx(-4.96));
   std::string three = "s,p,v\n";
   for (int i = 0; i < 14; ++i) three += fmt::format("A,{0},{1}\nB,{0},{2}\nC,{0},1\n", i, i % 4, i % 5 + 1);
@@ -256,7 +256,7 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(!finding(near, {}, "1").is_within_margin);
   const Observations observed = observations(with_infinite(0, 3), rows);
   CHECK(words_of(observed.doubts.front()) == "no answer in 3 of 10 values, counted as largest (B)");
-  CHECK(is_open(compare::compare(observed, {.test = Plan::Test::means}).front(), Open::Why::infinite));
+  CHECK(is_open(judge::compare(observed, {.test = Plan::Test::means}).front(), Open::Why::infinite));
   CHECK(std::isinf(describe(observed.groups[1]).mean));
   CHECK(describe(observed.groups[1]).median == 11);
   CHECK(contains(said_of(with_infinite(0, 3), {.values = {"v"}, .run = "row", .better = {"larger"}}), "data.csv:17:3"));
@@ -544,7 +544,7 @@ TEST_CASE("margins are shares or in the unit of the values") {
   Observations of = observations(wide, {.run = "row"});
   CHECK(csv::with_margin({}, "", of).margin == 0.05);
   CHECK(csv::with_margin({}, "10%", of).margin == Approx(0.1));
-  const compare::Plan plan = csv::with_margin({}, "0.5", of);
+  const judge::Plan plan = csv::with_margin({}, "0.5", of);
   CHECK(plan.margin == 0);
   CHECK(of.absolute_margin == 0.5);
   for (const char* margin : {"x", "-1", "%", "nan", "inf", "10"})
@@ -556,15 +556,15 @@ TEST_CASE("printed means are compared by means") {
   REQUIRE(read.observed.size() == 3);
   const Observations& error = read.observed.front();
   CHECK(error.groups.size() == 6);
-  CHECK(std::get<compare::Summary>(error.groups.front().sample).sd == 1.7824e-4);
-  const std::vector<Seen> found = compare::compared(error, {});
+  CHECK(std::get<judge::Summary>(error.groups.front().sample).sd == 1.7824e-4);
+  const std::vector<Seen> found = judge::compared(error, {});
   CHECK(found.front().test == "Welch's t");
   CHECK(found.front().verdict == Verdict::better);  // IK-BA against BA
   CHECK(*found.front().estimate == Approx(0.0019 - 1.6849));
   CHECK(csv::read_summaries("name,n,mean,sd,metric\nA,5,1,1,\u8bef\nA,5,1,1,\u65f6\n", "s.csv", {}).observed.size() ==
         2);
   const Quantities usual = csv::read_summaries("name,n_runs,avg,std_dev\nA,5,1,2\n", "s.csv", {});
-  CHECK(std::get<compare::Summary>(usual.observed.front().groups.front().sample).sd == 2);
+  CHECK(std::get<judge::Summary>(usual.observed.front().groups.front().sample).sd == 2);
   CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd\nA,2.5,1,1\n", "s.csv", {}), std::invalid_argument);
   CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd\nA,5,1,-1\n", "s.csv", {}), std::invalid_argument);
   CHECK_THROWS_AS(csv::read_summaries("name,n,mean\nA,5,1\n", "s.csv", {}), std::invalid_argument);
@@ -575,7 +575,7 @@ TEST_CASE("printed means without a spread decide nothing") {
   const Quantities read =
       csv::read_summaries("name,n,mean,sd\nA,20,1,0\nB,20,1.1,0\nC,20,1,0.1\nD,20,2,0.1\n", "s.csv", {});
   CHECK(read.observed.front().doubts.size() == 2);
-  const std::vector<Seen> found = compare::compared(read.observed.front(), {});
+  const std::vector<Seen> found = judge::compared(read.observed.front(), {});
   for (const Seen& each : found)
     CHECK((each.verdict == Verdict::not_tested) == (each.first == "A" || each.first == "B"));
   CHECK(found.back().verdict == Verdict::better);

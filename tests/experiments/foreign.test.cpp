@@ -62,7 +62,7 @@ TEST_CASE("candidates are numbers as JSON writes them", "[foreign]") {
     try {
       return Message(R"({"message":"evaluate","candidates":[[1,2],[3,)" + number + "]]}").candidates(2).size() == 4;
     } catch (const Trouble& trouble) {
-      return trouble.status != results::Status::broke_protocol;
+      return trouble.kind != Trouble::Kind::broke_protocol;
     }
   };
   for (const char* number : {"0", "-0.5", "1e-3", "1E5", "12345678901234567890", "0.1000000000000000055", "1e-400"})

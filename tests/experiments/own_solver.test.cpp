@@ -1,6 +1,6 @@
 // A C++ class as a solver that does not do what a solver has to do: the run ends with its label, run and point.
+#include "tests/base/processes.hpp"
 #include "tests/experiments/samples.hpp"
-#include "tests/results/processes.hpp"
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 #include <nlohmann/json.hpp>
 
+#include "base/units.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/foreign/protocol.hpp"
 #include "experiments/multiverse.hpp"
@@ -18,7 +19,6 @@
 #include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
 #include "experiments/workers.hpp"
-#include "numerics/units.hpp"
 #include "results/fingerprint.hpp"
 #include "results/published.hpp"
 #include "results/record.hpp"
@@ -29,6 +29,7 @@
 #include "tests/results/samples.hpp"
 #include "tests/solvers_for.hpp"
 
+using namespace ikbench::base;
 using namespace ikbench;
 using namespace ikbench::numerics;
 using namespace ikbench::robots;

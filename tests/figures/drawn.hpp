@@ -8,15 +8,16 @@
 #include "analysis/figures/parts.hpp"
 #include "analysis/figures/plots.hpp"
 #include "analysis/slim2023/slim2023.hpp"
+#include "base/child_process.hpp"
+#include "base/files.hpp"
 #include "experiments/study_reader.hpp"
-#include "results/child_process.hpp"
-#include "results/files.hpp"
 #include "results/store.hpp"
 #include "tests/common.hpp"
-#include "tests/compare/studies.hpp"
+#include "tests/judge/studies.hpp"
 
+using namespace ikbench::base;
 using namespace ikbench;
-using namespace ikbench::compare;
+using namespace ikbench::judge;
 using namespace ikbench::results;
 using namespace ikbench::figures;
 
@@ -30,8 +31,8 @@ inline std::string drawn_as_svg(const std::vector<figures::Figure>& figures, con
     const std::string script = text_in(folder / (figure.name + ".gp"));
     all += script.substr(0, script.find("set terminal @pdf")) + "unset output\nreset session\n";
   }
-  results::write_file(folder / "all.gp", all);
-  const auto result = results::ChildProcess::run({"gnuplot", "-d", "all.gp"}, folder, {});
+  base::write_file(folder / "all.gp", all);
+  const auto result = base::ChildProcess::run({"gnuplot", "-d", "all.gp"}, folder, {});
   std::filesystem::remove(folder / "all.gp");
   for (const figures::Figure& figure : figures) {
     const std::string svg = text_in(folder / (figure.name + ".svg"));

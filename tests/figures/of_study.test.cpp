@@ -25,7 +25,7 @@ Names names_of(const std::vector<Figure>& figures) {
 }
 
 std::vector<Figure> figures_of_study(const StudyResults& study) {
-  const JudgedStudy judged = judge(study);
+  const JudgedStudy judged = judge::judge(study);
   return of_study(judged, look_of(judged, {}));
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("mean ranks are those of the blocks, or means where they decide, and s
   }
   const Look look = look_of(solvers, {});
   const auto places = [&](const Observations& observed, const Plan& plan) {
-    const std::optional<Figure> figure = ranks_of(judge(observed, plan), {"mm"}, {"A", "B", "C", "D"}, look);
+    const std::optional<Figure> figure = ranks_of(judge::judge(observed, plan), {"mm"}, {"A", "B", "C", "D"}, look);
     std::string text;
     for (std::istringstream lines(figure ? figure->data : ""); std::getline(lines, text, '\n');) {
       if (!text.starts_with("# A")) continue;
@@ -156,13 +156,13 @@ TEST_CASE("mean ranks are those of the blocks, or means where they decide, and s
     return std::string();
   };
   CHECK(places(of, {}) == "1 1");  // A is the first in each block; of B, C and D every fourth is turned
-  const Figure ranked = ranks_of(judge(of, {}), {"mm"}, {"A", "B", "C", "D"}, look).value();
+  const Figure ranked = ranks_of(judge::judge(of, {}), {"mm"}, {"A", "B", "C", "D"}, look).value();
   CHECK(contains(ranked.data, "# D\n2 2.5 "));
   CHECK(contains(ranked.data, "# B\n4 3.5 "));
   CHECK(places(of, {.test = Plan::Test::means}) == "1 1.095");
   CHECK(places(of, {.control = "A"}).empty());
   of.groups[1].sample = Untold{.why = Untold::Why::apart};
-  CHECK(contains(ranks_of(judge(of, {}), {"mm"}, {"A", "B", "C", "D"}, look)->caption, "Without B: "));
+  CHECK(contains(ranks_of(judge::judge(of, {}), {"mm"}, {"A", "B", "C", "D"}, look)->caption, "Without B: "));
   of.groups[2].sample = Untold{.why = Untold::Why::apart};
   CHECK(places(of, {}).empty());
 }
@@ -215,7 +215,7 @@ TEST_CASE("chosen solvers are drawn alone, in their order, in their colours", "[
   const Look short_palette = look_of_study(asked, {.palette = {"#8D1804", "#1E8CF8"}, .solvers = {"C", "B"}});
   CHECK(short_palette.lines == std::map<std::string, int>{{"A", 3}, {"B", 2}, {"C", 1}});
   const std::vector<BoxRow> rows =
-      box_rows(*judged_of(judge(asked), "seconds"), {"ms", 1000}, drawn_solvers(asked, chosen), chosen);
+      box_rows(*judged_of(judge::judge(asked), "seconds"), {"ms", 1000}, drawn_solvers(asked, chosen), chosen);
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].label == "C");
   CHECK(rows[0].box[2] == Approx(1));  // [ms]
@@ -225,7 +225,7 @@ TEST_CASE("chosen solvers are drawn alone, in their order, in their colours", "[
 TEST_CASE("the paper's figures have the printed numbers beside ours", "[of_study]") {
   const std::string published = R"(, "published": "slim2023")" + planar_arm;
   const StudyResults helix = study({.rest = published}, differ, {"IK-BA", "BA"});
-  const std::vector<Figure> figures = slim2023::figures_of(judge(helix), look_of_study(helix));
+  const std::vector<Figure> figures = slim2023::figures_of(judge::judge(helix), look_of_study(helix));
   CHECK(names_of(figures) == Names{"overview", "figure-5", "figure-6", "figure-7", "figure-8", "figure-9", "figure-10",
                                    "figure-11", "figure-12"});
   CHECK(contains(figures[6].data, " 0.0016 0.0019 0.0022\n"));  // Table 3, in its unit
@@ -238,7 +238,7 @@ TEST_CASE("the paper's figures have the printed numbers beside ours", "[of_study
             {"IK-BA"});
   StudyResults on_circle = circle;
   on_circle.definition.path = "circle";
-  const std::vector<Figure> of_circle = slim2023::figures_of(judge(on_circle), look_of_study(on_circle));
+  const std::vector<Figure> of_circle = slim2023::figures_of(judge::judge(on_circle), look_of_study(on_circle));
   CHECK(names_of(of_circle) == Names{"figure-15", "figure-16", "figure-17", "figure-18"});
   CHECK(contains(of_circle[2].data, "# as printed\n1 2.04e-14 "));
   const ScratchFolder folder;

@@ -1,7 +1,7 @@
 // A user's own solver beside a built-in one, with the installed libraries: docs/reference/api.md.
 #include <cstdio>
 
-#include "analysis/compare/judge.hpp"
+#include "analysis/judge/judge.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/words.hpp"
 #include "experiments/runner.hpp"
@@ -55,7 +55,7 @@ solvers = [{ label = "random", solver = "random_search" }]
   study.solvers.push_back({.label = "mine", .solver = climb.name, .own = std::make_shared<solvers::SolverInfo>(climb)});
   results::Store store("made/store.sqlite", results::Store::Mode::write);
   experiments::run(study, store, {});
-  const auto reported = show::report_of(compare::judge(compare::read_study(store, store.study("mine"))), {});
+  const auto reported = show::report_of(judge::judge(judge::read_study(store, store.study("mine"))), {});
   show::publish(reported, "made", {.render = false});
   std::puts(show::headline(reported.answer).c_str());
   std::puts(show::to_markdown(show::results_table(reported.answer)).c_str());

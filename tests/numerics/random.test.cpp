@@ -8,6 +8,7 @@
 #include "tests/common.hpp"
 #include "tests/solvers/objectives.hpp"
 
+using namespace ikbench::base;
 using namespace ikbench;
 using namespace ikbench::numerics;
 using namespace ikbench::robots;

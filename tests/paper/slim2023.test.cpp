@@ -2,17 +2,18 @@
 // docs/papers/slim2023-notes.md put each solver into these ranges, for the default seed and for the mean over seeds 1
 // to 5.
 
-#include "analysis/compare/judge.hpp"
+#include "analysis/judge/judge.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "tests/common.hpp"
 
+using namespace ikbench::base;
 using namespace ikbench;
 using namespace ikbench::numerics;
 using namespace ikbench::solvers;
 using namespace ikbench::results;
 using namespace ikbench::experiments;
-using namespace ikbench::compare;
+using namespace ikbench::judge;
 
 namespace {
 
@@ -55,7 +56,7 @@ TEST_CASE("the helix study comes out as the paper's Table 3 in the readings of t
     const StudyResults study = solved(seed);
     REQUIRE(study.solves.size() == 6 * 20 * 20);
     for (const auto& [metric, range] : ranges) {
-      const JudgedMetric judged = judge(observe(study, metric_named(metric)), study.definition.plan);
+      const JudgedMetric judged = judge::judge(observe(study, metric_named(metric)), study.definition.plan);
       std::map<std::string, double> means;
       for (std::size_t i = 0; i < judged.described.size(); ++i) {
         const std::string& solver = judged.observations.groups[i].name;

@@ -177,7 +177,7 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
   CHECK(contains(text(both), "minus the printed: ~ it contains 0; x it excludes 0.\n"));
   CHECK(rates_figure(both)->name == "printed");
   // What a program did is a table: 9990 of 10 000 where 99.91 % and 0.26 ms are printed.
-  const results::CsvTable programs = results::parse_csv(
+  const base::CsvTable programs = base::parse_csv(
       "robot,solver,n,solved,mean_ms,program,machine,day\nabb_irb120,TRAC-IK,10000,9990,0.338,its version,it,today\n",
       "programs");
   Repeated with_program = repeated(as_printed);

@@ -71,7 +71,8 @@ Readings by_hand(const SolvedMultiverse& multiverse, const Claim& claim) {
           if (!is_asked || std::ranges::count(claim.solvers, rival) > 0) continue;
           Observations two = of;
           std::erase_if(two.groups, [&](const Group& group) { return group.name != own && group.name != rival; });
-          const JudgedMetric judged = judge(two, {.test = compare::Plan::Test::means, .significance = 0.05 / pairs});
+          const JudgedMetric judged =
+              judge::judge(two, {.test = judge::Plan::Test::means, .significance = 0.05 / pairs});
           tally.add(verdict_between(judged, own, rival));
         }
       }

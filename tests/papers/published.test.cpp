@@ -28,7 +28,7 @@ TEST_CASE("printed rows have their digits, and the names that a table gives by i
 }
 
 TEST_CASE("shares solved are what the printed infeasible ones leave", "[papers]") {
-  const results::CsvTable table = results::published::table("haviland2023", "one-search");
+  const base::CsvTable table = results::published::table("haviland2023", "one-search");
   REQUIRE(table.rows() == 10);
   for (std::size_t row = 0; row < table.rows(); ++row)
     CHECK(table.number(row, "solved_percent") == Approx(100 - table.number(row, "infeasible_percent")));
@@ -38,10 +38,10 @@ TEST_CASE("printed means are compared as summaries, and give the printed ANOVA b
   // F of Tables 4 to 6: the means and standard deviations of Table 3 as printed, by R 4.2.2.
   for (const auto& [metric, f] :
        {std::pair("position_error_cm", 40.7736), std::pair("variation_deg", 388.940), std::pair("seconds", 293.939)}) {
-    compare::Observations printed{.metric = metric};
+    judge::Observations printed{.metric = metric};
     for (const auto& [solver, numbers, digits] : printed_means("slim2023", "table-3", metric))
-      printed.groups.push_back({.name = solver, .sample = compare::Summary{numbers.n, numbers.mean, numbers.sd}});
-    const auto anova = compare::anova(printed);
+      printed.groups.push_back({.name = solver, .sample = judge::Summary{numbers.n, numbers.mean, numbers.sd}});
+    const auto anova = judge::anova(printed);
     REQUIRE(anova);
     CHECK(anova->statistic == Approx(f).epsilon(2e-6));
     CHECK(anova->df == 5);
@@ -71,7 +71,7 @@ TEST_CASE("the range of another study holds 92 % of what such studies have, and 
   int inside = 0;
   for (int study = 0; study < studies; ++study) {
     const Ranges ranges = *predicted_ranges(drawn(), runs);
-    const compare::Description other = compare::described(drawn());
+    const judge::Description other = judge::described(drawn());
     for (std::size_t s = 0; s < statistics.size(); ++s) {
       const double number = other.*statistics[s].of;
       inside += ranges[s].low <= number && number <= ranges[s].high;

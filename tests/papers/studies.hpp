@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/compare/judge.hpp"
+#include "analysis/judge/judge.hpp"
 #include "analysis/papers/claims.hpp"
 #include "analysis/papers/multiverse.hpp"
 #include "analysis/show/answer.hpp"
@@ -12,7 +12,7 @@
 #include "tests/stored_study.hpp"
 
 using namespace ikbench;
-using namespace ikbench::compare;
+using namespace ikbench::judge;
 using namespace ikbench::papers;
 
 namespace ikbench::papers {
@@ -40,7 +40,7 @@ inline double as_printed(const std::string& solver, const std::string& metric, i
 }
 
 // Each solve has the printed numbers, unless `change` says otherwise.
-inline compare::JudgedStudy study_of(const Made& made, const Change& change = {}) {
+inline judge::JudgedStudy study_of(const Made& made, const Change& change = {}) {
   results::StoredStudy entry{
       .name = made.name,
       .definition = fmt::format(
@@ -71,14 +71,14 @@ inline compare::JudgedStudy study_of(const Made& made, const Change& change = {}
       }
     }
   }
-  return compare::judge(compare::stored_study(entry, solves, {{.id = 1, .environment = {{"cpu", "one"}}}}));
+  return judge::judge(judge::stored_study(entry, solves, {{.id = 1, .environment = {{"cpu", "one"}}}}));
 }
 
-inline Repeated repeated(const compare::JudgedStudy& study,
-                         const std::vector<const compare::JudgedStudy*>& companions = {}) {
-  static std::deque<std::vector<compare::JudgedStudy>> kept;
-  std::vector<compare::JudgedStudy>& all = kept.emplace_back(std::vector{study});
-  for (const compare::JudgedStudy* companion : companions) all.push_back(*companion);
+inline Repeated repeated(const judge::JudgedStudy& study,
+                         const std::vector<const judge::JudgedStudy*>& companions = {}) {
+  static std::deque<std::vector<judge::JudgedStudy>> kept;
+  std::vector<judge::JudgedStudy>& all = kept.emplace_back(std::vector{study});
+  for (const judge::JudgedStudy* companion : companions) all.push_back(*companion);
   return {.paper = paper_named(study.study.definition.published), .studies = all};
 }
 

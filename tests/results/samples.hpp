@@ -6,21 +6,22 @@
 
 #include <nlohmann/json.hpp>
 
-#include "numerics/number.hpp"
-#include "numerics/toml_table.hpp"
-#include "results/csv.hpp"
+#include "base/csv.hpp"
+#include "base/files.hpp"
+#include "base/number.hpp"
+#include "base/toml_table.hpp"
 #include "results/export.hpp"
 #include "results/figure_style.hpp"
-#include "results/files.hpp"
 #include "results/fingerprint.hpp"
 #include "results/merge.hpp"
 #include "results/published.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
 #include "results/study.hpp"
+#include "tests/base/processes.hpp"
 #include "tests/common.hpp"
-#include "tests/results/processes.hpp"
 
+using namespace ikbench::base;
 using namespace ikbench;
 using namespace ikbench::numerics;
 using namespace ikbench::results;
@@ -30,7 +31,7 @@ namespace ikbench {
 // The cells of a CSV, row by row; the first is the header.
 using Cells = std::vector<std::vector<std::string>>;
 
-inline Cells cells_of(const results::CsvTable& table) {
+inline Cells cells_of(const base::CsvTable& table) {
   Cells cells{table.header};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     std::vector<std::string>& its = cells.emplace_back();
@@ -41,7 +42,7 @@ inline Cells cells_of(const results::CsvTable& table) {
 
 inline std::string to_csv(const Cells& cells) {
   std::string text;
-  for (const auto& row : cells) results::append_csv_row(text, row);
+  for (const auto& row : cells) base::append_csv_row(text, row);
   return text;
 }
 

@@ -1,9 +1,9 @@
 // Random configurations for the tests of robots, which know nothing of the solvers' random streams.
 #pragma once
 
+#include "base/inputs.hpp"
+#include "base/units.hpp"
 #include "numerics/functions.hpp"
-#include "numerics/inputs.hpp"
-#include "numerics/units.hpp"
 #include "robots/chain.hpp"
 #include "robots/robot.hpp"
 #include "robots/rotation.hpp"
@@ -12,6 +12,7 @@
 #include "tests/common.hpp"
 #include "tests/numerics/reference.hpp"
 
+using namespace ikbench::base;
 using namespace ikbench;
 using namespace ikbench::numerics;
 using namespace ikbench::robots;

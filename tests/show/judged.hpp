@@ -3,15 +3,15 @@
 
 #include <fmt/format.h>
 
-#include "analysis/compare/judge.hpp"
+#include "analysis/judge/judge.hpp"
 #include "analysis/show/block.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
-#include "numerics/json.hpp"
-#include "numerics/names.hpp"
-#include "results/csv.hpp"
-#include "results/files.hpp"
+#include "base/csv.hpp"
+#include "base/files.hpp"
+#include "base/json.hpp"
+#include "base/names.hpp"
 #include "tests/common.hpp"
 
 using namespace ikbench;
@@ -32,33 +32,31 @@ inline std::vector<double> solved(int count, int n = 20) {
   return values;
 }
 
-inline compare::Observations shares(std::vector<std::pair<std::string, std::vector<double>>> groups) {
-  compare::Observations of{.metric = "solved",
-                           .quantity = "solved",
-                           .better = compare::Better::larger,
-                           .scale = compare::Scale::share,
-                           .is_paired = true};
-  for (auto& [name, values] : groups)
-    of.groups.push_back({.name = name, .sample = compare::Measured{std::move(values)}});
+inline judge::Observations shares(std::vector<std::pair<std::string, std::vector<double>>> groups) {
+  judge::Observations of{.metric = "solved",
+                         .quantity = "solved",
+                         .better = judge::Better::larger,
+                         .scale = judge::Scale::share,
+                         .is_paired = true};
+  for (auto& [name, values] : groups) of.groups.push_back({.name = name, .sample = judge::Measured{std::move(values)}});
   return of;
 }
 
-inline compare::Observations numbers(std::string metric, std::string quantity, std::string unit,
-                                     std::vector<std::pair<std::string, std::vector<double>>> groups) {
-  compare::Observations of{
+inline judge::Observations numbers(std::string metric, std::string quantity, std::string unit,
+                                   std::vector<std::pair<std::string, std::vector<double>>> groups) {
+  judge::Observations of{
       .metric = std::move(metric), .quantity = std::move(quantity), .unit = std::move(unit), .floor = 1e-9};
-  for (auto& [name, values] : groups)
-    of.groups.push_back({.name = name, .sample = compare::Measured{std::move(values)}});
+  for (auto& [name, values] : groups) of.groups.push_back({.name = name, .sample = judge::Measured{std::move(values)}});
   return of;
 }
 
-inline compare::JudgedMetric judged(compare::Observations of, const compare::Plan& plan = {}) {
-  return compare::judge(std::move(of), plan);
+inline judge::JudgedMetric judged(judge::Observations of, const judge::Plan& plan = {}) {
+  return judge::judge(std::move(of), plan);
 }
 
-inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
-  compare::JudgedStudy all;
-  compare::StudyResults& study = all.study;
+inline judge::JudgedStudy judged_study(const std::string& mine = "mine") {
+  judge::JudgedStudy all;
+  judge::StudyResults& study = all.study;
   study.entry = {.name = "mine",
                  .series = {{"1@a", mine, "python_pso", R"({"w":"0.7"})"},
                             {"2@a", "PSO", "particle_swarm", R"({"inertia":"0.53514"})"},
@@ -77,19 +75,19 @@ inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
   study.sessions = {{.id = 1, .environment = {{"cpu", "a processor"}, {"os", "Linux"}, {"version", "2.0"}}}};
 
   all.metrics.push_back(judged(shares({{mine, solved(6)}, {"PSO", solved(13)}, {"DLS", solved(20)}})));
-  const auto add = [&](compare::Observations costs) {
+  const auto add = [&](judge::Observations costs) {
     costs.is_of_solved = true;
     all.metrics.push_back(judged(std::move(costs)));
   };
   add(numbers("variation", "joint motion", "deg",
               {{mine, values_around(491, 0.5)}, {"PSO", values_around(524, 0.5)}, {"DLS", values_around(340, 0.5)}}));
-  compare::Observations times = numbers(
+  judge::Observations times = numbers(
       "time", "time", "s",
       {{mine, values_around(0.084, 0.2)}, {"PSO", values_around(4.5e-5, 0.2)}, {"DLS", values_around(4.2e-6, 0.2)}});
-  times.groups[0].sample = compare::Untold{.why = compare::Untold::Why::apart,
-                                           .values = std::get<compare::Measured>(times.groups[0].sample).values};
+  times.groups[0].sample = judge::Untold{.why = judge::Untold::Why::apart,
+                                         .values = std::get<judge::Measured>(times.groups[0].sample).values};
   add(std::move(times));
-  all.metrics.back().observations.doubts.push_back({.kind = compare::DoubtKind::times_not_comparable,
+  all.metrics.back().observations.doubts.push_back({.kind = judge::DoubtKind::times_not_comparable,
                                                     .who = {mine},
                                                     .count = 20,
                                                     .of = 20,
@@ -102,7 +100,7 @@ inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
 // The text is that of the file; with IKBENCH_GOLDEN set it becomes that.
 inline void check_golden(const std::string& name, const std::string& text) {
   const std::filesystem::path file = "tests/show/golden/" + name;
-  if (std::getenv("IKBENCH_GOLDEN")) results::write_file(file, text);
+  if (std::getenv("IKBENCH_GOLDEN")) base::write_file(file, text);
   CHECK(text_in(file) == text);
 }
 

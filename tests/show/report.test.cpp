@@ -38,7 +38,7 @@ Answer of_many(std::size_t solvers) {
   Answer all =
       answer_of({judged(numbers("error", "error", "mm", groups)), judged(numbers("time", "time", "ms", groups))});
   for (int i = 0; i < 2; ++i)
-    all.doubts.push_back({.kind = compare::DoubtKind::runs_missing, .who = {"a"}, .count = 1.0 + i, .of = 20});
+    all.doubts.push_back({.kind = judge::DoubtKind::runs_missing, .who = {"a"}, .count = 1.0 + i, .of = 20});
   return all;
 }
 
@@ -46,7 +46,7 @@ Answer of_many(std::size_t solvers) {
 
 TEST_CASE("each section has its words", "[show]") {
   const ScratchFolder folder;
-  for (const char* name : {"solved.svg", "error-boxes.svg"}) results::write_file(folder.path / "figures" / name, "");
+  for (const char* name : {"solved.svg", "error-boxes.svg"}) base::write_file(folder.path / "figures" / name, "");
   for (const Blocks& blocks : sections_of(report_of())) {
     const std::string text = to_markdown({blocks}, folder.path);
     std::string name = std::get<Heading>(blocks.front()).text;
@@ -71,10 +71,10 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
       if (std::holds_alternative<std::monostate>(row[c])) continue;
       if (marked && marked->to_reference) {
         const auto of = std::ranges::find(report.answer.metrics, metric,
-                                          [](const compare::JudgedMetric& each) { return each.observations.quantity; });
-        const compare::Finding finding = compare::better_first(*finding_of(*of, solver, "DLS"), "DLS");
+                                          [](const judge::JudgedMetric& each) { return each.observations.quantity; });
+        const judge::Finding finding = judge::better_first(*finding_of(*of, solver, "DLS"), "DLS");
         CHECK(marked->value == amount_of(finding)->value);
-        CHECK((marked->mark == "*") == (verdict_of(finding) == compare::Verdict::worse));
+        CHECK((marked->mark == "*") == (verdict_of(finding) == judge::Verdict::worse));
         CHECK(on_screen.find(number_text(marked->value, 2) + " times") != std::string::npos);
         continue;
       }
@@ -107,7 +107,7 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
     all += fmt::format("{}:\n", what);
     for (const std::string& sentence : results_of(answer)) all += fmt::format("  {}\n", sentence);
   };
-  const auto of = [](compare::Observations observed, const compare::Plan& plan = {}) {
+  const auto of = [](judge::Observations observed, const judge::Plan& plan = {}) {
     Answer answer = answer_of({judged(std::move(observed), plan)});
     answer.noun = "targets";
     return answer;
@@ -116,7 +116,7 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
     std::vector<std::pair<std::string, std::vector<double>>> groups;
     for (std::size_t i = 0; i < solvers; ++i)
       groups.emplace_back(fmt::format("S{}", i), values_around(1 + 0.3 * static_cast<double>(i), 0.5));
-    compare::Observations errors = numbers("error", "error", "mm", groups);
+    judge::Observations errors = numbers("error", "error", "mm", groups);
     errors.is_paired = true;
     return errors;
   };
@@ -126,8 +126,8 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
   add("ten", of(errors_of(10)));
   add("seventeen", of(errors_of(17)));
   add("ten, with a control", of(errors_of(10), {.control = "S4"}));
-  compare::Observations lost = errors_of(3);
-  lost.groups[1].sample = compare::Untold{.lost = 3, .values = {1, 2}};
+  judge::Observations lost = errors_of(3);
+  lost.groups[1].sample = judge::Untold{.lost = 3, .values = {1, 2}};
   add("one not compared", of(lost));
   Answer nothing =
       answer_of({judged(shares({{"A", solved(0)}, {"B", solved(0)}, {"C", solved(0)}})), judged(errors_of(3))}, 1);
@@ -188,7 +188,7 @@ TEST_CASE("below the pairs of two solvers stands which metric decides", "[show]"
   CHECK(pairs_table(two).notes.front().starts_with(what_decides(two)));
   two.verdict = "A is worse.";
   two.metrics[1].observations.doubts.push_back(
-      {.kind = compare::DoubtKind::seconds_decide, .who = {"A"}, .what = "slow"});
+      {.kind = judge::DoubtKind::seconds_decide, .who = {"A"}, .what = "slow"});
   CHECK(screen(two).starts_with("A is worse.\n\n"));
   CHECK(screen(two).find("! results of A are not compared") != std::string::npos);
   CHECK(what_decides(two).find("effort") == std::string::npos);
@@ -202,9 +202,9 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   const figures::RenderOptions options{.render = false};
   Report before = report_of();
   before.figures.push_back(figure("joints"));
-  results::write_file(folder.path / "store.sqlite", "not ours");
-  results::write_file(folder.path / "solves.csv", "");
-  results::write_file(folder.path / "tables" / "own.csv", "not ours");
+  base::write_file(folder.path / "store.sqlite", "not ours");
+  base::write_file(folder.path / "solves.csv", "");
+  base::write_file(folder.path / "tables" / "own.csv", "not ours");
   publish(before, folder.path, options);
   CHECK(fs::exists(folder.path / "figures"));
   const auto has_gone = [&] {
@@ -217,7 +217,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   CHECK(fs::exists(folder.path / "store.sqlite"));
   CHECK(fs::exists(folder.path / "tables" / "own.csv"));
 
-  const auto json = numerics::parsed_json(*results::read_file(folder.path / "results.json"));
+  const auto json = base::parsed_json(*base::read_file(folder.path / "results.json"));
   CHECK(json["files"].size() < 50);
   for (const auto& file : json["files"]) CHECK(fs::is_regular_file(folder.path / std::string(file)));
   for (const char* file :
@@ -225,7 +225,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
         "article/methods.tex", "article/main.tex", "article/results.txt", "tables/descriptives.md"})
     CHECK(std::ranges::find(json["files"], file) != json["files"].end());
 
-  const std::string page = *results::read_file(written.page), text = *results::read_file(folder.path / "report.md");
+  const std::string page = *base::read_file(written.page), text = *base::read_file(folder.path / "report.md");
   CHECK(page.find("<script>alert") == std::string::npos);
   CHECK(page.find("src=\"http") == std::string::npos);
   CHECK(contains(page, "{{"));  // the label's own, as text
@@ -235,10 +235,10 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
 TEST_CASE("only files that a report can have written are removed", "[show]") {
   const ScratchFolder folder;
   for (const char* name : {"table-8.csv", "mine.csv", "results.xlsx"})
-    results::write_file(folder.path / "out" / "tables" / name, "");
-  results::write_file(folder.path / "out" / "store.sqlite", "");
-  results::write_file(folder.path / "precious", "");
-  results::write_file(
+    base::write_file(folder.path / "out" / "tables" / name, "");
+  base::write_file(folder.path / "out" / "store.sqlite", "");
+  base::write_file(folder.path / "precious", "");
+  base::write_file(
       folder.path / "out" / "results.json",
       R"({"files": ["tables/table-8.csv", "tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious",
                                      "tables/../../precious", 7]})");
@@ -251,7 +251,7 @@ TEST_CASE("only files that a report can have written are removed", "[show]") {
 
 TEST_CASE("a report of three solvers is short", "[show]") {
   const ScratchFolder folder;
-  const auto text_of = [&](const char* file) { return *results::read_file(folder.path / file); };
+  const auto text_of = [&](const char* file) { return *base::read_file(folder.path / file); };
   publish(report_of(), folder.path, {.render = false});
   CHECK(words_in(visible(text_of("report.html"))) < 900);
   CHECK(words_in(text_of("report.md")) < 1200);
@@ -291,7 +291,7 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
 }
 
 TEST_CASE("a table says no more below it than it has", "[show]") {
-  const auto of = [](compare::Observations observed) { return answer_of({judged(std::move(observed))}); };
+  const auto of = [](judge::Observations observed) { return answer_of({judged(std::move(observed))}); };
   const Answer of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
   CHECK(results_table(of_shares).notes.front() ==
         "* worse than A (adjusted p < 0.05). Brackets: 95 % intervals.");  // no medians
@@ -306,7 +306,7 @@ TEST_CASE("a table says no more below it than it has", "[show]") {
   Answer of_none = of(numbers("value", "value", "", {{"A", {}}, {"B", {}}}));
   of_none.direction = "smaller is better";
   CHECK(results_table(of_none).notes == std::vector<std::string>{"-: without a value (value)."});
-  const compare::Observations alike =
+  const judge::Observations alike =
       numbers("value", "value", "", {{"A", values_around(1, 0.5)}, {"B", values_around(1.0001, 0.6)}});
   CHECK(of_pairs(of(alike)) == "Ratios are of single values, not of medians.");
   CHECK(of_pairs(answer_of({judged(alike, {.test = results::Plan::Test::means})})).empty());
@@ -314,7 +314,7 @@ TEST_CASE("a table says no more below it than it has", "[show]") {
 
 TEST_CASE("marks say who is worse or better than the reference, and stand at what the test was of", "[show]") {
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.03, 0.6);
-  const auto text = [](compare::Observations costs, results::Plan plan = {}, int last = 6) {
+  const auto text = [](judge::Observations costs, results::Plan plan = {}, int last = 6) {
     costs.is_of_solved = costs.is_paired = true;
     const auto shown_of = shares({{"A", solved(6)}, {"B", solved(20)}, {"C", solved(last)}});
     const Table table = results_table(answer_of({judged(shown_of, plan), judged(std::move(costs), plan)}));
@@ -322,7 +322,7 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
     CHECK(std::get<Marked>(table.rows[1][1]).is_best == (plan.control.empty() && last == 20));
     return to_text(table);
   };
-  compare::Observations costs = numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", c}});
+  judge::Observations costs = numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", c}});
   CHECK(text(costs) ==
         "solver   solved           motion\n"
         "B        100 % (84-100)   3 deg\n"
@@ -347,9 +347,9 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   INFO(by_means);
   CHECK(contains(by_means, "B        100 % (84-100) +   +2.08 deg *"));
   CHECK(contains(by_means, "A: means; the others: differences from it, on values that both solved."));
-  costs.groups[2].sample = compare::Untold{.why = compare::Untold::Why::apart,
-                                           .values = std::get<compare::Measured>(costs.groups[2].sample).values};
-  costs.groups[0].sample = compare::Measured{};
+  costs.groups[2].sample = judge::Untold{.why = judge::Untold::Why::apart,
+                                         .values = std::get<judge::Measured>(costs.groups[2].sample).values};
+  costs.groups[0].sample = judge::Measured{};
   CHECK(text(costs).find("A        30 % (15-52) *   -") != std::string::npos);  // it solved nothing that B did
   CHECK(contains(text(costs), "motion: medians of the values that each solved (B 20, A 0, C 20)."));
   // C is worse than B, and not shown to be worse than the first.
@@ -378,18 +378,18 @@ TEST_CASE("a leader that no test reached is marked, and the winner of the others
 }
 
 TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
-  compare::Observations of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
+  judge::Observations of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
   const results::Plan by_means{.test = results::Plan::Test::means};
   CHECK(anova_table(answer_of({judged(of, by_means)})).rows.size() == 3);
   CHECK(anova_table(answer_of({judged(of)})).rows.size() == 3);
   of.is_paired = true;
   CHECK(std::get<std::string>(anova_table(answer_of({judged(of)})).rows[0][1]) == "ANOVA of repeated measures");
-  of.groups[1].sample = compare::Copies{2, 20};
+  of.groups[1].sample = judge::Copies{2, 20};
   CHECK(anova_table(answer_of({judged(of)})).rows.empty());
 }
 
 TEST_CASE("values below the floor of a ratio are told once", "[show]") {
-  compare::JudgedStudy study = judged_study();
+  judge::JudgedStudy study = judged_study();
   const std::size_t before = answer_of(study).notes.size();
   study.metrics[1].observations.floor = 100;  // no value is below it
   CHECK(answer_of(study).notes.size() == before);
@@ -425,7 +425,7 @@ TEST_CASE("a paper has its own first screen and sections", "[show]") {
 }
 
 TEST_CASE("the moving arm has the first run of each solver, and no text that ends its element", "[show]") {
-  compare::StudyResults study;
+  judge::StudyResults study;
   study.definition.arm = R"({"links": [
       {"joint": "turns", "offset_deg": 0, "d_m": 0, "a_m": 1, "alpha_deg": 0, "limits_deg": [-90, 90]},
       {"joint": "turns", "offset_deg": 0, "d_m": 0, "a_m": 1, "alpha_deg": 0, "limits_deg": [-90, 90]}],
@@ -448,7 +448,7 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
   const auto scene = moving_arm(study, study.labels);
   REQUIRE(scene);
   CHECK(scene->find('<') == std::string::npos);
-  const auto json = numerics::parsed_json(*scene);
+  const auto json = base::parsed_json(*scene);
   CHECK(json["solvers"][0]["name"] == "</script>");
   CHECK(json["solvers"][1]["steps"].size() == 1);
   CHECK(json["solvers"][1]["steps"][0]["answer"] == std::vector<double>{0.5, 2});

@@ -6,18 +6,18 @@ const std::string hostile =
     "a|b <script>alert(1)</script> \\input{x} & % _ ~ \x1b[31m red \n | *new* \xff " + std::string(300, 'x');
 
 Table with_label(const std::string& label) {
-  return {.name = "results",
-          .caption = label,
-          .columns = {{"solver"},
-                      {.name = "error", .unit = "mm"},
-                      {.name = "interval", .role = Role::interval},
-                      {.name = "p", .role = Role::p},
-                      {"n"},
-                      {"time"}},
-          .rows = {{label, 0.12345678901234567, compare::Interval{1.0 / 3, 2}, 1e-7, std::int64_t{20},
-                    Marked{4200.25, "*"}},
-                   {"plain", Printed{1.5e-7, "0.0000"}, {}, 0.0005, {}, Marked{0.1, "", true}}},
-          .notes = {label}};
+  return {
+      .name = "results",
+      .caption = label,
+      .columns = {{"solver"},
+                  {.name = "error", .unit = "mm"},
+                  {.name = "interval", .role = Role::interval},
+                  {.name = "p", .role = Role::p},
+                  {"n"},
+                  {"time"}},
+      .rows = {{label, 0.12345678901234567, judge::Interval{1.0 / 3, 2}, 1e-7, std::int64_t{20}, Marked{4200.25, "*"}},
+               {"plain", Printed{1.5e-7, "0.0000"}, {}, 0.0005, {}, Marked{0.1, "", true}}},
+      .notes = {label}};
 }
 
 std::ptrdiff_t ends_in(const std::string& text) { return std::ranges::count(text, '\n'); }
@@ -26,7 +26,7 @@ std::ptrdiff_t ends_in(const std::string& text) { return std::ranges::count(text
 
 TEST_CASE("a table of numbers has every digit, and any label as it is", "[show]") {
   const std::string text = to_csv(with_label(hostile));
-  const results::CsvTable csv = results::parse_csv(text, "test");
+  const base::CsvTable csv = base::parse_csv(text, "test");
   CHECK(csv.header == std::vector<std::string>{"solver", "error [mm]", "error printed [mm]", "low", "high", "excluded",
                                                "p", "n", "time", "time mark"});
   CHECK(csv.cell(0, 0) == hostile);
@@ -48,9 +48,9 @@ TEST_CASE("an end that an interval excludes says so in every format, and none is
   Table table{.caption = "pairs",
               .columns = {{.name = "interval", .role = Role::interval, .ends = {1, 1.05}},
                           {.name = "p", .role = Role::p, .ends = {0.05}}},
-              .rows = {{compare::Interval{0, 0.8, true}, 0.04998},
-                       {compare::Interval{0.5, 1, false, true}, 0.05},
-                       {compare::Interval{1.00002, 1.0499}, Cell()},
+              .rows = {{judge::Interval{0, 0.8, true}, 0.04998},
+                       {judge::Interval{0.5, 1, false, true}, 0.05},
+                       {judge::Interval{1.00002, 1.0499}, Cell()},
                        {Cell(), Cell()}}};
   for (const auto& text : {to_text(table), to_markdown(table), to_html(table), to_latex(table)}) {
     for (const char* words : {"above 0 to 0.8", "0.5 to below 1", "0.04998", "1.00002 to 1.0499"}) {
@@ -83,11 +83,11 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
   const Table table{.name = "results",
                     .caption = "Results",
                     .columns = {{"solver"}, {"solved", "%"}, {"motion", "deg"}},
-                    .rows = {{"A", Marked{.value = 100, .interval = compare::Interval{96.3, 100}}, 339.0},
-                             {"B", Marked{.value = 0.5, .mark = "*", .interval = compare::Interval{0.1, 1.25}},
-                              Marked{.value = 1.634, .mark = "*", .to_reference = compare::Scale::ratio}},
-                             {"C", {}, Marked{.value = 1.0312, .to_reference = compare::Scale::ratio}},
-                             {"D", {}, Marked{.value = -20, .to_reference = compare::Scale::difference}}}};
+                    .rows = {{"A", Marked{.value = 100, .interval = judge::Interval{96.3, 100}}, 339.0},
+                             {"B", Marked{.value = 0.5, .mark = "*", .interval = judge::Interval{0.1, 1.25}},
+                              Marked{.value = 1.634, .mark = "*", .to_reference = judge::Scale::ratio}},
+                             {"C", {}, Marked{.value = 1.0312, .to_reference = judge::Scale::ratio}},
+                             {"D", {}, Marked{.value = -20, .to_reference = judge::Scale::difference}}}};
   CHECK(to_csv(table) ==
         "solver,solved [%],solved low [%],solved high [%],solved mark,"
         "motion [deg],motion times,motion difference [deg],motion mark\n"
@@ -110,11 +110,11 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
 
 TEST_CASE("short names stay different, and lose what they share", "[show]") {
   const std::vector<std::string> swept{"DLS", "BFGS (ours) h=1e-07 stall=5", "BFGS (ours) h=0.001 stall=20"};
-  CHECK(numerics::short_names(swept, 24)[swept[0]] == "DLS");
-  CHECK(numerics::short_names(swept, 24)[swept[1]] == "BFGS … h=1e-07 stall=5");
-  CHECK(numerics::short_names(swept, 20)[swept[2]] == "BFGS … h=0.001 stall=20");
+  CHECK(base::short_names(swept, 24)[swept[0]] == "DLS");
+  CHECK(base::short_names(swept, 24)[swept[1]] == "BFGS … h=1e-07 stall=5");
+  CHECK(base::short_names(swept, 20)[swept[2]] == "BFGS … h=0.001 stall=20");
   const std::string half(20, 'x');
-  auto names = numerics::short_names({half + "1" + half, half + "2" + half}, 24);
+  auto names = base::short_names({half + "1" + half, half + "2" + half}, 24);
   CHECK(names[half + "1" + half] != names[half + "2" + half]);
 }
 

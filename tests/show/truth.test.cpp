@@ -2,7 +2,7 @@
 // solvers, in every order of their numbers, and drawn ones of ten. No sentence says more than its findings.
 #include "tests/show/judged.hpp"
 
-using namespace ikbench::compare;
+using namespace ikbench::judge;
 
 namespace {
 
@@ -162,7 +162,7 @@ std::string wrong_in_results(const Answer& answer) {
   std::map<std::string, std::set<std::string>> of_reference;
   for (const Finding& finding : judged.findings) {
     const Verdict verdict = verdict_of(finding);
-    ++counts[is_difference(verdict) ? "decided" : std::string(compare::name_of(verdict))];
+    ++counts[is_difference(verdict) ? "decided" : std::string(judge::name_of(verdict))];
     const bool is_first = finding.first == reference;
     if (!is_first && finding.second != reference) continue;
     constexpr std::array words{"is better than", "is worse than",          "is the same as",

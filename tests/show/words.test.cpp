@@ -1,6 +1,6 @@
 #include "tests/show/judged.hpp"
 
-using compare::Observations;
+using judge::Observations;
 
 namespace {
 
@@ -30,8 +30,8 @@ std::vector<double> two_modes(double first, int lower, double second) {
 
 std::string table_of_verdicts(const Answer& answer) {
   std::string text;
-  for (const compare::JudgedMetric& judged : answer.metrics) {
-    for (const compare::Finding& finding : judged.findings)
+  for (const judge::JudgedMetric& judged : answer.metrics) {
+    for (const judge::Finding& finding : judged.findings)
       text += fmt::format("  {} vs {}: {}; {}\n", finding.first, finding.second, verdict_words(finding, judged),
                           amount_words(finding, judged));
   }
@@ -43,7 +43,7 @@ std::string table_of_verdicts(const Answer& answer) {
 TEST_CASE("what is better where most values are equal says how often", "[show]") {
   std::vector<double> at_tolerance(60, 0.01), some = at_tolerance;
   for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
-  const compare::JudgedMetric error = judged(errors({{"A", at_tolerance}, {"B", some}}));
+  const judge::JudgedMetric error = judged(errors({{"A", at_tolerance}, {"B", some}}));
   CHECK(verdict_words(error.findings.front(), error) == "better");
   CHECK(amount_words(error.findings.front(), error) == "better in 25 %, worse in 0 % of comparisons");
 }
@@ -51,11 +51,11 @@ TEST_CASE("what is better where most values are equal says how often", "[show]")
 TEST_CASE("an end of an interval that p excludes says so", "[show]") {
   Observations unpaired = shares({{"A", solved(0)}, {"B", solved(33, 200)}});
   unpaired.is_paired = false;
-  const compare::JudgedMetric error = of(unpaired).metrics[0];
+  const judge::JudgedMetric error = of(unpaired).metrics[0];
   CHECK(amount_words(error.findings.front(), error) == "16.5 points (above 0 to 22.3)");
   std::vector<double> less = values_around(1, 0.0001);
   for (double& value : less) value *= 0.9999;
-  const compare::JudgedMetric little =
+  const judge::JudgedMetric little =
       of(errors({{"A", less}, {"B", values_around(1, 0.00001)}}), {.margin = 0}).metrics[0];
   CHECK(verdict_words(little.findings.front(), little) == "better");
   CHECK(amount_words(little.findings.front(), little) == "0.9999 times (0.9999 to 0.9999)");
@@ -63,11 +63,11 @@ TEST_CASE("an end of an interval that p excludes says so", "[show]") {
 
 TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
   const auto metric = [](const char* name) {
-    compare::JudgedMetric of = judged(numbers(name, name, "", {{"A", {1, 2, 3}}, {"B", {5}}}));
-    of.observations.doubts.push_back({.kind = compare::DoubtKind::few_decide_mean, .who = {"A"}, .what = name});
+    judge::JudgedMetric of = judged(numbers(name, name, "", {{"A", {1, 2, 3}}, {"B", {5}}}));
+    of.observations.doubts.push_back({.kind = judge::DoubtKind::few_decide_mean, .who = {"A"}, .what = name});
     return of;
   };
-  const std::vector<compare::Doubt> doubts = answer_of({metric("time"), metric("evaluations")}).all_doubts();
+  const std::vector<judge::Doubt> doubts = answer_of({metric("time"), metric("evaluations")}).all_doubts();
   REQUIRE(doubts.size() == 1);
   CHECK(doubts.front().what == "time, evaluations");
 }
@@ -110,10 +110,10 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   add("alone", of(errors({{"A", a}})));
 
   Observations repeated = errors({{"A", {1}}, {"B", {2}}});
-  repeated.groups[0].sample = compare::Copies{1, 20}, repeated.groups[1].sample = compare::Copies{2, 20};
+  repeated.groups[0].sample = judge::Copies{1, 20}, repeated.groups[1].sample = judge::Copies{2, 20};
   add("facts", of(repeated));
   Observations lost = errors({{"A", a}, {"B", b}});
-  lost.groups[1].sample = compare::Untold{.lost = 3, .values = b};
+  lost.groups[1].sample = judge::Untold{.lost = 3, .values = b};
   add("lost values", of(lost));
   Observations bound = errors({{"A", std::vector<double>(20, 0.1)}, {"B", b}});
   bound.groups[0].at_most = 0.1;
@@ -129,17 +129,17 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
 
 TEST_CASE("a pair is told from the better one, and from the control's other", "[show]") {
   const Answer plain = of(errors({{"bad", values_around(3, 0.5)}, {"good", values_around(1, 0.5)}}));
-  const compare::Finding& finding = plain.metrics[0].findings[0];
-  const compare::Amount& amount = *compare::amount_of(finding);
+  const judge::Finding& finding = plain.metrics[0].findings[0];
+  const judge::Amount& amount = *judge::amount_of(finding);
   CHECK(finding.first == "good");
-  CHECK(verdict_of(finding) == compare::Verdict::better);
+  CHECK(verdict_of(finding) == judge::Verdict::better);
   CHECK(amount.value == Approx(1 / 3.0).epsilon(1e-9));
   CHECK(amount.interval->low < amount.value);
   CHECK(amount.value < amount.interval->high);
-  CHECK(std::get<compare::Tested>(finding.what).effect->a12() > 0.9);
+  CHECK(std::get<judge::Tested>(finding.what).effect->a12() > 0.9);
 
   const Answer gate = of(errors({{"old", values_around(1, 0.5)}, {"new", values_around(3, 0.5)}}), {.control = "old"});
   CHECK(gate.metrics[0].findings[0].first == "new");
-  CHECK(verdict_of(gate.metrics[0].findings[0]) == compare::Verdict::worse);
+  CHECK(verdict_of(gate.metrics[0].findings[0]) == judge::Verdict::worse);
   CHECK(amount_of(gate.metrics[0].findings[0])->value == Approx(3).epsilon(1e-9));
 }

@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include "base/units.hpp"
 #include "numerics/functions.hpp"
 #include "numerics/instruction_set.hpp"
-#include "numerics/units.hpp"
 #include "robots/robot.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/damped_step.hpp"
@@ -22,6 +22,7 @@
 #include "tests/solvers/pseudo_inverse.hpp"
 #include "tests/solvers_for.hpp"
 
+using namespace ikbench::base;
 using namespace ikbench;
 using namespace ikbench::numerics;
 using namespace ikbench::robots;

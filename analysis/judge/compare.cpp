@@ -1,0 +1,479 @@
+#include "analysis/judge/compare.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/judge/describe.hpp"
+#include "analysis/judge/prepare.hpp"
+
+namespace ikbench::judge {
+namespace {
+
+// What a test does with two groups.
+struct Method {
+  enum class By { ranks, signs, means, shares };
+
+  std::string_view name;
+  By by;
+  bool is_by_difference;
+  double (*smallest_p)(std::size_t m, std::size_t n);  // that data of these sizes can give
+  Outcome (*test)(const Prepared& its, double alpha);
+
+  bool is_by_ranks() const { return by == By::ranks || by == By::signs; }
+};
+
+using By = Method::By;
+
+double smallest_of_means(std::size_t m, std::size_t n) {
+  return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
+}
+double smallest_of_differences(std::size_t, std::size_t n) { return smallest_p_paired(n); }
+double smallest_of_both(std::size_t m, std::size_t n) { return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n); }
+
+constexpr Method unpaired_ranks{"Brunner-Munzel and Mann-Whitney", By::ranks, false, smallest_of_both,
+                                [](auto& its, double alpha) { return rank_test(its.first, its.second, alpha); }};
+constexpr Method signed_ranks{"Wilcoxon's signed ranks", By::ranks, true, smallest_of_differences,
+                              [](auto& its, double alpha) { return signed_rank_test(its.differences, alpha); }};
+constexpr Method signs{"sign test", By::signs, true, smallest_of_differences,
+                       [](auto& its, double alpha) { return sign_test(its.differences, alpha); }};
+constexpr Method signs_and_ranks{
+    "sign test and Mann-Whitney", By::signs, true,
+    [](std::size_t m, std::size_t n) { return std::max(smallest_p_paired(std::max(m, n)), smallest_of_both(m, n)); },
+    [](auto& its, double alpha) {
+      Outcome outcome = sign_test(its.differences, alpha);
+      outcome.p = std::max(outcome.p, mann_whitney(its.first, its.second));
+      return outcome;
+    }};
+constexpr Method paired_t{"paired t", By::means, true, smallest_of_means,
+                          [](auto& its, double alpha) { return t_test(its.differences, alpha); }};
+constexpr Method unpaired_t{"Welch's t", By::means, false, smallest_of_means,
+                            [](auto& its, double alpha) { return welch(its.of_first, its.of_second, alpha); }};
+constexpr Method paired_shares{"McNemar's exact", By::shares, true, smallest_of_differences,
+                               [](auto& its, double alpha) { return mcnemar(its.first, its.second, alpha); }};
+// The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other, or
+// the other way round.
+constexpr Method unpaired_shares{
+    "Fisher's exact", By::shares, false,
+    [](std::size_t m, std::size_t n) { return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n) / (m != n ? 2 : 1); },
+    [](auto& its, double alpha) { return fisher(its.first, its.second, alpha); }};
+
+template <class Is>
+bool is_any(const Group& a, const Group& b) {
+  return std::holds_alternative<Is>(a.sample) || std::holds_alternative<Is>(b.sample);
+}
+
+// What design and plan choose, never the values.
+const Method& method_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
+  const auto may_repeat = [](const Group& group) {
+    const auto* const measured = std::get_if<Measured>(&group.sample);
+    return measured != nullptr && measured->may_repeat;
+  };
+  const bool is_share = observed.scale == Scale::share;
+  if (is_any<Summary>(a, b)) return unpaired_t;
+  if (is_any<Copies>(a, b)) return is_share || observed.are_logs ? paired_t : signs;
+  if (is_share && observed.trials == 1) return observed.is_paired ? paired_shares : unpaired_shares;
+  const bool by_means = is_share || observed.are_logs || plan.test == Plan::Test::means;
+  if (observed.is_paired) return by_means ? paired_t : signed_ranks;
+  if (by_means) return unpaired_t;
+  return may_repeat(a) != may_repeat(b) ? signs_and_ranks : unpaired_ranks;
+}
+
+std::size_t size_of(const Group& group) {
+  if (const auto* const summary = std::get_if<Summary>(&group.sample)) return static_cast<std::size_t>(summary->n);
+  return values_of(group).size();
+}
+
+struct Pair {
+  Group a, b;  // of the blocks that both have
+  const Method* method;
+  bool takes_logs = false;  // ranks of a ratio are of logarithms
+  bool are_ratios = false;  // amounts are, since numbers are logarithms
+  bool is_fact = false;
+  double smallest_p = 1;
+  int n = 0;
+  std::optional<Open> open = {};
+};
+
+// A pair on one scale: its numbers, what the test says of them, and whether a difference lies within the margin there.
+struct Trial {
+  Prepared numbers;
+  Outcome outcome;
+  double margin = 0;
+  bool is_small = false, is_same = false;  // as it is shown; and in the means, if no rare failure can be missed
+};
+
+Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair, bool takes_logs, double alpha) {
+  Trial trial{.numbers = prepared(pair.a, pair.b, observed, pair.method->is_by_difference, takes_logs), .outcome = {}};
+  const Prepared& numbers = trial.numbers;
+  const Summary &first = numbers.of_first, &second = numbers.of_second;
+  trial.outcome = pair.method->test(numbers, alpha);
+  std::optional<Interval>& interval = trial.outcome.interval;
+  if (observed.scale == Scale::share) {
+    if (interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
+    if (first.sd == 0 && second.sd == 0 && numbers.are_all_equal && !interval)
+      interval = newcombe(first.mean, first.n, second.mean, second.n, alpha);
+  } else if (numbers.are_all_equal) {
+    interval.reset();
+  }
+  const double relative =
+      numbers.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(first.mean), std::abs(second.mean));
+  trial.margin = observed.scale == Scale::share    ? plan.margin
+                 : takes_logs || observed.are_logs ? std::log1p(plan.margin)
+                 : pair.takes_logs                 ? observed.absolute_margin
+                                                   : std::max(observed.absolute_margin, relative);
+  const auto lies_within = [&](const Outcome& outcome) {  // values without spread have their difference alone
+    const Interval held = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
+    const double rounding = 1e-9 * trial.margin;
+    return held.low >= -trial.margin - rounding && held.high <= trial.margin + rounding;
+  };
+  const Method& by_means = pair.method->is_by_difference ? paired_t : unpaired_t;
+  trial.is_small = lies_within(trial.outcome);
+  trial.outcome.estimate = numbers.unbound(trial.outcome.estimate);
+  if (interval) interval->low = numbers.unbound(interval->low), interval->high = numbers.unbound(interval->high);
+  // Equal values, and few that differ by one number, say nothing of failures that are rarer than so many can show.
+  const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : numbers.are_all_equal;
+  const bool has_width = interval && interval->low < interval->high;
+  const double rare = plan.margin > 0 ? plan.margin : Plan().margin;  // an absolute margin is none of shares
+  const bool can_fail = (are_equal || (!has_width && trial.outcome.p >= alpha)) &&
+                        1 - wilson(1, std::min(first.n, second.n), alpha).low > rare;
+  trial.is_same =
+      trial.is_small && !can_fail && (!pair.method->is_by_ranks() || lies_within(by_means.test(numbers, alpha)));
+  return trial;
+}
+
+double share_larger(const std::vector<double>& first, std::vector<double> second) {
+  std::ranges::sort(second);
+  double pairs = 0;
+  for (const double value : first)
+    pairs += static_cast<double>(std::ranges::lower_bound(second, value) - second.begin());
+  return pairs / (static_cast<double>(first.size()) * static_cast<double>(second.size()));
+}
+
+std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, const Prepared& numbers) {
+  if (observed.are_logs) return {};
+  double larger = 0, smaller = 0;
+  if (pair.method->is_by_difference) {
+    const auto n = static_cast<double>(numbers.differences.size());
+    larger = static_cast<double>(std::ranges::count_if(numbers.differences, [](double each) { return each > 0; })) / n;
+    smaller = static_cast<double>(std::ranges::count_if(numbers.differences, [](double each) { return each < 0; })) / n;
+  } else {
+    if (numbers.first.empty() || numbers.second.empty()) return {};
+    larger = share_larger(numbers.first, numbers.second), smaller = share_larger(numbers.second, numbers.first);
+  }
+  return observed.better == Better::larger ? Effect{larger, smaller} : Effect{smaller, larger};
+}
+
+// About how many observations could decide what these did not, with a chance of 0.8: that the difference is as large
+// as here, by the root law of every test here; or that it lies within the margin, by that of the interval.
+int enough_of(const Trial& trial, double p, double alpha, int n) {
+  const double wanted = critical_z(alpha) + critical_z(0.4);
+  double times = p < 1 ? std::pow(wanted / critical_z(p), 2) : std::numeric_limits<double>::infinity();
+  if (const auto& ends = trial.outcome.interval; ends && std::abs(trial.outcome.estimate) < trial.margin) {
+    const double half = (ends->high - ends->low) / 2, room = trial.margin - std::abs(trial.outcome.estimate);
+    times = std::min(times, std::pow(half / room * wanted / critical_z(alpha), 2));
+  }
+  const double all = std::ceil(static_cast<double>(n) * times);
+  return all > n && all < 1e6 ? static_cast<int>(all) : 0;
+}
+
+// The verdict of p, with an amount that cannot refute it.
+std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan& plan, const Pair& pair,
+                                        double tests) {
+  const double alpha = plan.significance / tests;
+  const Trial trial = trial_of(observed, plan, pair, pair.takes_logs, alpha);
+  const bool is_same = trial.is_same || (pair.takes_logs && observed.absolute_margin > 0 &&
+                                         trial_of(observed, plan, pair, false, alpha).is_same);
+  const Outcome& outcome = trial.outcome;
+  const auto shown = [&](double value) { return pair.are_ratios ? std::exp(value) : value; };
+  const double none = pair.are_ratios ? 1 : 0;
+  Tested tested{.p = std::min(1.0, outcome.p * tests),
+                .effect = effect_of(observed, pair, trial.numbers),
+                .test = pair.method->name,
+                .n = pair.n};
+  if (pair.method->by == By::means && observed.scale != Scale::share && !observed.are_logs)
+    tested.g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
+  std::optional<Interval> interval;
+  if (std::isfinite(outcome.estimate)) {
+    tested.amount = Amount{.value = shown(outcome.estimate)};
+    if (outcome.interval) interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
+  }
+  if (tested.p >= plan.significance) {
+    tested.verdict = is_same ? Verdict::same : trial.numbers.are_all_equal ? Verdict::equal : Verdict::undecided;
+    if (interval) interval = Interval{std::min(none, interval->low), std::max(none, interval->high)};
+    const bool has_width = interval && interval->low < interval->high;
+    if (!is_same && !has_width) interval.reset();  // most values are equal, but not all
+    if (tested.verdict == Verdict::undecided) tested.enough = enough_of(trial, outcome.p, alpha, pair.n);
+    if (tested.amount) tested.amount->interval = interval;
+    return tested;
+  }
+  if (pair.method->by == By::means && observed.scale != Scale::share && !observed.are_logs &&
+      (does_one_value_decide(pair.a) || does_one_value_decide(pair.b)))
+    return Open{.why = Open::Why::few_decide, .n = pair.n, .amount = tested.amount};
+  const int direction = outcome.direction;
+  tested.verdict = (direction > 0) == (observed.better == Better::larger) ? Verdict::better : Verdict::worse;
+  if (tested.amount && (tested.amount->value - none) * direction <= 0) tested.amount.reset();
+  tested.size = is_same ? Size::small : trial.is_small && tested.amount ? Size::usually_small : Size::matters;
+  if (!interval || !tested.amount) return tested;
+  const double width = interval->high - interval->low, rounding = std::isinf(width) ? 0 : 1e-9 * width;  // of bisection
+  if (direction > 0 && interval->low <= none + rounding) interval->low = none, interval->excludes_low = true;
+  if (direction < 0 && interval->high >= none - rounding) interval->high = none, interval->excludes_high = true;
+  tested.amount->interval = interval;
+  return tested;
+}
+
+Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair) {
+  const double estimate = trial_of(observed, plan, pair, pair.takes_logs, plan.significance).outcome.estimate;
+  const auto of = [&](const Group& group) {
+    const double value = values_of(group).front();
+    return observed.are_logs ? std::exp(value) : value;
+  };
+  const double one = of(pair.a), other = of(pair.b);
+  return {.verdict = is_worse_than_margin(observed, plan, one, other)   ? Verdict::worse
+                     : is_worse_than_margin(observed, plan, other, one) ? Verdict::better
+                                                                        : Verdict::same,
+          .amount = {.value = pair.are_ratios ? std::exp(estimate) : estimate}};
+}
+
+// Keeps the values of blocks that both have.
+void keep_common_blocks(Group& one, Group& other) {
+  auto *const a = std::get_if<Measured>(&one.sample), *const b = std::get_if<Measured>(&other.sample);
+  if (a == nullptr || b == nullptr || a->blocks == b->blocks) return;
+  a->values = values_in(b->blocks, *a);
+  b->values = values_in(a->blocks, *b);
+}
+
+std::optional<Open::Why> why_not(const Method& method, const Group& a, const Group& b) {
+  std::optional<Open::Why> first;
+  for (const Group* const group : {&a, &b}) {
+    const bool has_no_answer = std::ranges::any_of(values_of(*group), [](double value) { return std::isinf(value); });
+    if (method.by == By::means && has_no_answer)
+      first = std::min(Open::Why::infinite, first.value_or(Open::Why::infinite));
+    if (const Untold* const its = untold(*group)) first = std::min(its->why, first.value_or(its->why));
+  }
+  return first;
+}
+
+// The pairs that the plan asks for.
+std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
+  std::vector<Pair> pairs;
+  for (auto a = observed.groups.begin(); a != observed.groups.end(); ++a) {
+    for (auto b = a + 1; b != observed.groups.end(); ++b) {
+      if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
+      Pair& pair = pairs.emplace_back(Pair{.a = *a, .b = *b, .method = &method_of(observed, plan, *a, *b)});
+      keep_common_blocks(pair.a, pair.b);
+      pair.takes_logs = observed.scale == Scale::ratio && pair.method->is_by_ranks();
+      pair.are_ratios = pair.takes_logs || observed.are_logs;
+      const std::size_t m = size_of(pair.a), n = size_of(pair.b);
+      const bool has_copies = is_any<Copies>(*a, *b);
+      pair.is_fact = std::holds_alternative<Copies>(a->sample) && std::holds_alternative<Copies>(b->sample);
+      const std::size_t runs = has_copies ? std::max(m, n) : std::min(m, n);
+      pair.n = static_cast<int>(std::min(m, n) == 0 ? 0 : runs);
+      if (const auto why = why_not(*pair.method, *a, *b)) pair.open = Open{.why = *why, .n = pair.n};
+      if (pair.open || pair.is_fact || pair.n == 0) continue;
+      // Against a solver that repeats itself a run has a sign at least.
+      pair.smallest_p = has_copies ? smallest_p_paired(runs) : pair.method->smallest_p(m, n);
+      if (pair.method->by != By::signs) continue;
+      // Runs that differ from the value of the solver that repeats itself.
+      const std::vector<double> differences =
+          prepared(pair.a, pair.b, observed, pair.method->is_by_difference, pair.takes_logs).differences;
+      pair.n = static_cast<int>(std::ranges::count_if(differences, [](double each) { return each != 0; }));
+      pair.smallest_p = std::max(pair.smallest_p, smallest_p_paired(static_cast<std::size_t>(pair.n)));
+    }
+  }
+  return pairs;
+}
+
+// Empty unless the mean or the median of the better one lies the other way.
+Headline usually_better(const Observations& observed, const Plan& plan, const std::string& winner,
+                        const std::string& loser) {
+  if (observed.are_logs) return {};
+  Group better = observed.groups[place_of(observed, winner)], other = observed.groups[place_of(observed, loser)];
+  keep_common_blocks(better, other);
+  const auto is_worse = [&](double one, double two) { return is_worse_than_margin(observed, plan, one, two); };
+  const Description its = describe(better), theirs = describe(other);
+  const bool is_median_worse =
+      method_of(observed, plan, better, other).is_by_ranks() && is_worse(its.median, theirs.median);
+  if (!is_median_worse && !is_worse(its.mean, theirs.mean)) return {};
+  return {.usual = winner, .other = loser, .is_median_worse = is_median_worse};
+}
+
+// How many pairs data of this size can decide, before any p is known: those that cannot leave, the least able first.
+std::size_t testable(std::vector<Pair>& pairs, double significance) {
+  std::vector<Pair*> family;
+  for (Pair& pair : pairs) {
+    if (!pair.open && !pair.is_fact) family.push_back(&pair);
+  }
+  while (!family.empty()) {
+    const double level = significance / static_cast<double>(family.size());
+    const double worst = (*std::ranges::max_element(family, {}, &Pair::smallest_p))->smallest_p;
+    if (worst < level) break;
+    std::erase_if(family, [&](Pair* pair) {
+      if (pair->smallest_p < worst) return false;
+      std::size_t n = 2;
+      const bool has_copies = is_any<Copies>(pair->a, pair->b);
+      while ((has_copies ? smallest_p_paired(n) : pair->method->smallest_p(n, n)) >= level) ++n;
+      // Of signs and ranks, what falls short.
+      const bool do_signs =
+          pair->method->by == By::signs && smallest_p_paired(static_cast<std::size_t>(pair->n)) >= level;
+      const std::size_t smaller = std::min(size_of(pair->a), size_of(pair->b));
+      pair->open = Open{.why = Open::Why::too_few,
+                        .n = pair->method->by == By::signs && !do_signs ? static_cast<int>(smaller) : pair->n,
+                        .needed = static_cast<int>(n),
+                        .is_of_differences = do_signs};
+      return true;
+    });
+  }
+  return family.size();
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  constexpr std::array<std::string_view, 6> names{"better", "worse", "same", "equal", "not decided", "not tested"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+Verdict verdict_of(const Finding& finding) {
+  if (const auto* const tested = std::get_if<Tested>(&finding.what)) return tested->verdict;
+  if (const auto* const fact = std::get_if<Fact>(&finding.what)) return fact->verdict;
+  return is_open(finding, Open::Why::few_decide) ? Verdict::undecided : Verdict::not_tested;
+}
+
+const Amount* amount_of(const Finding& finding) {
+  if (const auto* const fact = std::get_if<Fact>(&finding.what)) return &fact->amount;
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  const std::optional<Amount>& amount = tested ? tested->amount : std::get<Open>(finding.what).amount;
+  return amount ? &*amount : nullptr;
+}
+
+std::optional<double> p_of(const Finding& finding) {
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  return tested ? std::optional(tested->p) : std::nullopt;
+}
+
+bool is_open(const Finding& finding, Open::Why why) {
+  const auto* const open = std::get_if<Open>(&finding.what);
+  return open != nullptr && open->why == why;
+}
+
+bool are_equal(const Finding& finding) {
+  if (const auto* const fact = std::get_if<Fact>(&finding.what))
+    return fact->amount.value == (finding.scale == Scale::ratio ? 1 : 0);
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  return tested != nullptr && tested->effect && tested->effect->ahead == 0 && tested->effect->behind == 0;
+}
+
+bool does_one_value_decide(const Group& group) {
+  const std::span<const double> values = values_of(group);
+  std::vector<double> sizes(values.begin(), values.end());
+  for (double& size : sizes) size = std::abs(size);
+  return !sizes.empty() && std::ranges::max(sizes) > std::accumulate(sizes.begin(), sizes.end(), 0.0) / 2;
+}
+
+bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }
+
+Verdict turned(Verdict verdict) {
+  if (!is_difference(verdict)) return verdict;
+  return verdict == Verdict::better ? Verdict::worse : Verdict::better;
+}
+
+std::set<std::string> losers_of(const std::vector<Finding>& findings) {
+  std::set<std::string> losers;
+  for (const Finding& finding : findings) {
+    const Verdict verdict = verdict_of(finding);
+    if (is_difference(verdict)) losers.insert(verdict == Verdict::better ? finding.second : finding.first);
+  }
+  return losers;
+}
+
+bool can_decide(const Observations& observed, const Plan& plan) {
+  std::vector<Pair> pairs = pairs_of(observed, plan);
+  testable(pairs, plan.significance);
+  return std::ranges::any_of(pairs, [&](const Pair& pair) {
+    return !pair.open && !pair.is_fact &&
+           !prepared(pair.a, pair.b, observed, pair.method->is_by_difference, pair.takes_logs).are_all_equal;
+  });
+}
+
+std::vector<Finding> compare(const Observations& observed, const Plan& plan, std::size_t metrics) {
+  if (!plan.control.empty() && place_of(observed, plan.control) == observed.groups.size())
+    throw std::invalid_argument("the control '" + plan.control + "' is no group");
+  std::vector<Pair> pairs = pairs_of(observed, plan);
+  const auto shares = static_cast<double>(metrics);
+  const double tests =
+      shares * static_cast<double>(std::max<std::size_t>(1, testable(pairs, plan.significance / shares)));
+  std::vector<Finding> findings;
+  for (const Pair& pair : pairs) {
+    Finding& finding = findings.emplace_back(
+        Finding{.first = pair.a.name,
+                .second = pair.b.name,
+                .scale = observed.scale == Scale::ratio && !pair.are_ratios ? Scale::difference : observed.scale});
+    if (pair.open)
+      finding.what = *pair.open;
+    else if (pair.is_fact)
+      finding.what = fact_of(observed, plan, pair);
+    else
+      finding.what = judged(observed, plan, pair, tests);
+  }
+  return findings;
+}
+
+Finding better_first(Finding finding, std::string_view control, bool is_second_ahead) {
+  const Verdict verdict = verdict_of(finding);
+  const bool is_behind = is_difference(verdict) ? verdict == Verdict::worse : is_second_ahead;
+  if (control.empty() ? !is_behind : finding.first != control) return finding;
+  std::swap(finding.first, finding.second);
+  const auto turn = [&](Amount& amount) {
+    const auto end = [&](double value) { return finding.scale == Scale::ratio ? 1 / value : 0 - value; };
+    amount.value = end(amount.value);
+    if (const auto ends = amount.interval)
+      amount.interval = Interval{end(ends->high), end(ends->low), ends->excludes_high, ends->excludes_low};
+  };
+  if (auto* const tested = std::get_if<Tested>(&finding.what)) {
+    tested->verdict = turned(tested->verdict);
+    if (tested->amount) turn(*tested->amount);
+    if (tested->effect) std::swap(tested->effect->ahead, tested->effect->behind);
+    if (tested->g) tested->g = -*tested->g;
+  } else if (auto* const fact = std::get_if<Fact>(&finding.what)) {
+    fact->verdict = turned(fact->verdict);
+    turn(fact->amount);
+  } else if (auto& amount = std::get<Open>(finding.what).amount) {
+    turn(*amount);
+  }
+  return finding;
+}
+
+bool is_worse_than_margin(const Observations& observed, const Plan& plan, double one, double other) {
+  if (observed.scale == Scale::ratio) one = std::max(one, observed.floor), other = std::max(other, observed.floor);
+  const double relative = plan.margin * (observed.scale == Scale::share ? 1 : std::min(std::abs(one), std::abs(other)));
+  const double loss = observed.better == Better::smaller ? one - other : other - one;
+  return loss > std::max(observed.absolute_margin, relative) + observed.rounding;
+}
+
+Headline headline(const Observations& observed, const Plan& plan, const std::vector<Finding>& findings) {
+  const std::set<std::string> losers = losers_of(findings);
+  const std::size_t best = observed.groups.size() - losers.size();
+  if (losers.empty() || best == 0) return {.is_circle = !losers.empty()};
+  Headline said;
+  std::size_t known = 0;  // pairs of two unbeaten ones that were tested, and of one that beats a loser
+  for (const Finding& finding : findings) {
+    const bool is_first_best = !losers.contains(finding.first), is_second_best = !losers.contains(finding.second);
+    const Verdict verdict = verdict_of(finding);
+    if (is_first_best && is_second_best) known += verdict != Verdict::not_tested;
+    if (is_first_best == is_second_best || !is_difference(verdict)) continue;
+    ++known;
+    if (said.usual.empty() && std::holds_alternative<Tested>(finding.what))
+      said = usually_better(observed, plan, is_first_best ? finding.first : finding.second,
+                            is_first_best ? finding.second : finding.first);
+  }
+  if (known < best * losers.size() + best * (best - 1) / 2) return {};
+  for (const Group& group : observed.groups) {
+    if (said.usual.empty() && !losers.contains(group.name)) said.best.push_back(group.name);
+  }
+  return said;
+}
+
+}  // namespace ikbench::judge

@@ -1,0 +1,123 @@
+// Which of two is better: a finding for each pair of groups, and those that are best. When a number decides between
+// groups, it is judged here, whatever it is of: studies, files, gates, claims and readings have no other rule.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "analysis/judge/observations.hpp"
+#include "analysis/judge/tests_of_two.hpp"
+#include "results/study.hpp"
+
+namespace ikbench::judge {
+
+using results::Plan;
+
+// Of the first. same: within the margin. equal: no value differs, and so few do not exclude that rare ones do.
+// undecided: p decides nothing. not_tested: an open finding says why.
+enum class Verdict { better, worse, same, equal, undecided, not_tested };
+std::string_view name_of(Verdict verdict);
+
+// A difference: larger than the margin for all that is known; within it as it is shown, but not in the means, so rare
+// values are far apart; within it.
+enum class Size { matters, usually_small, small };
+
+struct Amount {
+  double value = 0;
+  std::optional<Interval> interval = {};  // at 1 - significance / tested pairs; without 0 (ratios: 1) if p decides
+};
+
+// Shares of pairs or blocks in which the first is better, and worse.
+struct Effect {
+  double ahead = 0, behind = 0;
+  double a12() const { return (1 + ahead - behind) / 2; }
+  double delta() const { return ahead - behind; }  // Cliff's
+};
+
+struct Tested {
+  Verdict verdict = Verdict::undecided;
+  Size size = Size::matters;
+  double p = 1;                       // times the tested pairs; below the significance it decides
+  std::optional<Amount> amount = {};  // none if it would refute the verdict
+  std::optional<Effect> effect = {};  // none of summaries and of logarithms
+  std::optional<double> g = {};       // Hedges', where means decide (describe.hpp)
+  std::string_view test = {};
+  int n = 0;       // observations, or common blocks; of the smaller group; of a sign test runs
+                   // that differ
+  int enough = 0;  // of undecided: about how many could decide; 0: nobody knows
+};
+
+// Both solvers repeat themselves: no chance is in the difference.
+struct Fact {
+  Verdict verdict = Verdict::same;  // better and worse by more than the margin
+  Amount amount = {};
+};
+
+struct Open {
+  using Why = Untold::Why;
+  Why why = Why::too_few;
+  int n = 0;                          // observations of the smaller group, or common blocks
+  int needed = 0;                     // if too few: how many, in each group, could decide
+  bool is_of_differences = false;     // n and needed are of values that differ from a solver's that repeats itself
+  std::optional<Amount> amount = {};  // of few that decide
+};
+
+struct Finding {
+  std::string first = {}, second = {};
+  Scale scale = Scale::difference;  // of the amount; means have differences
+  std::variant<Tested, Fact, Open> what = Open();
+};
+
+// What every finding has in common.
+Verdict verdict_of(const Finding& finding);       // few that decide leave it undecided
+const Amount* amount_of(const Finding& finding);  // null if there is none
+std::optional<double> p_of(const Finding& finding);
+bool is_open(const Finding& finding, Open::Why why);
+bool are_equal(const Finding& finding);  // no value differs
+
+// What decides the test. Groups of which only means are known (printed summaries) have Welch's t, and so have
+// logarithms. The one value of a solver that repeats itself has no spread, so the other's runs are held against it by
+// the sign test. A file of equal values does not say whether they are copies: the larger p of that and Mann-Whitney's
+// decides. A share of one trial is 0 or 1: Fisher's exact test, in blocks McNemar's. A share of several trials goes by
+// t, since its mean is asked, also against a solver that repeats itself. All other numbers go by ranks, or by t where
+// the plan says means; on a ratio scale ranks are of logarithms. Blocks make them paired: signed ranks, the paired t.
+// Nothing asks how the values are spread: a test chosen by the values that it then judges is wrong more often than it
+// says. A pair is decided at the significance divided by the number of pairs that data of these sizes can decide at
+// all.
+//
+// So many metrics share the significance. Throws std::invalid_argument if the control is no group. Paired groups have
+// one size without blocks, and ratios are of values above 0, or have a floor above it.
+std::vector<Finding> compare(const Observations& observed, const Plan& plan, std::size_t metrics = 1);
+
+// Before any p is known: data of this size can decide some pair, and its values are not all equal.
+bool can_decide(const Observations& observed, const Plan& plan);
+
+bool is_difference(Verdict verdict);                               // better or worse
+Verdict turned(Verdict verdict);                                   // of the second
+std::set<std::string> losers_of(const std::vector<Finding>& all);  // worse than another
+
+bool does_one_value_decide(const Group& group);  // a mean: it is more than half of the sum of all sizes
+
+// A mean or median is worse than another by more than the margin.
+bool is_worse_than_margin(const Observations& observed, const Plan& plan, double one, double other);
+
+// The same pair, told with its better one first, or if none is with its second where that is ahead; or else with the
+// control second.
+Finding better_first(Finding finding, std::string_view control, bool is_second_ahead = false);
+
+// Of one metric.
+struct Headline {
+  std::vector<std::string> best = {};  // nobody is better, and each is better than all who are not among them
+  // None is best where `usual` is better than `other` while its median (by ranks), or else its mean, is worse by more
+  // than the margin.
+  std::string usual = {}, other = {};
+  bool is_median_worse = false;
+  bool is_circle = false;  // each is worse than another
+};
+Headline headline(const Observations& observed, const Plan& plan, const std::vector<Finding>& findings);
+
+}  // namespace ikbench::judge

@@ -1,0 +1,208 @@
+#include "analysis/judge/describe.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+#include "analysis/judge/prepare.hpp"
+#include "analysis/judge/tests_of_two.hpp"
+
+namespace ikbench::judge {
+namespace {
+
+using Columns = std::vector<std::vector<double>>;
+
+// Values of each group; of paired ones those of the blocks that all have. None for fewer than two groups, or where a
+// group has no value with chance in it.
+Columns columns_of(const Observations& observed) {
+  Columns columns;
+  std::vector<int> common;
+  for (const Group& group : observed.groups) {
+    const auto* const measured = std::get_if<Measured>(&group.sample);
+    if (measured == nullptr || measured->values.empty()) return {};
+    const std::vector<int>& blocks = measured->blocks;
+    std::vector<int> both;
+    std::ranges::set_intersection(columns.empty() ? blocks : common, blocks, std::back_inserter(both));
+    common = std::move(both);
+    columns.push_back(measured->values);
+  }
+  for (std::size_t g = 0; observed.is_paired && g < columns.size(); ++g)
+    columns[g] = values_in(common, std::get<Measured>(observed.groups[g].sample));
+  if (columns.size() < 2 || columns.front().empty()) return {};
+  return columns;
+}
+
+template <class Distribution>
+double p_of(const Distribution& distribution, double statistic) {
+  return boost::math::cdf(boost::math::complement(distribution, statistic));
+}
+
+// None without spread but of rounding, or where squares of the largest numbers have no place in a double.
+std::optional<TestOfAll> with_f(TestOfAll test) {
+  if (!(test.df_within >= 1) || !(test.ss_within > 1e-26 * test.ss_between) || test.ss_within == 0 ||
+      !(test.ss_between + test.ss_within < std::numeric_limits<double>::infinity()))
+    return {};
+  test.statistic = test.ss_between / test.df / (test.ss_within / test.df_within);
+  test.p = p_of(boost::math::fisher_f(test.df, test.df_within), test.statistic);
+  return test;
+}
+
+std::optional<TestOfAll> anova_of_blocks(Columns columns) {
+  const std::size_t k = columns.size(), n = columns.empty() ? 0 : columns.front().size();
+  if (n < 2) return {};
+  const double shift = columns.front().front();
+  std::vector<double> of_block(n), of_group(k);
+  double mean = 0;
+  for (std::size_t g = 0; g < k; ++g) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double value = columns[g][i] -= shift;
+      of_group[g] += value / static_cast<double>(n), of_block[i] += value / static_cast<double>(k);
+    }
+    mean += of_group[g] / static_cast<double>(k);
+  }
+  TestOfAll test{.name = "ANOVA of repeated measures",
+                 .df = static_cast<double>(k - 1),
+                 .df_within = static_cast<double>((k - 1) * (n - 1)),
+                 .ss_between = 0,
+                 .ss_within = 0};
+  for (std::size_t g = 0; g < k; ++g) {
+    test.ss_between += static_cast<double>(n) * (of_group[g] - mean) * (of_group[g] - mean);
+    for (std::size_t i = 0; i < n; ++i) test.ss_within += std::pow(columns[g][i] - of_group[g] - of_block[i] + mean, 2);
+  }
+  return with_f(test);
+}
+
+}  // namespace
+
+double quantile(const std::vector<double>& sorted, double share) {
+  const auto n = static_cast<double>(sorted.size());
+  const double place = std::clamp(n * share - 0.5, 0.0, n - 1), part = place - std::floor(place);
+  const double low = sorted[static_cast<std::size_t>(place)];
+  const double high = sorted[std::min(static_cast<std::size_t>(place) + 1, sorted.size() - 1)];
+  return low == high || part == 0 ? low : (1 - part) * low + part * high;
+}
+
+Description described(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  const Summary summary = summarise(values);
+  std::vector<double> sorted = values;
+  std::ranges::sort(sorted);
+  const bool is_finite = std::isfinite(sorted.back());
+  return {.n = summary.n,
+          .mean = is_finite ? summary.mean : sorted.back(),
+          .sd = summary.n > 1 && is_finite ? summary.sd : unknown,
+          .median = quantile(sorted, 0.5),
+          .lower_quartile = quantile(sorted, 0.25),
+          .upper_quartile = quantile(sorted, 0.75),
+          .quantile_95 = quantile(sorted, 0.95),
+          .smallest = sorted.front(),
+          .largest = sorted.back()};
+}
+
+Description describe(const Group& group) {
+  const auto* printed = std::get_if<Summary>(&group.sample);
+  if (untold(group) && untold(group)->printed) printed = &*untold(group)->printed;
+  if (printed) return {.n = printed->n, .mean = printed->mean, .sd = printed->sd};
+  const std::span<const double> values = values_of(group);
+  Description its = described({values.begin(), values.end()});
+  if (group.at_most > 0) its.sd = unknown;
+  return its;
+}
+
+std::optional<double> hedges_g(const Summary& first, const Summary& second) {
+  const double df = first.n + second.n - 2;
+  const double squares = (first.n - 1) * first.sd * first.sd + (second.n - 1) * second.sd * second.sd;
+  if (!(squares > 0) || !(df > 1)) return {};
+  const double unbiased = std::exp(std::lgamma(df / 2) - std::lgamma((df - 1) / 2)) / std::sqrt(df / 2);
+  return unbiased * (first.mean - second.mean) / std::sqrt(squares / df);
+}
+
+std::optional<TestOfAll> anova(const Observations& observed) {
+  if (observed.is_paired) return anova_of_blocks(columns_of(observed));
+  const auto is_known = [](const Group& group) {
+    const auto* const measured = std::get_if<Measured>(&group.sample);
+    return std::holds_alternative<Summary>(group.sample) || (measured && !measured->values.empty());
+  };
+  if (observed.groups.size() < 2 || !std::ranges::all_of(observed.groups, is_known)) return {};
+  // Means less a common value keep the digits that many equal leading ones would cost.
+  const std::span<const double> of_first = values_of(observed.groups.front());
+  const double shift = of_first.empty() ? 0 : of_first.front();
+  std::vector<Summary> groups;
+  double n = 0, sum = 0;
+  for (const Group& group : observed.groups) {
+    std::vector<double> shifted(values_of(group).begin(), values_of(group).end());
+    for (double& value : shifted) value -= shift;
+    const auto* const printed = std::get_if<Summary>(&group.sample);
+    groups.push_back(printed ? *printed : summarise(shifted));
+    n += groups.back().n;
+    sum += groups.back().n * groups.back().mean;
+  }
+  TestOfAll test{.name = "ANOVA",
+                 .df = static_cast<double>(groups.size()) - 1,
+                 .df_within = n - static_cast<double>(groups.size()),
+                 .ss_between = 0,
+                 .ss_within = 0};
+  for (const Summary& group : groups) {
+    test.ss_between += group.n * (group.mean - sum / n) * (group.mean - sum / n);
+    test.ss_within += (group.n - 1) * group.sd * group.sd;
+  }
+  return with_f(test);
+}
+
+std::optional<TestOfAll> test_of_ranks(const Observations& observed) {
+  const Columns columns = columns_of(observed);
+  const auto has_one = [](const std::vector<double>& column) { return column.size() < 2; };
+  if (std::ranges::all_of(columns, has_one)) return {};
+  const auto k = static_cast<double>(columns.size()), n = static_cast<double>(columns.front().size());
+  TestOfAll test{.name = observed.is_paired ? "Friedman" : "Kruskal-Wallis", .statistic = 0, .df = k - 1};
+  std::vector<double> all;
+  for (const std::vector<double>& column : columns) all.insert(all.end(), column.begin(), column.end());
+  settle(all, observed, observed.scale == Scale::ratio);
+  double free = 0;  // 0: all are equal
+  if (observed.is_paired) {
+    std::vector<double> sums(columns.size());
+    for (std::size_t i = 0; i < columns.front().size(); ++i) {
+      std::vector<double> block;
+      for (std::size_t g = 0; g < sums.size(); ++g) block.push_back(all[g * columns.front().size() + i]);
+      const Ranks ranks = midranks(block);
+      free += k * (k + 1) - ranks.tie_sum / (k - 1);
+      for (std::size_t g = 0; g < sums.size(); ++g) sums[g] += ranks.ranks[g];
+    }
+    for (const double sum : sums) test.statistic += 12 * std::pow(sum - n * (k + 1) / 2, 2);
+  } else {
+    const Ranks ranks = midranks(all);
+    const auto total = static_cast<double>(all.size());
+    free = 1 - ranks.tie_sum / (total * total * total - total);
+    auto rank = ranks.ranks.begin();
+    for (const std::vector<double>& column : columns) {
+      const auto size = static_cast<double>(column.size());
+      const double mean = std::accumulate(rank, rank + std::ssize(column), 0.0) / size;
+      rank += std::ssize(column);
+      test.statistic += 12 / (total * (total + 1)) * size * std::pow(mean - (total + 1) / 2, 2);
+    }
+  }
+  if (!(free > 0)) return {};
+  test.statistic /= free;
+  test.p = p_of(boost::math::chi_squared(test.df), test.statistic);
+  return test;
+}
+
+TestsOfAll tests_of_all(Observations observed) {
+  TestsOfAll all;
+  if (observed.scale == Scale::share || observed.are_logs) return all;
+  std::erase_if(observed.groups, [&](const Group& group) {
+    const bool has_chance = std::holds_alternative<Summary>(group.sample) ||
+                            (std::holds_alternative<Measured>(group.sample) && !values_of(group).empty());
+    if (!has_chance) all.without.push_back(group.name);
+    return !has_chance;
+  });
+  for (const auto test : {anova, test_of_ranks}) {
+    if (const auto found = test(observed)) all.tests.push_back(*found);
+  }
+  return all;
+}
+
+}  // namespace ikbench::judge

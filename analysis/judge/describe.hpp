@@ -1,0 +1,57 @@
+// Describes groups, and tests whether they differ at all: what articles print beside the verdicts of pairs, which
+// decide.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "analysis/judge/observations.hpp"
+
+namespace ikbench::judge {
+
+// NaN: not known, of a summary or of no values.
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+struct Description {
+  int n = 0;
+  double mean = unknown;
+  double sd = unknown;  // divided by n - 1; not known where values count as the tolerance
+  double median = unknown, lower_quartile = unknown, upper_quartile = unknown;  // Hyndman and Fan's type 5, MATLAB's
+  double quantile_95 = unknown;                                                 // of the same type
+  double smallest = unknown, largest = unknown;
+};
+
+Description describe(const Group& group);
+Description described(const std::vector<double>& values);
+// Of values that rise, which are not none.
+double quantile(const std::vector<double>& sorted, double share);
+
+// The difference of two means in pooled standard deviations, without bias (Hedges, J. Educational Statistics 6 (1981)
+// 107); none without spread.
+std::optional<double> hedges_g(const Summary& first, const Summary& second);
+
+// Chi-squared of ranks have neither degrees of freedom within nor sums of squares.
+struct TestOfAll {
+  std::string_view name;
+  double statistic = unknown;
+  double df = unknown, df_within = unknown;
+  double p = unknown;
+  double ss_between = unknown, ss_within = unknown;
+
+  double eta_squared() const { return ss_between / (ss_between + ss_within); }  // of blocks partial
+};
+
+// One-way, of paired groups that of repeated measures (Fisher 1925). None for fewer than two groups, copies, lost or
+// infinite values, or groups without spread.
+std::optional<TestOfAll> anova(const Observations& observed);
+// Kruskal and Wallis (J. Am. Stat. Assoc. 47 (1952) 583), of paired groups Friedman (32 (1937) 675); both with ties.
+std::optional<TestOfAll> test_of_ranks(const Observations& observed);
+// Both, of the groups with chance in their values, and the names of the others; none of shares and of logarithms.
+struct TestsOfAll {
+  std::vector<TestOfAll> tests = {};
+  std::vector<std::string> without = {};
+};
+TestsOfAll tests_of_all(Observations observed);
+
+}  // namespace ikbench::judge

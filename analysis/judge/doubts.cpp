@@ -1,0 +1,358 @@
+#include "analysis/judge/doubts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "analysis/judge/study.hpp"
+#include "base/json.hpp"
+#include "base/names.hpp"
+
+namespace ikbench::judge {
+
+using namespace base;
+using namespace results;
+
+namespace {
+
+std::string names_of(const std::vector<std::string>& who) {
+  constexpr std::size_t most = 4;
+  if (who.size() > most)
+    return fmt::format("{} and {} more", fmt::join(who.begin(), who.begin() + 3, ", "), who.size() - 3);
+  return fmt::format("{}", fmt::join(who, ", "));
+}
+
+using Doubts = std::vector<Doubt>;
+
+// Adds a doubt, if it is about some solver.
+void add(Doubts& doubts, Doubt doubt) {
+  if (!doubt.who.empty()) doubts.push_back(std::move(doubt));
+}
+
+// Adds a doubt of all solvers with a count, which stands before of how many.
+template <class Counted>
+void add_counts(Doubts& doubts, const StudyResults& study, Doubt doubt, Counted counted) {
+  for (const std::string& solver : study.labels) {
+    const auto [count, total] = counted(solver);
+    if (count <= 0) continue;
+    doubt.who.push_back(solver);
+    doubt.count += static_cast<double>(count);
+    doubt.of += static_cast<double>(total);
+  }
+  add(doubts, std::move(doubt));
+}
+
+// Adds a doubt of all solves that are so, and of the solvers that made them.
+template <class Is>
+void add(Doubts& doubts, const StudyResults& study, Doubt doubt, Is is_so) {
+  add_counts(doubts, study, std::move(doubt), [&](const std::string& solver) {
+    const Solves all = study.of(solver);
+    return std::pair(std::ranges::count_if(all, is_so), std::ssize(all));
+  });
+}
+
+auto is_timed(Timing how) {
+  return [how](const Solve& solve) { return solve.timing == how; };
+}
+
+// Who was slowed, and by what. No solver, but a doubt: of all.
+std::vector<Doubt> doubts_of_load(const StudyResults& study) {
+  Doubts doubts;
+  const auto doubt_of = [](const char* what) { return Doubt{.kind = DoubtKind::times_not_comparable, .what = what}; };
+  add(doubts, study, doubt_of("solved in parallel"), is_timed(Timing::parallel));
+  add(doubts, study, doubt_of("a debug build"), is_timed(Timing::debug_build));
+  // Machines differ if their processors do, or both name and start: one that starts again keeps its name, and
+  // containers on it have their own.
+  const auto differ = [&](const char* fact) { return facts_of(study, fact).size() > 1; };
+  if (differ("cpu") || (differ("host") && differ("boot"))) doubts.push_back(doubt_of("several machines"));
+  for (Doubt& doubt : doubts) doubt.who.clear();
+  if (!doubts.empty()) return {doubts.front()};
+  add_counts(doubts, study, doubt_of("the machine was busy"), [&](const std::string& solver) {
+    const auto disturbed = std::ranges::count_if(study.of(solver), &Solve::was_disturbed);
+    const auto timed = std::ranges::count_if(study.of(solver), [](const Solve& solve) {
+      return solve.timing == Timing::clean || (solve.timing == Timing::process && solve.is_told);
+    });
+    return std::pair(disturbed > 1 && 10 * disturbed > timed ? disturbed : 0, timed);
+  });
+  return doubts;
+}
+
+// Those that were solved in other sessions than most.
+std::vector<std::string> measured_apart(const StudyResults& study) {
+  std::map<std::set<int>, std::vector<std::string>> solvers_of;
+  for (const std::string& solver : study.labels) {
+    std::set<int> sessions;
+    for (const Solve& solve : study.of(solver)) sessions.insert(solve.session);
+    if (!sessions.empty()) solvers_of[sessions].push_back(solver);
+  }
+  const auto size = [](const auto& entry) { return entry.second.size(); };
+  if (!solvers_of.empty()) solvers_of.erase(std::ranges::max_element(solvers_of, {}, size));
+  std::vector<std::string> apart;
+  for (const auto& [sessions, solvers] : solvers_of) apart.insert(apart.end(), solvers.begin(), solvers.end());
+  return apart;
+}
+
+// Those whose solves are another's, so that only the machine can make their times differ; the control is none.
+std::vector<std::string> copies_of_others(const StudyResults& study) {
+  std::vector<std::string> copies, solvers = study.labels;
+  std::vector<Solves> earlier;
+  const auto is_control = [&](const std::string& solver) { return solver == study.definition.plan.control; };
+  std::stable_partition(solvers.begin(), solvers.end(), is_control);
+  for (const std::string& solver : solvers) {
+    const Solves all = study.of(solver);
+    const auto is_same = [&](Solves other) { return !all.empty() && have_same_solves(other, all); };
+    if (std::ranges::any_of(earlier, is_same)) copies.push_back(solver);
+    earlier.push_back(all);
+  }
+  return copies;
+}
+
+// Whom a limit of the study gives fewest evaluations, and whom most. Of who is not limited it is what a solve took.
+void add_of_budgets(Doubts& doubts, const StudyResults& study) {
+  if (study.definition.stop.seconds > 0) return;
+  std::string fewest, most;
+  double few = std::numeric_limits<double>::infinity(), many = 0;
+  for (const std::string& solver : study.labels) {
+    double limited = 0, spent = 0, largest = 0;
+    const Solves all = study.of(solver);
+    if (!std::ranges::all_of(all, [](const Solve& its) { return its.counted_by == CountedBy::suite; })) continue;
+    for (const Solve& solve : all) {
+      const auto evaluations = static_cast<double>(solve.evaluations);
+      largest = std::max(largest, evaluations);
+      if (solve.stop_reason != StopReason::iterations && solve.stop_reason != StopReason::evaluations) continue;
+      ++limited, spent += evaluations;
+    }
+    const bool is_limited = limited >= 0.1 * static_cast<double>(all.size()) && spent > 0;
+    const double budget = is_limited ? spent / limited : largest;
+    if (is_limited && budget < few) few = budget, fewest = solver;
+    if (budget > many) many = budget, most = solver;
+  }
+  if (many < 2 * few) return;
+  doubts.push_back({.kind = DoubtKind::budgets_differ,
+                    .who = {most, fewest},
+                    .count = many,
+                    .of = few,
+                    .what = fmt::format("budgets differ: {:.0f} and {:.0f} evaluations a solve", many, few)});
+}
+
+// Who has kinematics of its own stops by a rule of its own, and may not know what the study asks.
+void add_of_near_misses(Doubts& doubts, const StudyResults& study) {
+  const numerics::StopRule& stop = study.definition.stop;
+  const auto is_near = [](double error, double tolerance) { return tolerance == 0 || error <= 2 * tolerance; };
+  for (const std::string& solver : study.labels) {
+    double near = 0, missed = 0;
+    for (const Solve& solve : study.of(solver)) {
+      if (solve.status != Status::tolerance_missed || solve.counted_by == CountedBy::suite) continue;
+      ++missed;
+      near += is_near(solve.position_error_cm, stop.tolerance_cm()) &&
+              (!study.definition.has_direction() || is_near(solve.orientation_error_deg, stop.tolerance_deg()));
+    }
+    if (near >= 2 && 2 * near > missed)
+      doubts.push_back({.kind = DoubtKind::near_misses, .who = {solver}, .count = near, .of = missed});
+  }
+}
+
+// By the stored plan: a command may judge by another.
+void add_of_plan(Doubts& doubts, const StudyResults& study) {
+  const base::Json plan = base::parsed_json(study.entry.definition)["analysis"];
+  std::set<std::int64_t> others;  // sessions
+  std::set<std::string> fields;
+  for (const Session& session : study.sessions) {
+    const auto recorded = session.environment.find("analysis");
+    if (recorded == session.environment.end()) continue;
+    const base::Json then = base::parsed_json(recorded->second);
+    for (const auto& [field, value] : then.items()) {
+      if (!plan.contains(field) || plan[field] != value) others.insert(session.id), fields.insert(field);
+    }
+  }
+  add(doubts, study, {.kind = DoubtKind::plan_changed, .what = fmt::format("{}", fmt::join(fields, ", "))},
+      [&](const Solve& solve) { return others.contains(solve.session); });
+}
+
+void add_of_repeats(Doubts& doubts, const StudyResults& study) {
+  if (study.definition.draws_targets || !study.definition.compares_runs()) return;  // paired
+  std::map<std::size_t, std::vector<std::string>> repeating;                        // solvers, by their number of runs
+  for (const std::string& solver : study.labels) {
+    if (repeats_itself(study, solver)) repeating[complete_runs_of(study, solver).size()].push_back(solver);
+  }
+  for (const auto& [runs, who] : repeating)
+    doubts.push_back({.kind = DoubtKind::repeats_itself, .who = who, .count = static_cast<double>(runs)});
+}
+
+// Of targets that are the same in all runs: those that stay unsolved, and that the arm may not be able to reach them.
+void add_of_targets(Doubts& doubts, const StudyResults& study) {
+  const Definition& definition = study.definition;
+  if (definition.draws_targets || !definition.has_tolerance()) return;
+  std::map<int, bool> is_solved;  // by point
+  for (const Solve& solve : study.solves) is_solved[solve.point] |= solve.status == Status::ok;
+  std::vector<std::string> never;
+  for (const auto& [point, is_so] : is_solved) {
+    if (!is_so) never.push_back(std::to_string(point));
+  }
+  if (never.empty()) return;
+  if (never.size() < is_solved.size())
+    doubts.push_back({.kind = DoubtKind::solved_by_nobody,
+                      .count = static_cast<double>(never.size()),
+                      .of = static_cast<double>(is_solved.size()),
+                      .what = names_of(never)});
+  const auto joints = definition.arm.empty() ? 0 : std::ssize(base::parsed_json(definition.arm)["links"]);
+  const auto conditions = definition.search == Search::pose ? 6 : definition.search == Search::axis ? 5 : 3;
+  if (joints == 0 || joints >= conditions || definition.search == Search::wrist) return;
+  doubts.push_back({.kind = DoubtKind::too_few_joints,
+                    .what = fmt::format("{} cannot reach every target of search = \"{}\", which sets {} conditions{}",
+                                        base::counted(joints, "joints"), name_of(definition.search), conditions,
+                                        joints > 4   ? "; \"axis\" sets 5"
+                                        : joints > 2 ? "; \"all_joints\" sets 3"
+                                                     : "")});
+}
+
+}  // namespace
+
+std::vector<Doubt> doubts_of_times(const StudyResults& study) {
+  std::vector<Doubt> doubts = doubts_of_load(study);
+  if (!doubts.empty() && doubts.front().who.empty()) return doubts;
+  constexpr std::size_t fewest_turns = 5;  // at being first: fewer leave a drift of the machine in the times
+  const auto takes_turns = [&](const auto& solver) { return runs_of(study.of(solver)).size() >= fewest_turns; };
+  if (!study.are_in_turn && study.labels.size() > 1 && std::ranges::none_of(study.labels, takes_turns))
+    return {{.kind = DoubtKind::times_not_comparable, .what = "one solver after the other"}};
+  const auto add_of = [&](std::vector<std::string> who, const char* what) {  // one reason is enough
+    for (const Doubt& told : doubts)
+      std::erase_if(who, [&](const std::string& solver) { return std::ranges::count(told.who, solver) > 0; });
+    add(doubts, {.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = what});
+  };
+  if (!study.are_in_turn) {
+    add_of(measured_apart(study), "measured in another session");
+    add_of(copies_of_others(study), "all solves are another's, bit for bit");
+  }
+  std::vector<std::string> silent, short_ones;
+  for (const std::string& solver : study.labels) {
+    const Solves all = study.of(solver);
+    const auto tells_none = [](const Solve& solve) {
+      return solve.timing == Timing::process && !solve.is_told && gave_answer(solve);
+    };
+    if (std::ranges::any_of(all, tells_none)) silent.push_back(solver);
+    if (10 * std::ranges::count_if(all, &Solve::is_told_short) > std::ssize(all)) short_ones.push_back(solver);
+  }
+  if (silent.size() < study.labels.size()) add_of(std::move(silent), "messages are in them");
+  add_of(std::move(short_ones), "it tells less than half of its processor time");
+  return doubts;
+}
+
+std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
+  const double limit = study.definition.stop.seconds;
+  if (limit == 0) return {};
+  const auto is_ended = [=](const Solve& solve) {  // programs stop before it
+    return solve.seconds >= 0.9 * limit && !solve.had_enough_time;
+  };
+  std::vector<Doubt> doubts = doubts_of_load(study);
+  if (!measured_apart(study).empty()) doubts.push_back({.what = "measured in different sessions"});
+  for (Doubt& doubt : doubts) {
+    doubt.kind = DoubtKind::seconds_decide;
+    if (doubt.who.empty()) doubt.who = study.labels;
+    std::erase_if(doubt.who,
+                  [&](const std::string& solver) { return std::ranges::none_of(study.of(solver), is_ended); });
+  }
+  std::erase_if(doubts, [](const Doubt& doubt) { return doubt.who.empty(); });
+  return doubts;
+}
+
+std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
+  Doubts doubts;
+  for (const auto& [by, what] : {std::pair(CountedBy::nobody, "evaluations are not counted, so not compared"),
+                                 {CountedBy::solver, "evaluations are by its own count, so not compared"}})
+    add(doubts, study, {.kind = DoubtKind::counted_otherwise, .what = what},
+        [counter = by](const Solve& solve) { return !is_without_answer(solve.status) && solve.counted_by == counter; });
+  return doubts;
+}
+
+std::vector<Doubt> doubts_of(const StudyResults& study) {
+  Doubts doubts;
+  add_counts(doubts, study, {.kind = DoubtKind::runs_missing}, [&](const std::string& solver) {
+    return std::pair(study.definition.runs - std::ssize(complete_runs_of(study, solver)), study.definition.runs);
+  });
+  add(doubts, study, {.kind = DoubtKind::without_answer}, [](const Solve& solve) { return !gave_answer(solve); });
+  add(doubts, study, {.kind = DoubtKind::claimed_but_wrong},
+      [](const Solve& solve) { return solve.status == Status::claimed_but_wrong; });
+  add(doubts, study, {.kind = DoubtKind::outside_limits}, &Solve::is_outside_limits);
+  add_of_budgets(doubts, study);
+  add_of_near_misses(doubts, study);
+  if (const int count = study.definition.out_of_reach; count > 0)
+    doubts.push_back({.kind = DoubtKind::out_of_reach,
+                      .count = static_cast<double>(count),
+                      .of = static_cast<double>(study.definition.points)});
+  add_of_targets(doubts, study);
+  add_of_plan(doubts, study);
+  add_of_repeats(doubts, study);
+  add(doubts, study.other_version);
+  return doubts;
+}
+
+std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& both) {
+  const numerics::StopRule &a = both.definition.stop, &b = baseline.definition.stop;
+  std::vector<Doubt> doubts;
+  const auto add = [&](const char* unit, auto ours, auto theirs) {
+    if (ours == theirs) return;
+    doubts.push_back({.kind = DoubtKind::budgets_differ,
+                      .who = both.labels,
+                      .what = fmt::format("budgets differ: {} and {} {} a solve", ours, theirs, unit)});
+  };
+  add("iterations", a.iterations, b.iterations);
+  add("evaluations", a.evaluations, b.evaluations);
+  add("s", a.seconds, b.seconds);
+  return doubts;
+}
+
+std::string words_of(const Doubt& doubt) {
+  const std::string who = names_of(doubt.who), &what = doubt.what;
+  const std::string of_whom = who.empty() ? "" : fmt::format(" ({})", who);
+  const std::string share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
+  const std::string in_solves = doubt.of > 0 ? fmt::format(" in {} solves", share) : "";
+  switch (doubt.kind) {
+    case DoubtKind::runs_missing:
+      return fmt::format("{} {}{}", share, what.empty() ? "runs missing or without some targets" : what, of_whom);
+    case DoubtKind::incomplete:
+      return fmt::format("{} {}: no verdict on {}; write inf for no answer, or drop them", share, what, who);
+    case DoubtKind::without_answer:
+      return what.empty() ? fmt::format("{} solves gave no answer{}", share, of_whom)
+                          : fmt::format("no answer in {} {}{}", share, what, of_whom);
+    case DoubtKind::claimed_but_wrong:
+      return fmt::format("{} solves claimed an error that is wrong, and do not count as solved ({})", share, who);
+    case DoubtKind::outside_limits:
+      return fmt::format("{} answers outside the joint limits ({})", share, who);
+    case DoubtKind::near_misses:
+      return fmt::format("{} unsolved answers of {} are within twice the tolerance: does it know the tolerance?", share,
+                         who);
+    case DoubtKind::budgets_differ:
+    case DoubtKind::counted_otherwise:
+      return fmt::format("{} ({})", what, who);
+    case DoubtKind::times_not_comparable:
+      return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what, in_solves);
+    case DoubtKind::seconds_decide:
+      return fmt::format("results of {} are not compared, since seconds end solves: {}{}", who, what, in_solves);
+    case DoubtKind::out_of_reach:
+      return fmt::format("{} targets of a run out of reach, so no solver can solve them", share);
+    case DoubtKind::solved_by_nobody:
+      return fmt::format("{} targets were solved by nobody in any run (points {})", share, what);
+    case DoubtKind::too_few_joints:
+      return what;
+    case DoubtKind::few_decide_mean:
+      return fmt::format("few values decide the mean {} of {}: nothing is called better by it", what, who);
+    case DoubtKind::plan_changed:
+      return fmt::format("the plan was changed after {} solves were made{}: {}", share, of_whom, what);
+    case DoubtKind::repeats_itself:
+      return fmt::format("{} gave the same {} {:.0f} {}, {}", who, what.empty() ? "answers in all" : what, doubt.count,
+                         what.empty() ? "runs" : "times",
+                         doubt.of > 0 ? "or its spread was rounded away: not tested" : "which count as one");
+    case DoubtKind::other_version:
+      return fmt::format("ignored: {} of another version ({})", base::counted(std::llround(doubt.count), "solves"),
+                         who);
+  }
+  return {};
+}
+
+}  // namespace ikbench::judge

@@ -1,0 +1,52 @@
+// What is odd in the data, which a report says before its numbers are believed: who finds it, and its words, in one
+// file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ikbench::judge {
+
+struct StudyResults;
+
+// In the order of what they change.
+enum class DoubtKind {
+  plan_changed,          // after solves were seen
+  runs_missing,          // or rows of a file without a label
+  incomplete,            // values of a file are missing
+  other_version,         // another version of the program made solves, which are ignored
+  claimed_but_wrong,     // a solver says another error than its answer has
+  seconds_decide,        // what is reached in a limit of time, on a busy machine or several
+  budgets_differ,        // evaluations that solvers may make
+  near_misses,           // most of what was not solved is just beyond the tolerance
+  counted_otherwise,     // evaluations: by the solver itself, or by nobody
+  outside_limits,        // answers
+  without_answer,        // solves, or infinite values of a file
+  times_not_comparable,  // measured in parallel, apart, or on a busy machine
+  out_of_reach,          // targets
+  solved_by_nobody,      // targets, in any run
+  too_few_joints,        // for all conditions of a target
+  repeats_itself,        // every run gave the same, so they count as one
+  few_decide_mean,       // one value is most of a sum
+};
+
+struct Doubt {
+  DoubtKind kind;
+  std::vector<std::string> who = {};  // solvers
+  double count = 0, of = 0;           // 3 of 20
+  std::string what = {};              // why, in a few words: "solved in parallel"
+};
+
+// A line: "times of mine are not compared: the machine was busy in 100 of 100 solves".
+std::string words_of(const Doubt& doubt);
+
+// Of all that concerns more than one metric.
+std::vector<Doubt> doubts_of(const StudyResults& study);
+// Of one: whom these name is not compared in it; all, if none is named.
+std::vector<Doubt> doubts_of_times(const StudyResults& study);
+std::vector<Doubt> doubts_of_clock(const StudyResults& study);  // what solvers reach in seconds depends on the load
+std::vector<Doubt> doubts_of_evaluations(const StudyResults& study);
+// Limits of a solve that two versions had, one doubt each.
+std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& both);
+
+}  // namespace ikbench::judge

@@ -1,0 +1,214 @@
+#include "analysis/judge/gate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace ikbench::judge {
+namespace {
+
+using namespace results;
+
+void refuse_other_task(const StudyResults& one, const StudyResults& other) {
+  const Definition &a = one.definition, &b = other.definition;
+  const std::pair<bool, const char*> differences[]{
+      {a.robot != b.robot || a.arm != b.arm, "arms"},
+      {a.path != b.path || a.points != b.points, "targets"},
+      {a.seed != b.seed, "seeds"},
+      {a.search != b.search, "searches"},
+      {a.start != b.start, "starts"},
+      {a.task != b.task || a.near != b.near || a.rotation_weight != b.rotation_weight,
+       "paths, starts or weights of a rotation"},
+      {a.limits != b.limits, "treatments of joint limits"},
+      {a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance, "tolerances"}};
+  for (const auto& [differ, what] : differences) {
+    if (differ)
+      throw std::invalid_argument(fmt::format("not compared: {} has other {} than before", other.labels.front(), what));
+  }
+}
+
+// Of both stores, as solvers of one study. Takes their solves.
+StudyResults study_of_both(StudyResults& baseline, StudyResults both) {
+  both.labels = {"now", "before"};
+  const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
+  for (Session& session : std::exchange(baseline.sessions, {})) {
+    session.id += before;
+    both.sessions.push_back(std::move(session));
+  }
+  both.solves.reserve(2 * both.solves.size());
+  for (Solve solve : std::exchange(baseline.solves, {})) {
+    solve.label = 1;
+    solve.session += before;
+    both.solves.push_back(solve);
+  }
+  refuse_other_targets(both);
+  both.definition.plan = baseline.definition.plan;  // a candidate sets no margin of its own
+  return both;
+}
+
+// Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
+Observations observed_answers(const StudyResults& study, bool machine_decides) {
+  Observations observed{
+      .metric = "answers", .quantity = "answered", .better = Better::larger, .scale = Scale::share, .is_paired = true};
+  for (const std::string& solver : study.labels) {
+    Measured answers;
+    for (const Solve& solve : study.of(solver))
+      answers.values.push_back(gave_answer(solve) || (machine_decides && solve.status == results::Status::over_budget));
+    observed.groups.push_back({.name = solver, .sample = std::move(answers)});
+  }
+  return observed;
+}
+
+bool is_time(const JudgedMetric& judged) { return judged.observations.unit == "s"; }
+
+// What takes a part of the significance.
+bool may_decide(const Gate& gate, const JudgedMetric& judged) {
+  return is_time(judged) ? gate.judged.study.are_in_turn : !gate.are_same;
+}
+
+bool is_of_answers(const JudgedMetric& judged) { return judged.observations.metric == "answers"; }
+
+// Without chance any loss of answers is a loss where none was missing or none is left.
+bool lost_answers_for_sure(const JudgedMetric& judged) {
+  const Description &candidate = judged.described.front(), &baseline = judged.described.back();
+  return is_of_answers(judged) && candidate.mean < baseline.mean && (baseline.mean == 1 || candidate.mean == 0);
+}
+
+// By McNemar's test of n targets of which this share differs: the root of n d^2 = (z_alpha sqrt(s) + z_beta sqrt(s -
+// d^2))^2, where at least d differ (Connor, Biometrics 43 (1987) 207).
+double targets_for(double loss, double differing, double alpha) {
+  const double s = std::max(loss, differing);
+  return std::pow(
+      (critical_z(alpha) * std::sqrt(s) + critical_z(0.4) * std::sqrt(std::max(0.0, s - loss * loss))) / loss, 2);
+}
+
+std::optional<Sight> sight_of(const JudgedMetric& judged, double tests) {
+  const Observations& observed = judged.observations;
+  const auto* const tested = std::get_if<Tested>(&judged.findings.front().what);
+  if (observed.scale != Scale::share || !observed.is_paired || observed.trials > 1 || !tested || !tested->effect)
+    return {};
+  const double differing = tested->effect->ahead + tested->effect->behind, alpha = judged.plan.significance / tests;
+  double low = 0, high = 1;
+  while (high - low > 1e-4) {
+    const double middle = (low + high) / 2;
+    (targets_for(middle, differing, alpha) > tested->n ? low : high) = middle;
+  }
+  return Sight{
+      high, tested->n,
+      judged.plan.margin > 0 ? static_cast<int>(std::ceil(targets_for(judged.plan.margin, differing, alpha))) : 0};
+}
+
+// A metric of which all values vanished, though there are answers.
+void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
+  if (std::ranges::max(values_of(judged.metrics.back().observations.groups.front())) == 0) return;
+  for (const JudgedMetric& metric : judged.metrics) {
+    const std::vector<Group>& groups = metric.observations.groups;
+    if (lost_in(groups.front()) > 0 && values_of(groups.front()).empty() && !values_of(groups.back()).empty())
+      throw std::invalid_argument(
+          fmt::format("not compared: {} lacks all {}, which it had before; if that is meant, make a new baseline",
+                      label, metric.observations.quantity));
+  }
+}
+
+// A solve that time ended did not fail by the machine if it had as many evaluations as the other version's needed.
+void tell_enough_time(StudyResults& study) {
+  const std::size_t half = study.solves.size() / 2;
+  const auto tell = [](Solve& late, const Solve& solved) {
+    const bool is_solved = solved.status == results::Status::ok;
+    late.had_enough_time = !is_solved
+                               ? late.status != results::Status::ok  // neither is better
+                               : late.counted_by == results::CountedBy::suite && late.evaluations >= solved.evaluations;
+  };
+  for (std::size_t i = 0; i < half; ++i) {
+    tell(study.solves[i], study.solves[half + i]);
+    tell(study.solves[half + i], study.solves[i]);
+  }
+}
+
+}  // namespace
+
+Gate gate(StudyResults study, const std::string& label) {
+  const std::string candidate = study.labels.front(), baseline = study.labels.back();
+  const Solves ours = study.of(candidate), theirs = study.of(baseline);
+  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
+  if (theirs.empty() || !std::ranges::equal(ours, theirs, {}, place, place))
+    throw std::invalid_argument(fmt::format(
+        "not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
+        label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
+  Gate gate{.label = label, .are_same = have_same_solves(ours, theirs) && std::ranges::any_of(ours, gave_answer)};
+  study.definition.plan.control = baseline;  // shown second
+  tell_enough_time(study);
+  JudgedStudy& judged = gate.judged = observe_all(std::move(study));
+  const std::vector<Doubt>& doubts = judged.metrics[judged.deciding].observations.doubts;
+  const bool machine_decides = std::ranges::count(doubts, DoubtKind::seconds_decide, &Doubt::kind) > 0;
+  judged.metrics.push_back(
+      {.observations = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
+  judged.study.solves = {}, judged.study.drawn = {};  // observed, and large
+  return gate;
+}
+
+Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> time_margin) {
+  refuse_other_task(baseline, candidate);
+  const std::string label = candidate.labels.front();
+  StudyResults study = study_of_both(baseline, std::move(candidate));
+  study.are_in_turn = time_margin.has_value();
+  Gate both = gate(std::move(study), label);
+  refuse_vanished(both.judged, label);
+  for (JudgedMetric& metric : both.judged.metrics) {
+    if (!is_time(metric)) continue;
+    if (time_margin)
+      metric.plan.margin = *time_margin;
+    else
+      metric.observations.doubts = {};  // of two sessions times are never comparable
+  }
+  std::ranges::move(doubts_of_limits(baseline, both.judged.study), std::back_inserter(both.judged.doubts));
+  return both;
+}
+
+void decide(std::vector<Gate>& gates) {
+  std::ptrdiff_t tests = 0;
+  for (const Gate& gate : gates)
+    tests += std::ranges::count_if(gate.judged.metrics, [&](const JudgedMetric& judged) {
+      return may_decide(gate, judged) && can_decide(judged.observations, judged.plan);
+    });
+  tests = std::max<std::ptrdiff_t>(tests, 1);
+  for (Gate& gate : gates) {
+    gate.is_compared = gate.are_same;
+    for (JudgedMetric& judged : gate.judged.metrics) {
+      judged = judge(std::move(judged.observations), judged.plan, static_cast<std::size_t>(tests));
+      const Observations& observed = judged.observations;
+      Finding& finding = judged.findings.front();
+      if (lost_answers_for_sure(judged))
+        finding.what = Fact{Verdict::worse, {judged.described.front().mean - judged.described.back().mean}};
+      if (&judged == &gate.judged.metrics[gate.judged.deciding])
+        gate.sight = sight_of(judged, static_cast<double>(tests));
+      if (is_time(judged) && !gate.judged.study.are_in_turn) continue;
+      const Verdict verdict = verdict_of(finding);
+      const auto* const tested = std::get_if<Tested>(&finding.what);
+      // Equal shares of runs may be those of other targets.
+      const bool is_open = verdict == Verdict::undecided || verdict == Verdict::not_tested ||
+                           (verdict == Verdict::equal && !observed.is_paired && observed.scale == Scale::share &&
+                            !is_of_answers(judged));
+      const bool matters = is_difference(verdict) && !(tested && tested->size == Size::small);
+      if (matters) (verdict == Verdict::worse ? gate.worse : gate.better).push_back(observed.quantity);
+      if (!matters && verdict == Verdict::worse) gate.worse_by_little.push_back(observed.quantity);
+      if (is_open && may_decide(gate, judged))
+        (verdict == Verdict::not_tested ? gate.not_tested : gate.not_decided).push_back(observed.quantity);
+      gate.is_compared |= !is_of_answers(judged) && verdict != Verdict::not_tested;
+    }
+    gate.is_compared |= !gate.worse.empty() || !gate.better.empty();
+  }
+}
+
+int exit_code(const std::vector<Gate>& gates, bool is_strict) {
+  if (std::ranges::any_of(gates, [](const Gate& gate) { return !gate.worse.empty(); })) return 3;
+  if (!std::ranges::all_of(gates, &Gate::is_compared)) return 1;
+  const auto is_open = [](const Gate& gate) { return !gate.not_decided.empty() || !gate.not_tested.empty(); };
+  return is_strict && std::ranges::any_of(gates, is_open) ? 4 : 0;
+}
+
+}  // namespace ikbench::judge

@@ -1,0 +1,45 @@
+// Is a solver worse than its baseline? A study of the two, judged like every other.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/judge/judge.hpp"
+
+namespace ikbench::judge {
+
+// Of solved targets, what these could show with a chance of 0.8.
+struct Sight {
+  double smallest = 0;  // loss, a share
+  int targets = 0;      // these
+  int of_margin = 0;    // targets that would show a loss of the margin
+};
+
+struct Gate {
+  std::string label;  // of both; empty: two solvers of one store
+  // Without solves, once decided without values. Of two solvers, the candidate first; the last metric is the share of
+  // solves that gave an answer.
+  JudgedStudy judged;
+  // Quantities; time only if the two were solved in turn. worse_by_little: by less than the margin, which is no loss.
+  std::vector<std::string> worse, better, worse_by_little, not_decided, not_tested;
+  std::optional<Sight> sight = {};  // none where shares are not compared target by target
+  bool are_same = false;            // all solves, bit for bit: then nothing is left to decide but time
+  bool is_compared = true;          // some quantity besides the share of answers was compared, or something is worse
+};
+
+// Of a study of two solvers, the candidate first; observed and not yet judged. Throws std::invalid_argument if they
+// have not the same solves.
+Gate gate(StudyResults study, const std::string& label = "");
+// Of one solver in two stores, by the baseline's plan. If they were solved in turn, times decide by a margin of their
+// own. Throws also if the tasks differ, or if the candidate lacks all values of a metric.
+Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> time_margin = {});
+// Judges all, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
+// no more compares than it says.
+void decide(std::vector<Gate>& gates);
+
+// 3: something is worse; 1: of a label nothing was compared; 4: something is not decided, and that counts; else 0. Of
+// all labels together.
+int exit_code(const std::vector<Gate>& gates, bool is_strict);
+
+}  // namespace ikbench::judge

@@ -1,0 +1,125 @@
+#include "analysis/judge/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace ikbench::judge {
+
+namespace {
+
+// Of all findings that few values of a mean leave open.
+void add_doubt(JudgedMetric& judged) {
+  Doubt doubt{.kind = DoubtKind::few_decide_mean, .what = judged.observations.quantity};
+  for (const Group& group : judged.observations.groups) {
+    const auto concerns = [&](const Finding& finding) {
+      return is_open(finding, Open::Why::few_decide) && (finding.first == group.name || finding.second == group.name);
+    };
+    if (does_one_value_decide(group) && std::ranges::any_of(judged.findings, concerns)) doubt.who.push_back(group.name);
+  }
+  if (!doubt.who.empty()) judged.observations.doubts.push_back(std::move(doubt));
+}
+
+// Some observation has a value, and if this is no share one is not 0.
+bool has_meaning(const Observations& observed) {
+  return std::ranges::any_of(observed.groups, [&](const Group& group) {
+    return std::ranges::any_of(values_of(group),
+                               [&](double value) { return value != 0 || observed.scale == Scale::share; });
+  });
+}
+
+}  // namespace
+
+JudgedMetric judge(Observations observations, const Plan& plan, std::size_t metrics) {
+  JudgedMetric judged{.observations = std::move(observations), .plan = plan};
+  const Observations& observed = judged.observations;
+  for (const Group& group : observed.groups) {
+    const Description its = describe(group);
+    judged.described.push_back(observed.are_logs ? Description{.n = its.n, .mean = std::exp(its.mean)} : its);
+  }
+  judged.findings = compare(observed, plan, metrics);
+  judged.headline = headline(observed, plan, judged.findings);
+  add_doubt(judged);
+  return judged;
+}
+
+double average_of(const JudgedMetric& judged, std::size_t group) {
+  const Description& its = judged.described[group];
+  const bool is_mean =
+      judged.observations.scale == Scale::share || judged.plan.test == Plan::Test::means || std::isnan(its.median);
+  const bool is_told = judged.observations.tells_incomplete || lost_in(judged.observations.groups[group]) == 0;
+  return !is_told ? unknown : is_mean ? its.mean : its.median;
+}
+
+std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vector<JudgedMetric>& all) {
+  const auto evaluations = std::ranges::find_if(
+      all, [](const JudgedMetric& metric) { return metric.observations.metric.starts_with("evaluations"); });
+  const auto cost = [&](const std::string& name) {
+    if (evaluations == all.end()) return 0.0;
+    const std::size_t group = place_of(evaluations->observations, name);
+    const double value = group == evaluations->described.size() ? unknown : average_of(*evaluations, group);
+    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+  };
+  std::vector<std::size_t> order(judged.described.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+    const double value = average_of(judged, i);
+    const Group& group = judged.observations.groups[i];
+    const bool is_best = std::ranges::count(judged.headline.best, group.name) > 0;
+    const double place = judged.observations.better == Better::larger ? -value : value;
+    const int rank = lost_in(group) > 0 ? 2 : is_best ? 0 : 1;
+    return std::isnan(value) ? std::tuple(3, 0.0, 0.0) : std::tuple(rank, place, cost(group.name));
+  });
+  return order;
+}
+
+JudgedStudy observe_all(StudyResults study) {
+  const results::Definition& definition = study.definition;
+  const bool are_any_solved =
+      definition.has_tolerance() && std::ranges::count(study.solves, results::Status::ok, &Solve::status) > 0;
+  const Metric& deciding = metric_named(!definition.plan.metric.empty() ? definition.plan.metric
+                                        : are_any_solved                ? "solved"
+                                                                        : "position_error_cm");
+  const bool do_some_fail =
+      are_any_solved && !definition.is_chained() &&
+      std::ranges::count(study.solves, results::Status::ok, &Solve::status) < std::ssize(study.solves);
+  JudgedStudy judged;
+  for (const Metric& metric : metrics()) {
+    const bool is_deciding = &metric == &deciding;
+    const bool is_told_by_solved = metric.kind == Kind::error && are_any_solved;
+    const bool is_told =
+        metric.told == Told::always || metric.told == (do_some_fail ? Told::if_some_fail : Told::if_all_solve);
+    if (!is_deciding && (!is_told || is_told_by_solved)) continue;
+    Observations observed = observe(study, metric);
+    if (!is_deciding && !has_meaning(observed)) continue;
+    if (is_deciding) judged.deciding = judged.metrics.size();
+    judged.metrics.push_back({.observations = std::move(observed), .plan = definition.plan});
+  }
+  judged.doubts = doubts_of(study);
+  judged.study = std::move(study);
+  return judged;
+}
+
+JudgedStudy judge(StudyResults study) {
+  JudgedStudy judged = observe_all(std::move(study));
+  for (JudgedMetric& metric : judged.metrics) metric = judge(std::move(metric.observations), metric.plan);
+  return judged;
+}
+
+const JudgedMetric* judged_of(const JudgedStudy& judged, std::string_view column) {
+  const auto found = std::ranges::find_if(
+      judged.metrics, [&](const JudgedMetric& each) { return each.observations.metric == metric_named(column).slug; });
+  return found == judged.metrics.end() ? nullptr : &*found;
+}
+
+const Finding* finding_of(const JudgedMetric& judged, std::string_view one, std::string_view other) {
+  const auto found = std::ranges::find_if(judged.findings, [&](const Finding& finding) {
+    return (finding.first == one && finding.second == other) || (finding.first == other && finding.second == one);
+  });
+  return found == judged.findings.end() ? nullptr : &*found;
+}
+
+}  // namespace ikbench::judge

@@ -1,0 +1,50 @@
+// A study, a user's file or two groups, judged: what tables, figures, screens and claims are made of.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "analysis/judge/compare.hpp"
+#include "analysis/judge/describe.hpp"
+#include "analysis/judge/observe.hpp"
+
+namespace ikbench::judge {
+
+struct JudgedMetric {
+  Observations observations;
+  Plan plan;                           // by which it was judged
+  std::vector<Description> described;  // one for each group
+  std::vector<Finding> findings;       // one for each pair of the plan
+  Headline headline;
+};
+
+// The doubts of the findings stand with those of the observations. So many metrics share the significance.
+JudgedMetric judge(Observations observed, const Plan& plan, std::size_t metrics = 1);
+
+// What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
+// median; NaN where values are lost.
+double average_of(const JudgedMetric& judged, std::size_t group);
+// Groups: the best, the others by value, of equal ones that with fewer evaluations (a metric of `all`), those that lost
+// values.
+std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vector<JudgedMetric>& all);
+
+struct JudgedStudy {
+  StudyResults study;
+  // Those of reports, in the order of metrics.inc, if the study has them; and the deciding one. Where any target is
+  // solved no other error: solved says which are small enough.
+  std::vector<JudgedMetric> metrics;
+  std::size_t deciding = 0;   // metric of the headline: the plan's, else solved where any target is solved, else error
+  std::vector<Doubt> doubts;  // of the whole study
+};
+
+// Without descriptions and findings.
+JudgedStudy observe_all(StudyResults study);
+JudgedStudy judge(StudyResults study);
+
+// Null if the study has no such metric, by its column.
+const JudgedMetric* judged_of(const JudgedStudy& judged, std::string_view column);
+// Of two groups, in either order; null if they are no pair.
+const Finding* finding_of(const JudgedMetric& judged, std::string_view one, std::string_view other);
+
+}  // namespace ikbench::judge

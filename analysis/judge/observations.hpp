@@ -1,0 +1,89 @@
+// Observations of one metric in groups, as `compare` and `describe` take them: what is odd was settled before.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "analysis/judge/doubts.hpp"
+
+namespace ikbench::judge {
+
+enum class Better { smaller, larger };
+
+// What a comparison estimates: first / second, first - second, or the difference of shares from 0 to 1. It belongs to
+// the metric, whatever the values are.
+enum class Scale { ratio, difference, share };
+
+// What is known of a group: one of these.
+struct Measured {
+  std::vector<double> values = {};  // infinite: no answer, worse than any
+  std::vector<int> blocks = {};     // where paired: of each value, rising; none: those of all groups are the same
+  bool may_repeat = false;          // all values are equal, and nobody knows whether the solver repeats itself
+};
+struct Copies {  // of one value, since the solver repeats itself
+  double value = 0;
+  int runs = 0;
+};
+struct Summary {  // as papers print it
+  int n = 0;
+  double mean = 0;
+  double sd = 0;  // divided by n - 1
+};
+struct Untold {     // not compared; what there is can be described
+  enum class Why {  // of several, the first
+    lost,           // observations have no value
+    infinite,       // means cannot count those without an answer
+    apart,          // timed or counted otherwise, or ended by the clock
+    no_spread,      // a printed deviation of 0, which would decide everything
+    none,           // nothing was solved, so nothing has a cost
+    // Of two groups that are both told:
+    too_few,    // no data of this size could decide
+    few_decide  // one value is more than half of a group's sum, so the means would show nothing better
+  };
+  Why why = Why::lost;
+  int lost = 0;  // observations without a value
+  std::vector<double> values = {};
+  std::optional<Summary> printed = {};
+};
+using Sample = std::variant<Measured, Copies, Summary, Untold>;
+
+struct Group {
+  std::string name = {};
+  Sample sample = {};
+  double at_most = 0;  // values at or below count as this, the tolerance; 0: none
+};
+
+// All that a group has: of copies one, of a summary none.
+std::span<const double> values_of(const Group& group);
+const Untold* untold(const Group& group);  // null if it is compared
+int lost_in(const Group& group);           // observations without a value
+
+struct Observations {
+  std::string metric;    // of files and anchors: "error"
+  std::string quantity;  // "position error"
+  std::string unit = {};
+  Better better = Better::smaller;
+  Scale scale = Scale::ratio;
+  double absolute_margin = 0;     // of the plan, in this unit
+  double floor = 0;               // of ratios: a smaller value counts as this
+  double rounding = 0;            // values that differ by no more are equal
+  bool is_paired = false;         // values of one block belong together; without blocks, values[i]
+  bool tells_incomplete = false;  // tables have numbers of groups that lost values, though nothing is said of them
+  bool is_of_solved = false;      // so each group has its own targets: numbers of two are comparable in findings alone
+  bool are_logs = false;          // values are logarithms, and their mean is compared: that of the ratio
+  int trials = 1;                 // of shares: attempts in an observation; one makes it 0 or 1
+  std::vector<Group> groups = {};
+  std::vector<Doubt> doubts = {};
+};
+
+// The place of a group; their number if there is none of this name.
+inline std::size_t place_of(const Observations& observed, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(observed.groups, name, &Group::name) - observed.groups.begin());
+}
+
+}  // namespace ikbench::judge

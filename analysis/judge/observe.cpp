@@ -1,0 +1,168 @@
+#include "analysis/judge/observe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include "analysis/judge/describe.hpp"
+#include "analysis/judge/tests_of_two.hpp"
+
+namespace ikbench::judge {
+
+using namespace results;
+
+namespace {
+
+// An observation is a run, else a target.
+bool are_runs(const StudyResults& study, const Metric& metric) {
+  return metric.kind == Kind::run || study.definition.compares_runs();
+}
+
+// Below it errors are equal; 0 where the study has none.
+double tolerance_of(const StudyResults& study, const Metric& metric) {
+  const numerics::StopRule& stop = study.definition.stop;
+  if (metric.kind != Kind::error) return 0;
+  return metric.unit == "deg" ? stop.tolerance_deg() : stop.tolerance_cm();
+}
+
+// What failed has no cost of an answer; along a path it has, for the next solve starts from there.
+bool is_of_solved(const StudyResults& study, const Metric& metric) {
+  const bool is_cost = metric.kind == Kind::cost || metric.kind == Kind::time;
+  return is_cost && study.definition.has_tolerance() && !study.definition.is_chained();
+}
+
+struct Value {
+  int block;
+  double value;
+};
+
+// Of the solves, by block; an observation is made of those of one.
+std::vector<Value> values_of(const StudyResults& study, const Metric& metric, std::string_view solver, bool by_turn) {
+  const Definition& definition = study.definition;
+  const bool of_runs = are_runs(study, metric), of_solved = is_of_solved(study, metric);
+  const double least = tolerance_of(study, metric);
+  // Where the arm stayed is no error of a solver that never moved it.
+  const bool is_unknown = metric.kind == Kind::error && std::ranges::none_of(study.of(solver), gave_answer);
+  std::set<int> turns;  // a session each; what a process spends in one is one observation
+  for (const Solve& solve : by_turn ? study.of(solver) : Solves()) turns.insert(solve.session);
+  std::vector<Value> values;
+  for (const Solves run : runs_of(study.of(solver))) {
+    if (of_runs && !is_complete(study, run)) continue;
+    if (metric.kind == Kind::run) {
+      values.push_back({run.front().run, metric.value(run.back(), study)});
+      continue;
+    }
+    for (const Solve& solve : run) {
+      if (of_solved && solve.status != Status::ok) continue;
+      const int block = by_turn   ? static_cast<int>(std::distance(turns.begin(), turns.find(solve.session)))
+                        : of_runs ? solve.run
+                        : definition.draws_targets ? (solve.run - 1) * definition.points + solve.point
+                                                   : solve.point;
+      const double value = is_unknown ? unknown : metric.value(solve, study);
+      values.push_back({block, value < least ? least : value});
+    }
+  }
+  if (!std::ranges::is_sorted(values, {}, &Value::block)) std::ranges::stable_sort(values, {}, &Value::block);
+  return values;
+}
+
+// The observations: the mean of each block, of times the median; NaN where a value is unknown.
+std::vector<Value> means_of(const std::vector<Value>& all, bool are_medians = false) {
+  std::vector<Value> means;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < all.size();) {
+    const int block = all[i].block;
+    for (values.clear(); i < all.size() && all[i].block == block; ++i) values.push_back(all[i].value);
+    const bool is_known = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+    const double value = !is_known ? unknown : are_medians ? described(values).median : summarise(values).mean;
+    means.push_back({block, std::isfinite(value) ? value : unknown});
+  }
+  return means;
+}
+
+// What attempts spent by what they solved: of each observation a logarithm, so that their mean is that of the ratio of
+// the two sums, and their spread its error (the infinitesimal jackknife; Efron, The Jackknife, 1982, chapter 6).
+std::vector<Value> spent_by_solved(std::vector<Value> spent, const std::vector<Value>& solved) {
+  double all_spent = 0, all_solved = 0;
+  for (std::size_t i = 0; i < spent.size(); ++i) all_spent += spent[i].value, all_solved += solved[i].value;
+  const auto n = static_cast<double>(spent.size());
+  for (std::size_t i = 0; i < spent.size(); ++i)
+    spent[i].value = std::log(all_spent / all_solved) + n * (spent[i].value / all_spent - solved[i].value / all_solved);
+  return spent;
+}
+
+bool is_by_turn(const StudyResults& study, const Metric& metric) { return study.are_in_turn && metric.unit == "s"; }
+
+Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, const std::string& solver) {
+  const bool by_turn = is_by_turn(study, metric);
+  Group group{.name = solver};
+  const double least = tolerance_of(study, metric);
+  const std::vector<Value> all = values_of(study, metric, solver, by_turn);
+  if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.at_most = least;
+  std::vector<Value> values = means_of(all, metric.kind == Kind::time);
+  if (metric.kind == Kind::spent) {
+    const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver, by_turn));
+    if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
+      group.sample = Untold{.why = Untold::Why::none};
+      return group;
+    }
+    values = spent_by_solved(std::move(values), solved);
+  }
+  Measured measured;
+  int lost = 0;
+  for (const auto& [block, value] : values) {
+    if (!std::isfinite(value)) {
+      ++lost;
+      continue;
+    }
+    measured.values.push_back(value);
+    if (is_paired) measured.blocks.push_back(block);
+  }
+  const bool are_equal = measured.values.size() > 1 &&
+                         std::ranges::count(measured.values, measured.values.front()) == std::ssize(measured.values);
+  if (lost > 0)
+    group.sample = Untold{.why = Untold::Why::lost, .lost = lost, .values = std::move(measured.values)};
+  else if (!is_paired && are_equal && repeats_itself(study, solver))
+    group.sample = Copies{measured.values.front(), static_cast<int>(measured.values.size())};
+  else
+    group.sample = std::move(measured);
+  return group;
+}
+
+}  // namespace
+
+Observations observe(const StudyResults& study, const Metric& metric) {
+  const Definition& definition = study.definition;
+  const bool of_runs = are_runs(study, metric);
+  Observations observed{.metric = std::string(metric.slug),
+                        .quantity = std::string(metric.name),
+                        .unit = std::string(metric.unit),
+                        .better = metric.kind == Kind::share ? Better::larger : Better::smaller,
+                        .scale = metric.scale,
+                        .absolute_margin = metric.unit == "cm" ? definition.plan.margin_cm : 0,
+                        .floor = metric.floor,
+                        .rounding = metric.rounding,
+                        .is_paired = definition.draws_targets || !of_runs || is_by_turn(study, metric),
+                        .is_of_solved = is_of_solved(study, metric),
+                        .are_logs = metric.kind == Kind::spent,
+                        .trials = of_runs                    ? definition.points
+                                  : definition.draws_targets ? 1
+                                                             : definition.runs};
+  std::vector<Group>& groups = observed.groups;
+  for (const std::string& solver : study.labels) groups.push_back(group_of(study, metric, observed.is_paired, solver));
+  observed.doubts = metric.unit == "s" ? doubts_of_times(study) : doubts_of_clock(study);
+  if (metric.column.starts_with("evaluations"))
+    std::ranges::move(doubts_of_evaluations(study), std::back_inserter(observed.doubts));
+  for (const Doubt& doubt : observed.doubts) {
+    for (Group& group : groups) {
+      const bool is_apart = doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0;
+      if (!is_apart || untold(group)) continue;  // a group that lost values stays so: the stronger reason
+      const std::span<const double> values = judge::values_of(group);
+      group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
+    }
+  }
+  return observed;
+}
+
+}  // namespace ikbench::judge

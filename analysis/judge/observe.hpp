@@ -1,0 +1,44 @@
+// The one door from solves to numbers that are compared: what is odd becomes a doubt here, and what passes is finite.
+// Metrics are the table of metrics.inc.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "analysis/judge/observations.hpp"
+#include "analysis/judge/study.hpp"
+
+namespace ikbench::judge {
+
+// share: solved or not. error: a distance from the target. cost: effort for an answer; with a tolerance, only of
+// targets that both solvers of a pair solved. time: a cost that is compared only where times are comparable. spent: all
+// that attempts took, by the number of targets solved, so that who fails pays for it. run: its last solve has the value
+// of all.
+enum class Kind { share, error, cost, time, spent, run };
+
+// In which reports: where a study has a tolerance, costs are of what was solved; if some of it was not, what was spent
+// stands in place of evaluations and time.
+enum class Told { always, if_all_solve, if_some_fail, if_asked };
+
+struct Metric {
+  std::string_view column;  // name in files and on the command line
+  std::string_view slug;    // of files and anchors
+  std::string_view name;    // in text
+  std::string_view unit;    // of its values; empty: none
+  Kind kind;
+  Scale scale;
+  double floor;     // of ratios: a smaller value counts as this
+  double rounding;  // values that differ by no more are equal
+  Told told;
+  double (*value)(const Solve& solve, const StudyResults& study);  // NaN: the solve has none
+};
+
+std::span<const Metric> metrics();
+// Throws std::invalid_argument, which lists all, if no row has this column.
+const Metric& metric_named(std::string_view column);
+
+// One observation is a run, the mean of its targets, where solves are chained or all runs have one target; else a
+// target, the mean of its runs, or of drawn targets its one solve. Of times it is the median.
+Observations observe(const StudyResults& study, const Metric& metric);
+
+}  // namespace ikbench::judge

@@ -1,0 +1,40 @@
+// Two groups as a test takes them: numbers alone. A pure function of their values, so that a test sees neither floors
+// nor infinities nor copies.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "analysis/judge/observations.hpp"
+
+namespace ikbench::judge {
+
+// Copies are one value. A group that is printed has a summary and no values.
+struct Prepared {
+  std::vector<double> first, second;
+  std::vector<double> differences = {};  // by block; or of each run from the one value of a solver that repeats itself
+  Summary of_first = {}, of_second = {};
+  double no_answer = 0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
+  bool are_all_equal = false;
+
+  // Infinite where it is made of a value that stands for an infinite one.
+  double unbound(double value) const {
+    return no_answer > 0 && std::abs(value) > no_answer / 8
+               ? std::copysign(std::numeric_limits<double>::infinity(), value)
+               : value;
+  }
+};
+
+// Values of the blocks that are among these, which rise; all where the group has no blocks.
+std::vector<double> values_in(const std::vector<int>& blocks, const Measured& group);
+
+// Makes values equal that differ by no more than the rounding, or lie below a floor.
+void settle(std::vector<double>& values, const Observations& observed, bool has_floor);
+
+// Values below the floor count as it where logarithms are taken; those that differ by no more than the rounding are
+// equal. Paired values without blocks belong together by their places.
+Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,
+                  bool takes_logs);
+
+}  // namespace ikbench::judge

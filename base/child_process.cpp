@@ -1,0 +1,277 @@
+#include "base/child_process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "base/names.hpp"
+
+extern char** environ;  // which the headers of some systems leave to us
+
+namespace ikbench::base {
+
+namespace {
+
+constexpr std::size_t kept_errors = 4000;  // bytes
+
+#ifndef __GLIBC__
+// Elsewhere no call closes all descriptors: a forked process closes one after the other, and what starts a program
+// leaves each to close itself.
+void closefrom(int first) {
+  for (int descriptor = ::getdtablesize(); descriptor-- > first;) ::close(descriptor);
+}
+int posix_spawn_file_actions_addclosefrom_np(posix_spawn_file_actions_t*, int) { return 0; }
+#endif
+#ifdef __APPLE__  // whose programs start without our descriptors when told so
+int pipe2(int* ends, int) { return ::pipe(ends); }
+int clock_getcpuclockid(pid_t, clockid_t*) { return ENOSYS; }
+constexpr short start_flags = POSIX_SPAWN_CLOEXEC_DEFAULT;
+#else
+constexpr short start_flags = 0;
+#endif
+
+struct Pipe {
+  Pipe() {
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+      throw std::runtime_error(fmt::format("cannot open a pipe: {}; raise ulimit -n", std::strerror(errno)));
+  }
+  ~Pipe() {
+    for (const int end : ends)
+      if (end >= 0) ::close(end);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  int take(std::size_t end) { return std::exchange(ends.at(end), -1); }
+
+  std::array<int, 2> ends{};  // the reading end, the writing end
+};
+
+// A program may leave the group that it was started in, as coreutils' timeout does, and lead its own.
+void kill_all(pid_t group, pid_t process) {
+  if (::getpgid(process) == process) ::kill(-process, SIGKILL);
+  ::kill(process, SIGKILL);
+  ::kill(-group, SIGKILL);
+}
+
+// Starts a process that leads a group, reads the number of the program's process from the lifeline, waits until nobody
+// holds its other end, and ends all. It survives whatever happens to our process, and calls nothing that needs a lock.
+pid_t start_guard(int lifeline) {
+  const pid_t guard = ::fork();
+  if (guard != 0) {
+    if (guard > 0) ::setpgid(guard, guard);
+    return guard;
+  }
+  ::setpgid(0, 0);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGPIPE}) ::signal(signal, SIG_IGN);
+  ::dup2(lifeline, STDIN_FILENO);
+  closefrom(STDIN_FILENO + 1);
+  pid_t process = 0;
+  while (::read(STDIN_FILENO, &process, sizeof(process)) > 0) {  // its number, then nothing until the end
+  }
+  if (process > 0) kill_all(::getpid(), process);
+  ::kill(0, SIGKILL);
+  ::_exit(0);
+}
+
+// Returns an error number, or 0 if the process runs.
+int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem::path& folder,
+          std::vector<std::string>& own_variables, pid_t group, const std::array<int, 3>& descriptors) {
+  std::vector<char*> arguments, variables;
+  for (std::string& word : words) arguments.push_back(word.data());
+  for (std::string& assignment : own_variables) variables.push_back(assignment.data());
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view text = *variable, name = text.substr(0, text.find('=') + 1);
+    const auto is_same = [&](const std::string& assignment) { return assignment.starts_with(name); };
+    if (std::ranges::none_of(own_variables, is_same)) variables.push_back(*variable);
+  }
+  arguments.push_back(nullptr);
+  variables.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawnattr_init(&attributes);
+  if (!folder.empty()) ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  for (int i = 0; i < 3; ++i) ::posix_spawn_file_actions_adddup2(&actions, descriptors[static_cast<std::size_t>(i)], i);
+  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+  sigset_t none, all;
+  sigemptyset(&none);  // macros on macOS
+  sigfillset(&all);
+  ::posix_spawnattr_setsigmask(&attributes, &none);
+  ::posix_spawnattr_setsigdefault(&attributes, &all);
+  ::posix_spawnattr_setpgroup(&attributes, group);
+  ::posix_spawnattr_setflags(&attributes,
+                             start_flags | POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  const int error = ::posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), variables.data());
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
+  return error;
+}
+
+void bury(pid_t process, int* status = nullptr) {
+  while (::waitpid(process, status, 0) < 0 && errno == EINTR) {
+  }
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder,
+                           std::vector<std::string> variables) {
+  Pipe input, output, errors, lifeline;
+  guard_ = start_guard(lifeline.ends[0]);
+  if (guard_ < 0) throw std::runtime_error(fmt::format("no process starts: {}; raise ulimit -u", std::strerror(errno)));
+  const int error = spawn(process_, words, folder, variables, guard_, {input.ends[0], output.ends[1], errors.ends[1]});
+  if (error != 0) {
+    ::kill(guard_, SIGKILL);
+    bury(guard_);
+    throw std::invalid_argument(fmt::format(
+        "cannot start \"{0}\": {1}", words[0],
+        error == ENOENT && std::filesystem::exists(folder / words[0])
+            ? fmt::format("it is not on the PATH; the file here is ./{}, or its interpreter comes first", words[0])
+            : std::strerror(error)));
+  }
+  lifeline_ = lifeline.take(1);
+  while (::write(lifeline_, &process_, sizeof(process_)) < 0 && errno == EINTR) {
+  }
+  input_ = input.take(1);
+  output_ = output.take(0);
+  errors_ = errors.take(0);
+  for (const int descriptor : {input_, output_, errors_}) ::fcntl(descriptor, F_SETFL, O_NONBLOCK);
+}
+
+ChildProcess::Ran ChildProcess::run(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                                    std::vector<std::string> variables) {
+  try {
+    ChildProcess process(words, folder, std::move(variables));
+    process.end_input();
+    const Clock::time_point deadline = Clock::now() + std::chrono::minutes(1);
+    while (process.output_ >= 0) process.wait(-1, deadline, "it took more than a minute");
+    process.end(std::chrono::seconds(1));
+    return {WIFEXITED(process.status_) && WEXITSTATUS(process.status_) == 0, process.read_ + process.wrote_};
+  } catch (const Trouble& trouble) {
+    return {.output = fmt::format("{}: {}", words[0], trouble.why)};
+  } catch (const std::invalid_argument& error) {
+    return {.output = error.what()};
+  }
+}
+
+bool ChildProcess::is_running() {
+  if (!has_ended_) has_ended_ = ::waitpid(process_, &status_, WNOHANG) == process_;
+  return !has_ended_;
+}
+
+double ChildProcess::cpu_seconds() const {
+  clockid_t clock{};
+  timespec time{};
+  if (has_ended_ || clock_getcpuclockid(process_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+void ChildProcess::close_one(int& descriptor) {
+  if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
+}
+
+void ChildProcess::drain(int& from, std::string& into) {
+  std::array<char, 65536> buffer;
+  const ssize_t size = ::read(from, buffer.data(), buffer.size());
+  if (size > 0)
+    into.append(buffer.data(), static_cast<std::size_t>(size));
+  else if (size == 0 || (errno != EAGAIN && errno != EINTR))
+    close_one(from);
+}
+
+void ChildProcess::wait(int input, Clock::time_point deadline, const char* what) {
+  constexpr long slice = 200;  // [ms] between checks that the process still runs
+  const long left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+  if (left <= 0) throw Trouble{Trouble::Kind::timed_out, what};
+  const bool has_room = read_.size() <= longest_line;
+  std::array<pollfd, 3> files{pollfd{.fd = errors_, .events = POLLIN, .revents = 0},
+                              pollfd{.fd = has_room ? output_ : -1, .events = POLLIN, .revents = 0},
+                              pollfd{.fd = input, .events = POLLOUT, .revents = 0}};
+  const int ready = ::poll(files.data(), files.size(), static_cast<int>(std::min(left, slice)));
+  if (ready > 0 && files[0].revents != 0) drain(errors_, wrote_);
+  if (wrote_.size() > kept_errors) wrote_.erase(0, wrote_.size() - kept_errors);
+  if (ready > 0 && files[1].revents != 0) drain(output_, read_);
+  if (ready == 0 && !is_running()) close_one(output_);  // its children may hold the other end
+}
+
+bool ChildProcess::has_line() {
+  if (output_ >= 0) drain(output_, read_);
+  return read_.find('\n') != std::string::npos;
+}
+
+void ChildProcess::write(std::string_view text, Clock::time_point deadline) {
+  // Writing to a program that has ended is then an error of write(), not the end of our process.
+  [[maybe_unused]] static const auto before = ::signal(SIGPIPE, SIG_IGN);
+  while (!text.empty()) {
+    const ssize_t size = ::write(input_, text.data(), text.size());
+    if (size >= 0)
+      text.remove_prefix(static_cast<std::size_t>(size));
+    else if (errno == EAGAIN)
+      wait(input_, deadline, "it does not read what it is told");
+    else if (errno != EINTR)
+      throw Trouble{Trouble::Kind::crashed, "it ended"};
+  }
+}
+
+std::string ChildProcess::read_line(Clock::time_point deadline) {
+  for (std::size_t seen = 0;;) {
+    if (const std::size_t end = read_.find('\n', seen); end != std::string::npos && end <= longest_line) {
+      std::string line = read_.substr(0, end);
+      read_.erase(0, end + 1);
+      if (line.ends_with('\r')) line.pop_back();
+      return line;
+    }
+    if (read_.size() > longest_line)
+      throw Trouble{Trouble::Kind::broke_protocol, "it wrote a line of more than a million bytes"};
+    if (output_ < 0) throw Trouble{Trouble::Kind::crashed, "it ended"};
+    seen = read_.size();
+    wait(-1, deadline, "it did not answer in time");
+  }
+}
+
+void ChildProcess::end(std::chrono::milliseconds patience) {
+  if (guard_ < 0) return;
+  close_one(input_);
+  for (const auto until = Clock::now() + patience; is_running() && Clock::now() < until;) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  kill_all(guard_, has_ended_ ? guard_ : process_);  // its children may be left, and the guard
+  if (!has_ended_) bury(process_, &status_);
+  has_ended_ = true;
+  if (errors_ >= 0) drain(errors_, wrote_);
+  bury(guard_);
+  guard_ = -1;
+  for (int* descriptor : {&lifeline_, &output_, &errors_}) close_one(*descriptor);
+}
+
+std::string ChildProcess::end_after(Trouble::Kind trouble) {
+  const bool by_itself = trouble == Trouble::Kind::crashed;
+  end(std::chrono::seconds(by_itself ? 1 : 0));
+  // Who ends all processes of a job may have met it before us: then we are ended, or hear the signal, meanwhile.
+  if (by_itself) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  std::string told;
+  if (by_itself && WIFSIGNALED(status_))
+    told = fmt::format(" (signal {}{})", WTERMSIG(status_),
+                       WTERMSIG(status_) == SIGKILL ? ": killed, or it closed its standard output" : "");
+  if (by_itself && WIFEXITED(status_)) told = fmt::format(" (exit code {})", WEXITSTATUS(status_));
+  std::string_view last = wrote_;
+  last = last.substr(0, last.find_last_not_of("\n ") + 1);
+  last = last.substr(last.find_last_of('\n') + 1);
+  if (!last.empty()) told += fmt::format("; its last words: {}", front(last, 200));
+  return told;
+}
+
+}  // namespace ikbench::base

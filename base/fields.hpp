@@ -1,0 +1,93 @@
+// The fields of settings, one by one. A function list_fields names each field of a struct once, with its range and its
+// meaning. A class derived from Fields visits that list to read or write them.
+#pragma once
+
+#include <algorithm>
+#include <any>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ikbench::base {
+
+constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+
+// Says how a field enters the key of a series (experiments/study_writer.hpp).
+enum class InKey {
+  by_name,  // "name value" if it is not the default: the usual case
+  in_text,  // always: configuration_key writes it out, or the effective settings that it decides
+  no        // never: the field decides no number
+};
+
+class Fields {
+ public:
+  struct Name {
+    std::string_view key, meaning;
+    InKey in_key;
+  };
+
+  virtual ~Fields() = default;
+
+  void text(std::string_view key, std::string& field, std::string_view meaning = "", InKey in_key = InKey::by_name) {
+    on_text({key, meaning, in_key}, field);
+  }
+
+  void texts(std::string_view key, std::vector<std::string>& field, std::string_view meaning = "") {
+    on_texts({key, meaning, InKey::by_name}, field);
+  }
+
+  // `choices` are the names of an enum, in its order.
+  template <class Enum, class Names = std::initializer_list<std::string_view>>
+  void choice(std::string_view key, Enum& field, const Names& choices, std::string_view meaning = "",
+              InKey in_key = InKey::by_name) {
+    auto chosen = static_cast<std::size_t>(field);
+    on_choice({key, meaning, in_key}, chosen, std::vector<std::string>(choices.begin(), choices.end()));
+    field = static_cast<Enum>(chosen);
+  }
+
+  template <class Whole>
+  void whole(std::string_view key, Whole& field, std::pair<std::int64_t, std::int64_t> range,
+             std::string_view meaning = "", InKey in_key = InKey::by_name) {
+    auto value = static_cast<std::int64_t>(field);
+    on_whole({key, meaning, in_key}, value, range);
+    field = static_cast<Whole>(value);
+  }
+
+  // `range` is in units.
+  void number(std::string_view key, double& field, double unit, std::pair<double, double> range,
+              std::string_view meaning = "", InKey in_key = InKey::by_name) {
+    on_number({key, meaning, in_key}, field, unit, range);
+  }
+
+  // `size` 0 allows any number of values.
+  template <class Vector>
+  void numbers(std::string_view key, Vector& field, double unit, int size, std::string_view meaning = "",
+               InKey in_key = InKey::by_name) {
+    std::vector<double> values(field.begin(), field.end());
+    on_numbers({key, meaning, in_key}, values, unit, size);
+    field.resize(static_cast<std::ptrdiff_t>(values.size()));
+    std::ranges::copy(values, field.begin());
+  }
+
+  // Eigen::Isometry3d, which lists without poses do not include.
+  template <class Pose>
+  void poses(std::string_view key, std::vector<Pose>& field) {
+    on_poses({key, "", InKey::by_name}, &field);
+  }
+
+ private:
+  virtual void on_text(Name name, std::string& field) = 0;
+  virtual void on_texts(Name name, std::vector<std::string>& field) = 0;
+  virtual void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) = 0;
+  virtual void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t> range) = 0;
+  virtual void on_number(Name name, double& field, double unit, std::pair<double, double> range) = 0;
+  virtual void on_numbers(Name name, std::vector<double>& field, double unit, int size) = 0;
+  virtual void on_poses(Name, std::any) {}  // holds std::vector<Pose>*
+};
+
+}  // namespace ikbench::base

@@ -1,0 +1,179 @@
+#include "base/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <mutex>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "base/inputs.hpp"
+
+namespace ikbench::base {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A write that the system refused, as opposed to an error of the contents.
+struct WriteFailed {
+  std::error_code error;
+};
+
+// Refuses a write, with the exception by whose fault it is: the system's if its disk is full or fails.
+[[noreturn]] void refuse(const std::string& what, const std::string& why, const std::error_code& error) {
+  const std::string message = fmt::format("cannot write {}: {}", what, why);
+  if (error.value() == ENOSPC || error.value() == EDQUOT || error.value() == EFBIG || error.value() == EIO)
+    throw std::runtime_error(message + "; make room there (or raise ulimit -f), or choose another place");
+  throw std::invalid_argument(message + "; choose a place that you can write to");
+}
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+void write_text(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written >= 0)
+      text.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      throw WriteFailed{last_error()};
+  }
+}
+
+std::error_code write_all(int descriptor, const Contents& contents) {
+  try {
+    contents([&](std::string_view text) { write_text(descriptor, text); });
+    return {};
+  } catch (const WriteFailed& failed) {
+    return failed.error;
+  }
+}
+
+fs::path folder_of(const fs::path& place) { return place.has_parent_path() ? place.parent_path() : fs::path("."); }
+
+// The folders of this process; they must not stay when a signal ends it.
+std::mutex temporary_mutex;
+std::set<fs::path> temporary_folders;
+
+constexpr std::string_view scratch_name = ".ikbench-scratch-XXXXXX";
+
+// Removes what killed processes left: scratch folders of ours that are a day old. Younger ones may be those of another
+// machine or container.
+void remove_litter(const fs::path& folder) {
+  std::error_code error, ignored;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.size() != scratch_name.size() || !name.starts_with(scratch_name.substr(0, scratch_name.find('X'))))
+      continue;
+    const bool is_old = entry->last_write_time(ignored) < fs::file_time_type::clock::now() - std::chrono::hours(24);
+    if (is_old && entry->symlink_status(ignored).type() == fs::file_type::directory)
+      fs::remove_all(entry->path(), ignored);
+  }
+}
+
+// Replaces `former`, or writes a new file; whole or not at all.
+std::error_code replace(const fs::path& file, const Contents& contents, const struct stat* former) {
+  const TemporaryFolder scratch(folder_of(file), file);
+  const fs::path half = scratch.path() / file.filename();
+  const int descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
+  if (descriptor < 0) return last_error();
+  std::error_code error;
+  try {
+    error = write_all(descriptor, contents);
+  } catch (...) {  // an error of the contents
+    ::close(descriptor);
+    throw;
+  }
+  if (former != nullptr) ::fchmod(descriptor, former->st_mode & 07777);
+  if (::close(descriptor) != 0 && !error) error = last_error();
+  const std::scoped_lock lock(temporary_mutex);
+  if (!error) fs::rename(half, file, error);
+  return error;
+}
+
+}  // namespace
+
+void write_file(const fs::path& file, std::string_view text) {
+  write_file(file, [&](const Write& write) { write(text); });
+}
+
+void write_file(const fs::path& file, const Contents& contents) {
+  refuse_input(file);
+  std::error_code error;
+  if (file.has_parent_path()) {
+    const std::scoped_lock lock(temporary_mutex);  // a folder that a signal has removed stays away
+    fs::create_directories(file.parent_path(), error);
+  }
+  struct stat there {};
+  const bool is_file = ::lstat(file.c_str(), &there) == 0 && S_ISREG(there.st_mode);
+  if (!error)
+    error = is_file && ::access(file.c_str(), W_OK) != 0 ? last_error()
+                                                         : replace(file, contents, is_file ? &there : nullptr);
+  if (error) refuse(fmt::format("'{}'", file.string()), error.message(), error);
+}
+
+void write_through(const fs::path& file, const Contents& contents) {
+  std::error_code none;
+  const fs::path place = fs::exists(file, none) ? fs::canonical(file, none) : file;
+  if (fs::exists(place, none) && !fs::is_regular_file(place, none))
+    throw std::invalid_argument(
+        fmt::format("'{}' is no regular file; choose one, or redirect the output", file.string()));
+  write_file(place, contents);
+}
+
+void refuse_links(const fs::path& folder) {
+  for (const char* name : {"tables", "figures"}) {
+    std::error_code ignored;
+    if (const fs::path place = folder / name; fs::is_symlink(place, ignored))
+      throw std::invalid_argument(fmt::format("'{}' is a link; remove it, or choose another folder", place.string()));
+  }
+}
+
+std::optional<std::string> read_file(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf())) return std::nullopt;
+  return text.str();
+}
+
+TemporaryFolder::TemporaryFolder(const fs::path& parent, const fs::path& result) {
+  const std::scoped_lock lock(temporary_mutex);
+  std::error_code error;
+  fs::create_directories(parent, error);
+  remove_litter(parent);
+  std::string name = (parent / scratch_name).string();
+  if (!error && ::mkdtemp(name.data()) == nullptr) error = last_error();
+  if (error) refuse(fmt::format("'{}'", (result.empty() ? parent : result).string()), error.message(), error);
+  path_ = name;
+  temporary_folders.insert(path_);
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  const std::scoped_lock lock(temporary_mutex);
+  temporary_folders.erase(path_);
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+void remove_temporary_folders() {
+  temporary_mutex.lock();  // to the end of the process: no half file gets its name meanwhile
+  for (const fs::path& folder : temporary_folders) {
+    std::error_code error;
+    for (int attempt = 0; attempt < 100; ++attempt) {  // another thread may still write into it
+      fs::remove_all(folder, error);
+      if (!error) break;
+    }
+  }
+}
+
+}  // namespace ikbench::base

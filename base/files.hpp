@@ -1,0 +1,49 @@
+// Writes files that are either whole or absent: under another name beside their place, then renamed.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ikbench::base {
+
+// Creates the folder if it is missing. Keeps the permissions of a replaced file. Replaces a link, a pipe or a device,
+// and opens none, since somebody else may have put it into a folder of results. Throws
+// std::invalid_argument, or std::runtime_error if a disk is full or fails, with the file and the system's reason; and
+// std::invalid_argument if the file is an input (base/inputs.hpp).
+void write_file(const std::filesystem::path& file, std::string_view text);
+// The same in parts, which `contents` writes one after another. If it throws, a file that would be replaced stays as it
+// was.
+using Write = std::function<void(std::string_view)>;
+using Contents = std::function<void(const Write&)>;
+void write_file(const std::filesystem::path& file, const Contents& contents);
+// The same for a file that the user named: follows a link, and refuses a pipe or a device.
+void write_through(const std::filesystem::path& file, const Contents& contents);
+// Refuses a link in place of a report's tables/ or figures/: what it leads to belongs to somebody else.
+void refuse_links(const std::filesystem::path& folder);
+// Reads a regular file, where a link leads too; nothing if it cannot be read. A user's own: base/inputs.hpp.
+std::optional<std::string> read_file(const std::filesystem::path& file);
+
+// A new folder .ikbench-XXXXXX inside another, for unfinished work; removed at the end, and what a killed process left
+// a day ago when the next is made. Nobody else's link or file is in it.
+class TemporaryFolder {
+ public:
+  // Throws std::invalid_argument, or std::runtime_error as above, with the system's reason and the place: the parent,
+  // or the file or folder that becomes of it.
+  explicit TemporaryFolder(const std::filesystem::path& parent, const std::filesystem::path& result = {});
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// Removes those of this process, for a sudden end: nothing after it makes, removes or renames such a folder.
+void remove_temporary_folders();
+
+}  // namespace ikbench::base

@@ -1,0 +1,71 @@
+// Numbers as text and back, by std::to_chars and std::from_chars, which know no locale.
+#include "base/number.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <system_error>
+
+#include "base/names.hpp"
+
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
+#define IKBENCH_READS_BY_STRTOD
+#include <locale.h>
+#include <stdlib.h>
+#ifdef __APPLE__
+#include <xlocale.h>
+#endif
+#endif
+
+namespace ikbench::base {
+
+void append(std::string& text, double value) {
+  std::array<char, 32> buffer;  // the longest is -2.2250738585072014e-308: 24
+  text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+}
+
+std::string text_of(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0 ? "Inf" : "-Inf";
+  std::string text;
+  append(text, value);
+  return text;
+}
+
+std::from_chars_result read_number(const char* begin, const char* end, double& value) {
+#ifdef IKBENCH_READS_BY_STRTOD
+  static const locale_t none = ::newlocale(LC_ALL_MASK, "C", nullptr);
+  const std::string_view all(begin, end);
+  std::string text(all.substr(0, all.find_first_not_of("0123456789+-.eEinfatyINFATY")));  // no 0x, no blanks
+  char* rest = text.data();
+  errno = 0;
+  const double read = text.starts_with('+') ? 0 : ::strtod_l(text.c_str(), &rest, none);
+  const char* const stop = begin + (rest - text.data());
+  if (stop == begin) return {begin, std::errc::invalid_argument};
+  if (errno == ERANGE && (read == 0 || std::isinf(read))) return {stop, std::errc::result_out_of_range};
+  value = read;
+  return {stop, std::errc{}};
+#else
+  return std::from_chars(begin, end, value);
+#endif
+}
+
+std::optional<double> number_from(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);  // from_chars takes no plus
+  double value = 0;
+  const auto [end, error] = read_number(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+double in_unit(double value, double unit) {
+  const double guess = value / unit;
+  for (const double x :
+       {std::round(guess * 1e9) / 1e9, guess, std::nextafter(guess, 0), std::nextafter(guess, 2 * guess)}) {
+    if (x * unit == value) return x;
+  }
+  return guess;
+}
+
+}  // namespace ikbench::base

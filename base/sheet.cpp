@@ -1,0 +1,312 @@
+#include "base/sheet.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "base/names.hpp"
+#include "base/number.hpp"
+
+namespace ikbench::base {
+
+namespace {
+
+bool means_none(std::string_view cell) {
+  return cell.size() <= 4 &&
+         is_one_of(cell, {"", "-", "--", "na", "n/a", "#n/a", "nan", "-nan", "null", "none", "<na>"});
+}
+
+// "1,234,567"
+bool is_grouped(std::string_view whole, char mark) {
+  whole.remove_prefix(whole.starts_with('-') || whole.starts_with('+') ? 1 : 0);
+  const std::size_t first = whole.find(mark);
+  if (first == 0 || first > 3 || whole.front() == '0' || (whole.size() - first) % 4 != 0) return false;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (i >= first && (i - first) % 4 == 0 ? whole[i] != mark : whole[i] < '0' || whole[i] > '9') return false;
+  }
+  return true;
+}
+
+bool has_mark(std::string_view text) { return text.find_first_of(".,") != std::string_view::npos; }
+
+// Of a text with this mark of decimals; the other one marks thousands.
+std::optional<double> parsed(std::string_view text, char decimal) {
+  if (!has_mark(text)) return number_from(text);
+  const char thousand = decimal == '.' ? ',' : '.';
+  std::string plain(text);
+  if (text.find(thousand) != std::string_view::npos) {
+    const std::string_view whole = text.substr(0, text.find(decimal));
+    if (!is_grouped(whole, thousand) || text.find(thousand, whole.size()) != std::string_view::npos)
+      return std::nullopt;
+    std::erase(plain, thousand);
+  }
+  std::ranges::replace(plain, ',', '.');
+  return number_from(plain);
+}
+
+bool is_number(std::string_view text) { return parsed(text, '.') || parsed(text, ','); }
+
+// True and false as pandas and R write them.
+std::optional<double> truth(std::string_view text) {
+  if (is_one_of(text, {"true", "yes"})) return 1;
+  if (is_one_of(text, {"false", "no"})) return 0;
+  return std::nullopt;
+}
+
+// "76 us", "95 %", "1.2 (0.3)"
+bool begins_with_number(std::string_view text) {
+  const std::string_view number = text.substr(0, text.find_first_not_of("0123456789.,+-eE"));
+  const std::string_view rest = text.substr(number.size());
+  return is_number(number) && !rest.empty() &&
+         (rest.find_first_of("0123456789") == std::string_view::npos || trimmed(rest).starts_with('(') || rest[0] < 0);
+}
+
+// What the first line has most often outside quotes; blanks if nothing else parts it.
+char separator_of(std::string_view text) {
+  std::string header;
+  bool is_quoted = false;
+  for (const char c : text.substr(0, text.find('\n'))) {
+    if (c == '"') is_quoted = !is_quoted;
+    if (!is_quoted) header += c;
+  }
+  const auto count = [&](char separator) { return std::ranges::count(header, separator); };
+  constexpr std::string_view separators = ",\t;|";
+  const char most = *std::ranges::max_element(separators, {}, count);
+  return count(most) == 0 && count(' ') > 0 ? ' ' : most;
+}
+
+bool is_comment(std::string_view text) { return text.starts_with('#') || text.starts_with('%'); }
+
+// Takes comments from the front and returns how many lines these are. The last one stays, without its mark, if it has
+// as many cells as the line that follows.
+std::size_t take_comments(std::string_view& text) {
+  std::size_t lines = 0;
+  for (; is_comment(text); ++lines) {
+    const std::string_view line = text.substr(0, text.find('\n')), names = trimmed(line.substr(1));
+    const std::string_view after = text.substr(std::min(line.size() + 1, text.size()));
+    const char separator = separator_of(names);
+    const auto cells = [&](std::string_view of) {
+      std::string row(trimmed(of.substr(0, of.find_first_of("\r\n"))));
+      if (separator == ' ') row.erase(std::ranges::unique(row).begin(), row.end());
+      return std::ranges::count(row, separator);
+    };
+    if (names.starts_with(separator)) break;  // the mark is a name itself
+    const bool is_header = !is_comment(after) && cells(names) > 0 && cells(names) == cells(after) &&
+                           !is_number(names.substr(0, names.find(separator)));  // a row that was taken out
+    text.remove_prefix(is_header ? static_cast<std::size_t>(names.data() - text.data()) : text.size() - after.size());
+    if (is_header) break;
+  }
+  return lines;
+}
+
+}  // namespace
+
+bool is_one_of(std::string_view text, const Words& words) {
+  return std::ranges::find(words, lower_case(text)) != words.end();
+}
+
+std::string in_quotes(std::string_view text) { return fmt::format("'{}'", one_line(front(text, 60))); }
+
+std::string listed(const std::vector<std::string>& titles) {
+  return std::string(front(fmt::format("{}", fmt::join(titles, ", ")), 300));
+}
+
+Title::Title(std::string_view title) : name(title) {
+  const bool is_open = title.ends_with(']'), is_bracketed = is_open || title.ends_with(')');
+  const std::size_t at = is_bracketed ? title.find_last_of("[(") : title.rfind('_');
+  if (at == std::string_view::npos || at == 0) return;
+  const std::string_view end = title.substr(at + 1, title.size() - at - (is_bracketed ? 2 : 1));
+  if (!is_open && !is_one_of(end, {"cm", "mm", "m", "deg", "rad", "ms", "s"})) return;
+  name = trimmed(title.substr(0, at));
+  unit = end;
+}
+
+Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Header header) : source_(source) {
+  expect_text(text, source);
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  constexpr std::string_view sep = "sep=";  // of spreadsheets
+  const bool has_sep = text.starts_with(sep) && text.find('\n') < sep.size() + 3;
+  if (has_sep) text.remove_prefix(text.find('\n') + 1);
+  CsvForm form{.first_line = 1 + has_sep + take_comments(text)};
+  form.separator = separator_ = separator_of(text);
+  if (std::ranges::count(text, '\n') > most_lines + 1)
+    refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", most_lines));
+  table_ = parse_csv(text, source, form);
+  form.has_header = header == Header::required || !std::ranges::all_of(table_.header, is_number);
+  if (!form.has_header) table_ = parse_csv(text, source, form);
+  for (const std::string& title : table_.header) titles_.emplace_back(trimmed(title));
+  decimals_.assign(titles_.size(), decimal);
+  const auto number = std::ranges::find_if(titles_, is_number);
+  if (form.has_header && number != titles_.end())
+    refuse(fmt::format("{} in the header; expected names of columns in the first line", in_quotes(*number)));
+  for (std::uint32_t row = 0; row < table_.rows(); ++row) {
+    std::size_t filled = 0, last = 0;
+    for (std::size_t i = 0; i < titles_.size(); ++i) {
+      if (!cell(row, i).empty()) ++filled, last = i;
+    }
+    if (filled == 1 && titles_.size() > 2 && !is_number(cell(row, last)))
+      refuse(row, last, "stands alone in its row: leave it out, or write NA where values are missing");
+    if (filled > 0) rows_.push_back(row);
+  }
+  if (titles_.size() == 1)
+    refuse(
+        "one column, but names of groups and values take two; cells are parted by a comma, semicolon, tab, bar or blanks");
+  if (rows_.empty()) refuse("no rows below the header; expected at least one");
+}
+
+void Sheet::choose(std::string_view condition) {
+  const std::size_t equals = condition.find('=');
+  if (equals == std::string_view::npos) refuse(fmt::format("--where {}; expected COLUMN=VALUE", in_quotes(condition)));
+  const std::size_t chosen = column(trimmed(condition.substr(0, equals)));
+  const std::string_view value = trimmed(condition.substr(equals + 1));
+  const std::string first(cell(rows_.front(), chosen));
+  std::erase_if(rows_, [&](std::uint32_t row) { return cell(row, chosen) != value; });
+  if (rows_.empty())
+    refuse(
+        fmt::format("no row has {}; the first has {}", in_quotes(condition), in_quotes(titles_[chosen] + "=" + first)));
+}
+
+std::string_view Sheet::cell(std::size_t row, std::size_t column) const {
+  const std::size_t in_file = table_.header.size();
+  return column < in_file ? trimmed(table_.cell(row, column)) : joined_[column - in_file][row];
+}
+
+std::size_t Sheet::column(std::string_view name) {
+  const auto number = std::ranges::count(titles_, name);
+  if (number == 0 && name == "row") {
+    std::vector<std::string>& texts = joined_.emplace_back(table_.rows());
+    for (std::size_t i = 0; i < texts.size(); ++i) texts[i] = fmt::to_string(i + 1);
+    titles_.emplace_back(name);
+    decimals_.push_back('.');
+    return titles_.size() - 1;
+  }
+  if (number > 1) refuse(fmt::format("{} columns {}; give them different names", number, in_quotes(name)));
+  if (number == 0)
+    refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), did_you_mean(name, titles_), listed(titles_)));
+  return static_cast<std::size_t>(std::ranges::find(titles_, name) - titles_.begin());
+}
+
+constexpr std::string_view joint = " / ";
+
+std::size_t Sheet::joined(const std::vector<std::string>& names) {
+  std::vector<std::size_t> parts;
+  for (const std::string& name : names) parts.push_back(column(name));
+  if (parts.size() == 1) return parts.front();
+  std::vector<std::string>& texts = joined_.emplace_back(table_.rows());
+  for (const std::uint32_t row : rows_) {
+    const auto is_empty = [&](std::size_t part) { return cell(row, part).empty(); };
+    if (std::ranges::any_of(parts, is_empty)) continue;
+    for (const std::size_t part : parts) {
+      if (cell(row, part).find(joint) != std::string_view::npos)
+        refuse(row, part, fmt::format("has \"{}\", which joins several columns; use another mark", joint));
+      texts[row].append(texts[row].empty() ? "" : joint).append(cell(row, part));
+    }
+  }
+  titles_.push_back(fmt::format("{}", fmt::join(names, joint)));
+  decimals_.push_back(0);
+  return titles_.size() - 1;
+}
+
+std::optional<std::size_t> Sheet::column_like(const Words& names) const {
+  for (const std::string_view name : names) {
+    for (std::size_t i = 0; i < titles_.size(); ++i) {
+      if (lower_case(titles_[i]) == name) return i;
+    }
+  }
+  return std::nullopt;
+}
+
+bool Sheet::is_missing(std::size_t row, std::size_t column) const { return means_none(cell(row, column)); }
+
+bool Sheet::has_numbers(std::size_t column) const {
+  std::size_t filled = 0, numbers = 0;
+  for (const std::uint32_t row : rows_) {
+    filled += !is_missing(row, column);
+    numbers += is_number(cell(row, column)) || truth(cell(row, column));
+  }
+  return 2 * numbers > filled;
+}
+
+std::optional<std::uint32_t> Sheet::broken_number(std::size_t column) const {
+  const auto is_broken = [&](std::uint32_t row) { return begins_with_number(cell(row, column)); };
+  if (2 * std::ranges::count_if(rows_, is_broken) <= std::ssize(rows_)) return std::nullopt;
+  return *std::ranges::find_if(rows_, is_broken);
+}
+
+bool Sheet::counts_rows(std::size_t column) const {
+  std::optional<double> before;
+  std::size_t rows = 0;
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    if (cell(row, column).empty()) continue;
+    const auto number = number_from(cell(row, column));
+    if (!number || !std::isfinite(*number) || *number != std::floor(*number) || (before && *number != *before + 1))
+      return false;
+    before = number;
+    ++rows;
+  }
+  return rows > 2;  // any two may
+}
+
+char Sheet::decimal_of(std::size_t column) {
+  std::optional<std::uint32_t> doubtful;      // row of a cell that is two numbers
+  const auto mark_in = [&](std::size_t at) {  // of the first cell that is a number by one mark alone
+    for (const std::uint32_t row : rows_) {
+      const std::string_view text = cell(row, at);
+      if (!has_mark(text)) continue;
+      const bool is_by_point = parsed(text, '.').has_value(), is_by_comma = parsed(text, ',').has_value();
+      if (is_by_point != is_by_comma) return is_by_point ? '.' : ',';
+      if (at == column && is_by_point && !doubtful) doubtful = row;
+    }
+    return '\0';
+  };
+  if (const char mark = mark_in(column); mark != '\0' || !doubtful) return mark == '\0' ? '.' : mark;
+  if (!marks_) {
+    marks_.emplace();
+    for (std::size_t i = 0; i < table_.header.size(); ++i) {
+      if (has_numbers(i)) marks_->insert(mark_in(i));
+    }
+    marks_->erase('\0');
+  }
+  if (marks_->size() == 1) return *marks_->begin();
+  const std::string_view text = cell(*doubtful, column);
+  // Where commas part cells, points are of decimals.
+  if (marks_->empty() && separator_ == ',' && text.find(',') == std::string_view::npos) return '.';
+  refuse(*doubtful, column,
+         fmt::format("is {} with a decimal point and {} with a decimal comma, and no cell tells which: write a digit "
+                     "more, or say --decimal (ikbench stats)",
+                     *parsed(text, '.'), *parsed(text, ',')));
+}
+
+double Sheet::number(std::size_t row, std::size_t column) {
+  const std::string_view text = cell(row, column);
+  if (means_none(text)) return std::numeric_limits<double>::quiet_NaN();
+  if (const auto value = truth(text)) return *value;
+  if (decimals_[column] == 0) decimals_[column] = decimal_of(column);
+  const auto value = parsed(text, decimals_[column]);
+  if (!value && is_number(text))
+    refuse(row, column,
+           fmt::format("is no number with a decimal {}; --decimal says what marks decimals",
+                       decimals_[column] == ',' ? "comma" : "point"));
+  if (!value)
+    refuse(row, column,
+           "is no number: write NA where there is none, inf where there was no answer, the unit in the header");
+  const double size = std::abs(*value);  // tests take squares of squares
+  if (std::isfinite(size) && size != 0 && (size < 1e-60 || size > 1e60))
+    refuse(row, column, "is beyond what can be compared, 1e-60 to 1e60");
+  return *value;
+}
+
+std::string Sheet::said(std::string_view what) const { return fmt::format("{}: {}", source_, what); }
+
+void Sheet::refuse(std::string_view what) const { throw std::invalid_argument(said(what)); }
+
+void Sheet::refuse(std::size_t row, std::size_t column, std::string_view what) const {
+  throw std::invalid_argument(fmt::format("{}:{}:{}: {} in column {} {}", source_, table_.line(row), column + 1,
+                                          in_quotes(cell(row, column)), in_quotes(titles_[column]), what));
+}
+
+}  // namespace ikbench::base

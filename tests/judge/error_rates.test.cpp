@@ -1,0 +1,167 @@
+// How often the verdicts are wrong, and how often they find what is there: draws sets of which the truth is known,
+// judges them, and prints the shares as docs/explanation/methods.md has them. The standard error of a share of 10000
+// sets is at most 0.005.
+//
+//   IKBENCH_SETS=10000 build/check/tests/judge/test_judge '[error_rates]'
+#include <fmt/ranges.h>
+
+#include "tests/judge/studies.hpp"
+
+namespace ikbench::judge::error_rates {
+namespace {
+
+// The same numbers on every machine, but for the last bit of a logarithm.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  double uniform() { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; }
+  double normal() { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); }
+  double lognormal(double sigma) { return std::exp(sigma * normal()); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+enum class Counts { any_difference, same_as_first, better_than_others };
+
+struct Row {
+  std::string name;
+  double most;  // that every cell may have; NaN: only printed
+  Counts counts = Counts::any_difference;
+  std::function<double(Random&, std::size_t group)> draw;
+  bool in_blocks = false;
+  Plan plan = {};
+  int times = 1;  // as many values in the groups after the first
+  double floor = 1e-300;
+  Scale scale = Scale::ratio;
+};
+
+Observations drawn(const Row& row, std::size_t k, int n, Random& random) {
+  Observations of{.metric = "x", .quantity = "x", .scale = row.scale, .floor = row.floor, .is_paired = row.in_blocks};
+  std::vector<double> blocks(static_cast<std::size_t>(n), 1.0);
+  if (row.in_blocks) std::ranges::generate(blocks, [&] { return std::pow(10, 4 * random.uniform()); });
+  for (std::size_t g = 0; g < k; ++g) {
+    Measured group;
+    for (int i = 0; i < (g == 0 ? n : n * row.times); ++i)
+      group.values.push_back(row.draw(random, g) * blocks[static_cast<std::size_t>(i % n)]);
+    of.groups.push_back({.name = std::string(1, static_cast<char>('A' + g)), .sample = std::move(group)});
+  }
+  return of;
+}
+
+double counted(const Row& row, const std::vector<Finding>& findings, std::size_t k) {
+  const auto with_first = [&](Verdict verdict) {
+    return std::ranges::count_if(findings,
+                                 [&](const Finding& each) { return each.first == "A" && verdict_of(each) == verdict; });
+  };
+  if (row.counts == Counts::same_as_first) return with_first(Verdict::same) > 0;
+  if (row.counts == Counts::better_than_others)
+    return static_cast<double>(with_first(Verdict::better)) / static_cast<double>(k - 1);
+  return std::ranges::any_of(findings, [](const Finding& each) { return is_difference(verdict_of(each)); });
+}
+
+// The share of pairs with the first that Mann and Whitney's test finds at 0.05 / pairs.
+double found_by_mann_whitney(const Observations& of) {
+  const auto k = static_cast<double>(of.groups.size());
+  const auto is_found = [&](const Group& other) {
+    return mann_whitney(values_of(of.groups[0]), values_of(other)) < 0.05 / (k * (k - 1) / 2);
+  };
+  return static_cast<double>(std::count_if(of.groups.begin() + 1, of.groups.end(), is_found)) / (k - 1);
+}
+
+std::vector<Row> rows() {
+  constexpr double printed = std::numeric_limits<double>::quiet_NaN();
+  const Plan by_means{.test = Plan::Test::means};
+  const auto normal = [](Random& r, std::size_t) { return 10 + r.normal(); };
+  const auto lognormal = [](Random& r, std::size_t) { return r.lognormal(1); };
+  const auto tenth_more = [](Random& r, std::size_t g) { return (g == 0 ? 1.10 : 1) * r.lognormal(0.05); };
+  const auto spreads = [](Random& r, std::size_t g) { return r.lognormal(g == 0 ? 1.5 : 0.2); };
+  const auto failing = [](Random& r, std::size_t g) { return g == 0 || r.uniform() > 0.1 ? 0.01 : r.uniform(); };
+  const auto half = [](Random& r, std::size_t g) { return (g == 0 ? 0.5 : 1) * r.lognormal(1); };
+  return {
+      {.name = "false better: normal", .most = 0.056, .draw = normal},
+      {.name = "false better: lognormal", .most = 0.056, .draw = lognormal},
+      {.name = "false better: blocks over four decades", .most = 0.056, .draw = lognormal, .in_blocks = true},
+      {.name = "false better, by means: normal", .most = 0.056, .draw = normal, .plan = by_means},
+      {.name = "false better, by means: lognormal", .most = 0.056, .draw = lognormal, .plan = by_means},
+      {.name = "false better: the others four times as many", .most = 0.056, .draw = lognormal, .times = 4},
+      {.name = "false better: equal medians, spreads 1.5 and 0.2", .most = printed, .draw = spreads},
+      {.name = "the same, the others four times as many", .most = printed, .draw = spreads, .times = 4},
+      {.name = "false same: ratio 1.10", .most = 0.01, .counts = Counts::same_as_first, .draw = tenth_more},
+      {.name = "false same: ratio 1.10 in blocks",
+       .most = 0.01,
+       .counts = Counts::same_as_first,
+       .draw = tenth_more,
+       .in_blocks = true},
+      // Not 0: of five values the one failure may lie just above the tolerance (0.0002 and 0.0005 of 10 000 sets).
+      {.name = "false same: 100 % against 90 % at the tolerance",
+       .most = 0.001,
+       .counts = Counts::same_as_first,
+       .draw = failing,
+       .floor = 0.01},
+      {.name = "found: lognormal, half of the others",
+       .most = printed,
+       .counts = Counts::better_than_others,
+       .draw = half},
+  };
+}
+
+// 0: none are asked for.
+int asked_sets() {
+  const char* asked = std::getenv("IKBENCH_SETS");
+  return asked ? std::atoi(asked) : 0;
+}
+
+}  // namespace
+
+TEST_CASE("36, 48 and 65 runs find a factor of two of 2, 3 and 6 solvers with a power of 80 %", "[error_rates]") {
+  const int sets = asked_sets();
+  if (sets == 0) return;
+  const Row found = rows().back();
+  fmt::print("| found, n = | 10 | 20 | 36 | 48 | 65 | 100 |\n|---|---|---|---|---|---|---|\n");
+  Random random(1);
+  std::size_t enough = 2;
+  for (const std::size_t k : {2u, 3u, 6u}) {
+    std::vector<double> shares;
+    for (const int n : {10, 20, 36, 48, 65, 100}) {
+      double& share = shares.emplace_back();
+      for (int set = 0; set < sets; ++set) share += counted(found, compare(drawn(found, k, n, random), {}), k) / sets;
+    }
+    CHECK(shares[enough++] == Approx(0.8).margin(0.02));
+    fmt::print("| {} solvers | {:.3f} |\n", k, fmt::join(shares, " | "));
+  }
+}
+
+TEST_CASE("verdicts are wrong no more often than they say", "[error_rates]") {
+  const bool asked = asked_sets() > 0;
+  const int sets = asked ? asked_sets() : 30;
+  if (asked) fmt::print("| k = 2 / 3 / 6 | n = 5 | n = 10 | n = 20 |\n|---|---|---|---|\n");
+  std::uint64_t seed = 0;
+  for (const Row& row : rows()) {
+    std::string ours, theirs;
+    for (const int n : {5, 10, 20}) {
+      for (const std::size_t k : {2u, 3u, 6u}) {
+        double share = 0, by_mann_whitney = 0;
+        for (int set = 0; set < sets; ++set) {
+          Random random(1'000'003 * ++seed);
+          const Observations of = drawn(row, k, n, random);
+          share += counted(row, compare(of, row.plan), k) / sets;
+          if (row.counts == Counts::better_than_others) by_mann_whitney += found_by_mann_whitney(of) / sets;
+        }
+        CAPTURE(row.name, n, k, share, by_mann_whitney);
+        // Of few sets a true 0.05 shows up to 0.05 and four standard errors.
+        const double chance = asked ? 0 : 4 * std::sqrt(0.05 * 0.95 / sets);
+        if (!std::isnan(row.most)) CHECK(share <= row.most + (row.most > 0.01 ? chance : 0));
+        if (row.counts == Counts::better_than_others) CHECK(share >= by_mann_whitney - 0.01 - (asked ? 0 : 0.02));
+        ours += fmt::format("{} {:.3f}", k == 2 ? " |" : " /", share);
+        theirs += fmt::format("{} {:.3f}", k == 2 ? " |" : " /", by_mann_whitney);
+      }
+    }
+    if (!asked) continue;
+    fmt::print("| {}{} |\n", row.name, ours);
+    if (row.counts == Counts::better_than_others) fmt::print("| by Mann-Whitney{} |\n", theirs);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace ikbench::judge::error_rates

@@ -1,0 +1,264 @@
+#include "tests/judge/studies.hpp"
+
+using namespace ikbench;
+
+namespace {
+
+const Asked of_100{.start = "initial", .runs = 1, .points = 100, .tolerance_cm = 0.1};
+const Asked drawn_100{.start = "initial", .targets = "drawn", .runs = 1, .points = 100, .tolerance_cm = 0.1};
+// A study of one solver whose numbers are drawn: 70 of 100 targets are solved, with about 100 evaluations, the others
+// use up 1000.
+StudyResults version(
+    int seed, const Asked& asked = of_100, const Change& change = [](SolveRecord&) {}) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  std::lognormal_distribution<double> factor(0, 0.3);
+  const auto draw = [&](SolveRecord& solve) {
+    const bool is_solved = (solve.point * 7) % 10 < 7;
+    solve.status = is_solved ? Status::ok : Status::tolerance_missed;
+    solve.evaluations = is_solved ? std::lround(100 * factor(random)) : 1000;
+    solve.position_error_cm = is_solved ? 0.01 : 5 * factor(random);
+    solve.variation_deg = 30 * factor(random);
+    solve.seconds = solve.cpu_seconds = 1e-5 * static_cast<double>(solve.evaluations);
+    change(solve);
+  };
+  return study(asked, draw, {"mine"}, {{.id = 1, .environment = {{"cpu", "one"}, {"analysis", "{}"}}}});
+}
+
+Gate gate_of(const StudyResults& before, const StudyResults& after, std::size_t labels = 1) {
+  std::vector<Gate> gates(labels, gate(before, after));
+  decide(gates);
+  return gates.front();
+}
+
+// Of one study of B and A.
+Gate gate_of(const Asked& asked, const Change& change) {
+  std::vector<Gate> gates{gate(study(asked, change, {"B", "A"}))};
+  decide(gates);
+  return gates.front();
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("an unchanged solver passes, also where nothing may be open") {
+  const Gate gate = gate_of(version(1), version(1));
+  CHECK(gate.worse.empty());
+  CHECK(gate.not_decided.empty());
+  CHECK(exit_code({gate}, true) == 0);
+}
+
+TEST_CASE("three times the evaluations on the targets that it solves are worse, however many it fails") {
+  const auto triple = [](SolveRecord& solve) {
+    if (solve.status == Status::ok) solve.evaluations *= 3;
+  };
+  const Gate gate = gate_of(version(1), version(2, of_100, triple));
+  CHECK(gate.worse == Names{"evaluations per solved"});
+  CHECK(exit_code({gate}, false) == 3);
+  CHECK(exit_code({gate_of(version(2, of_100, triple), version(1))}, false) == 0);
+}
+
+TEST_CASE("5 crashes in 100 solves are worse where the baseline had none") {
+  for (const double tolerance : {0.0, 0.1}) {
+    Asked asked = of_100;
+    asked.tolerance_cm = tolerance;
+    const auto solved = [](SolveRecord& solve) { solve.status = Status::ok; };
+    const auto crash = [](SolveRecord& solve) { solve.status = solve.point % 20 == 0 ? Status::crashed : Status::ok; };
+    const Gate gate = gate_of(version(1, asked, solved), version(1, asked, crash));
+    CHECK(gate.worse == Names{"answered"});
+    CHECK(exit_code({gate}, false) == 3);
+    CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, solved))}, false) == 0);
+    CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, crash))}, false) == 0);
+    const auto crash_always = [](SolveRecord& solve) { solve.status = Status::crashed; };
+    CHECK(exit_code({gate_of(version(1, asked, solved), version(1, asked, crash_always))}, false) == 3);
+  }
+}
+
+TEST_CASE("drawn targets are paired; another task or number of solves is refused") {
+  CHECK(gate_of(version(1, drawn_100), version(2, drawn_100)).judged.metrics.front().observations.is_paired);
+  StudyResults part = version(1);
+  part.solves.resize(23);
+  Asked looser = of_100, more = of_100, seeded = of_100;
+  looser.tolerance_cm = 0.2;
+  more.runs = 2;
+  seeded.rest = R"(, "seed": 2)";
+  const auto further = [](SolveRecord& solve) { solve.target_position_m[0] += 1000; };
+  for (const StudyResults& other :
+       {version(2, of_100, further), version(2, looser), version(1, more), part, version(1, seeded)}) {
+    CHECK_THROWS_AS(gate_of(version(1), other), std::invalid_argument);
+    CHECK_THROWS_AS(gate_of(other, version(1)), std::invalid_argument);
+  }
+  CHECK_THROWS_WITH(gate_of(version(1), part),
+                    StartsWith("not compared: mine has 23 solves, before 100; complete both"));
+}
+
+TEST_CASE("times decide nothing, and those of other stores and of solves that are the same are not compared") {
+  const Asked in_turns{.start = "initial", .runs = 5, .points = 20, .tolerance_cm = 0.1};
+  const auto time_of = [](const Gate& gate) {
+    return seen(std::ranges::find(gate.judged.metrics, "s", [](const JudgedMetric& each) {
+                  return each.observations.unit;
+                })->findings.front());
+  };
+  const auto slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = 3 * solve.seconds; };
+  const auto slow_and_other = [&](SolveRecord& solve) {
+    slow(solve);
+    solve.answer_rad.push_back(1);
+  };
+  const StudyResults before = version(1, in_turns);
+  for (const Gate& gate :
+       {gate_of(before, version(1, in_turns, slow_and_other)), gate_of(before, version(1, in_turns, slow))}) {
+    CHECK(time_of(gate).why == Why::apart);
+    CHECK(gate.worse.empty());
+    CHECK(gate.not_decided.empty());
+  }
+  const Gate one = gate_of(in_turns, [&](SolveRecord& solve) {
+    solve.seconds = solve.cpu_seconds = 1e-5 * (100 * solve.run + solve.point);
+    if (solve.label == "B") slow_and_other(solve);
+  });
+  CHECK(time_of(one).verdict == Verdict::worse);
+  CHECK(exit_code({one}, true) == 0);
+}
+
+TEST_CASE("a metric that vanished is refused, one that another solver lacks is not tested") {
+  const auto uncounted = [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; };
+  CHECK_THROWS_WITH(gate_of(version(1), version(1, of_100, uncounted)),
+                    StartsWith("not compared: mine lacks all evaluations"));
+  CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
+  const Gate of_two = gate_of(of_100, [&](SolveRecord& solve) {
+    if (solve.label == "B") uncounted(solve);
+  });
+  CHECK(of_two.not_tested == Names{"evaluations"});
+  CHECK(exit_code({of_two}, false) == 0);
+}
+
+TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
+  constexpr int compares = 200;
+  int red = 0;
+  for (int i = 0; i < compares; ++i) {
+    const Gate gate = gate_of(version(i), version(compares + i));
+    for (const JudgedMetric& judged : gate.judged.metrics) CHECK(judged.plan.significance == 0.05);  // p is adjusted
+    red += !gate.worse.empty();
+  }
+  CHECK(red <= compares / 20);
+}
+
+TEST_CASE("labels and metrics that are compared share the significance") {
+  int missed = 0;
+  const auto miss_eight = [&](SolveRecord& solve) {
+    if (solve.status == Status::ok && missed++ < 8) solve.status = Status::tolerance_missed;
+  };
+  const StudyResults before = version(1), after = version(1, of_100, miss_eight);
+  const Gate one = gate_of(before, after), of_six = gate_of(before, after, 6);
+  CHECK(std::ranges::count(one.worse, "solved") == 1);
+  CHECK(seen(one.judged.metrics.front().findings.front()).p == 2 * 2 / 256.0);  // and what was spent
+  CHECK(std::ranges::count(of_six.worse, "solved") == 0);
+  CHECK(std::ranges::count(of_six.not_decided, "solved") == 1);
+  CHECK(seen(of_six.judged.metrics.front().findings.front()).p == 6 * 2 * 2 / 256.0);
+}
+
+TEST_CASE("solves that are the same bit for bit leave nothing open, however few") {
+  const Asked chained{.runs = 8, .points = 3};
+  const auto with = [&](double angle) {
+    return study(chained, [=](SolveRecord& solve) { solve.answer_rad.push_back(angle); }, {"mine"});
+  };
+  const Gate same = gate_of(with(1), with(1)), other = gate_of(with(1), with(2));
+  CHECK(same.are_same);
+  CHECK(exit_code({same}, true) == 0);
+  CHECK_FALSE(other.are_same);
+  CHECK(exit_code({other}, true) == 0);  // equal numbers
+}
+
+TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
+  const auto triple = [](SolveRecord& solve) {
+    if (solve.status == Status::ok) solve.evaluations *= 3;
+  };
+  StudyResults before = version(1), after = version(2, of_100, triple);
+  after.definition.stop.evaluations = 3000;
+  after.definition.plan.margin = 9;
+  CHECK_FALSE(gate_of(before, after).worse.empty());
+  before.definition.plan.margin = 9;
+  const Gate gate = gate_of(before, after);
+  CHECK(gate.worse.empty());
+  REQUIRE(gate.judged.doubts.size() == 2);
+  CHECK(gate.judged.doubts.front().kind == DoubtKind::solved_by_nobody);
+  CHECK(words_of(gate.judged.doubts.back()) == "budgets differ: 3000 and 1000 evaluations a solve (now, before)");
+}
+
+TEST_CASE("two labels of one study are compared as two versions are") {
+  const auto slower = [](SolveRecord& solve) {
+    solve.evaluations = solve.label == "B" ? 300 + solve.point : 100 + solve.point;
+  };
+  const Gate gate = gate_of(of_100, slower);
+  CHECK(gate.judged.study.labels == Names{"B", "A"});
+  CHECK(gate.worse == Names{"evaluations"});
+}
+
+TEST_CASE("a loss of a solver that repeats itself is a fact") {
+  const Asked chained{.runs = 10, .points = 3};
+  const auto with = [&](double error) {
+    return study(chained,
+                 [error](SolveRecord& solve) {
+                   solve.answer_rad = {0.5 * solve.point};
+                   solve.position_error_cm = error;
+                 },
+                 {"mine"});
+  };
+  CHECK(gate_of(with(0.5), with(0.6)).worse == Names{"error"});
+  CHECK(gate_of(with(0.5), with(0.51)).worse.empty());
+  CHECK(exit_code({gate_of(with(0.5), with(0.4))}, true) == 0);
+}
+
+TEST_CASE("what is not decided fails a strict gate alone") {
+  Asked few = of_100;
+  few.points = 8;
+  const auto shift = [](SolveRecord& solve) { solve.variation_deg *= 1.02; };
+  const Gate gate = gate_of(version(1, few), version(2, few, shift));
+  CHECK(gate.worse.empty());
+  CHECK(gate.not_decided == Names{"evaluations per solved"});
+  CHECK(gate.not_tested == Names{"joint motion"});  // 6 targets were enough, but for two metrics
+  CHECK(exit_code({gate}, false) == 0);
+  CHECK(exit_code({gate}, true) == 4);
+}
+
+TEST_CASE("a gate in which too few were compared ends with 1, whatever the answers") {
+  const Asked chained{.runs = 3, .points = 3};
+  const auto far = [](SolveRecord& solve) {
+    if (solve.label == "B") solve.position_error_cm = 25 + solve.run;
+  };
+  const Gate gate = gate_of(chained, far);
+  CHECK_FALSE(gate.is_compared);
+  CHECK(exit_code({gate}, false) == 1);
+  CHECK(gate.worse.empty());
+  const Gate crashed = gate_of(chained, [](SolveRecord& solve) {
+    if (solve.label == "B") solve.status = Status::crashed;
+  });
+  CHECK(exit_code({crashed}, false) == 3);  // answers were lost for sure
+  CHECK(exit_code({gate_of(version(1), version(1)), gate}, false) == 1);
+}
+
+TEST_CASE("what the study's time ended is compared if it had as many evaluations as the other version needed") {
+  Asked timed = of_100;
+  timed.rest = R"(, "x": 1)";
+  const auto solved = [](SolveRecord& solve) {
+    solve.status = Status::ok, solve.evaluations = 40 + solve.point % 3, solve.seconds = solve.cpu_seconds = 1e-4;
+  };
+  const auto late = [](std::int64_t evaluations) {
+    return [=](SolveRecord& solve) {
+      if (solve.point % 3 == 0) return;
+      solve.status = Status::tolerance_missed, solve.evaluations = evaluations;
+      solve.seconds = 0.0049, solve.cpu_seconds = 0.001;  // the machine was busy
+    };
+  };
+  const auto with_seconds = [](StudyResults study) {
+    study.definition.stop.seconds = 0.005;
+    return study;
+  };
+  const StudyResults before = with_seconds(version(1, timed, solved));
+  const Gate enough = gate_of(before, with_seconds(version(1, timed, late(5000))));
+  CHECK(std::ranges::count(enough.worse, "solved") == 1);
+  CHECK(exit_code({enough}, false) == 3);
+  const Gate few = gate_of(before, with_seconds(version(1, timed, late(10))));
+  CHECK(few.worse.empty());
+  CHECK_FALSE(few.is_compared);
+  CHECK(exit_code({few}, false) == 1);
+}

@@ -1,0 +1,110 @@
+#include "tests/judge/studies.hpp"
+
+namespace {
+
+const JudgedMetric& metric(const JudgedStudy& of, std::string_view slug) {
+  const auto found =
+      std::ranges::find(of.metrics, slug, [](const JudgedMetric& each) { return each.observations.metric; });
+  REQUIRE(found != of.metrics.end());
+  return *found;
+}
+
+std::string slugs(const JudgedStudy& of) {
+  std::string all;
+  for (const JudgedMetric& each : of.metrics) all += each.observations.metric + " ";
+  return all;
+}
+
+bool has_doubt(const std::vector<Doubt>& doubts, DoubtKind kind) {
+  return std::ranges::find(doubts, kind, &Doubt::kind) != doubts.end();
+}
+
+}  // namespace
+
+TEST_CASE("A report has the metrics that a study has, and is decided by the plan's, solved or the error") {
+  const auto as_made = [](SolveRecord&) {};
+  const JudgedStudy of = judge::judge(study({}, as_made));
+  CHECK(slugs(of) == "error variation time evaluations ");
+  CHECK(of.deciding == 0);
+  const JudgedStudy with = judge::judge(study({.tolerance_cm = 1}, as_made));
+  CHECK(slugs(with) == "solved variation time evaluations ");
+  CHECK(with.deciding == 0);
+  const JudgedStudy by_error =
+      judge::judge(study({.tolerance_cm = 1, .rest = R"(, "analysis": {"metric": "position_error_cm"})"}, as_made));
+  CHECK(slugs(by_error) == "solved error variation time evaluations ");
+  const JudgedStudy planned = judge::judge(study({.rest = R"(, "analysis": {"metric": "iterations"})"}, as_made));
+  CHECK(slugs(planned) == "error variation time evaluations iterations ");
+  CHECK(planned.deciding == 4);
+  CHECK_THROWS_AS(judge::judge(study({.rest = R"(, "analysis": {"metric": "beauty"})"}, as_made)),
+                  std::invalid_argument);
+}
+
+TEST_CASE("A better solver is named, and its findings are those of the table") {
+  const JudgedStudy of = judge::judge(study({.runs = 8}, [](SolveRecord& solve) {
+    solve.position_error_cm = (solve.label == "A" ? 1 : 10) + 0.01 * solve.run;
+  }));
+  const JudgedMetric& error = metric(of, "error");
+  CHECK(error.headline.best == std::vector<std::string>{"A"});
+  REQUIRE(error.findings.size() == 1);
+  CHECK(seen(error.findings.front()).verdict == Verdict::better);
+  CHECK(error.described.front().n == 8);
+  CHECK(of.doubts.empty());
+}
+
+TEST_CASE("The plan's test, level, margin and control reach the comparison") {
+  const auto errors = [](SolveRecord& solve) {
+    solve.position_error_cm = (solve.label == "A" ? 1 : 1.5) + 0.01 * solve.run;
+  };
+  const auto judged = [&](const std::string& plan) {
+    return metric(judge::judge(study({.runs = 8, .rest = R"(, "analysis": )" + plan}, errors, {"A", "B", "C"})),
+                  "error");
+  };
+  CHECK(seen(judged(R"({"test": "means"})").findings.front()).test == "Welch's t");
+  CHECK(judged(R"({"control": "B"})").findings.size() == 2);
+  CHECK(seen(judged(R"({"significance": 0.0001})").findings.front()).why == Why::too_few);
+  CHECK_FALSE(seen(judged(R"({})").findings.front()).is_within_margin);
+  CHECK(seen(judged(R"({"margin_cm": 0.6})").findings.front()).is_within_margin);
+  CHECK(seen(judged(R"({"margin_cm": 0.6})").findings.back()).verdict == Verdict::same);
+}
+
+TEST_CASE("Means that few values decide are told") {
+  const Asked means{.runs = 8, .rest = R"(, "analysis": {"test": "means", "significance": 0.2})"};
+  const JudgedMetric error = metric(judge::judge(study(means,
+                                                       [](SolveRecord& solve) {
+                                                         solve.position_error_cm = solve.label == "A" ? 0.01 * solve.run
+                                                                                   : solve.run == 1
+                                                                                       ? 9
+                                                                                       : 1 + 0.01 * solve.run;
+                                                       })),
+                                    "error");
+  REQUIRE(has_doubt(error.observations.doubts, DoubtKind::few_decide_mean));
+  CHECK(error.observations.doubts.front().who == std::vector<std::string>{"B"});
+}
+
+TEST_CASE("Where nothing is solved, the error is reported and no cost") {
+  CHECK(slugs(judge::judge(study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.1}, [](SolveRecord& solve) {
+          solve.status = Status::tolerance_missed;
+        }))) == "solved error ");
+}
+
+TEST_CASE("Two identical solvers have no winner in the headline in 95 % of studies") {
+  std::mt19937_64 engine(7);
+  std::lognormal_distribution<double> error(-3, 1);
+  std::bernoulli_distribution solves(0.9);
+  const auto winners = [&](const Asked& asked) {
+    int count = 0;
+    for (int i = 0; i < 400; ++i) {
+      const JudgedStudy of = judge::judge(study(asked, [&](SolveRecord& solve) {
+        solve.position_error_cm = error(engine);
+        if (!solves(engine)) solve.status = Status::tolerance_missed;
+      }));
+      const Headline& headline = of.metrics[of.deciding].headline;
+      count += !headline.best.empty() || !headline.usual.empty();
+    }
+    return count;
+  };
+  CHECK(winners({.runs = 10}) <= 30);  // 20 expected at most, plus 2.3 standard errors
+  CHECK(winners({.start = "middle", .targets = "drawn", .runs = 10, .points = 2}) <= 30);
+  CHECK(winners({.runs = 10, .tolerance_cm = 0.1}) <= 30);
+  CHECK(winners({.start = "middle", .targets = "drawn", .runs = 20, .points = 2, .tolerance_cm = 0.1}) <= 30);
+}

@@ -1,0 +1,448 @@
+#include "tests/judge/studies.hpp"
+
+using ikbench::results::Session;
+using ikbench::results::StopReason;
+
+namespace {
+
+using Numbers = std::vector<double>;
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+const Asked chained{}, fixed_targets{.start = "middle"}, drawn{.start = "middle", .targets = "drawn"},
+    drawn_runs{.start = "previous", .targets = "drawn"};
+const auto as_made = [](SolveRecord&) {};
+
+Observations observed(const StudyResults& study, std::string_view metric = "position_error_cm") {
+  return observe(study, metric_named(metric));
+}
+
+const Group& group(const Observations& of, std::string_view name) {
+  return *std::ranges::find(of.groups, name, &Group::name);
+}
+
+std::optional<Doubt> doubt_in(const std::vector<Doubt>& doubts, DoubtKind kind) {
+  const auto found = std::ranges::find(doubts, kind, &Doubt::kind);
+  return found == doubts.end() ? std::nullopt : std::optional(*found);
+}
+
+std::optional<Doubt> doubt_of(const StudyResults& study, DoubtKind kind) { return doubt_in(doubts_of(study), kind); }
+
+// Error 10 * run + point.
+void number_errors(SolveRecord& solve) { solve.position_error_cm = 10 * solve.run + solve.point; }
+
+}  // namespace
+
+TEST_CASE("A chained run is one observation: the mean, of times the median") {
+  const StudyResults of = study(chained, [](SolveRecord& solve) {
+    number_errors(solve);
+    solve.seconds = solve.point == 4 ? 100 : solve.point;
+  });
+  const Observations errors = observed(of);
+  CHECK_FALSE(errors.is_paired);
+  CHECK(errors.trials == 4);
+  CHECK(list_of(group(errors, "A")) == Numbers{12.5, 22.5, 32.5, 42.5, 52.5});
+  CHECK(std::get<Measured>(group(errors, "A").sample).blocks.empty());
+  CHECK(list_of(group(observed(of, "seconds"), "A")) == Numbers(5, 2.5));
+}
+
+TEST_CASE("Else a target is one: a drawn one's only solve, a fixed one's mean over the runs") {
+  const Observations of_drawn = observed(study(drawn, number_errors));
+  CHECK(of_drawn.is_paired);
+  CHECK(of_drawn.trials == 1);
+  CHECK(list_of(group(of_drawn, "A")).size() == 20);
+  CHECK(list_of(group(of_drawn, "A"))[4] == 21);
+  const Observations of_fixed = observed(study(fixed_targets, number_errors));
+  CHECK(of_fixed.is_paired);
+  CHECK(of_fixed.trials == 5);
+  CHECK(list_of(group(of_fixed, "A")) == Numbers{31, 32, 33, 34});
+  const Asked path_by_points{.start = "previous", .rest = R"(, "analysis": {"values": "points"})"};
+  const Observations of_path = observed(study(path_by_points, number_errors));
+  CHECK(of_path.is_paired);
+  CHECK(list_of(group(of_path, "A")) == Numbers{31, 32, 33, 34});
+}
+
+TEST_CASE("Runs are paired where their targets were drawn") {
+  const Observations runs = observed(study(drawn_runs, number_errors));
+  CHECK(runs.is_paired);
+  CHECK(list_of(group(runs, "A")) == Numbers{12.5, 22.5, 32.5, 42.5, 52.5});
+}
+
+TEST_CASE("One fixed target is no group of one: its runs are observations") {
+  const Observations of = observed(study({.start = "middle", .points = 1}, number_errors));
+  CHECK_FALSE(of.is_paired);
+  CHECK(list_of(group(of, "A")) == Numbers{11, 21, 31, 41, 51});
+}
+
+TEST_CASE("A chained run that lacks a point gives no observation, and a pair has the blocks that both have") {
+  const auto without = [](const Asked& asked) {
+    std::vector<SolveRecord> solves = solves_of(asked, {"A", "B"}, number_errors);
+    std::erase_if(solves,
+                  [](const SolveRecord& solve) { return solve.label == "A" && solve.run == 2 && solve.point == 3; });
+    return stored_study(entry_of(asked, {"A", "B"}), solves);
+  };
+  CHECK(list_of(group(observed(without(chained)), "A")) == Numbers{12.5, 32.5, 42.5, 52.5});
+  const Observations runs = observed(without(drawn_runs));
+  CHECK(std::get<Measured>(group(runs, "A").sample).blocks == std::vector<int>{1, 3, 4, 5});
+  CHECK(std::get<Measured>(group(runs, "B").sample).blocks == std::vector<int>{1, 2, 3, 4, 5});
+  CHECK(lost_in(group(runs, "A")) == 0);
+  CHECK(list_of(group(observed(without(drawn)), "A")).size() == 19);
+  const auto doubt = doubt_of(without(chained), DoubtKind::runs_missing);
+  REQUIRE(doubt);
+  CHECK(doubt->who == std::vector<std::string>{"A"});
+  CHECK(doubt->count == 1);
+  CHECK(doubt->of == 5);
+}
+
+TEST_CASE("A solver whose runs repeat each other bit for bit has one observation, times apart") {
+  const auto as_one = [](SolveRecord& solve) {
+    if (solve.label != "A") return;
+    solve.answer_rad[1] = 0;
+    solve.seconds = 0.001 * solve.run;
+  };
+  const StudyResults of = study(chained, as_one);
+  const Group alone = group(observed(of), "A");
+  CHECK(list_of(alone) == Numbers{0.5});
+  CHECK(std::get<Copies>(alone.sample).runs == 5);
+  CHECK(std::holds_alternative<Measured>(group(observed(of), "B").sample));
+  CHECK(list_of(group(observed(of), "B")).size() == 5);
+  CHECK(list_of(group(observed(of, "seconds"), "A")).size() == 5);
+  const auto doubt = doubt_of(of, DoubtKind::repeats_itself);
+  REQUIRE(doubt);
+  CHECK(doubt->who == std::vector<std::string>{"A"});
+  CHECK(doubt->count == 5);
+  StudyResults fewer = of;
+  fewer.solves.erase(fewer.solves.begin());  // a run of A lacks a point
+  CHECK(doubt_of(fewer, DoubtKind::repeats_itself)->count == 4);
+  CHECK_FALSE(doubt_of(study(fixed_targets, as_one), DoubtKind::repeats_itself));
+}
+
+TEST_CASE("Numbers that are not finite are lost; a solve without an answer has its error and no cost") {
+  const auto fails = [](SolveRecord& solve) {
+    if (solve.label != "A" || solve.run != 2 || solve.point > 3) return;
+    solve.status = solve.point == 1 ? Status::not_finite : Status::crashed;
+    if (solve.point == 1) solve.position_error_cm = no_number;
+  };
+  const StudyResults of = study(drawn, fails);
+  CHECK(lost_in(group(observed(of), "A")) == 1);
+  CHECK(list_of(group(observed(of), "A")).size() == 19);
+  CHECK(lost_in(group(observed(of, "variation_deg"), "A")) == 2);
+  CHECK(lost_in(group(observed(study(chained, fails)), "A")) == 1);
+  CHECK(lost_in(group(observed(of), "B")) == 0);
+  const auto never = study(drawn, [](SolveRecord& solve) { solve.status = Status::crashed; });
+  CHECK(lost_in(group(observed(never), "B")) ==
+        20);  // where the arm stayed is no error of a solver that never moved it
+  const auto doubt = doubt_of(of, DoubtKind::without_answer);
+  REQUIRE(doubt);
+  CHECK(doubt->count == 3);
+  CHECK(doubt->of == 20);
+  // A refused answer leaves the arm where it was: that has an error, and moved by nothing.
+  const StudyResults refused = study(drawn, [](SolveRecord& solve) {
+    solve.status = Status::refused;
+    solve.variation_deg = 0;
+  });
+  CHECK(list_of(group(observed(refused, "variation_deg"), "A")) == Numbers(20, 0.0));
+  CHECK_FALSE(doubt_of(refused, DoubtKind::without_answer));
+}
+
+TEST_CASE("Errors at or below the tolerance count as it, before they are averaged") {
+  const Asked asked{.start = "previous", .tolerance_cm = 1};
+  const auto small = [](SolveRecord& solve) {
+    solve.position_error_cm = solve.label == "A" && solve.point < 4 ? 0.1 * solve.run : 5;
+  };
+  const Observations of = observed(study(asked, small));
+  CHECK(list_of(group(of, "A")) == Numbers(5, 2.0));
+  CHECK(group(of, "A").at_most == 1);
+  CHECK(group(of, "B").at_most == 0);
+  CHECK(group(observed(study(chained, small)), "A").at_most == 0);
+}
+
+TEST_CASE("Solved is a share where there is a tolerance, and else has no value") {
+  const auto misses = [](SolveRecord& solve) {
+    if (solve.point == 1) solve.status = Status::tolerance_missed;
+  };
+  const Observations of = observed(study({.start = "previous", .tolerance_cm = 1}, misses), "solved");
+  CHECK(of.better == Better::larger);
+  CHECK(of.scale == Scale::share);
+  CHECK(of.trials == 4);
+  CHECK(list_of(group(of, "A")) == Numbers(5, 0.75));
+  CHECK(list_of(group(observed(study(chained, misses), "solved"), "A")).empty());
+}
+
+TEST_CASE("Where targets have a tolerance, costs are of those that were solved, and blocks say which") {
+  const auto misses = [](SolveRecord& solve) {
+    if (solve.run == 1 && solve.point == (solve.label == "A" ? 1 : 2)) solve.status = Status::tolerance_missed;
+    solve.variation_deg = 100 * solve.run + solve.point;
+  };
+  const auto moves = [&](Asked asked) {
+    asked.tolerance_cm = 1;
+    return observed(study(asked, misses), "variation_deg");
+  };
+  const Observations of = moves(drawn);
+  CHECK(list_of(group(of, "A")).size() == 19);
+  CHECK(std::get<Measured>(group(of, "A").sample).blocks.front() == 2);
+  CHECK(std::get<Measured>(group(of, "B").sample).blocks[1] == 3);
+  CHECK(list_of(group(moves(fixed_targets), "A")).front() == Approx((201 + 301 + 401 + 501) / 4.0));
+  CHECK(list_of(group(moves(chained), "A")).front() == 102.5);
+}
+
+TEST_CASE("Times are compared only where they are clean, of one machine, and of the same kind") {
+  const auto times = [](const StudyResults& of) { return observe(of, metric_named("seconds")); };
+  const auto apart = [](const Observations& of) {
+    std::string names;
+    for (const Group& each : of.groups)
+      names += untold(each) && untold(each)->why == Untold::Why::apart ? each.name : "";
+    return names;
+  };
+  CHECK(apart(times(study(chained, as_made))).empty());
+  CHECK(times(study(chained, as_made)).doubts.empty());
+  for (const Timing timing : {Timing::parallel, Timing::debug_build}) {
+    const Observations all = times(study(chained, [&](SolveRecord& solve) {
+      if (solve.label == "A") solve.timing = timing;
+    }));
+    CHECK(apart(all) == "AB");
+    REQUIRE(all.doubts.size() == 1);
+    CHECK(all.doubts.front().kind == DoubtKind::times_not_comparable);
+    CHECK(all.doubts.front().who.empty());
+    CHECK(list_of(group(all, "A")).size() == 5);
+  }
+  const auto of_sessions = [](SolveRecord& solve) { solve.session = solve.run % 2; };
+  const auto machines = [&](const Session& first, const Session& second) {
+    return apart(times(study(chained, of_sessions, {"A", "B"}, {first, second})));
+  };
+  CHECK(machines({.id = 0, .environment = {{"cpu", "one"}}}, {.id = 1, .environment = {{"cpu", "two"}}}) == "AB");
+  CHECK(machines({.id = 0, .environment = {{"host", "a"}, {"boot", "1"}}},
+                 {.id = 1, .environment = {{"host", "b"}, {"boot", "2"}}}) == "AB");
+  CHECK(machines({.id = 0, .environment = {{"host", "a"}, {"boot", "1"}}},
+                 {.id = 1, .environment = {{"host", "a"}, {"boot", "2"}}})
+            .empty());
+  const auto slowed = [](double times) {
+    return study(chained, [times](SolveRecord& solve) {
+      if (solve.label == "B" && solve.run < 3) solve.seconds = times * solve.cpu_seconds;
+    });
+  };
+  CHECK(apart(times(slowed(1.09))).empty());
+  CHECK(apart(times(slowed(1.11))) == "B");
+  StudyResults disturbed = slowed(2);
+  CHECK(apart(observed(disturbed)).empty());
+  disturbed.definition.stop.seconds = 0.002;  // it ended B's
+  CHECK(apart(observed(disturbed)) == "B");
+  const Observations busy = times(disturbed);
+  CHECK(apart(busy) == "B");
+  CHECK(busy.doubts.front().count == 8);
+  CHECK(busy.doubts.front().of == 20);
+  const Observations once = times(study(chained, [](SolveRecord& solve) {
+    if (solve.label == "B" && solve.run == 1 && solve.point == 1) solve.seconds = 1;
+  }));
+  CHECK(apart(once).empty());
+  StudyResults twins =
+      study(drawn, [](SolveRecord& solve) { solve.answer_rad = {0.1 * solve.point}; }, {"A", "B", "CC"});
+  CHECK(apart(times(twins)) == "BCC");  // A's time is that of the three
+  twins.definition.plan.control = "B";
+  CHECK(apart(times(twins)) == "ACC");
+  CHECK(apart(observed(twins)).empty());
+  StudyResults later = study(chained, [](SolveRecord& solve) { solve.session = solve.label == "B" ? 2 : 1; },
+                             {"A", "B", "CC"}, {{.id = 1}, {.id = 2}});
+  CHECK(apart(times(later)) == "B");
+  CHECK(apart(observed(later)).empty());
+  later.definition.stop.seconds = 0.001;  // it ended all
+  CHECK(apart(observed(later)) == "ABCC");
+  CHECK(apart(times(study({.runs = 4}, as_made))) == "AB");  // one after the other
+  CHECK(apart(times(study({.runs = 4}, as_made, {"A"}))).empty());
+  const auto in_process = [](const std::string& solvers) {
+    return [solvers](SolveRecord& solve) {
+      if (solvers.find(solve.label) != std::string::npos) solve.timing = Timing::process;
+    };
+  };
+  CHECK(apart(times(study(chained, in_process("B")))) == "B");
+  CHECK(apart(times(study(chained, in_process("AB")))).empty());
+  // What a program tells is its time, if its processor time leaves room for it.
+  const auto told = [](double seconds, double cpu) {
+    return [=](SolveRecord& solve) {
+      if (solve.label != "B") return;
+      solve.timing = Timing::process;
+      solve.claimed_seconds = seconds;
+      solve.cpu_seconds = cpu;
+    };
+  };
+  CHECK(apart(times(study(chained, told(0.01, 0.0105)))).empty());
+  CHECK(list_of(group(times(study(chained, told(0.01, 0.0105))), "B")).front() == 0.01);
+  CHECK(apart(times(study(chained, told(0.01, 0.05)))) == "B");   // of more threads, or told too short
+  CHECK(apart(times(study(chained, told(0.01, 0.005)))) == "B");  // it waited
+}
+
+TEST_CASE("Who stops just beyond the tolerance is asked whether it knows it") {
+  const auto missed = [](int near, CountedBy by) {
+    return [=](SolveRecord& solve) {
+      solve.counted_by = by;
+      solve.status = results::Status::tolerance_missed;
+      solve.position_error_cm = solve.point <= near ? 0.0199 : 1;
+    };
+  };
+  const auto asked = [&](int near, CountedBy by) {
+    const Asked with_tolerance{.rest = R"(, "stop": {"tolerance_cm": 0.01})"};
+    return std::ranges::count(doubts_of(study(with_tolerance, missed(near, by))), DoubtKind::near_misses, &Doubt::kind);
+  };
+  CHECK(asked(3, CountedBy::nobody) == 2);
+  CHECK(asked(2, CountedBy::nobody) == 0);
+  CHECK(asked(3, CountedBy::suite) == 0);
+}
+
+TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is a doubt") {
+  const auto counted = [](CountedBy by) {
+    return observe(study(chained,
+                         [by](SolveRecord& solve) {
+                           if (solve.label == "B") solve.counted_by = by, solve.status = Status::not_finite;
+                         }),
+                   metric_named("evaluations"));
+  };
+  CHECK(counted(CountedBy::suite).doubts.empty());
+  const Observations nobody = counted(CountedBy::nobody), itself = counted(CountedBy::solver);
+  CHECK(lost_in(group(nobody, "B")) == 5);
+  CHECK(lost_in(group(itself, "B")) == 0);
+  for (const Observations& of : {nobody, itself}) {
+    REQUIRE(of.doubts.size() == 1);
+    CHECK(of.doubts.front().kind == DoubtKind::counted_otherwise);
+    CHECK(of.doubts.front().who == std::vector<std::string>{"B"});
+    CHECK(untold(group(of, "B")));
+    CHECK_FALSE(untold(group(of, "A")));
+  }
+}
+
+TEST_CASE("Orientation counts where a pose is searched, bends are of a run") {
+  const Asked pose{.rest = R"(, "search": "pose")"};
+  const auto turned = [](SolveRecord& solve) {
+    solve.orientation_error = 0.1;
+    solve.answer_rad = {solve.point == 3 ? ikbench::base::degree : 0.0, 1.0 * solve.run};
+  };
+  CHECK(list_of(group(observed(study(pose, turned), "orientation_error_deg"), "A")).front() ==
+        Approx(7.02166).epsilon(1e-6));
+  CHECK(list_of(group(observed(study(chained, turned), "orientation_error_deg"), "A")).empty());
+  CHECK(list_of(group(observed(study(chained, turned), "bend_deg"), "A")).size() == 5);
+  CHECK(list_of(group(observed(study(chained, turned), "bend_deg"), "A")).front() == Approx(0.75));
+  CHECK_FALSE(observed(study(fixed_targets, turned), "bend_deg").is_paired);
+  CHECK_THROWS_AS(metric_named("bend"), std::invalid_argument);
+}
+
+TEST_CASE("Answers that claim too much or lie outside limits are counted") {
+  const StudyResults of = study(chained, [](SolveRecord& solve) {
+    if (solve.run == 1 && solve.point == 1) solve.status = Status::claimed_but_wrong;
+    if (solve.run == 2 && solve.label == "A") solve.limit_violation_deg = 3;
+    if (solve.run == 3 && solve.point == 1 && solve.label == "A") solve.limit_violation_m = 3;
+  });
+  CHECK(doubt_of(of, DoubtKind::claimed_but_wrong)->count == 2);
+  CHECK(doubt_of(of, DoubtKind::claimed_but_wrong)->of == 40);
+  CHECK(doubt_of(of, DoubtKind::outside_limits)->count == 5);
+  CHECK(doubt_of(of, DoubtKind::outside_limits)->who == std::vector<std::string>{"A"});
+}
+
+TEST_CASE("Budgets differ where equal iterations are twice the evaluations") {
+  const auto evaluated = [](double factor, const std::string& stop, StopReason reason = StopReason::iterations) {
+    const Asked asked{.rest = R"(, "stop": )" + stop};
+    return doubt_of(study(asked,
+                          [&](SolveRecord& solve) {
+                            solve.stop_reason = reason;
+                            if (solve.label == "B") solve.evaluations = static_cast<std::int64_t>(100 * factor);
+                          }),
+                    DoubtKind::budgets_differ);
+  };
+  const auto doubt = evaluated(3, R"({"iterations": 9})");
+  REQUIRE(doubt);
+  CHECK(doubt->who == std::vector<std::string>{"B", "A"});
+  CHECK(doubt->count == Approx(300));
+  CHECK(doubt->of == Approx(100));
+  CHECK_FALSE(evaluated(1.9, R"({"iterations": 9})"));
+  CHECK(evaluated(3, R"({"iterations": 9, "evaluations": 300})"));
+  CHECK_FALSE(evaluated(3, R"({"iterations": 9})", StopReason::tolerance));
+}
+
+TEST_CASE("Targets out of reach and a plan that was changed after the data are told") {
+  const Asked asked{.rest = R"(, "out_of_reach": {"points": 2}, "analysis": {"test": "ranks", "margin_percent": 10})"};
+  CHECK(doubt_of(study(asked, as_made), DoubtKind::out_of_reach)->count == 2);
+  CHECK(doubt_of(study(asked, as_made), DoubtKind::out_of_reach)->of == 4);
+  const auto recorded = [&](const std::string& plan) {
+    return doubt_of(study(asked, as_made, {"A", "B"}, {{.id = 1, .environment = {{"analysis", plan}}}}),
+                    DoubtKind::plan_changed);
+  };
+  CHECK_FALSE(recorded(R"({"test": "ranks", "margin_percent": 10})"));
+  REQUIRE(recorded(R"({"test": "means", "margin_percent": 5})"));
+  CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->what == "margin_percent, test");
+  CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->count == 40);
+  CHECK(recorded(R"({"control": "dropped", "margin_percent": 10})")->what == "control");
+  StudyResults of = study(asked, as_made);
+  of.other_version.who = {"B"};
+  of.other_version.count = 7;
+  CHECK(doubt_of(of, DoubtKind::other_version)->count == 7);
+}
+
+TEST_CASE("Targets that nobody solved in any run are told, and an arm with too few joints for them") {
+  const auto of = [](const std::string& search, int joints, int unsolved, const std::string& targets = "fixed") {
+    const std::string links = fmt::format("{}", fmt::join(std::vector<std::string>(joints, "{}"), ","));
+    const Asked asked{.targets = targets,
+                      .tolerance_cm = 1,
+                      .rest = fmt::format(R"(, "search": "{}", "arm": {{"links": [{}]}})", search, links)};
+    return study(asked, [=](SolveRecord& solve) {
+      const bool is_of_one = solve.point == 4 && solve.label == "B" && solve.run == 2;
+      solve.status =
+          solve.point <= unsolved || (solve.point == 4 && !is_of_one) ? Status::tolerance_missed : Status::ok;
+    });
+  };
+  const auto nobody = doubt_of(of("axis", 5, 2), DoubtKind::solved_by_nobody);
+  REQUIRE(nobody);
+  CHECK(nobody->count == 2);
+  CHECK(nobody->of == 4);
+  CHECK(nobody->what == "1, 2");
+  CHECK_FALSE(doubt_of(of("axis", 5, 2), DoubtKind::too_few_joints));
+  CHECK_FALSE(doubt_of(of("pose", 5, 0), DoubtKind::too_few_joints));
+  CHECK_FALSE(doubt_of(of("pose", 5, 2, "drawn"), DoubtKind::too_few_joints));
+  const auto few = doubt_of(of("pose", 5, 2), DoubtKind::too_few_joints);
+  REQUIRE(few);
+  CHECK(few->what ==
+        "5 joints cannot reach every target of search = \"pose\", which sets 6 conditions; \"axis\" sets 5");
+  CHECK(doubt_of(of("axis", 4, 2), DoubtKind::too_few_joints)->what.ends_with("\"all_joints\" sets 3"));
+}
+
+TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 words") {
+  CHECK(doubts_of(study(chained, as_made)).empty());
+  CHECK(doubts_of(study(drawn, as_made)).empty());
+  const std::vector<std::string> many{"one", "two", "three", "four", "five", "six"};
+  for (int kind = 0; kind <= static_cast<int>(DoubtKind::other_version); ++kind) {
+    const std::string line = words_of(
+        {.kind = static_cast<DoubtKind>(kind), .who = many, .count = 3, .of = 20, .what = "the reason in five words"});
+    std::istringstream words(line);
+    const auto count = std::distance(std::istream_iterator<std::string>(words), {});
+    CAPTURE(line);
+    CHECK(count > 4);
+    CHECK(count <= 25);
+  }
+  CHECK(words_of({.kind = DoubtKind::times_not_comparable,
+                  .who = {"mine"},
+                  .count = 100,
+                  .of = 100,
+                  .what = "the machine was busy"}) ==
+        "times of mine are not compared: the machine was busy in 100 of 100 solves");
+}
+
+TEST_CASE("what attempts spent is by what they solved, and the spread of its parts is its error") {
+  // Of 100 targets A solves 80 with 10 evaluations each, and spends 1000 on each of the others; B solves all with 50.
+  const Asked drawn_100{.start = "middle", .targets = "drawn", .runs = 100, .points = 1, .tolerance_cm = 0.1};
+  const StudyResults of = study(drawn_100, [](SolveRecord& solve) {
+    const bool fails = solve.label == "A" && solve.run % 5 == 0;
+    solve.status = fails ? Status::tolerance_missed : Status::ok;
+    solve.evaluations = fails ? 1000 : solve.label == "A" ? 10 : 50;
+  });
+  const JudgedStudy all = judge::judge(of);
+  const JudgedMetric& spent = *judged_of(all, "evaluations_per_solved");
+  CHECK(judged_of(all, "evaluations") == nullptr);
+  CHECK(spent.described[0].mean == Approx((80 * 10 + 20 * 1000) / 80.0));
+  CHECK(spent.described[1].mean == Approx(50));
+  const Seen found = seen(spent.findings.front());
+  CHECK(*found.estimate == Approx(260 / 50.0));
+  CHECK(found.verdict == Verdict::worse);
+  // The delta method by hand: the variance of each target's part of log(spent) - log(solved), by n.
+  double square = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double part = i % 5 == 0 ? 1000 / 208.0 : 10 / 208.0 - 1 / 0.8;
+    square += part * part;
+  }
+  CHECK(std::log(found.interval->high / *found.estimate) ==
+        Approx(1.984217 * std::sqrt(square / 99 / 100)).epsilon(1e-4));
+}

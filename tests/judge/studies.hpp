@@ -1,0 +1,135 @@
+// Hand-made studies.
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "analysis/judge/compare.hpp"
+#include "analysis/judge/describe.hpp"
+#include "analysis/judge/gate.hpp"
+#include "analysis/judge/judge.hpp"
+#include "analysis/judge/observe.hpp"
+#include "analysis/judge/study.hpp"
+#include "analysis/judge/tests_of_two.hpp"
+#include "base/units.hpp"
+#include "tests/common.hpp"
+#include "tests/stored_study.hpp"
+
+using namespace ikbench::judge;
+
+namespace ikbench::judge {
+
+using results::CountedBy;
+using results::SolveRecord;
+using results::Status;
+using results::Timing;
+
+// A finding with all that some kinds of findings have.
+enum class Why { tested, lost, apart, fact, too_few, few_decide };
+struct Seen : Finding {
+  std::optional<double> estimate = {}, p = {}, effect = {};
+  std::optional<Interval> interval = {};
+  std::string_view test = {};
+  Verdict verdict = Verdict::not_tested;
+  Why why = Why::tested;
+  bool is_within_margin = false, are_all_equal = false;
+  int n = 0, needed = 0;
+};
+inline Seen seen(const Finding& finding) {
+  Seen all{finding};
+  all.verdict = verdict_of(finding);
+  all.p = p_of(finding);
+  all.are_all_equal = are_equal(finding);
+  if (const Amount* const amount = amount_of(finding)) all.estimate = amount->value, all.interval = amount->interval;
+  if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
+    all.test = tested->test, all.n = tested->n;
+    all.is_within_margin = tested->size == Size::small || tested->verdict == Verdict::same;
+    if (tested->effect) all.effect = tested->effect->a12();
+  } else if (const auto* const open = std::get_if<Open>(&finding.what)) {
+    all.n = open->n, all.needed = open->needed;
+    all.why = open->why == Open::Why::too_few      ? Why::too_few
+              : open->why == Open::Why::lost       ? Why::lost
+              : open->why == Open::Why::few_decide ? Why::few_decide
+                                                   : Why::apart;
+  } else {
+    all.why = Why::fact;
+  }
+  return all;
+}
+inline std::vector<Seen> compared(const Observations& observed, const Plan& plan, std::size_t metrics = 1) {
+  std::vector<Seen> all;
+  for (const Finding& finding : compare(observed, plan, metrics)) all.push_back(seen(finding));
+  return all;
+}
+inline Seen better_first(const Seen& all, std::string_view control) {
+  return seen(judge::better_first(static_cast<const Finding&>(all), control));
+}
+inline Headline headline(const Observations& observed, const Plan& plan, const std::vector<Seen>& all) {
+  return judge::headline(observed, plan, std::vector<Finding>(all.begin(), all.end()));
+}
+inline Measured& measured(Group& group) { return std::get<Measured>(group.sample); }
+inline std::vector<double>& values_in(Group& group) { return std::get<Measured>(group.sample).values; }
+inline std::vector<double> list_of(const Group& group) { return {values_of(group).begin(), values_of(group).end()}; }
+
+struct Asked {
+  std::string start = "previous", targets = "fixed";
+  int runs = 5, points = 4;
+  double tolerance_cm = 0;
+  std::string rest = {};  // further members of the definition
+};
+
+inline std::string definition(const Asked& asked) {
+  return fmt::format(
+      R"({{"start": "{}", "search": "all_joints", "runs": {}, "points": {}, "path": {{"kind": "helix", "targets": "{}"}},
+          "stop": {{"tolerance_cm": {}, "evaluations": 1000}}{}}})",
+      asked.start, asked.runs, asked.points, asked.targets, asked.tolerance_cm, asked.rest);
+}
+
+inline SolveRecord solve_of(const Asked& asked, const std::string& solver, int run, int point) {
+  const double target = asked.targets == "drawn" ? 100 * run + point : point;
+  return {.label = solver,
+          .run = run,
+          .point = point,
+          .target_position_m = {target, 0, 0},
+          .answer_rad = {target, 1.0 * run, static_cast<double>(solver.front())},
+          .position_error_cm = 0.5,
+          .variation_deg = 30,
+          .evaluations = 100,
+          .stop_reason = results::StopReason::finished,
+          .seconds = 0.001,
+          .cpu_seconds = 0.001,
+          .session = 1};
+}
+
+// Changes a solve after its defaults are set.
+using Change = std::function<void(SolveRecord&)>;
+
+inline std::vector<SolveRecord> solves_of(const Asked& asked, const std::vector<std::string>& solvers,
+                                          const Change& change) {
+  std::vector<SolveRecord> solves;
+  for (const std::string& solver : solvers) {
+    for (int run = 1; run <= asked.runs; ++run) {
+      for (int point = 1; point <= asked.points; ++point) {
+        solves.push_back(solve_of(asked, solver, run, point));
+        change(solves.back());
+      }
+    }
+  }
+  return solves;
+}
+
+inline results::StoredStudy entry_of(const Asked& asked, const std::vector<std::string>& solvers) {
+  results::StoredStudy entry{.name = "hand-made", .definition = definition(asked), .series = {}};
+  for (const std::string& solver : solvers)
+    entry.series.push_back({.key = solver + "@1", .label = solver, .algorithm = solver, .options = "{}"});
+  return entry;
+}
+
+inline StudyResults study(const Asked& asked, const Change& change,
+                          const std::vector<std::string>& solvers = {"A", "B"},
+                          const std::vector<results::Session>& sessions = {
+                              {.id = 1, .environment = {{"cpu", "one"}}}}) {
+  return stored_study(entry_of(asked, solvers), solves_of(asked, solvers, change), sessions);
+}
+
+}  // namespace ikbench::judge
