@@ -171,9 +171,14 @@ CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm
   table.header.assign(row->begin(), row->end());
   if (form.has_header) row = &reader.row();
   for (std::size_t i = 0; i < table.header.size() && !form.has_header; ++i) table.header[i] = std::to_string(i + 1);
+  // Below the header, as in Markdown, or around the table.
+  const auto is_rule = [](std::string_view cell) { return cell.find_first_not_of("-=:+ ") == std::string_view::npos; };
   for (; !row->empty(); row = &reader.row()) {
+    if ((row->size() == 1 || (form.separator == '|' && table.rows() == 0)) && std::ranges::all_of(*row, is_rule))
+      continue;
     if (row->size() != table.header.size())
-      reader.refuse_row(fmt::format("{} cells; expected {} as in the header", row->size(), table.header.size()));
+      reader.refuse_row(fmt::format("{} cells; expected {} as in the header{}", row->size(), table.header.size(),
+                                    table.rows() > 0 ? "" : "; begin a title above the header with #"));
     table.lines_.push_back(reader.row_line());
     table.cells_.insert(table.cells_.end(), row->begin(), row->end());
   }

@@ -31,10 +31,21 @@ bool is_grouped(std::string_view whole, char mark) {
   return true;
 }
 
+constexpr std::string_view thousands = "' \xE2\xC2";  // first bytes
+
 bool has_mark(std::string_view text) { return text.find_first_of(".,") != std::string_view::npos; }
 
-// Of a text with this mark of decimals; the other one marks thousands.
+// Of a text with this mark of decimals; the other one marks thousands, as do ' and blanks: 1'234.5.
 std::optional<double> parsed(std::string_view text, char decimal) {
+  if (const std::size_t first = text.find_first_of(thousands); first != std::string_view::npos && first > 0) {
+    std::string plain(text);
+    for (const std::string_view mark : {"\u2019", "\u00a0", "\u202f", " "}) {
+      for (std::size_t at = 0; (at = plain.find(mark)) != std::string::npos;) plain.replace(at, mark.size(), "'");
+    }
+    if (!is_grouped(std::string_view(plain).substr(0, plain.find(decimal)), '\'')) return std::nullopt;
+    std::erase(plain, '\'');
+    return parsed(plain, decimal);
+  }
   if (!has_mark(text)) return number_from(text);
   const char thousand = decimal == '.' ? ',' : '.';
   std::string plain(text);
@@ -62,7 +73,8 @@ bool begins_with_number(std::string_view text) {
   const std::string_view number = text.substr(0, text.find_first_not_of("0123456789.,+-eE"));
   const std::string_view rest = text.substr(number.size());
   return is_number(number) && !rest.empty() &&
-         (rest.find_first_of("0123456789") == std::string_view::npos || trimmed(rest).starts_with('(') || rest[0] < 0);
+         (rest.find_first_of("0123456789") == std::string_view::npos || trimmed(rest).starts_with('(') ||
+          trimmed(rest)[0] < 0);
 }
 
 // What the first line has most often outside quotes; blanks if nothing else parts it.
@@ -109,7 +121,9 @@ bool is_one_of(std::string_view text, const Words& words) {
   return std::ranges::find(words, lower_case(text)) != words.end();
 }
 
-std::string in_quotes(std::string_view text) { return fmt::format("'{}'", one_line(front(text, 60))); }
+std::string in_quotes(std::string_view text) {
+  return fmt::format("'{}'", one_line(front(text, 60)));
+}
 
 std::string listed(const std::vector<std::string>& titles) {
   return std::string(front(fmt::format("{}", fmt::join(titles, ", ")), 300));
@@ -120,7 +134,7 @@ Title::Title(std::string_view title) : name(title) {
   const std::size_t at = is_bracketed ? title.find_last_of("[(") : title.rfind('_');
   if (at == std::string_view::npos || at == 0) return;
   const std::string_view end = title.substr(at + 1, title.size() - at - (is_bracketed ? 2 : 1));
-  if (!is_open && !is_one_of(end, {"cm", "mm", "m", "deg", "rad", "ms", "s"})) return;
+  if (!is_open && !is_one_of(end, {"cm", "mm", "m", "deg", "rad", "ns", "us", "ms", "s"})) return;
   name = trimmed(title.substr(0, at));
   unit = end;
 }
@@ -128,11 +142,15 @@ Title::Title(std::string_view title) : name(title) {
 Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Header header) : source_(source) {
   expect_text(text, source);
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  constexpr std::string_view sep = "sep=";  // of spreadsheets
-  const bool has_sep = text.starts_with(sep) && text.find('\n') < sep.size() + 3;
-  if (has_sep) text.remove_prefix(text.find('\n') + 1);
-  CsvForm form{.first_line = 1 + has_sep + take_comments(text)};
+  constexpr std::string_view sep = "sep=";  // of spreadsheets, also in quotes
+  const bool has_sep = text.substr(text.starts_with('"')).starts_with(sep) && text.find('\n') < sep.size() + 5;
+  const bool has_rule = text.starts_with("+-");  // of MySQL
+  if (has_sep || has_rule) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  CsvForm form{.first_line = 1 + (has_sep || has_rule) + take_comments(text)};
   form.separator = separator_ = separator_of(text);
+  if (const std::string_view line = trimmed(text.substr(0, text.find('\n')));
+      line.starts_with('\\') || line.ends_with('\\'))
+    refuse("a table in LaTeX; write a comma in place of each &, and leave out what begins with a backslash");
   if (std::ranges::count(text, '\n') > most_lines + 1)
     refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", most_lines));
   table_ = parse_csv(text, source, form);
@@ -140,9 +158,12 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   if (!form.has_header) table_ = parse_csv(text, source, form);
   for (const std::string& title : table_.header) titles_.emplace_back(trimmed(title));
   decimals_.assign(titles_.size(), decimal);
+  if (const auto empty = std::ranges::count(titles_, ""); empty > 1 && empty + 1 == std::ssize(titles_))
+    refuse(fmt::format("{} stands alone in the header; begin a title above it with #", in_quotes(titles_.front())));
   const auto number = std::ranges::find_if(titles_, is_number);
   if (form.has_header && number != titles_.end())
-    refuse(fmt::format("{} in the header; expected names of columns in the first line", in_quotes(*number)));
+    refuse(fmt::format("{} in the header; expected names of columns in the first line{}", in_quotes(*number),
+                       is_number(titles_.front()) ? "" : "; runs and steps of a curve stand below each other"));
   for (std::uint32_t row = 0; row < table_.rows(); ++row) {
     std::size_t filled = 0, last = 0;
     for (std::size_t i = 0; i < titles_.size(); ++i) {
@@ -186,7 +207,8 @@ std::size_t Sheet::column(std::string_view name) {
   }
   if (number > 1) refuse(fmt::format("{} columns {}; give them different names", number, in_quotes(name)));
   if (number == 0)
-    refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), did_you_mean(name, titles_), listed(titles_)));
+    refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), did_you_mean(name, titles_),
+                       listed(titles_)));
   return static_cast<std::size_t>(std::ranges::find(titles_, name) - titles_.begin());
 }
 

@@ -381,6 +381,17 @@ TEST_CASE("what can be read in several ways is asked, and every answer is read")
   }
 }
 
+TEST_CASE("tables of Markdown, org and MySQL, and thousands of the Swiss, are read") {
+  for (const std::string text :
+       {"| s | v |\n|---|--:|\n| A | 1000.5 |\n| B | 2 |\n", "| s | v |\n|---+---|\n| A | 1000.5 |\n| B | 2 |\n",
+        "+---+---+\n| s | v |\n+---+---+\n| A | 1000.5 |\n| B | 2 |\n+---+---+\n", "\"sep=;\"\r\ns;v\nA;1'000.5\nB;2\n",
+        "s;v\nA;1\u2019000.5\nB;2\n", "s;v\nA;1\u00a0000,5\nB;2\n"}) {
+    CAPTURE(text);
+    CHECK(list_of(observations(text).groups[0]) == std::vector{1000.5});
+  }
+  CHECK(contains(said_of("s;v\nA;10'00.5\nB;2\n", {.values = {"v"}}), "data.csv:2:2"));
+}
+
 TEST_CASE("columns that do not matter are not asked about") {
   const std::string rows =
       "i,solver,host,version,at,error\n0,A,n1,1.0,10:00:01,1.5\n1,A,n1,1.0,10:00:03,1.2\n2,A,n1,1.0,10:00:04,1.1\n"
