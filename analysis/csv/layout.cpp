@@ -11,7 +11,9 @@
 #include <set>
 #include <unordered_map>
 
+#include "analysis/judge/describe.hpp"
 #include "base/names.hpp"
+#include "base/number.hpp"
 
 namespace ikbench::csv {
 namespace {
@@ -413,6 +415,53 @@ class Finder {
 };
 
 }  // namespace
+
+Printed printed(Sheet& sheet, std::size_t row, std::size_t column) {
+  const std::string_view text = sheet.cell(row, column);
+  const std::size_t mark = text.find_last_of(".,"), exponent = std::min(text.find_first_of("eE"), text.size());
+  const double shift = exponent < text.size() ? base::number_from(text.substr(exponent + 1)).value_or(0) : 0;
+  const double value = sheet.number(row, column);
+  return {value, std::pow(10, shift - (mark < exponent ? static_cast<double>(exponent - mark - 1) : 0)) / 2};
+}
+
+bool are_computed(const std::vector<std::vector<Printed>>& lists, std::optional<std::size_t> one) {
+  std::vector<double> chances;  // of each statistic
+  for (const std::vector<Printed>& list : lists) {
+    const Printed& last = list.back();
+    std::vector<double> values;
+    double half = std::numeric_limits<double>::infinity(), logarithms = 0;
+    for (const Printed& each : std::span(list).first(list.size() - 1)) {
+      if (std::isnan(each.value)) continue;
+      values.push_back(each.value);
+      half = std::min(half, each.half), logarithms += std::log(each.value);
+    }
+    const judge::Description of = judge::described(values);
+    if (std::isinf(last.value)) return false;
+    if (of.n < 2 || std::isnan(last.value)) continue;
+    std::vector<double> computed{of.mean,     of.mean * of.n, of.median, std::exp(logarithms / of.n),
+                                 of.smallest, of.largest,     of.sd,     of.sd * std::sqrt(1 - 1.0 / of.n)};
+    for (const bool is_turned : {false, true}) {
+      const double a = values[is_turned], b = values[!is_turned], ratio = a / b;
+      for (const double each : {a - b, ratio, 100 * ratio, ratio - 1, 1 - ratio, 100 * (ratio - 1), 100 * (1 - ratio)})
+        if (list.size() == 3) computed.push_back(each);
+    }
+    chances.resize(computed.size(), 1);
+    // A number like the others has these digits by Cauchy's law, whose tails are long; equal ones do not tell.
+    const double digit = 2 * std::min(half, last.half),
+                 spread = std::max(of.upper_quartile - of.lower_quartile, digit) / 2,
+                 place = (last.value - of.median) / spread,
+                 chance = std::min(1.0, digit / (std::numbers::pi * spread * (1 + place * place)));
+    for (std::size_t i = 0; i < computed.size(); ++i) {
+      const double off = std::abs(last.value - computed[i]),
+                   slack = last.half + std::min(half / 2, last.half) + 1e-9 * std::abs(last.value);
+      chances[i] *= !(off <= slack) ? judge::unknown : of.largest - of.smallest > half ? chance : 1;
+    }
+  }
+  for (std::size_t i = 0; i < chances.size(); ++i) {
+    if (chances[i] < 0.002 && i == one.value_or(i)) return true;
+  }
+  return false;
+}
 
 Layout layout_of(Sheet& sheet, const Request& request) { return Finder(sheet, request).found(); }
 

@@ -44,6 +44,15 @@ struct Question : std::invalid_argument {
   std::vector<Options> answers;
 };
 
+// A number, and half of its last digit.
+struct Printed {
+  double value, half;
+};
+Printed printed(Sheet& sheet, std::size_t row, std::size_t column);
+// Whether the last number of each list is to its last digit one statistic of the others, and not by chance: mean, sum,
+// median, geometric mean, smallest, largest, standard deviation; of two also a difference or ratio. Or one of these.
+bool are_computed(const std::vector<std::vector<Printed>>& lists, std::optional<std::size_t> one = {});
+
 // Rows without a label count for nothing. Throws a Question, or std::invalid_argument as Sheet does.
 Layout layout_of(Sheet& sheet, const Request& request);
 

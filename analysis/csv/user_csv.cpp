@@ -10,6 +10,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "analysis/judge/tests_of_two.hpp"
 #include "base/names.hpp"
 #include "base/number.hpp"
 
@@ -17,8 +18,8 @@ namespace ikbench::csv {
 namespace {
 
 using namespace judge;
-using base::is_one_of, base::Words;
 using base::lower_case;
+using base::is_one_of, base::Words;
 using Index = std::uint32_t;
 
 struct Value {
@@ -88,8 +89,8 @@ Better better_of(const Sheet& sheet, const Request& request, const std::vector<s
     if (way != "smaller" && way != "larger")
       sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(option)));
     if (!is_of_all && std::ranges::count(titles, column) == 0)
-      sheet.refuse(
-          fmt::format("--better {}: {}", in_quotes(option), base::unknown_name("column of values", column, titles)));
+      sheet.refuse(fmt::format("--better {}: {}", in_quotes(option),
+                               base::unknown_name("column of values", column, titles)));
     if (is_of_all ? said.empty() : column == title) said = way;
   }
   if (said.empty() && are_shares)
@@ -176,46 +177,45 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
   }
 }
 
-// Half of the last digit; nothing of whole numbers, and what sums of doubles are wrong by.
-double rounding_of(std::string_view text, double value) {
-  const std::size_t mark = text.find_last_of(".,"), exponent = std::min(text.find_first_of("eE"), text.size());
-  const double shift = exponent < text.size() ? base::number_from(text.substr(exponent + 1)).value_or(0) : 0;
-  const double last = mark < exponent ? std::pow(10, shift - static_cast<double>(exponent - mark - 1)) / 2 : 0;
-  return std::max(last, std::abs(value) * 1e-9) * (1 + 1e-6);
-}
-
-// Refuses last rows from the first on that has the mean or the sum of those above in each group, where each row has a
-// value of all groups, all are finite, and a digit beyond those of small counts says that it is no chance.
-void refuse_totals(const Sheet& sheet, const Layout& layout, const Items& items) {
+// Refuses last rows from the first on that has a statistic of those above in each group, or of ranks or wins of the
+// groups, where each row has a value of all groups.
+void refuse_totals(Sheet& sheet, const Layout& layout, const Columns& columns, const Items& items) {
   constexpr std::size_t most_values = 100'000, most_totals = 4, fewest = 3;  // nobody adds such rows to more
   const std::size_t groups = items.groups.size(), units = items.values.size() / groups;
   if ((layout.label && !layout.block) || groups < 2 || items.values.size() > most_values) return;
-  using Row = std::vector<double>;
-  std::vector<Row> rows(units, Row(groups));
+  using Lists = std::vector<std::vector<Printed>>;  // of each group
+  std::vector<Lists> kinds{Lists(groups)};          // values, then from either end their ranks and who is first
   for (std::size_t i = 0; i < items.values.size(); ++i) {
-    if (items.values[i].group != i / units || items.values[i].unit != items.values[i % units].unit) return;
-    rows[i % units][i / units] = items.values[i].value;
+    const Value& item = items.values[i];
+    if (item.group != i / units || item.unit != items.values[i % units].unit) return;
+    kinds[0][item.group].push_back(printed(sheet, item.row, columns[layout.label ? 0 : item.group]));
+  }
+  for (const double sign : {1.0, -1.0}) {
+    Lists ranks(groups), firsts(groups);
+    for (std::size_t unit = 0; unit < units; ++unit) {
+      std::vector<double> row;
+      for (const std::vector<Printed>& group : kinds[0])
+        row.push_back(std::isnan(group[unit].value) ? std::numeric_limits<double>::infinity()
+                                                    : sign * group[unit].value);
+      row = midranks(row).ranks;
+      for (std::size_t g = 0; g < groups; ++g) {
+        ranks[g].push_back({row[g], 0.5});
+        firsts[g].push_back({row[g] == std::ranges::min(row) ? 1.0 : 0.0, 0.5});
+      }
+    }
+    kinds.insert(kinds.end(), {ranks, firsts});
   }
   for (std::size_t above = std::max(units, fewest + most_totals) - most_totals; above < units; ++above) {
-    const auto last = rows.begin() + static_cast<std::ptrdiff_t>(above);
-    if (std::find(rows.begin(), last, *last) != last) continue;
-    Row mean(groups), sum(groups);
-    for (auto row = rows.begin(); row != last; ++row) {
-      for (std::size_t g = 0; g < groups; ++g) sum[g] += (*row)[g];
-    }
-    for (std::size_t g = 0; g < groups; ++g) mean[g] = sum[g] / static_cast<double>(above);
-    for (const Row& total : {mean, sum}) {
-      std::size_t alike = 0, telling = 0;
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      Lists lists = kinds[k];
       for (std::size_t g = 0; g < groups; ++g) {
-        const Value& item = items.values[g * units + above];
-        const std::string_view text = sheet.cell(item.row, layout.values[layout.label ? 0 : g]);
-        alike += std::isfinite(total[g]) && std::abs(item.value - total[g]) <= rounding_of(text, total[g]);
-        telling += std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; }) > 2;
+        lists[g].resize(above);
+        lists[g].push_back(kinds[0][g][above]);
       }
-      if (alike == groups && telling == groups)
-        sheet.refuse(items.values[above].row, layout.values.front(),
-                     fmt::format("is, like the other values of its row, the mean or sum of those above; leave the last "
-                                 "{} out of the file",
+      if (k == 0 ? are_computed(lists) : are_computed(lists, k % 2 == 0))  // a mean of ranks, a sum of firsts
+        sheet.refuse(items.values[above].row, columns.front(),
+                     fmt::format("sums up those above, as the other values of its row do; leave the last {} out of the "
+                                 "file",
                                  units - above > 1 ? fmt::format("{} rows", units - above) : "row"));
     }
   }
@@ -254,7 +254,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     const auto name_of = [](const std::string& title) { return quantity_of(title).quantity; };
     if (std::ranges::count(titles, observed.quantity, name_of) > 1)
       observed.quantity = titles[i], observed.unit.clear();
-    refuse_totals(sheet, layout, items);
+    refuse_totals(sheet, layout, layout.label ? Columns{layout.values[i]} : layout.values, items);
     if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items));
     settle(items, observed, quantities.notes);
     observed.better = better_of(sheet, request, titles, titles[i], observed.scale == Scale::share);

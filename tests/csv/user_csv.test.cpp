@@ -475,6 +475,18 @@ TEST_CASE("last rows with statistics of those above are refused") {
             .empty());
   CHECK(said_of(tall, by_solver).empty());
   CHECK(contains(said_of(tall + "A,mean,12.75\nB,mean,1.855\n", by_solver), "data.csv:26:3"));
+  // Any statistic, to the digits that it is printed with, of the values that there are.
+  const std::string three =
+      "p,A,B,C\na,1.31,2.45,NA\nb,0.72,1.16,3.09\nc,2.58,1.97,2.74\nd,0.93,3.62,1.51\ne,1.87,0.84,4.26\n";
+  for (const char* last : {"1.48,2.01,2.90", "1.5,2.0,2.9", "1.31,1.97,2.92", "1.3345,1.7629,2.7166", "0.72,0.84,1.51",
+                           "2.58,3.62,4.26", "0.75,1.10,1.13", "1.40,1.80,2.80", "1,2,3", "3,2,0"}) {
+    CAPTURE(last);
+    CHECK(contains(said_of(three + "x," + last + "\n", {.block = {"p"}}), "data.csv:7:2"));
+  }
+  for (const char* last : {"1.51,2.01,2.90", "2,3,1", "2,2,0", "0,0,0", "1.1,1.9,inf"}) {
+    CAPTURE(last);
+    CHECK(said_of(three + "x," + last + "\n", {.block = {"p"}}).empty());
+  }
   CHECK(contains(said_of(tall + "Total,,\n", by_solver), "data.csv:26:1: 'Total'"));
   CHECK(said_of("a,b,c\n1,2,3\n2,3,4\n2.5,,\n", {.run = "row"}).empty());  // one group has more
 }
