@@ -4,12 +4,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <set>
+#include <span>
 #include <unordered_map>
+#include <utility>
 
 #include "analysis/judge/describe.hpp"
 #include "base/names.hpp"
@@ -55,6 +60,9 @@ class Finder {
     Columns constant;
     for (std::size_t i = 0; i < columns; ++i) {
       if (has(asked_, i) || std::ranges::count(request.label, title(i)) > 0) continue;
+      const auto is_title = [&](Index row) { return std::ranges::count(sheet.titles(), sheet.cell(row, i)) > 0; };
+      if (2 * std::ranges::count_if(sheet.rows(), is_title) > std::ssize(sheet.rows()))
+        continue;  // who won in each row
       const bool counts = sheet.counts_rows(i), is_constant = sheet.rows().size() > 1 && count(sheet.rows(), {i}) == 1;
       (counts ? asked_.counting : is_constant ? constant : sheet.has_numbers(i) ? numbers_ : texts_).push_back(i);
     }
@@ -80,7 +88,8 @@ class Finder {
       answers.insert(answers.end(), more_.begin(), more_.end());
     }
     Way& way = ways.front();
-    refuse_others(way);
+    refuse_groups(way);
+    ask_of_measured(way);
     if (!way.asked.empty())
       throw Question(sheet_.said(fmt::format("it can be read in several ways; {}", fmt::join(way.asked, "; "))),
                      answers);
@@ -128,23 +137,38 @@ class Finder {
   std::size_t count(const Rows& rows, const Columns& columns) { return number_of(classes_of(rows, columns)); }
   static Columns groups_of(const Way& way) { return way.blocks + (way.label ? Columns{*way.label} : Columns()); }
 
+  bool is_whole(std::size_t column) {  // but where it is missing
+    return std::ranges::all_of(sheet_.rows(), [&](Index row) {
+      const double value = sheet_.number(row, column);
+      return std::isnan(value) || value == std::floor(value);
+    });
+  }
+
+  // Each of its texts is in several rows.
+  bool repeats(std::size_t column) {
+    std::map<Index, std::size_t> texts;
+    for (const Index text : classes_of(sheet_.rows(), {column})) ++texts[text];
+    return std::ranges::none_of(texts, [](const auto& text) { return text.second == 1; });
+  }
+
   // Numbers as settings and labels have them: whole, in order, or repeated.
   bool is_setting(std::size_t column) {
     std::vector<double> values;
     for (const Index row : sheet_.rows()) values.push_back(sheet_.number(row, column));
     std::erase_if(values, [](double value) { return std::isnan(value); });
-    return std::ranges::all_of(values, [](double value) { return value == std::floor(value); }) ||
-           std::ranges::is_sorted(values) || std::ranges::is_sorted(values, std::greater()) ||
-           2 * count(sheet_.rows(), {column}) <= values.size();
+    return is_whole(column) || repeats(column) || std::ranges::is_sorted(values) ||
+           std::ranges::is_sorted(values, std::greater());
   }
 
-  // Whole numbers, everywhere another: as an index of rows that were chosen or sorted.
+  // As an index of rows that were chosen or sorted, or a time that begins anew with each run.
   bool may_name_rows(std::size_t column) {
-    return is_setting(column) && count(sheet_.rows(), {column}) == sheet_.rows().size() &&
-           std::ranges::all_of(sheet_.rows(), [&](Index row) {
-             const double value = sheet_.number(row, column);
-             return value == std::floor(value);
-           });
+    const auto falls = [&](Index before, Index after) {
+      return sheet_.number(before, column) > sheet_.number(after, column);
+    };
+    std::size_t all = 0;
+    for (std::size_t i = 1; i < sheet_.rows().size(); ++i) all += falls(sheet_.rows()[i - 1], sheet_.rows()[i]);
+    return (is_whole(column) && count(sheet_.rows(), {column}) == sheet_.rows().size()) ||
+           8 * all < sheet_.rows().size();
   }
 
   // Whether a column tells rows of a class apart as problems, runs and metrics do: by text, not everywhere another, or
@@ -200,8 +224,8 @@ class Finder {
                                 titles_of({column}), rows - way.rows.size(), rows));
   }
 
-  // Refuses groups that cannot be compared, and a measured column that is no number where another was taken for it.
-  void refuse_others(const Way& way) {
+  // Refuses groups of one name or of different units.
+  void refuse_groups(const Way& way) const {
     std::set<std::string> titles, units;
     for (const std::size_t column : way.label ? Columns() : way.values) {
       if (!titles.insert(title(column)).second)
@@ -209,34 +233,26 @@ class Finder {
       units.insert(base::Title(title(column)).unit);
     }
     if (units.size() > 1) sheet_.refuse(fmt::format("{} have different units; convert them", titles_of(way.values)));
-    for (const std::size_t column : way.label ? texts_ : Columns()) {  // every n-th row has a text: merged cells
-      std::vector<std::size_t> filled;
-      for (std::size_t i = 0; i < way.rows.size(); ++i)
-        if (!sheet_.cell(way.rows[i], column).empty()) filled.push_back(i);
-      if (has(way, column) || filled.size() < 2 || filled.size() == way.rows.size()) continue;
-      std::size_t i = 0;
-      while (i < filled.size() && filled[i] == i * filled[1]) ++i;
-      if (i == filled.size() && i * filled[1] == way.rows.size())
-        sheet_.refuse(fmt::format("{} is written in one row of {} only; write merged cells in each of their rows",
-                                  titles_of({column}), filled[1]));
-    }
+  }
+
+  // Asks about a column of text that was measured, where another was taken for the values.
+  void ask_of_measured(const Way& way) {
+    const auto is_measured = [](std::string_view cell) {
+      return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell.front())) == 0 &&
+             cell.find_first_of("0123456789") != std::string_view::npos;
+    };
     for (const std::size_t column : asked_.values.empty() && way.label && way.asked.empty() ? texts_ : Columns()) {
-      const auto cell_of = [&](Index row) { return sheet_.cell(row, column); };
-      const auto is_measured = [](std::string_view cell) {
-        return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell.front())) == 0 &&
-               cell.find_first_of("0123456789") != std::string_view::npos;
-      };
-      if (has(way, column) || 2 * count(way.rows, {column}) <= way.rows.size()) continue;
-      if (2 * std::ranges::count_if(way.rows, is_measured, cell_of) <= std::ssize(way.rows)) continue;
       constexpr std::size_t by_chance = 8;  // rows that are in order by chance in one of 40 000 files, not by a clock
-      if (way.rows.size() >= by_chance && std::ranges::is_sorted(way.rows, {}, cell_of)) continue;
-      Options answer;
-      for (const std::size_t value : way.values) answer.insert(answer.end(), {"--value", title(value)});
+      const auto cell_of = [&](Index row) { return sheet_.cell(row, column); };
+      if (has(way, column) || 2 * count(way.rows, {column}) <= way.rows.size() ||
+          2 * std::ranges::count_if(way.rows, is_measured, cell_of) <= std::ssize(way.rows) ||
+          (way.rows.size() >= by_chance && std::ranges::is_sorted(way.rows, {}, cell_of)))
+        continue;
       throw Question(sheet_.said(fmt::format("{} of {} in line {} is no number, so it was left out; write numbers "
                                              "alone, or name others with --value",
-                                             in_quotes(sheet_.cell(way.rows.front(), column)), titles_of({column}),
+                                             in_quotes(cell_of(way.rows.front())), titles_of({column}),
                                              sheet_.line(way.rows.front()))),
-                     {answer});
+                     {with(way, "--value", way.values).options});
     }
   }
   Way with(Way way, const std::string& option, const Columns& columns) const {
@@ -286,7 +302,7 @@ class Finder {
           is_text ? labels.size() == 1 && !has(way, column) && !has(values, column) &&
                         different < count(way.rows, labels) && tells_apart(way.rows, labels, column) &&
                         count(way.rows, way.blocks + labels + Columns{column}) == way.rows.size()
-                  : way.values.empty() && way.blocks.empty() && values.size() > 1 && 2 * different <= way.rows.size();
+                  : way.values.empty() && way.blocks.empty() && values.size() > 1 && repeats(column);
       if (may_be_label) labels.push_back(column);
     }
     if (labels.empty() && !may_be_wide)
@@ -325,21 +341,87 @@ class Finder {
     return values.empty() ? numbers_ : values;
   }
 
+  // Those of columns that may be groups: no settings, computed from others, bounds of all, or shares where others are
+  // none; and of one kind, where titles have two parts: "A mean", "A sd", "B mean", "B sd".
+  Columns groups_in(const Columns& all) {
+    Columns columns = all, others;
+    std::erase_if(columns, [&](auto column) { return column == all.front() ? is_setting(column) : is_whole(column); });
+    if (columns.empty()) columns = all;
+    std::vector<std::vector<Printed>> lists;
+    for (int end = 0; end < 2; ++end) {
+      constexpr std::size_t most_rows = 1000;  // that need be seen
+      lists.assign(std::min(most_rows, sheet_.rows().size()), {});
+      Columns kept;
+      for (const std::size_t column : columns) {
+        for (std::size_t i = 0; i < lists.size(); ++i) lists[i].push_back(printed(sheet_, sheet_.rows()[i], column));
+        if (kept.size() < 2 || !are_computed(lists))
+          kept.push_back(column);
+        else
+          for (std::vector<Printed>& list : lists) list.pop_back();
+      }
+      columns.assign(kept.rbegin(), kept.rend());
+    }
+    std::map<std::size_t, double> sizes;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      bool is_bound = true, is_reached = false, is_share = true;
+      for (const std::vector<Printed>& list : lists) {
+        const double value = list[columns.size() - 1 - i].value;
+        is_share = is_share && !(std::abs(value - 0.5) > 0.5);
+        is_bound = is_bound && std::ranges::none_of(list, [&](const Printed& other) { return other.value < value; });
+        is_reached = is_reached || std::ranges::count(list, value, &Printed::value) > 1;
+        if (!std::isnan(value)) sizes[columns[i]] += std::abs(value);
+      }
+      if (!is_share && !(is_bound && is_reached)) others.push_back(columns[i]);
+    }
+    if (others.size() > 1) columns = others;
+    std::map<std::string, Columns> seconds, firsts;  // by that part
+    const auto end_of = [&](std::size_t column) {
+      return std::min(title(column).find_last_of(" _.-/"), title(column).size());
+    };
+    for (const std::size_t column : columns) {
+      seconds[title(column).substr(end_of(column))].push_back(column);
+      firsts[title(column).substr(0, end_of(column))].push_back(column);
+    }
+    if (seconds.size() < 2 || firsts.size() < 2 || seconds.size() * firsts.size() != columns.size()) return columns;
+    const auto unlike = [&](const Columns& of_kind) {
+      const auto size_of = [&](std::size_t column) { return sizes[column]; };
+      const auto [least, most] = std::ranges::minmax(of_kind, {}, size_of);
+      return sizes[most] / sizes[least];
+    };
+    const std::size_t first = columns.front(), end = end_of(first);
+    const Columns &by_second = seconds[title(first).substr(end)], &by_first = firsts[title(first).substr(0, end)];
+    return !seconds.contains("") && unlike(by_first) < unlike(by_second) ? by_first : by_second;
+  }
+
+  // Columns of one name and different numbers, such as those of runs.
+  Columns numbered_in(const Columns& columns) {
+    std::map<std::string, Columns> stems;
+    for (const std::size_t column : columns) {
+      std::string stem = title(column);
+      std::erase_if(stem, [](char c) { return c >= '0' && c <= '9'; });
+      if (stems[stem].push_back(column); stems[stem].size() > 2 && stem != title(column)) return stems[stem];
+    }
+    return {};
+  }
+
   void find_values(Way& way) {
     if (!way.values.empty()) return;
-    Columns values = way.is_wide ? numbers_ : values_of(way), likely;
-    std::erase_if(values, [&](std::size_t column) { return has(way, column); });
-    for (const std::size_t column : values) {
-      if (way.is_wide ? !is_setting(column) : likely.empty() && !may_name_rows(column)) likely.push_back(column);
+    Columns values = way.is_wide ? numbers_ : values_of(way), likely = values;
+    for (Columns* columns : {&values, &likely}) std::erase_if(*columns, [&](auto column) { return has(way, column); });
+    const bool are_numbered = !numbered_in(values).empty();
+    if (way.is_wide && !are_numbered && !values.empty()) likely = groups_in(values);
+    if (!way.is_wide && !values.empty()) {
+      const auto measured = std::ranges::find_if(values, [&](std::size_t column) { return !may_name_rows(column); });
+      likely = {measured == values.end() ? values.front() : *measured};
     }
-    if (!way.is_wide && likely.empty() && !values.empty()) likely = {values.front()};
-    if (likely.empty() || likely == values) {
+    if (likely == values && !are_numbered) {
       way.values = values;
       return;
     }
     way = with(way, "--value", way.is_wide && likely.size() == 1 ? values : likely);
-    way.asked.push_back(fmt::format("of the numbers in {} --value names {}", titles_of(values),
-                                    way.is_wide ? "those of the groups" : "one"));
+    way.asked.push_back(fmt::format("of the numbers in {} --value names {}{}", titles_of(values),
+                                    way.is_wide ? "those of the groups" : "one",
+                                    are_numbered ? ", but runs and steps are read below each other alone" : ""));
   }
 
   // Gives blocks and runs to what tells rows apart.
@@ -440,6 +522,14 @@ bool are_computed(const std::vector<std::vector<Printed>>& lists, std::optional<
     if (of.n < 2 || std::isnan(last.value)) continue;
     std::vector<double> computed{of.mean,     of.mean * of.n, of.median, std::exp(logarithms / of.n),
                                  of.smallest, of.largest,     of.sd,     of.sd * std::sqrt(1 - 1.0 / of.n)};
+    std::vector<double> sorted = values;
+    std::ranges::sort(sorted);
+    for (const double share : {0.1, 0.25, 0.75, 0.9}) {  // as NumPy, R and spreadsheets have it
+      const double place = share * (of.n - 1);
+      const auto low = static_cast<std::size_t>(place);
+      computed.push_back(
+          std::lerp(sorted[low], sorted[std::min(low + 1, sorted.size() - 1)], place - std::floor(place)));
+    }
     for (const bool is_turned : {false, true}) {
       const double a = values[is_turned], b = values[!is_turned], ratio = a / b;
       for (const double each : {a - b, ratio, 100 * ratio, ratio - 1, 1 - ratio, 100 * (ratio - 1), 100 * (1 - ratio)})
@@ -447,8 +537,7 @@ bool are_computed(const std::vector<std::vector<Printed>>& lists, std::optional<
     }
     chances.resize(computed.size(), 1);
     // A number like the others has these digits by Cauchy's law, whose tails are long; equal ones do not tell.
-    const double digit = 2 * std::min(half, last.half),
-                 spread = std::max(of.upper_quartile - of.lower_quartile, digit) / 2,
+    const double digit = 2 * last.half, spread = std::max(of.upper_quartile - of.lower_quartile, digit) / 2,
                  place = (last.value - of.median) / spread,
                  chance = std::min(1.0, digit / (std::numbers::pi * spread * (1 + place * place)));
     for (std::size_t i = 0; i < computed.size(); ++i) {

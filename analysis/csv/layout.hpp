@@ -50,7 +50,8 @@ struct Printed {
 };
 Printed printed(Sheet& sheet, std::size_t row, std::size_t column);
 // Whether the last number of each list is to its last digit one statistic of the others, and not by chance: mean, sum,
-// median, geometric mean, smallest, largest, standard deviation; of two also a difference or ratio. Or one of these.
+// median, geometric mean, smallest, largest, standard deviation, a quartile or tenth; of two also a difference or
+// ratio. `one`: only the mean, 0, or the sum, 1.
 bool are_computed(const std::vector<std::vector<Printed>>& lists, std::optional<std::size_t> one = {});
 
 // Rows without a label count for nothing. Throws a Question, or std::invalid_argument as Sheet does.

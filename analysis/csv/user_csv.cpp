@@ -55,7 +55,8 @@ Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t
       const std::string_view name = layout.label ? sheet.cell(row, *layout.label) : sheet.titles()[column];
       items.unlabelled += name.empty();
       if (name.empty()) continue;
-      if (unit && sheet.cell(row, *unit).empty()) sheet.refuse(row, *unit, "is no name");
+      if (unit && sheet.cell(row, *unit).empty())
+        sheet.refuse(row, *unit, "is no name; write merged cells in each of their rows");
       const Index group = number_of(name, groups);
       if (group == items.groups.size()) items.groups.emplace_back(name);
       if (group == most_groups)
