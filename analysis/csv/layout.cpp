@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "analysis/judge/describe.hpp"
+#include "analysis/judge/tests_of_two.hpp"
 #include "base/names.hpp"
 #include "base/number.hpp"
 
@@ -278,6 +279,12 @@ class Finder {
     std::size_t fewest = way.rows.size();  // solvers are few; problems and dates are many
     for (const std::size_t column : labels) fewest = std::min(fewest, count(way.rows, {column}));
     std::ranges::stable_partition(labels, [&](std::size_t column) { return count(way.rows, {column}) <= 2 * fewest; });
+    if (labels.size() > 1 && asked_.values.size() + numbers_.size() > 0) {  // the first in the file is none of metrics
+      const Columns values = values_of(with(way, "--label", {labels.front()}));
+      std::ranges::stable_partition(labels, [&](std::size_t column) {
+        return column == texts_.front() || !names_metrics(column, values.front());
+      });
+    }
     Columns together;  // what names the rows
     if (!way.blocks.empty() && count(way.rows, way.blocks) == way.rows.size())
       labels = names = {};  // a row has the values of all groups
@@ -424,6 +431,43 @@ class Finder {
                                     are_numbered ? ", but runs and steps are read below each other alone" : ""));
   }
 
+  // Whether some of a few texts have values ten times those of all others, as metrics do.
+  bool names_metrics(std::size_t column, std::size_t value) {
+    constexpr std::size_t most_metrics = 8;
+    const Rows texts = classes_of(sheet_.rows(), {column});
+    std::map<Index, std::set<double>> sizes;
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      sizes[texts[i]].insert(std::abs(sheet_.number(sheet_.rows()[i], value)));
+    std::vector<std::pair<double, double>> ranges;
+    for (const auto& [text, of_text] : sizes) ranges.emplace_back(*of_text.begin(), *of_text.rbegin());
+    std::ranges::sort(ranges);
+    double largest = ranges.front().second;
+    return ranges.size() <= most_metrics && std::ranges::any_of(ranges, [&](const auto& range) {
+             return range.first > 10 * std::exchange(largest, std::max(largest, range.second));
+           });
+  }
+
+  // Whether values of each class follow a column that rises in equal steps: they turn half as often as by chance.
+  bool is_curve(Rows rows, const Columns& of_class, std::size_t step, std::size_t value) {
+    std::ranges::stable_sort(rows, {}, [&](Index row) { return sheet_.number(row, step); });
+    std::map<Index, Rows> curves;
+    const Rows classes = classes_of(rows, of_class);
+    for (std::size_t i = 0; i < rows.size(); ++i) curves[classes[i]].push_back(rows[i]);
+    std::size_t inner = 0, turns = 0;
+    for (const auto& [of, curve] : curves) {
+      for (std::size_t i = 2; i < curve.size(); ++i) {
+        const auto change = [&](std::size_t column, std::size_t at) {
+          return sheet_.number(curve[at], column) - sheet_.number(curve[at - 1], column);
+        };
+        const double even = change(step, 1);
+        if (!(even > 0 && std::abs(change(step, i) - even) <= 1e-6 * even)) return false;
+        const double product = change(value, i) * change(value, i - 1);
+        inner += std::abs(product) > 0, turns += product < 0;
+      }
+    }
+    return inner >= 6 * curves.size() && 3 * turns <= inner;
+  }
+
   // Gives blocks and runs to what tells rows apart.
   void find_rows(Way& way) {
     Columns run, open;
@@ -450,34 +494,47 @@ class Finder {
       if (count(way.rows, known + others) == count(way.rows, known + needed)) needed = others;
     }
     std::ranges::copy_if(needed, std::back_inserter(texts), [&](auto column) { return !sheet_.has_numbers(column); });
-    std::string metrics;
-    if (!texts.empty()) {
-      const auto one = *std::ranges::min_element(texts, {}, [&](auto text) { return count(way.rows, {text}); });
-      const std::string where = fmt::format("{}={}", title(one), sheet_.cell(way.rows.front(), one));
-      if (texts.size() > 1 && is_first) {
-        Way of_one = way;
-        std::erase_if(of_one.rows,
-                      [&](Index row) { return sheet_.cell(row, one) != sheet_.cell(way.rows.front(), one); });
-        of_one.options.insert(of_one.options.end(), {"--where", where});
-        find_rows(of_one);
-        more_.push_back(of_one.options);
-      }
-      metrics = ", metrics, of which --where " + base::one_line(base::front(where, 60)) + " takes one";
+    Column one;  // of which one text is taken: metrics, or the steps of a curve
+    const std::size_t value = way.values.front();
+    for (const std::size_t column : needed) {
+      Columns others = known + needed;
+      std::erase(others, column);
+      if (sheet_.has_numbers(column) ? is_curve(way.rows, others, column, value) : names_metrics(column, value))
+        one = column;
     }
+    const bool is_mixed = one.has_value(), is_of_steps = one && sheet_.has_numbers(*one);
+    if (!one && !texts.empty())
+      one = *std::ranges::min_element(texts, {}, [&](auto text) { return count(way.rows, {text}); });
+    const Index taken = is_of_steps ? way.rows.back() : way.rows.front();
+    const std::string where = one ? fmt::format("{}={}", title(*one), sheet_.cell(taken, *one)) : "";
     if (is_first)
-      way.asked.push_back(
-          fmt::format("{} differ in {}: runs, whose rows are averaged (--run), problems that all had "
-                      "(--block){}, or nothing that matters (--run row)",
-                      rows, titles_of(open), metrics));
-    const bool are_shared = count(way.rows, groups_of(way) + texts) > count(way.rows, way.blocks + texts);
-    const bool are_blocks = !texts.empty() && (!way.label || way.run || are_shared);
-    if (!are_blocks && is_first && count(way.rows, groups_of(way) + needed) > count(way.rows, way.blocks + needed)) {
-      Way of_blocks = with(way, "--block", {needed.front()});
-      find_rows(of_blocks);
-      more_.push_back(of_blocks.options);
+      way.asked.push_back(fmt::format(
+          "{} differ in {}: runs, whose rows are averaged (--run), problems that all had "
+          "(--block){}, or nothing that matters (--run row)",
+          rows, titles_of(open),
+          one ? fmt::format(", {}, of which --where {} takes one", is_of_steps ? "steps of a curve" : "metrics",
+                            base::one_line(base::front(where, 60)))
+              : ""));
+    const auto are_shared = [&](const Columns& columns) {
+      return count(way.rows, groups_of(way) + columns) > count(way.rows, way.blocks + columns);
+    };
+    const bool are_blocks = !texts.empty() && (!way.label || way.run || are_shared(texts));
+    std::vector<Way> ways{are_blocks ? with(way, "--block", texts) : with(way, "--run", {needed.front()})};
+    if (!are_blocks && is_first && are_shared(needed))  // three numbers are rather of problems
+      ways.insert(needed.size() > 2 ? ways.begin() : ways.end(), with(way, "--block", {needed.front()}));
+    if (one && is_first && (is_mixed || texts.size() > 1)) {
+      Way of_one = way;
+      std::erase_if(of_one.rows, [&](Index row) { return sheet_.cell(row, *one) != sheet_.cell(taken, *one); });
+      of_one.options.insert(of_one.options.end(), {"--where", where});
+      ways.insert(is_mixed ? ways.begin() : ways.end(), of_one);
     }
-    way = are_blocks ? with(way, "--block", texts) : with(way, "--run", {needed.front()});
-    find_rows(way);
+    for (Way& each : ways) {
+      find_rows(each);
+      if (&each != ways.data()) more_.push_back(each.options);
+    }
+    const std::vector<std::string> asked = way.asked;
+    way = ways.front();
+    way.asked = asked;
   }
 
   // Columns are groups: asks what rows are.
@@ -492,7 +549,17 @@ class Finder {
     };
     const auto names = std::ranges::find_if(numbers_, names_rows);
     if (names != numbers_.end()) std::erase(way.values, *names);
-    way = with(way, "--block", {names != numbers_.end() ? *names : sheet_.column("row")});
+    const std::size_t name = names != numbers_.end() ? *names : sheet_.column("row");
+    const Way of_blocks = with(way, "--block", {name});
+    const auto follows = [&](std::size_t value) { return is_curve(way.rows, {}, name, value); };
+    if (std::ranges::all_of(way.values, follows)) {
+      const std::string where = fmt::format("{}={}", title(name), sheet_.cell(way.rows.back(), name));
+      way.asked.back() += fmt::format(" or steps of a curve, of which --where {} takes one", where);
+      way.options.insert(way.options.end(), {"--where", where, "--run", "row"});
+      more_.push_back(of_blocks.options);
+    } else {
+      way = of_blocks;
+    }
   }
 };
 

@@ -387,8 +387,8 @@ std::string first_of(const std::string& text) {
   return answers.empty() ? said_of(text) : fmt::format("* {}", fmt::join(answers.front(), " "));
 }
 
-TEST_CASE("the first command compares groups alone") {
-  std::string p, n, optimum, mean, sd, gain, two, winner;
+TEST_CASE("the first command compares groups alone, of one metric, at one step") {
+  std::string p, n, optimum, mean, sd, gain, two, winner, curve, long_curve = "solver,iteration,best\n", bands;
   for (int i = 0; i < 12; ++i) {
     const double a = 1.2 + i * 37 % 11 * 0.21, b = 1.1 + i * 53 % 13 * 0.17, c = 0.7 + i * 29 % 7 * 0.43;
     const auto best = static_cast<int>(400 + a * 100), at_a = best + i % 3, at_b = best + i % 4 * 2;
@@ -400,7 +400,17 @@ TEST_CASE("the first command compares groups alone") {
     gain += fmt::format("i{},{:.3f},{:.3f},{:.1f}\n", i, a, b, 100 * (b - a) / b);
     two += fmt::format("i{},{},{},{},{}\n", i, a, a / (9 + i % 3), b, b / (8 + i % 4));
     winner += fmt::format("i{},{},{},{}\n", i, a, b, a < b ? "A" : "B");
+    curve += fmt::format("{},{},{}\n", 10 * i, 5 / (i + 1.0), 6 / (i + 1.1));
+    bands += fmt::format("{},{},{},{},{}\n", 5 * i, 9 / (i + 2.0), 0.3 + 0.001 * i, 9 / (i + 1.5), 0.2 + 0.001 * i);
   }
+  for (int i = 0; i < 24; ++i)
+    long_curve += fmt::format("{},{},{}\n", i < 12 ? "A" : "B", i % 12 * 10, (i < 12 ? 5 : 6) / (i % 12 + 1.0));
+  const std::string metrics =
+      "algo,problem,metric,seed,value\nA,x,error,1,.002\nA,x,error,2,.003\nA,x,time,1,20\nA,x,time,2,30\n"
+      "A,y,error,1,.004\nA,y,error,2,.001\nA,y,time,1,40\nA,y,time,2,25\nB,x,error,1,.005\nB,x,error,2,.006\n"
+      "B,x,time,1,28\nB,x,time,2,33\nB,y,error,1,.003\nB,y,error,2,.002\nB,y,time,1,22\nB,y,time,2,31\n";
+  const std::string coco = crossed("algorithm,function,dimension,instance,evaluations",
+                                   {{"A", "B"}, {"1", "2", "3"}, {"2", "5", "10"}, {"1", "2", "3", "4"}});
   const std::pair<std::string, std::string> tables[] = {
       {"p,A,B,p-value\n" + p, "* --block p --value A --value B"},
       {"p,n,A,B\n" + n, "* --block p --value A --value B"},
@@ -412,13 +422,18 @@ TEST_CASE("the first command compares groups alone") {
       {"p,A,A_sd,B,B_sd\n" + two, "* --block p --value A --value B"},
       {"p,mean A,sd A,mean B,sd B\n" + two, "* --block p --value mean A --value mean B"},
       {"p,A,B,winner\n" + winner, "* --block p"},
+      {"iteration,A,B\n" + curve, "* --value A --value B --where iteration=110 --run row"},
+      {"epoch,A_mean,A_sd,B_mean,B_sd\n" + bands, "* --value A_mean --value B_mean --where epoch=55 --run row"},
+      {long_curve, "* --where iteration=110"},
+      {metrics, "* --label algo --where metric=error --block problem --run seed"},
+      {coco, "* --block function --run dimension"},
       {"solver,s1,s2,s3\nA,1.5,2.5,2\nB,3,1.2,4.1\n", "* --block solver --value s1 --value s2 --value s3"},
   };
   for (const auto& [text, first] : tables) {
     CAPTURE(text);
     CHECK(first_of(text) == first);
   }
-  CHECK(contains(said_of(std::rbegin(tables)->first), "runs and steps are read below each other alone"));
+  CHECK(contains(said_of(tables[15].first), "runs and steps are read below each other alone"));
 }
 
 TEST_CASE("tables of Markdown, org and MySQL, and thousands of the Swiss, are read") {
