@@ -71,6 +71,14 @@ class Finder {
       Columns& others = sheet.has_numbers(column) ? numbers_ : texts_;
       if (others.empty() && (&others == &numbers_ || numbers_.size() < 2)) others.push_back(column);
     }
+    for (const std::size_t column : texts_) {
+      std::set<std::string> units;
+      for (const Index row : sheet.rows())
+        units.insert(base::Title(fmt::format("v_{}", sheet.cell(row, column))).unit);
+      if (units.size() > 1 && !units.contains(""))
+        sheet.refuse(fmt::format("{} has {}: convert its values to one unit, or take some with --where",
+                                 titles_of({column}), fmt::join(units, " and ")));
+    }
     for (const std::size_t column : asked_.values.empty() ? texts_ : Columns()) {
       const auto row = sheet.broken_number(column);
       if (row && (numbers_.empty() || 2 * count(sheet.rows(), {column}) > sheet.rows().size()))

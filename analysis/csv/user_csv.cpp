@@ -19,7 +19,6 @@ namespace {
 
 using namespace judge;
 using base::lower_case;
-using base::is_one_of, base::Words;
 using Index = std::uint32_t;
 
 struct Value {
@@ -45,7 +44,7 @@ Index number_of(std::string_view text, std::unordered_map<std::string_view, Inde
   return known.try_emplace(text, static_cast<Index>(known.size())).first->second;
 }
 
-Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t>& columns) {
+Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
   const Column unit = layout.block ? layout.block : layout.run;
   std::unordered_map<std::string_view, Index> groups, units;
   Items items;
@@ -237,6 +236,15 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   return text + '.';
 }
 
+struct Means {
+  Column n, mean, sd;
+};
+Means means_in(const Sheet& sheet) {
+  return {.n = sheet.column_like({"n", "count", "n_runs"}),
+          .mean = sheet.column_like({"mean", "avg", "average"}),
+          .sd = sheet.column_like({"sd", "std", "stddev", "std_dev"})};
+}
+
 }  // namespace
 
 Quantities read(std::string_view text, std::string_view source, const Request& request) {
@@ -244,6 +252,14 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   if (sheet.column_like({"stop_reason"}) && sheet.column_like({"series"}))
     sheet.refuse("solves of a study, which a CSV does not say all of; `ikbench report` judges its store");
   for (const std::string& condition : request.where) sheet.choose(condition);
+  if (const auto [n, mean, sd] = means_in(sheet); request.values.empty() && mean && sd) {
+    std::vector<Options> answers{{"--summaries"}, {"--value", sheet.titles()[*mean]}};
+    if (!n) answers.erase(answers.begin());
+    throw Question(
+        sheet.said("it has means and standard deviations, which --summaries compares if a column 'n' says of "
+                   "how many values they are"),
+        answers);
+  }
   const Layout layout = layout_of(sheet, request);
   Quantities quantities;
   std::vector<std::string> titles;
@@ -273,13 +289,9 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
 Quantities read_summaries(std::string_view text, std::string_view source, const Request& request) {
   Sheet sheet(text, source, request.decimal);
   for (const std::string& condition : request.where) sheet.choose(condition);
-  const auto column = [&](const Words& names) {
-    const Column found = sheet.column_like(names);
-    if (!found) sheet.refuse(fmt::format("no column {}; expected name, n, mean and sd", *names.begin()));
-    return *found;
-  };
-  const std::size_t n = column({"n", "count", "n_runs"}), mean = column({"mean", "avg", "average"}),
-                    sd = column({"sd", "std", "stddev", "std_dev"});
+  const auto [n, mean, sd] = means_in(sheet);
+  for (const auto& [name, found] : {std::pair("n", n), {"mean", mean}, {"sd", sd}})
+    if (!found) sheet.refuse(fmt::format("no column {}; expected name, n, mean and sd", name));
   const Column quantity = sheet.column_like({"metric"});
   std::vector<std::string> texts = request.label;
   for (std::size_t i = 0; request.label.empty() && i < sheet.titles().size(); ++i) {
@@ -299,16 +311,17 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
     std::vector<Group>& groups = observed.groups;
     const std::string name(sheet.cell(row, label));
     if (name.empty() || std::ranges::count(groups, name, &Group::name) > 0)
-      sheet.refuse(row, label, "is no name of another group");
+      sheet.refuse(row, label, "is no name of another group; --where takes rows of one problem");
     const auto number = [&](std::size_t at, double least) {
       const double value = sheet.number(row, at);
       if (!(value >= least && std::isfinite(value))) sheet.refuse(row, at, "is not known or too small");
       return value;
     };
-    const double size = number(n, 2);
-    if (size != std::floor(size) || size > 1e9) sheet.refuse(row, n, "is no number of values");
-    const Summary summary{
-        .n = static_cast<int>(size), .mean = number(mean, std::numeric_limits<double>::lowest()), .sd = number(sd, 0)};
+    const double size = number(*n, 2);
+    if (size != std::floor(size) || size > 1e9) sheet.refuse(row, *n, "is no number of values");
+    const Summary summary{.n = static_cast<int>(size),
+                          .mean = number(*mean, std::numeric_limits<double>::lowest()),
+                          .sd = number(*sd, 0)};
     const bool is_constant = summary.sd == 0;  // or its spread was rounded away: it would decide everything
     groups.push_back({.name = name, .sample = summary});
     if (is_constant) groups.back().sample = Untold{.why = Untold::Why::no_spread, .printed = summary};

@@ -428,12 +428,15 @@ TEST_CASE("the first command compares groups alone, of one metric, at one step")
       {metrics, "* --label algo --where metric=error --block problem --run seed"},
       {coco, "* --block function --run dimension"},
       {"solver,s1,s2,s3\nA,1.5,2.5,2\nB,3,1.2,4.1\n", "* --block solver --value s1 --value s2 --value s3"},
+      {"solver,n,mean,sd\nA,20,1.5,.2\nB,20,2.5,.3\n", "* --summaries"},
+      {"command,mean,stddev,min\nA,1.5,.2,1.1\nB,2.5,.3,2\n", "* --value mean"},
   };
   for (const auto& [text, first] : tables) {
     CAPTURE(text);
     CHECK(first_of(text) == first);
   }
   CHECK(contains(said_of(tables[15].first), "runs and steps are read below each other alone"));
+  CHECK(contains(said_of("solver,time,unit\nA,850,ms\nA,1.1,s\nB,990,ms\nB,1.3,s\n"), "'unit' has ms and s"));
 }
 
 TEST_CASE("tables of Markdown, org and MySQL, and thousands of the Swiss, are read") {
