@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cmath>
 #include <initializer_list>
+#include <numbers>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -81,6 +83,20 @@ class PoseColumns {
       if (at < name.whole.size()) places.push_back(*number_from(name.whole.substr(at)));
     }
     if (!std::ranges::is_sorted(places)) refuse_order();
+  }
+
+  // Asks about degrees that would all be within a turn as radians, and are no whole numbers.
+  void expect_degrees() {
+    std::set<double> broken;
+    for (const std::size_t column : rpy_) {
+      for (const std::size_t row : sheet_.rows()) {
+        const double value = number(row, column);
+        if (names_[column].unit != "deg" || std::abs(value) > 2 * std::numbers::pi) return;
+        if (value != std::round(value)) broken.insert(value);
+      }
+    }
+    if (broken.size() > 2)
+      sheet_.refuse("all its angles seem to be radians; name the columns _rad, and write small degrees as radians too");
   }
 
   Pose pose_in(std::size_t row) {
@@ -267,6 +283,19 @@ class CsvPath final : public Poses {
             InKey::no);
   }
 
+  // Lengths in cm or mm that were taken for metres.
+  void check(const Robot& arm) const override {
+    const Chain::Ball reach = arm.chain.reach();
+    std::vector<double> far;  // in reaches
+    for (const Pose& pose : poses_) far.push_back((pose.translation() - reach.centre).norm() / reach.radius);
+    const auto middle = far.begin() + std::ssize(far) / 2;
+    std::ranges::nth_element(far, middle);
+    if (*middle > 10)
+      throw std::invalid_argument(fmt::format(
+          "{}: half of the points are {:.0f} times as far as the arm reaches, or more; x_m, x_cm and x_mm name units",
+          file_, *middle));
+  }
+
   void load(const std::filesystem::path& folder) override {
     const std::filesystem::path file = folder / file_;
     std::error_code error;
@@ -294,6 +323,7 @@ std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file) {
   Sheet sheet(text, file, 0, Sheet::Header::optional);
   if (sheet.rows().size() > most_rows) sheet.refuse(fmt::format("expected at most {} poses", most_rows));
   PoseColumns columns(sheet);
+  columns.expect_degrees();
   std::vector<Pose> poses;
   for (const std::size_t row : sheet.rows()) poses.push_back(columns.pose_in(row));
   return poses;

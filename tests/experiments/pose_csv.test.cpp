@@ -180,6 +180,8 @@ TEST_CASE("a CSV file that is missing, elsewhere or too large is refused", "[csv
   std::ofstream(folder.path / "study/sparse.csv").close();
   std::filesystem::resize_file(folder.path / "study/sparse.csv", 1ULL << 40);  // 1 TB that takes no room
   CHECK_THAT(said("sparse.csv"), ContainsSubstring("expected a file of at most 16 MB"));
+  write_text(folder.path / "study/far.csv", "x_m,y_m,z_m\n40,0,50\n45,10,40\n");
+  CHECK_THAT(said("far.csv"), ContainsSubstring("times as far as the arm reaches"));
   write_text(folder.path / "study/good.csv", quaternions);
   std::filesystem::create_symlink("good.csv", folder.path / "study/inside.csv");
   CHECK(said("inside.csv").empty());
