@@ -61,9 +61,10 @@ class Finder {
     Columns constant;
     for (std::size_t i = 0; i < columns; ++i) {
       if (has(asked_, i) || std::ranges::count(request.label, title(i)) > 0) continue;
-      const auto is_title = [&](Index row) { return std::ranges::count(sheet.titles(), sheet.cell(row, i)) > 0; };
-      if (2 * std::ranges::count_if(sheet.rows(), is_title) > std::ssize(sheet.rows()))
-        continue;  // who won in each row
+      const auto is_title = [&](Index row) {  // as of who won in each row
+        return !sheet.cell(row, i).empty() && std::ranges::count(sheet.titles(), sheet.cell(row, i)) > 0;
+      };
+      if (2 * std::ranges::count_if(sheet.rows(), is_title) > std::ssize(sheet.rows())) continue;
       const bool counts = sheet.counts_rows(i), is_constant = sheet.rows().size() > 1 && count(sheet.rows(), {i}) == 1;
       (counts ? asked_.counting : is_constant ? constant : sheet.has_numbers(i) ? numbers_ : texts_).push_back(i);
     }
@@ -356,8 +357,8 @@ class Finder {
     return values.empty() ? numbers_ : values;
   }
 
-  // Those of columns that may be groups: no settings, computed from others, bounds of all, or shares where others are
-  // none; and of one kind, where titles have two parts: "A mean", "A sd", "B mean", "B sd".
+  // Those of columns that may be groups: no settings, computed from others, bounds of all, or shares of any size where
+  // others are none; and of one kind, where titles have two parts: "A mean", "A sd", "B mean", "B sd".
   Columns groups_in(const Columns& all) {
     Columns columns = all, others;
     std::erase_if(columns, [&](auto column) { return column == all.front() ? is_setting(column) : is_whole(column); });
@@ -377,18 +378,26 @@ class Finder {
       columns.assign(kept.rbegin(), kept.rend());
     }
     std::map<std::size_t, double> sizes;
+    Columns shares;
+    double widest = 1,
+           narrowest = std::numeric_limits<double>::infinity();  // largest by smallest, of others, of shares
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      bool is_bound = true, is_reached = false, is_share = true;
+      bool is_bound = true, is_reached = false;
+      double least = std::numeric_limits<double>::infinity(), most = 0;
       for (const std::vector<Printed>& list : lists) {
         const double value = list[columns.size() - 1 - i].value;
-        is_share = is_share && !(std::abs(value - 0.5) > 0.5);
         is_bound = is_bound && std::ranges::none_of(list, [&](const Printed& other) { return other.value < value; });
         is_reached = is_reached || std::ranges::count(list, value, &Printed::value) > 1;
-        if (!std::isnan(value)) sizes[columns[i]] += std::abs(value);
+        if (std::isnan(value)) continue;
+        least = std::min(least, value), most = std::max(most, std::abs(value)), sizes[columns[i]] += std::abs(value);
       }
-      if (!is_share && !(is_bound && is_reached)) others.push_back(columns[i]);
+      const bool is_share = least >= 0 && most <= 1;
+      if (is_share) narrowest = std::min(narrowest, most / least);
+      if (!is_share) widest = std::max(widest, most / std::abs(least));
+      if (!(is_bound && is_reached)) (is_share ? shares : others).push_back(columns[i]);
     }
-    if (others.size() > 1) columns = others;
+    if (narrowest < 10 * widest) others = others + shares;  // those of p have any size
+    if (others.size() > 1) std::erase_if(columns, [&](std::size_t column) { return !has(others, column); });
     std::map<std::string, Columns> seconds, firsts;  // by that part
     const auto end_of = [&](std::size_t column) {
       return std::min(title(column).find_last_of(" _.-/"), title(column).size());
@@ -586,11 +595,12 @@ bool are_computed(const std::vector<std::vector<Printed>>& lists, std::optional<
   for (const std::vector<Printed>& list : lists) {
     const Printed& last = list.back();
     std::vector<double> values;
-    double half = std::numeric_limits<double>::infinity(), logarithms = 0;
+    double half = std::numeric_limits<double>::infinity(), coarsest = 0, logarithms = 0;
     for (const Printed& each : std::span(list).first(list.size() - 1)) {
       if (std::isnan(each.value)) continue;
       values.push_back(each.value);
-      half = std::min(half, each.half), logarithms += std::log(each.value);
+      half = std::min(half, each.half), coarsest = std::max(coarsest, each.half);
+      logarithms += std::log(each.value);
     }
     const judge::Description of = judge::described(values);
     if (std::isinf(last.value)) return false;
@@ -611,8 +621,10 @@ bool are_computed(const std::vector<std::vector<Printed>>& lists, std::optional<
         if (list.size() == 3) computed.push_back(each);
     }
     chances.resize(computed.size(), 1);
-    // A number like the others has these digits by Cauchy's law, whose tails are long; equal ones do not tell.
-    const double digit = 2 * last.half, spread = std::max(of.upper_quartile - of.lower_quartile, digit) / 2,
+    // A number like the others has these digits by Cauchy's law, whose tails are long; equal ones do not tell. Where
+    // all have as many digits, fewer are none of theirs.
+    const double digit = 2 * (half == coarsest ? std::min(half, last.half) : last.half),
+                 spread = std::max(of.upper_quartile - of.lower_quartile, digit) / 2,
                  place = (last.value - of.median) / spread,
                  chance = std::min(1.0, digit / (std::numbers::pi * spread * (1 + place * place)));
     for (std::size_t i = 0; i < computed.size(); ++i) {
@@ -622,7 +634,8 @@ bool are_computed(const std::vector<std::vector<Printed>>& lists, std::optional<
     }
   }
   for (std::size_t i = 0; i < chances.size(); ++i) {
-    if (chances[i] < 0.002 && i == one.value_or(i)) return true;
+    const double rare = one ? 2e-3 : i < 2 ? 5e-4 : 1e-4;  // means and sums are usual
+    if (chances[i] < rare && i == one.value_or(i)) return true;
   }
   return false;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -206,6 +207,10 @@ void refuse_totals(Sheet& sheet, const Layout& layout, const Columns& columns, c
     kinds.insert(kinds.end(), {ranks, firsts});
   }
   for (std::size_t above = std::max(units, fewest + most_totals) - most_totals; above < units; ++above) {
+    const auto is_as = [&](std::size_t unit) {
+      return std::ranges::all_of(kinds[0], [&](const auto& group) { return group[unit].value == group[above].value; });
+    };
+    if (std::ranges::any_of(std::views::iota(std::size_t{0}, above), is_as)) continue;  // it may well be one more
     for (std::size_t k = 0; k < kinds.size(); ++k) {
       Lists lists = kinds[k];
       for (std::size_t g = 0; g < groups; ++g) {
