@@ -174,8 +174,9 @@ CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm
   // Below the header, as in Markdown, or around the table.
   const auto is_rule = [](std::string_view cell) { return cell.find_first_not_of("-=:+ ") == std::string_view::npos; };
   for (; !row->empty(); row = &reader.row()) {
-    if ((row->size() == 1 || (form.separator == '|' && table.rows() == 0)) && std::ranges::all_of(*row, is_rule))
-      continue;
+    const bool may_be_rule =
+        table.header.size() > 1 && (row->size() == 1 || (form.separator == '|' && table.rows() == 0));
+    if (may_be_rule && std::ranges::all_of(*row, is_rule)) continue;
     if (row->size() != table.header.size())
       reader.refuse_row(fmt::format("{} cells; expected {} as in the header{}", row->size(), table.header.size(),
                                     table.rows() > 0 ? "" : "; begin a title above the header with #"));
