@@ -62,12 +62,12 @@ class LevenbergMarquardt final : public Solver {
       ++searched_;
       // dq = (J^T J + W)^-1 J^T e
       damped_step(jacobian_, linearized_.to_go, damping(), step_);
-      const Configuration before = q_;
+      before_ = q_;
       q_ += step_;
       keep_inside(options_.bounds, problem_, q_);
-      if ((q_ - before).cwiseAbs().maxCoeff() < options_.small_move) searched_ = options_.search_iterations;
+      if ((q_ - before_).cwiseAbs().maxCoeff() < options_.small_move) searched_ = options_.search_iterations;
       if (!q_.allFinite()) {
-        q_ = before;
+        q_ = before_;
         searched_ = options_.search_iterations;
         return;
       }
@@ -96,7 +96,7 @@ class LevenbergMarquardt final : public Solver {
 
   Options options_;
   Problem problem_;
-  Configuration q_, step_;
+  Configuration q_, before_, step_;
   Eigen::MatrixXd jacobian_;
   Linearized linearized_;
   int searched_ = 0;  // iterations of this search
