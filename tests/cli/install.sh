@@ -18,7 +18,10 @@ if [ -z "$sanitizers" ] && command -v strip >/dev/null; then
   ! grep -aoE "(^|[^.[:alnum:]])$tree/.{9}" stripped || fail "the program holds the path of its source"
 fi
 
-equal "version of CITATION.cff" "ikbench $(sed -n 's/^version: //p' "$tree/CITATION.cff")" "$("$program" --version | cut -d' ' -f 1,2)"
+version=$("$program" --version | cut -d' ' -f 2)
+equal "version of CITATION.cff" "$(sed -n 's/^version: //p' "$tree/CITATION.cff")" "$version"
+equal "first version of CHANGELOG.md" "$(sed -n 's/^## \([0-9.]*\).*/\1/p' "$tree/CHANGELOG.md" | head -n 1)" "$version"
+equal "tags of this commit" "$(git -C "$tree" tag --list --points-at HEAD 'v*' 2>/dev/null | grep -vxF "v$version" || true)" ""
 
 # The packages, as ./setup --with-package release package makes them: the program, with the libraries that it needs.
 if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null && command -v python3 >/dev/null; then
@@ -26,6 +29,7 @@ if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null && command
     "$(dirname "$cmake")/cpack" --config "$(dirname "$program")/CPackConfig.cmake" -B "$work/$folder" >.log 2>&1 || fail "no package: $(<.log)"
   done
   equal "packages made again" "$(cd again && sha256sum ikbench*)" "$(cd package && sha256sum ikbench*)"
+  equal "packages of the version" "$(ls package | grep -c "^ikbench[-_]$version[-_].*\(deb\|tar.gz\|whl\)$")" 3
   dpkg-deb -x package/ikbench_*.deb unpacked
   tar -xzf package/ikbench-*.tar.gz
   equal "other than C's libraries" "$(dpkg-deb -f package/ikbench_*.deb Depends | tr ',' '\n' | grep -cvE ' ?(zlib1g|lib(c6|gcc-s1|stdc\+\+6|m6|[a-z]*san[0-9]))\b' || true)" 0
