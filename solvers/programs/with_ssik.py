@@ -1,8 +1,8 @@
 # /// script
 # dependencies = ["ssik[urdf]==8.2.0"]
 # ///
-"""ssik: closed forms and eliminations, with its compiled backend: its prebuilt arm where one has the same kinematics up
-to the tool, else one derived from the URDF file. The answer that is nearest to the start."""
+"""ssik: closed forms and eliminations, with its compiled backend: its prebuilt arm where one has the same limits and, up
+to the tool, kinematics, else one derived from the URDF file. The answer that is nearest to the start."""
 import ssik
 
 import ikbench
@@ -11,7 +11,7 @@ from product_of_exponentials import axes_of, forward
 
 
 def prepare(robot):
-    robot.require(turning=True, bounded=True)
+    robot.require(turning=True)
     axes, ways, tool = axes_of(robot)
 
     def tool_of(arm, q):  # in the frame of its tool
@@ -20,12 +20,13 @@ def prepare(robot):
         whole[:3, :3], whole[:3, 3] = rotation @ tool, place
         return np.linalg.inv(arm.fk(q)) @ whole
 
-    some = np.random.default_rng(1).uniform(-1, 1, (3, len(axes)))
+    limits, some = [*zip(robot.lower, robot.upper)], np.random.default_rng(1).uniform(-1, 1, (3, len(axes)))
     for its in ssik.list_arms():
         if its.dof == len(axes):
             arm = ssik.Manipulator.from_prebuilt(its.name)
-            tools = [tool_of(arm, q) for q in some]
-            if max(np.abs(each - tools[0]).max() for each in tools) < 1e-9:
+            its_limits, tools = [of or (None, None) for of in arm.joint_limits], [tool_of(arm, q) for q in some]
+            if max(np.abs(each - tools[0]).max() for each in tools) < 1e-9 and \
+                    np.allclose(np.array(its_limits, float), np.array(limits, float), atol=1e-3, equal_nan=True):
                 return arm, np.linalg.inv(tools[0])
     try:
         arm = ssik.Manipulator.from_urdf(robot.file, base=robot.base_link, ee=robot.tip_link)
