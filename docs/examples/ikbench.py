@@ -111,15 +111,19 @@ class Problem(_Members):
         return None if told["over"] else told["errors"]
 
 
-def inside(q, turns, lower, upper):
-    """Turns angles that are outside by whole turns, to where they are nearest to the middle; what is 5e-7 outside, by
-    single precision or other digits of a limit, comes inside. A value too few or too many stays, for ikbench to tell."""
-    def one(x, turn, low, high):
+def inside(q, turns, lower, upper, start=None):
+    """Turns angles by whole turns to where they are nearest to the start, if there is one, and those that are outside
+    then to where they are nearest to the middle; what is 5e-7 outside, by single precision or other digits of a limit,
+    comes inside. A value too few or too many stays, for ikbench to tell."""
+    def one(x, turn, low, high, near):
+        if turn and near is not None and math.isfinite(x):
+            x = near + math.remainder(x - near, 2 * math.pi)
         is_near = lambda: low - 5e-7 <= x <= high + 5e-7
         if turn and math.isfinite(x) and not is_near():
             x = (low + high) / 2 + math.remainder(x - (low + high) / 2, 2 * math.pi)
         return min(max(x, low), high) if is_near() else x
-    return [one(*each) for each in zip(q, turns, lower, upper)] if len(q) == len(lower) else q
+    starts = start or [None] * len(lower)
+    return [one(*each) for each in zip(q, turns, lower, upper, starts)] if len(q) == len(lower) else q
 
 
 def _numbers(values):  # JSON has no others than finite ones
@@ -171,10 +175,11 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
                 answer["seconds"] = seconds
             if problem.extras:
                 answer["extras"] = dict(zip(problem.extras, _numbers(problem.extras.values())))
-            own = lambda q: _numbers(inside([float(x) for x in q], robot.turns, problem.lower, problem.upper))
+            own = lambda q, start=None: _numbers(
+                inside([float(x) for x in q], robot.turns, problem.lower, problem.upper, start))
             q = None if isinstance(q, (list, tuple)) and not q else q
             if isinstance(q, (list, tuple)) and hasattr(q[0], "__len__"):
-                answer["answers"] = [own(each) for each in q]
+                answer["answers"] = [own(each, problem.start) for each in q]
             elif q is not None or not problem.evaluated:
                 answer["q"] = own(problem.start if q is None else q)
             say(answer)

@@ -1,5 +1,4 @@
 """The axes H and the ways P between them of an arm at zero, in the frame of its base, as EAIK and ik-geo want them."""
-import ikbench
 import numpy as np
 
 
@@ -26,10 +25,3 @@ def forward(axes, ways, q):
         rotation = rotation @ (np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
         place = place + rotation @ way
     return rotation, place
-
-
-def turned(answers, robot, problem):
-    """The answers at the whole turns that are nearest to the start, or those inside the limits."""
-    turns = [np.round((np.array(problem.start) - q) / (2 * np.pi)) for q in answers]
-    return [np.array(ikbench.inside(q + 2 * np.pi * its, robot.turns, problem.lower, problem.upper))
-            for q, its in zip(answers, turns)]

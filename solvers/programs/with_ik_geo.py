@@ -7,14 +7,14 @@ import ik_geo
 
 import ikbench
 import numpy as np
-from product_of_exponentials import axes_of, forward, turned
+from product_of_exponentials import axes_of, forward
 
 closed_forms = ["spherical_two_parallel", "spherical_two_intersecting", "spherical", "three_parallel_two_intersecting",
                 "three_parallel"]
 
 
 def answers(arm, rotation, place):  # it takes a rotation column by column
-    return [np.array(q) for q, is_least_squares in arm.get_ik(rotation.T, place) if not is_least_squares]
+    return [q for q, is_least_squares in arm.get_ik(rotation.T, place) if not is_least_squares]
 
 
 def rightly(arm, axes, ways):
@@ -27,7 +27,7 @@ def rightly(arm, axes, ways):
 
 
 def prepare(robot):
-    robot.require(turning=True, bounded=True)
+    robot.require(turning=True)
     axes, ways, tool = axes_of(robot)
     if len(axes) != 6:
         raise ikbench.Declined("arms of six joints, alone; of seven the user would lock one")
@@ -35,12 +35,12 @@ def prepare(robot):
     arm = max(arms, key=lambda its: rightly(its, axes, ways))
     if rightly(arm, axes, ways) < 5:
         raise ikbench.Declined("no kinematic family of closed form")
-    return robot, arm, tool
+    return arm, tool
 
 
 def solve(prepared, problem):
-    robot, arm, tool = prepared
-    return turned(answers(arm, np.array(problem.rotation) @ tool.T, problem.position), robot, problem) or None
+    arm, tool = prepared
+    return answers(arm, np.array(problem.rotation) @ tool.T, problem.position) or None
 
 
 ikbench.run("ik_geo", prepare, solve, version="1.0.3", goals=["pose"])
