@@ -71,7 +71,9 @@ class Robot(_Members):
         return name
 
     def require(self, *, turning=False, bounded=False):
-        """Declines joints that slide or are coupled, or turn without end."""
+        """Declines coupled joints, and if asked those that slide, or turn without end."""
+        if any(joint["type"] == "coupled" for joint in self.joints):
+            raise Declined("coupled joints")
         if turning and not all(self.turns):
             raise Declined("joints that turn, alone")
         if bounded and None in self.lower:

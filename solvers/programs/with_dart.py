@@ -11,7 +11,7 @@ import numpy as np
 
 
 def prepare(robot):
-    robot.require(turning=True, bounded=True)
+    robot.require()
     loader = dart.utils.DartLoader()
     loader.setOptions(dart.utils.DartLoaderOptions(defaultRootJointType=dart.utils.DartLoaderRootJointType.FIXED))
     arm = loader.parseSkeleton(robot.file)

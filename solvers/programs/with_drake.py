@@ -15,7 +15,7 @@ import numpy as np
 
 
 def prepare(robot):
-    robot.require(turning=True, bounded=True)
+    robot.require()
     plant = MultibodyPlant(0.0)
     Parser(plant).AddModelsFromString(robot.urdf, "urdf")
     plant.WeldFrames(plant.world_frame(), plant.GetFrameByName(robot.base_link))

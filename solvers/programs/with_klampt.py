@@ -11,7 +11,7 @@ import ikbench
 
 
 def prepare(robot):
-    robot.require(turning=True, bounded=True)
+    robot.require()
     world = WorldModel()
     if not world.loadElement(robot.file) >= 0:
         raise ikbench.Declined("it cannot read the arm")

@@ -14,7 +14,7 @@ compiler = "<mujoco><compiler fusestatic='false' boundmass='1' boundinertia='1' 
 
 
 def prepare(robot):
-    robot.require(bounded=True)
+    robot.require()
     model = mujoco.MjModel.from_xml_string(robot.urdf.replace("</robot>", compiler))
     task = mink.FrameTask(robot.tip_link, "body", position_cost=1.0, orientation_cost=1.0, lm_damping=0.01)
     return model, task, [mink.ConfigurationLimit(model)]

@@ -39,7 +39,7 @@ def solve(prepared, problem):
         if q is None:
             continue
         q = ikbench.inside(q, robot.turns, problem.lower, problem.upper)
-        if all(low <= x <= high for x, low, high in zip(q, problem.lower, problem.upper)):
+        if np.all(np.clip(q, problem.lower, problem.upper) == q):
             return q
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 
 def prepare(robot):
-    robot.require(turning=True, bounded=True)
+    robot.require()
     arm = placo.RobotWrapper(robot.file, placo.Flags.ignore_collisions)
     solver = placo.KinematicsSolver(arm)
     solver.mask_fbase(True)

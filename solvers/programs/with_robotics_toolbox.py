@@ -10,7 +10,7 @@ import numpy as np
 
 
 def prepare(robot):
-    robot.require(bounded=True)
+    robot.require()
     return roboticstoolbox.Robot.URDF(robot.file).ets(start=robot.base_link, end=robot.tip_link), robot.options
 
 

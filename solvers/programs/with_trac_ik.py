@@ -14,8 +14,7 @@ import numpy as np
 
 
 def prepare(robot):
-    robot.require(turning=True)
-
+    robot.require()
     @functools.cache
     def solver(seconds, tolerance):  # both belong to its construction
         return pytracik.TRAC_IK(robot.base_link, robot.tip_link, robot.urdf, seconds, tolerance / 3**0.5,
