@@ -11,7 +11,7 @@
     ikbench.run("some_library", prepare, solve, goals=["pose"])
 
 It tells ikbench how long `solve` took, and turns angles that are outside their limits back by whole turns. Numbers in
-`problem.extras`, by name, are kept beside the answer."""
+`problem.extras`, by name, are kept beside the answer; `setup_s`, how long `prepare` took, is one."""
 import functools, json, math, os, random, resource, sys, tempfile, time
 
 
@@ -161,11 +161,12 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
         told = json.loads(line)
         try:
             if told["message"] == "robot":
-                robot, prepared = Robot(told), None
+                robot, prepared, clock = Robot(told), None, _Clock()
                 try:
                     prepared, why = prepare(robot), None
                 except Declined as declined:
                     why = declined
+                setup = clock.seconds()
                 continue
             if why is not None:
                 raise Declined(why)
@@ -175,6 +176,7 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
             answer = {"message": "solved"}
             if not problem.evaluated:  # else ikbench's time is in it
                 answer["seconds"] = seconds
+                problem.extras["setup_s"] = setup
             if problem.extras:
                 answer["extras"] = dict(zip(problem.extras, _numbers(problem.extras.values())))
             own = lambda q, start=None: _numbers(

@@ -4,7 +4,8 @@
 //   auto solve = [](Library& library, ikbench::Problem& problem) { return library.ik(...); };  // joint values, or {}
 //   int main() { ikbench::run("library", {}, prepare, solve, R"(["pose"])"); }
 //
-// It tells ikbench how long `solve` took. ikbench::Declined("why") says that an arm or a target cannot be solved.
+// It tells ikbench how long `solve` took and, as an extra, `setup_s`, how long `prepare` did. ikbench::Declined("why")
+// says that an arm or a target cannot be solved.
 #pragma once
 
 #include <sys/resource.h>
@@ -224,6 +225,7 @@ void run(const std::string& name, const std::string& options, Prepare prepare, S
       (goals.empty() ? "" : ",\"goals\":" + goals) + '}');
   std::unique_ptr<decltype(prepare(Robot()))> prepared;
   std::string why;  // there is none: the arm is declined
+  double setup = 0;
   for (std::string line; std::getline(std::cin, line);) {
     const Json told = Json::of(line);
     const bool is_robot = told["message"].text == "robot";
@@ -232,7 +234,9 @@ void run(const std::string& name, const std::string& options, Prepare prepare, S
         prepared.reset();
         Robot robot{told, told["urdf"].text, told["base_link"].text, told["tip_link"].text, {}};
         for (const Json& joint : told["joints"].list) robot.names.push_back(joint["name"].text);
+        const Timer timer;
         prepared = std::make_unique<decltype(prepare(Robot()))>(prepare(robot));
+        setup = timer.seconds();
         continue;
       }
       if (!prepared) throw Declined{why};
@@ -250,6 +254,7 @@ void run(const std::string& name, const std::string& options, Prepare prepare, S
       const Timer timer;
       const Values q = solve(*prepared, problem);
       const double seconds = timer.seconds();
+      if (!problem.has_asked) problem.extra("setup_s", setup);
       say(R"({"message":"solved")" + (problem.has_asked ? "" : ",\"seconds\":" + json_of(seconds)) +
           (problem.extras.empty() ? "" : ",\"extras\":{" + problem.extras + '}') +
           (q.empty() ? "" : ",\"q\":" + json_of(q)) + '}');
