@@ -19,6 +19,7 @@
 #include "base/names.hpp"
 #include "base/units.hpp"
 #include "experiments/environment.hpp"
+#include "results/export.hpp"
 
 namespace ikbench::experiments {
 
@@ -155,9 +156,7 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const 
   timed.cpu_seconds = account.cpu_seconds;
   timed.solution.evaluations = account.evaluations;
   timed.solution.iterations = account.iterations;
-  if (study_.trace == Trace::none) return timed;
-  timed.solution.trace = account.trace;
-  timed.solution.improved = account.improved;
+  if (study_.trace != Trace::none) timed.solution.trace = account.trace, timed.solution.improved = account.improved;
   return timed;
 }
 
@@ -239,6 +238,8 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                                        : CountedBy::nobody,
       .restarts = solution.restarts,
       .extras = median.extras};
+  if (stays(status) && account != nullptr && !account->failure)  // what a program answered would be lost
+    for (int j = 0; j < arm_.joints(); ++j) record.extras[fmt::format("{}{}", refused_extra, j + 1)] = median.answer[j];
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted_) {
     record.improved_at.assign(solution.improved.at.begin(), solution.improved.at.end());

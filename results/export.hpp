@@ -23,6 +23,9 @@ std::vector<ColumnInfo> columns();
 // Passes solves on one by one, in the order solver, run, point, as often as it is called.
 using PassSolves = std::function<void(const TakeSolve& take)>;
 
+// So begin the names of extras that are an answer [rad, m], 1 the first joint: a program's, where the arm stayed.
+constexpr std::string_view refused_extra = "refused_";
+
 // Tidy CSV: one row per solve. A list becomes one column per element, numbered from 1 (answer_rad_1 ...), as many as
 // the first solve has; shorter lists leave cells empty, and longer ones throw std::invalid_argument. The trace and the
 // improvements have up to one element per iteration, so only the store has them. Values that are not finite are NaN,

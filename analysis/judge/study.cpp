@@ -11,6 +11,7 @@
 
 #include "analysis/judge/describe.hpp"
 #include "base/units.hpp"
+#include "results/export.hpp"
 
 namespace ikbench::judge {
 
@@ -75,7 +76,8 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < most_drawn)) study.drawn.push_back(record);
   for (const auto& [name, value] : record.extras) {
     const bool is_one_of_few = study.extras.contains(name) || std::ssize(study.extras) < most_extras;
-    if (std::isfinite(value) && is_one_of_few) study.extras[name][record.label].push_back(value);
+    const bool is_metric = std::isfinite(value) && !name.starts_with(results::refused_extra);
+    if (is_metric && is_one_of_few) study.extras[name][record.label].push_back(value);
   }
   const bool is_told = std::isfinite(record.claimed_seconds);
   const double seconds = is_told ? record.claimed_seconds : record.seconds;

@@ -53,9 +53,8 @@ double own_seconds(const Account& account, double wall) {
 
 Conversation Conversations::take() {
   const std::scoped_lock lock(mutex_);
-  if (idle_.empty()) return {};
-  Conversation conversation = std::move(idle_.back());
-  idle_.pop_back();
+  Conversation conversation;
+  if (!idle_.empty()) conversation = std::move(idle_.back()), idle_.pop_back();
   return conversation;
 }
 
