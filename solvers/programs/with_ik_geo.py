@@ -26,11 +26,23 @@ def rightly(arm, axes, ways):
     return count
 
 
+def crossing(axes, ways):
+    """Ways by which the first two and the last three axes have one point where they cross, as the closed forms want."""
+    points = np.cumsum(ways, axis=0)
+    for some in slice(0, 2), slice(3, 6):
+        across = [np.eye(3) - np.outer(h, h) for h in axes[some]]
+        point = np.linalg.lstsq(sum(across), sum(a @ p for a, p in zip(across, points[some])), rcond=None)[0]
+        if max(np.linalg.norm(a @ (point - p)) for a, p in zip(across, points[some])) < 1e-9:
+            points[some] = point
+    return np.diff(points, axis=0, prepend=[[0, 0, 0]])
+
+
 def prepare(robot):
     robot.require(turning=True)
     axes, ways, tool = axes_of(robot)
     if len(axes) != 6:
         raise ikbench.Declined("arms of six joints, alone; of seven the user would lock one")
+    ways = crossing(axes, ways)
     arms = [getattr(ik_geo.Robot, family)(axes, ways) for family in closed_forms]
     arm = max(arms, key=lambda its: rightly(its, axes, ways))
     if rightly(arm, axes, ways) < 5:
