@@ -263,7 +263,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   command->add_option("A", arguments->a, "baseline: a store.sqlite, or with --store a label")->required();
   command->add_option("B", arguments->b, "candidate: a store.sqlite, or with --store a label")->required();
   CLI::Option* store = command->add_option("--store", arguments->store, "store in which A and B are labels");
-  command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
+  add_study_option(*command, arguments->study);
   command
       ->add_option("--label", arguments->labels,
                    "with two stores: this solver alone; repeat for more; default: all of A")

@@ -11,6 +11,7 @@
 #include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/reporting.hpp"
 #include "results/fingerprint.hpp"
 #include "results/store.hpp"
 
@@ -27,7 +28,7 @@ void add_export(CLI::App& app, Invocation&) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("export", "Write all solves as CSV, or their fingerprint");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
-  command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
+  add_study_option(*command, arguments->study);
   command
       ->add_option("--format", arguments->format,
                    "csv: a row for each solve; fingerprint: a hash of every bit but of times")

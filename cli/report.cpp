@@ -53,7 +53,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   const std::array ways{names, arms, folders, files};
   const auto& told = *std::find_if(ways.begin(), std::prev(ways.end()), tell_apart);
   show::Table table = show::studies_table(studies, told);
-  const FigureStyle style = styled(FigureStyle(), {solvers.begin(), solvers.end()}, report);
+  const FigureStyle style = styled({}, {solvers.begin(), solvers.end()}, report).figures;
   const std::filesystem::path folder = out;
   const auto figure = show::studies_figure(table, studies);
   if (figure) draw(*figure, folder / "figures", {.style = style});
@@ -83,7 +83,7 @@ void add_report(CLI::App& app, Invocation&) {
       app.add_subcommand("report", "Write tables, figures and the report from a store, without solving");
   command->add_option("STORE", arguments->stores, "path of a store.sqlite; of several: one table, solvers by studies")
       ->required();
-  command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
+  add_study_option(*command, arguments->study);
   command->add_option("--out", arguments->out, "folder to write to; default: the folder of the store")
       ->check(not_empty());
   add_report_options(*command, arguments->report);

@@ -100,13 +100,19 @@ void choose_figures(show::Report& reported, const std::vector<std::string>& name
   if (!lacking.empty()) warn(fmt::format("there is nothing to draw for {}", fmt::join(lacking, ", ")));
 }
 
+std::vector<std::string> shipped_styles() {
+  std::vector<std::string> names;
+  for (const EmbeddedFile& style : styles) names.emplace_back(style.stem());
+  return names;
+}
+
 // The shipped style of this name, else of a file.
-void read_style_of(const ReportArguments& arguments, FigureStyle& style, TableStyle& tables) {
-  if (arguments.style.empty()) return;
+std::string style_text(const std::string& name) {
   constexpr std::uintmax_t largest = 100'000;
-  const EmbeddedFile* const shipped = find_embedded(styles, arguments.style);
-  read_style_text(shipped ? std::string(shipped->text) : text_of_file(arguments.style, largest), arguments.style, style,
-                  tables);
+  if (const EmbeddedFile* const shipped = find_embedded(styles, name)) return std::string(shipped->text);
+  if (std::error_code none; !std::filesystem::exists(name, none))
+    throw std::invalid_argument(unknown_name("style", name, shipped_styles()) + "; or name a file that is there");
+  return text_of_file(name, largest);
 }
 
 bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
@@ -166,28 +172,27 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
 std::string list_of_figures() {
   Rows rows{{"FIGURE", "OF"}};
   for (const auto& [name, meaning] : show::all_figures()) rows.push_back({name, meaning});
-  std::vector<std::string_view> shipped;
-  for (const EmbeddedFile& style : styles) shipped.push_back(style.stem());
-  return aligned(rows) + fmt::format("\nStyles (--style): {}\n", fmt::join(shipped, ", ")) +
+  return aligned(rows) + fmt::format("\nStyles (--style): {}\n", fmt::join(shipped_styles(), ", ")) +
          "\nKeys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle());
 }
 
-FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
-  TableStyle tables;
-  read_style_of(arguments, style, tables);
-  for (const std::string& label : style.solvers) {
+Style styled(Style style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
+  const std::string& name = arguments.style;
+  if (!name.empty()) read_style_text(style_text(name), name, style.figures, style.tables);
+  for (const std::string& label : style.figures.solvers) {
     if (std::ranges::find(labels, label) == labels.end())
       throw std::invalid_argument(fmt::format("solvers of [figures]: {}", unknown_name("solver", label, labels)));
   }
   if (are_drawn(arguments.figures)) {
     refuse_unknown_figures(arguments.figures);
-    figures::refuse_missing_font(style, labels);
+    figures::refuse_missing_font(style.figures, labels);
   }
   return style;
 }
 
-FigureStyle styled(const StoredStudy& entry, const ReportArguments& arguments) {
-  return styled(definition_of(entry.definition).figures, labels_of(entry), arguments);
+Style styled(const StoredStudy& entry, const ReportArguments& arguments) {
+  const Definition definition = definition_of(entry.definition);
+  return styled({definition.figures, definition.tables}, labels_of(entry), arguments);
 }
 
 std::vector<std::string> labels_of(const StoredStudy& stored) {
@@ -201,6 +206,10 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
   command.add_option("--jobs", arguments.jobs, "number of solves at once; times are compared only with 1")
       ->check(whole_number({1, 1024}))
       ->capture_default_str();
+}
+
+void add_study_option(CLI::App& command, std::string& study) {
+  command.add_option("--study", study, "name of the study; default: the first in the store");
 }
 
 void add_paper_option(CLI::App& command, std::string& paper) {
@@ -229,7 +238,7 @@ std::vector<std::string> references_of(std::string_view name) {
 }
 
 void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
-              const FigureStyle& style, const std::string& screen) {
+              const Style& style, const std::string& screen) {
   if (!arguments.figures.empty() && are_drawn(arguments.figures)) choose_figures(reported, arguments.figures);
   std::set<std::string> names, keys;
   for (const Series& series : reported.study.entry.series)
@@ -238,16 +247,13 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
   for (const std::string& name : names) std::ranges::copy(references_of(name), std::inserter(keys, keys.end()));
   reported.keys.assign(keys.begin(), keys.end());
   reported.references = references[0].text;
-  FigureStyle of_figures;
-  TableStyle tables = reported.study.definition.tables;
-  read_style_of(arguments, of_figures, tables);
-  reported.answer.show = tables.show;
+  reported.answer.show = style.tables.show;
   std::optional<ProgressBar> bar(std::in_place, "drawing", "figures");
   show::Written written =
       show::publish(reported, folder,
                     {.render = are_drawn(arguments.figures),
                      .progress = [&](std::int64_t done, std::int64_t all) { bar->show({.done = done, .total = all}); },
-                     .style = style},
+                     .style = style.figures},
                     program_name());
   bar.reset();  // leaves its line to the screen
   for (const std::string& warning : written.warnings) warn(warning);
@@ -263,11 +269,11 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
 
 void write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
-  FigureStyle style = styled(study, arguments);  // refuses before the study is read
+  const Style style = styled(study, arguments);  // refuses before the study is read
   judge::JudgedStudy judged = judge::judge(exported_study(store, study, folder));
-  const figures::Look look = figures::look_of(judged, std::move(style));
+  const figures::Look look = figures::look_of(judged, style.figures);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
-  announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, look.style);
+  announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, {look.style, style.tables});
 }
 
 judge::StudyResults checked_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {

@@ -35,6 +35,8 @@ CLI::Validator not_empty();
 void add_json_option(CLI::App& command, bool& is_json);
 void show_json(const base::OrderedJson& json);
 
+// Adds --study, the name of one of a store.
+void add_study_option(CLI::App& command, std::string& study);
 // Adds PAPER, the name of a paper; the first by default.
 void add_paper_option(CLI::App& command, std::string& paper);
 
@@ -47,12 +49,15 @@ struct ReportArguments {
 // The names of figures, and the keys of their look.
 std::string list_of_figures();
 void add_report_options(CLI::App& command, ReportArguments& arguments);
+struct Style {
+  results::FigureStyle figures = {};
+  results::TableStyle tables = {};
+};
 // Of a study of these labels, with the style file, if there is one. Throws std::invalid_argument for what cannot be
 // drawn. Call it before anything is solved.
-results::FigureStyle styled(results::FigureStyle style, const std::vector<std::string>& labels,
-                            const ReportArguments& arguments);
+Style styled(Style style, const std::vector<std::string>& labels, const ReportArguments& arguments);
 // The same of a stored study.
-results::FigureStyle styled(const results::StoredStudy& entry, const ReportArguments& arguments);
+Style styled(const results::StoredStudy& entry, const ReportArguments& arguments);
 std::vector<std::string> labels_of(const results::StoredStudy& stored);
 // Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
 void check_plan(const experiments::Study& study);
@@ -61,7 +66,7 @@ void check_plan(const experiments::Study& study);
 std::vector<std::string> references_of(std::string_view name);
 // Writes the report into the folder, and prints its screen (the study's, if it is empty) or JSON.
 void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
-              const results::FigureStyle& style, const std::string& screen = {});
+              const Style& style, const std::string& screen = {});
 // The report of a study of the store, written and announced.
 void write_and_announce(const results::Store& store, const results::StoredStudy& study,
                         const std::filesystem::path& folder, const ReportArguments& arguments);

@@ -103,7 +103,7 @@ papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper
 // The first of the studies is the paper's own.
 void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
             const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
-  const FigureStyle style = styled(all.front().study.entry, arguments.report);
+  const Style style = styled(all.front().study.entry, arguments.report);
   const std::filesystem::path anew = folder / "programs.csv";  // solved on this machine
   std::error_code none;
   const bool is_anew = !paper.rates.programs.empty() && std::filesystem::exists(anew, none);
@@ -121,8 +121,8 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   if (means.rows.empty()) means = papers::rates_table(repeated);
 
   const bool is_slim2023 = paper.name == "slim2023", has_arms = !paper.rates.rows.empty();
-  const figures::Look look =
-      is_slim2023 ? figures::look_of(all.front().study.entry.series, style) : figures::look_of(all.front(), style);
+  const figures::Look look = is_slim2023 ? figures::look_of(all.front().study.entry.series, style.figures)
+                                         : figures::look_of(all.front(), style.figures);
   show::Report reported = show::report_of(all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look)
                                                        : has_arms  ? std::vector<figures::Figure>()
                                                                    : figures::of_study(all.front(), look));
@@ -141,7 +141,7 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   std::vector<std::string> sentences;
   if (is_slim2023) {
     if (const judge::JudgedStudy* const dobot = repeated.part("dobot"))
-      of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style));
+      of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style.figures));
     std::vector<papers::Explained> numbers;
     show::Blocks by_other;
     for (const papers::Repeated& reading : repeated.readings()) {
@@ -175,7 +175,7 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   reported.claims = papers::claims_section(claims);
   if (!readings.in_readings.empty())
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
-  announce(reported, folder, arguments.report, look.style,
+  announce(reported, folder, arguments.report, {look.style, style.tables},
            fmt::format("{}{}\n", papers::screen(sentences, means, claims),
                        fingerprints_of(Store(store_in(folder), Store::Mode::read), all, studies_of(paper, {}))));
 }

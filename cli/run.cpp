@@ -92,7 +92,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (is_of_any_arm && study.name == study_of_any_arm) study.name = arm_of(study).name;
     if (!arguments->only.empty()) keep_only(study, arguments->only);
     // A mistake in it shows before hours are spent.
-    static_cast<void>(styled(study.figures, labels_of(study), arguments->report));
+    static_cast<void>(styled({study.figures}, labels_of(study), arguments->report));
     check_plan(study);
     const Shard shard = arguments->shard ? shard_from(*arguments->shard) : Shard{};
     const bool is_part = arguments->shard.has_value();

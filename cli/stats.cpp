@@ -52,7 +52,7 @@ std::string direction_of(const std::vector<judge::JudgedMetric>& metrics) {
 }
 
 // With figures, and the look that they have, if there is a folder for them.
-show::Report judged(const StatsArguments& arguments, results::FigureStyle& style) {
+show::Report judged(const StatsArguments& arguments, Style& style) {
   const std::string text = contents_of(arguments.file), source = name_of_source(arguments.file);
   csv::Quantities quantities = arguments.are_summaries ? csv::read_summaries(text, source, arguments.csv)
                                                        : csv::read(text, source, arguments.csv);
@@ -68,9 +68,10 @@ show::Report judged(const StatsArguments& arguments, results::FigureStyle& style
     std::vector<results::Series> groups;
     for (const judge::Group& group : metrics.front().observations.groups)
       groups.push_back({.label = group.name, .algorithm = group.name});
-    const figures::Look look = figures::look_of(groups, styled({}, labels_of({.series = groups}), arguments.report));
+    style = styled({}, labels_of({.series = groups}), arguments.report);
+    const figures::Look look = figures::look_of(groups, style.figures);
     reported.figures = figures::of_file(metrics, look);
-    style = look.style;
+    style.figures = look.style;
   }
   const std::string direction = direction_of(metrics);
   reported.answer = show::answer_of(std::move(metrics));
@@ -86,7 +87,7 @@ void stats(const StatsArguments& arguments) {
       throw std::invalid_argument(
           fmt::format("--out {}: the {} of a study is there; choose another folder", arguments.out, file));
   }
-  results::FigureStyle style;
+  Style style;
   show::Report reported = judged(arguments, style);
   if (!arguments.out.empty()) return announce(std::move(reported), arguments.out, arguments.report, style);
   if (arguments.report.is_json) return show_json(show::to_json(reported.answer));

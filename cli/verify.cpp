@@ -25,7 +25,7 @@ void add_verify(CLI::App& app, Invocation&) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("verify", "Check a store: errors from answers, some solves made again");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
-  command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
+  add_study_option(*command, arguments->study);
   command->add_option("--solves", arguments->solves, "number of solves to make again, drawn at random")
       ->check(whole_number())
       ->capture_default_str();
