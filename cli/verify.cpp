@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <memory>
+#include <optional>
 
 #include "base/names.hpp"
 #include "cli/commands.hpp"
@@ -37,7 +38,10 @@ void add_verify(CLI::App& app, Invocation&) {
     const Store store(arguments->store, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
     const auto all = checked_study(store, study).solves.size();
-    const SolvedAgain again = solve_again(store, study, arguments->solves);
+    std::optional<ProgressBar> bar("solving again");
+    const SolvedAgain again =
+        solve_again(store, study, arguments->solves, [&](const Progress& progress) { bar->show(progress); });
+    bar.reset();  // leaves its line to the answer
     std::vector<std::string> unchecked{"times, targets, starts, missing solves, traces and extras"};
     const auto leave_out = [&](const std::vector<std::string>& labels, const char* why) {
       if (!labels.empty()) unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), why));

@@ -159,13 +159,15 @@ TakeSolve recheck_of(const StoredStudy& study) {
   };
 }
 
-SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int64_t most) {
+SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int64_t most,
+                        const std::function<void(const Progress&)>& progress) {
   Study study;
   const Definition definition = definition_of(stored.definition);
   static_cast<StudyData&>(study) = definition;
   study.robot_of_file = std::make_shared<const Robot>(stored_arm(definition.arm).value());
   SolvedAgain found;
-  std::map<std::string, SolverEntry> entries;
+  std::map<std::string, SolverEntry> entries;  // by label
+  std::map<std::string, SolveRunner> runners;
   for (const Series& series : stored.series) {
     std::optional<SolverEntry> entry = built_in(series);
     if (!entry)
@@ -173,12 +175,12 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
     else if (!series.key.ends_with(source_key(*entry)))
       found.of_other_source.push_back(series.label);
     else if (study.stop.seconds == 0)
-      entries[series.label] = *entry;
+      runners.try_emplace(series.label, study, entries[series.label] = *entry, series.key, *study.robot_of_file);
   }
   std::vector<SolveRecord> drawn;
   std::mt19937_64 random(std::random_device{}());  // nobody knows before which
   store.each_of_study(stored, [&](SolveRecord& solve) {
-    if (!entries.contains(solve.label)) return;
+    if (!runners.contains(solve.label)) return;
     const auto place = std::uniform_int_distribution<std::int64_t>(0, found.of++)(random);
     if (std::ssize(drawn) < most)
       drawn.push_back(std::move(solve));
@@ -186,11 +188,11 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
       drawn[static_cast<std::size_t>(place)] = std::move(solve);
   });
   for (const SolveRecord& solve : drawn) {
+    if (progress) progress({.done = found.solves, .total = std::ssize(drawn)});
     study.trace = solve.trace_cm.empty() ? solvers::Trace::none : solvers::Trace::best_error;
-    const SolveRunner runner(study, entries.at(solve.label), solve.series, *study.robot_of_file);
-    const auto solver = runner.make_solver();
+    const SolveRunner& runner = runners.at(solve.label);
     const SolveRecord again =
-        runner.solve(*solver, target_of(solve), vector_of(solve.start_rad), solve.run, solve.point);
+        runner.solve(*runner.make_solver(), target_of(solve), vector_of(solve.start_rad), solve.run, solve.point);
     const auto counts = [](const SolveRecord& of) {
       return std::tie(of.status, of.stop_reason, of.evaluations, of.iterations, of.restarts, of.improved_at);
     };

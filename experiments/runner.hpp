@@ -68,8 +68,10 @@ struct SolvedAgain {
   std::int64_t of = 0;                                          // stored ones that could be
   std::vector<std::string> foreign = {}, of_other_source = {};  // labels
 };
-// Makes solves of the stored study again, at most so many, drawn at random. Where the clock may end them, none. Throws
-// std::invalid_argument, with the solve's place, where another bit of the answer or another count comes.
-SolvedAgain solve_again(const results::Store& store, const results::StoredStudy& study, std::int64_t most);
+// Makes solves of the stored study again, at most so many, drawn at random; tells its progress before each. Where the
+// clock may end them, none. Throws std::invalid_argument, with the solve's place, where another bit of the answer or
+// another count comes.
+SolvedAgain solve_again(const results::Store& store, const results::StoredStudy& study, std::int64_t most,
+                        const std::function<void(const Progress&)>& progress = {});
 
 }  // namespace ikbench::experiments
