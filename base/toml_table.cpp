@@ -127,6 +127,7 @@ void TomlReader::on_number(Name name, double& field, double unit, std::pair<doub
   const std::optional<double> value = as_number(*node);
   if (!value || !(*value >= range.first && *value <= range.second))
     fail_number(name.key, *node, fmt::format("a number from {} to {}", range.first, range.second));
+  if (*value != 0 && !std::isnormal(*value * unit)) fail_number(name.key, *node, "0, or a number that is not so small");
   refuse_doubt(name.key, *node, *value, unit);
   field = *value * unit;
 }

@@ -214,7 +214,7 @@ Robot read_arm(const TomlReader& reader, Study& study) {
   }
   const std::filesystem::path file = folder_of(reader, "robot") / study.robot;
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
+  if (!std::filesystem::exists(file, error)) {
     throw reader.mistake(
         "robot", fmt::format("there is no file {}; expected one, or an arm of: ikbench list robots", file.string()));
   }
@@ -504,6 +504,9 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
               fmt::format("initial_deg is {:g} {} outside the limits of joint {}; see: ikbench robot {}",
                           outside / units[j], units[j] == 1 ? "m" : "deg", j + 1, arm.name));
   }
+  refuse_if(study.motion_joints > arm.joints(), "motion_joints",
+            fmt::format("motion_joints is {}, but {} has {} joints; expected at most that, or 0 for all",
+                        study.motion_joints, arm.name, arm.joints()));
   refuse_if(
       study.search == Search::wrist && !SphericalWrist::fits(arm.chain), "search",
       fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\", \"axis\" or \"pose\"",

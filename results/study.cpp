@@ -51,7 +51,7 @@ void list_fields(base::Fields& io, StudyData& study) {
       "into_limits: after a solve, joints outside their limits are turned back inside by whole turns where that is "
       "possible, for every solver; nearest: all joints, to where they are nearest to the start; the pose stays");
   io.whole("motion_joints", study.motion_joints, {0, 64},
-           "joint motion is that of so many joints, from the first; 0: of all");
+           "joint motion [deg], but no largest move, is that of so many joints, from the first; 0: of all");
   io.choice("start", study.start, names_of(study.start),
             "a solve starts where the previous one left the arm, at initial_deg, in the middle of the joint limits, at "
             "random within them, or near a solution of a random target");

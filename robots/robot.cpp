@@ -169,7 +169,7 @@ std::string text_of_arm_file(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file, error)) {
     throw std::invalid_argument(fmt::format("{} is a folder; expected the .urdf or .toml file in it", file.string()));
   }
-  if (!std::filesystem::is_regular_file(file, error)) {
+  if (!std::filesystem::exists(file, error)) {
     throw std::invalid_argument(fmt::format("there is no file {}", file.string()));
   }
   constexpr std::uintmax_t largest_urdf = 16'000'000;
