@@ -44,12 +44,16 @@ set ylabel textcolor rgb ink
 set zlabel textcolor rgb ink
 
 # Heights, margins and legends follow the size of text: up() is a height as a share of the figure's.
-# Labels that leave no room for the plot make the text of their figure smaller; a height that is too small grows.
+# Labels that leave no room for the plot make the text of their figure smaller; rows that leave none in the given height do
+# so down to 8 pt, then it grows.
 if (all_width_cm > 0) width_cm = all_width_cm
 if (sides_cm * text / 8.0 > 0.65 * width_cm) text = 8.0 * 0.65 * width_cm / sides_cm
-plot_cm = width_cm * 8.0 / text - sides_cm
 legend_rows_cm = legend > 0 ? 0.2 + 0.35 * legend : 0
-least_cm = (0.8 * height_cm + legend_rows_cm) * text / 8.0
+least_cm = 0.8 * height_cm + legend_rows_cm
+fitting = 8.0 * all_height_cm / least_cm
+if (all_height_cm > 0 && text > 8 && fitting < text) text = fitting > 8 ? fitting : 8
+least_cm = least_cm * text / 8.0
+plot_cm = width_cm * 8.0 / text - sides_cm
 height_cm = (height_cm + legend_rows_cm) * text / 8.0
 if (all_height_cm > 0) height_cm = all_height_cm > least_cm ? all_height_cm : least_cm
 up(cm) = cm * text / 8.0 / height_cm
