@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/show/report.hpp"
@@ -45,24 +48,54 @@ base::Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
   return list;
 }
 
-// The first run of a solver, point by point; a start only if it differs from the previous answer.
-base::Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm) {
+// The places in a first run that the page shows: all, or of a long one the worst steps of each solver in turn, up to
+// half of what it shows, and others evenly.
+std::set<std::size_t> shown_places(const StudyResults& study, const std::vector<std::string>& order) {
+  std::size_t n = 0;
+  std::vector<std::vector<std::size_t>> all_bad;  // the latest solves, and the longest of the steps that are too fast
+  for (const std::string& solver : order) {
+    const judge::Solves run = study.of(solver).first(study.first_run_of(solver).size());
+    n = std::max(n, run.size());
+    for (const auto& [is_bad, by] : {std::pair(&judge::Solve::is_late, &judge::Solve::seconds),
+                                     std::pair(&judge::Solve::is_too_fast, &judge::Solve::largest_move_deg)}) {
+      std::vector<std::size_t>& bad = all_bad.emplace_back();
+      for (std::size_t i = 0; i < run.size(); ++i) {
+        if (run[i].*is_bad) bad.push_back(i);
+      }
+      std::ranges::stable_sort(bad, std::ranges::greater(), [&, by = by](std::size_t i) { return run[i].*by; });
+    }
+  }
+  std::set<std::size_t> places;
+  for (std::size_t rank = 0; n > most_points && rank < n; ++rank) {
+    for (const std::vector<std::size_t>& bad : all_bad) {
+      if (rank < bad.size() && places.size() < most_points / 2) places.insert(bad[rank]);
+    }
+  }
+  const std::size_t evenly = std::min(n, most_points - places.size());
+  for (std::size_t k = 0; k < evenly; ++k) places.insert(evenly < 2 ? k : k * (n - 1) / (evenly - 1));
+  return places;
+}
+
+// Of the first run of a solver these places; a start only if it differs from the previous answer.
+Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm,
+               const std::set<std::size_t>& places) {
   const std::span<const SolveRecord> solves = study.first_run_of(solver);
-  if (solves.empty()) return nullptr;
   const auto [unit, factor] = figures::drawn_unit(study, "cm");
   base::Json steps = base::Json::array();
   const SolveRecord* before = nullptr;
-  for (const SolveRecord& solve : solves.first(std::min(solves.size(), most_points))) {
-    const judge::Solve& judged = study.of(solver)[steps.size()];
-    base::Json step{{"point", solve.point},
-                    {"target", rounded(solve.target_position_m)},
-                    {"answer", rounded(solve.answer_rad)},
-                    {"error", factor * solve.position_error_cm},
-                    {"variation_deg", solve.variation_deg},
-                    {"variation_m", solve.variation_m},
-                    {"outside", joints_outside(solve, arm)},
-                    {"late", judged.is_late},
-                    {"too_fast", judged.is_too_fast}};
+  for (const std::size_t place : places) {
+    if (place >= solves.size()) break;
+    const SolveRecord& solve = solves[place];
+    const judge::Solve& judged = study.of(solver)[place];
+    Json step{{"point", solve.point},
+              {"target", rounded(solve.target_position_m)},
+              {"answer", rounded(solve.answer_rad)},
+              {"error", factor * solve.position_error_cm},
+              {"variation_deg", solve.variation_deg},
+              {"variation_m", solve.variation_m},
+              {"outside", joints_outside(solve, arm)},
+              {"late", judged.is_late},
+              {"too_fast", judged.is_too_fast}};
     if (!before || before->answer_rad != solve.start_rad) step["start"] = rounded(solve.start_rad);
     steps.push_back(std::move(step));
     before = &solve;
@@ -101,16 +134,22 @@ bool can_be_drawn(const StudyResults& study, std::size_t joints) {
 std::optional<std::string> moving_arm(const StudyResults& study, const std::vector<std::string>& order) {
   const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
   if (!arm || !can_be_drawn(study, arm->chain.links().size())) return std::nullopt;
-  base::Json solvers = base::Json::array();
-  for (const std::string& solver : order) {
-    if (solvers.size() == most_solvers) break;
-    base::Json run = first_run(study, solver, *arm);
-    if (!run.is_null()) solvers.push_back(std::move(run));
-  }
+  Json solvers = Json::array();
+  std::vector<std::string> shown = order;
+  std::erase_if(shown, [&](const std::string& solver) { return study.first_run_of(solver).empty(); });
+  shown.resize(std::min(shown.size(), most_solvers));
+  const std::set<std::size_t> places = shown_places(study, shown);
+  for (const std::string& solver : shown) solvers.push_back(first_run(study, solver, *arm, places));
   if (solvers.empty()) return std::nullopt;
-  const bool is_path = !study.definition.draws_targets;
-  std::string text =
-      base::text_of(base::Json{{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"solvers", std::move(solvers)}});
+  const bool is_path = !study.definition.draws_targets, are_all = *places.rbegin() + 1 == places.size();
+  const std::string which =
+      are_all ? ""
+              : fmt::format(
+                    " Shown are {} of {} targets: the latest solves and the longest of the steps that are too "
+                    "fast, of each solver in turn up to {}, and others evenly.",
+                    places.size(), *places.rbegin() + 1, most_points / 2);
+  std::string text = base::text_of(
+      Json{{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"which", which}, {"solvers", std::move(solvers)}});
   for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
     text.replace(at, 1, "\\u003c");  // no text ends the element
   return text;

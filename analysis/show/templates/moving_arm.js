@@ -261,6 +261,7 @@
     });
   }
   stage.querySelector('.views').append(...views.map(view => view.root));
+  stage.querySelector('.note').append(data.which);
   stage.hidden = false;
   addEventListener('resize', show);
   time = Math.min(1, longest);
