@@ -53,6 +53,8 @@ std::string joint_table(const Robot& arm) {
   const std::vector<std::string> names = joint_names(arm.description);
   std::vector<std::vector<std::string>> rows{
       {"JOINT", "", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
+  const bool has_velocities = arm.velocity.size() > 0;
+  if (has_velocities) rows.front().emplace_back("velocity");
   if (!names.empty()) rows.front().emplace_back("name");
   const Configuration units = experiments::joint_units(arm.chain);
   for (Eigen::Index j = 0; j < arm.joints(); ++j) {
@@ -68,6 +70,10 @@ std::string joint_table(const Robot& arm) {
                     : arm.chain.slides(j) ? "m"
                                           : "deg",
                     number(link.a), number(link.alpha, degree), number(link.d), number(link.offset, degree)});
+    if (has_velocities)
+      rows.back().push_back(arm.velocity[j] == 0 ? "not known"
+                                                 : fmt::format("{} {}/s", number(arm.velocity[j], units[j]),
+                                                               arm.chain.slides(j) ? "m" : "deg"));
     if (!names.empty()) rows.back().push_back(names[static_cast<std::size_t>(j)]);
   }
   constexpr std::size_t any_width = 1000;  // digits do not break into lines

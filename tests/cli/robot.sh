@@ -15,6 +15,8 @@ shows 3 "0.5, 0, 0.35) m" my_arm.toml
 shows 3 "0.3, 0.2, 0.25) m" my_arm.toml --at 0,90,0.1
 shows 8 "0.50165, 0, 0.25956) m" fetch.urdf --at 0.1,0,0,0,90,0,0,0
 has "$out" "wrist: spherical"
+has "$out" " velocity "
+has "$out" " 0.1 m/s "
 shows 6 "0.929, 0, 0.06) m" fetch.urdf --base shoulder_pan_link --tip wrist_roll_link
 shows 7 "0, -0.02485" gen3.urdf
 
