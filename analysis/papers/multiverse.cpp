@@ -277,11 +277,11 @@ std::vector<std::vector<Tried>> tried_by_row(const SolvedMultiverse& multiverse,
   return by_row;
 }
 
-// Printed numbers, alone and together, in words, and one alone in few.
+// Printed numbers, alone and together, in words; of one alone whose it is, "DE's error", and which, "mean".
 struct Target {
   std::string words;
   Numbers numbers;
-  std::string in_few = {};
+  std::string whose = {}, which = {};
 };
 std::vector<Target> targets(const TableOfMeans& printed, std::size_t row, const Tried& usual) {
   std::vector<Target> all;
@@ -292,7 +292,7 @@ std::vector<Target> targets(const TableOfMeans& printed, std::size_t row, const 
       all.push_back({fmt::format("{}, {} {} {} (here {})", metric.name, statistics[s].column, printed[m][row].digits[s],
                                  metric.unit, show::number_text(usual.ours[m].*statistics[s].of)),
                      Numbers(1U << (m * statistics.size() + s)),
-                     fmt::format("{}'s {} {}", printed[m][row].solver, metric.name, statistics[s].column)});
+                     fmt::format("{}'s {}", printed[m][row].solver, metric.name), std::string(statistics[s].column)});
     all.push_back({fmt::format("{}, all {}", metric.name, statistics.size()), of_metric << (m * statistics.size())});
   }
   all.push_back({fmt::format("all {}", numbers_of_row), Numbers().set()});
@@ -336,8 +336,8 @@ Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse) {
     return fmt::format("{} ({})", tried.foreign, printed[0][tried.whose].solver);
   };
   std::vector<std::vector<Tried>> by_row = tried_by_row(multiverse, printed);
-  std::map<std::string, Names> by_reading;
-  Names by_none;
+  std::map<std::string, std::map<std::string, Names>> by_reading;
+  std::map<std::string, Names> by_none;
   for (std::size_t row = 0; row < by_row.size(); ++row) {
     const std::string& name = printed[0][row].solver;
     std::vector<Tried>& all = by_row[row];
@@ -345,11 +345,11 @@ Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse) {
     std::ranges::stable_sort(
         all, {}, [](const Tried& each) { return std::pair(each.departures.size(), numbers_of_row - each.own); });
     const Tried& usual = all.front();
-    for (const auto& [words, numbers, in_few] : targets(printed, row, usual)) {
+    for (const auto& [words, numbers, whose, which] : targets(printed, row, usual)) {
       const auto has = [&](const Tried& each) { return (each.inside[row] & numbers) == numbers; };
       const auto first = std::ranges::find_if(all, has);
       if (has(usual)) continue;
-      if (!in_few.empty()) (first == all.end() ? by_none : by_reading[words_of(*first)]).push_back(in_few);
+      if (!whose.empty()) (first == all.end() ? by_none : by_reading[words_of(*first)])[whose].push_back(which);
       if (first == all.end()) {
         result.numbers.rows.push_back({name, words, "none tried", {}, {}, {}, {}, {}});
         continue;
@@ -369,9 +369,13 @@ Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse) {
           {name, count(each.departures.size()), words_of(each), count(each.own), foreign_of(each), each.together});
   }
   Names parts;
-  for (const auto& [reading, numbers] : by_reading)
-    parts.push_back(fmt::format("{} explains {}", reading, show::listed(numbers)));
-  if (!by_none.empty()) parts.push_back("none tried explains " + show::listed(by_none));
+  const auto add = [&](const std::string& reading, const std::map<std::string, Names>& numbers) {
+    Names all;
+    for (const auto& [whose, which] : numbers) all.push_back(whose + ' ' + show::listed(which));
+    if (!all.empty()) parts.push_back(fmt::format("{} explains {}", reading, show::listed(all, ", and ")));
+  };
+  for (const auto& [reading, numbers] : by_reading) add(reading, numbers);
+  add("none tried", by_none);
   result.in_short = fmt::format("{}", fmt::join(parts, "; "));
   return result;
 }

@@ -190,8 +190,7 @@ JudgedClaims ahead(const Claim& claim, const Repeated& repeated) {
   }
   JudgedClaim result{claim};
   result.holds = holds_of(tally);
-  result.number =
-      fmt::format("better in {} than {} of {}", show::listed(quantities, " or "), tally.better, tally.all());
+  result.number = fmt::format("beats {} of {} in {}", tally.better, tally.all(), show::listed(quantities, " or "));
   return {result};
 }
 

@@ -17,7 +17,7 @@ verdicts() {
 succeeds reproduce --jobs 2 --readings 1 --figures none --out whole
 quiet
 sed -n '/./,$p' .out >screen
-[ "$(wc -l <screen)" -le 45 ] && [ "$(wc -L <screen)" -le 100 ] || fail "not one screen: $(<screen)"
+[ "$(wc -l <screen)" -le 40 ] && [ "$(wc -L <screen)" -le 100 ] || fail "not one screen: $(<screen)"
 equal "last line" "$(tail -n 1 screen)" "Report: whole/report.html"
 words=$(tr -s '[:space:]' '\n' <whole/report.md | grep -c '[[:alnum:]]')
 [ "$words" -le 3550 ] || fail "report.md has $words words"
