@@ -97,7 +97,12 @@ void choose_figures(show::Report& reported, const std::vector<std::string>& name
       return figure != nullptr && is_left_out(*figure);
     });
   }
-  if (!lacking.empty()) warn(fmt::format("there is nothing to draw for {}", fmt::join(lacking, ", ")));
+  const auto kinds = show::all_figures();
+  for (const std::string& name : lacking) {
+    const auto kind = std::ranges::find_if(
+        kinds, [&](const auto& each) { return is_meant(each.first, name) || is_meant(name, each.first); });
+    warn(fmt::format("there is nothing to draw for {}: it is {}", name, kind->second));
+  }
 }
 
 std::vector<std::string> shipped_styles() {
