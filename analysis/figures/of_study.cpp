@@ -57,16 +57,23 @@ std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view colum
                box_rows(*values, drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
 }
 
-// Solvers whose values of a metric are not compared; all, where those of none are.
+// Solvers whose values of a metric are not compared; all, where those of none are. Whoever solved nothing is, with
+// that.
 std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_view column) {
   const JudgedMetric* metric = judged_of(judged, column);
   if (metric == nullptr) metric = judged_of(judged, fmt::format("{}_per_solved", column));  // where some fail
   if (metric == nullptr) return judged.study.labels;
+  const auto is_doubted = [&](const Group& group) {  // of several reasons a group has the first
+    return std::ranges::any_of(metric->observations.doubts, [&](const Doubt& doubt) {
+      return doubt.kind != DoubtKind::few_decide_mean &&
+             (doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0);
+    });
+  };
   std::vector<std::string> without;
   for (const Group& group : metric->observations.groups) {
     const auto* const its = untold(group);
-    if (its && its->why != Untold::Why::none && (its->why == Untold::Why::apart || its->values.empty()))
-      without.push_back(group.name);
+    const bool is_lost = its && its->why != Untold::Why::none && its->values.empty();
+    if (is_lost || is_doubted(group)) without.push_back(group.name);
   }
   return without;
 }
