@@ -87,7 +87,7 @@ std::string ticks_between(char letter, double low, double high, bool is_power) {
 void add_margins(Figure& figure) {
   figure.settings +=
       "set lmargin at screen margin(1.7)\nset rmargin at screen 1 - margin(0.35)\n"
-      "set bmargin at screen up(1.2 + legend_rows_cm)\nset tmargin at screen 1 - up(0.3)\n";
+      "set bmargin at screen up(1 + legend_rows_cm)\nset tmargin at screen 1 - up(0.3)\n";
 }
 
 }  // namespace
@@ -214,7 +214,7 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
   }
   figure.sides_cm = widest_cm + 0.8;
   add_margins(figure);
-  figure.height_cm = 1.5 + row_cm * static_cast<double>(labels.size());
+  figure.height_cm = 1.3 + row_cm * static_cast<double>(labels.size());
   figure.settings += fmt::format(
       "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced scale 0 ({})\nset border 1\nset grid noytics\n"
       "set lmargin at screen margin({})\n",
@@ -224,7 +224,7 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
 void add_names(Figure& figure, std::vector<Named> marks) {
   add_margins(figure);
   if (marks.size() < 2) return;
-  constexpr double around_cm = 1.5, row_cm = 0.34, stroke_cm = 0.6;
+  constexpr double around_cm = 1.3, row_cm = 0.34, stroke_cm = 0.6;
   const std::size_t n = marks.size();
   double widest_cm = 0;
   for (const Named& mark : marks) widest_cm = std::max(widest_cm, width_cm_of(mark.label));

@@ -122,7 +122,7 @@ TEST_CASE("seven lines are drawn, their names in order and none above another", 
         figure.settings.find("graph ", figure.settings.find(fmt::format("set label 'solver {}'", i)));
     heights.push_back(std::stod(figure.settings.substr(at + 6)));
   }
-  const double row = 0.34 / (figure.height_cm - 1.5);
+  const double row = 0.34 / (figure.height_cm - 1.3);
   CHECK(heights[3] == Approx(std::min(9 / 9.45 - row, 1 - 3 * row)));  // around the ends of all five
   for (std::size_t i = 0; i < heights.size(); ++i) {
     CHECK((0 <= heights[i] && heights[i] <= 1));
