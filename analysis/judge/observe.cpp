@@ -26,10 +26,13 @@ double tolerance_of(const StudyResults& study, const Metric& metric) {
   return metric.unit == "deg" ? stop.tolerance_deg() : stop.tolerance_cm();
 }
 
+bool is_of_answers(const StudyResults& study, const Metric& metric) {
+  return (metric.kind == Kind::cost || metric.kind == Kind::time) && study.definition.has_tolerance();
+}
+
 // What failed has no cost of an answer; along a path it has, for the next solve starts from there.
 bool is_of_solved(const StudyResults& study, const Metric& metric) {
-  const bool is_cost = metric.kind == Kind::cost || metric.kind == Kind::time;
-  return is_cost && study.definition.has_tolerance() && !study.definition.is_chained();
+  return is_of_answers(study, metric) && !study.definition.is_chained();
 }
 
 struct Value {
@@ -101,13 +104,13 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   const std::vector<Value> all = values_of(study, metric, solver, by_turn);
   if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.at_most = least;
   std::vector<Value> values = means_of(all, metric.kind == Kind::time);
-  if (metric.kind == Kind::spent) {
+  if (metric.kind == Kind::spent || is_of_answers(study, metric)) {
     const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver, by_turn));
     if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
       group.sample = Untold{.why = Untold::Why::none};
       return group;
     }
-    values = spent_by_solved(std::move(values), solved);
+    if (metric.kind == Kind::spent) values = spent_by_solved(std::move(values), solved);
   }
   Measured measured;
   int lost = 0;

@@ -182,6 +182,12 @@ TEST_CASE("Where targets have a tolerance, costs are of those that were solved, 
   CHECK(std::get<Measured>(group(of, "B").sample).blocks[1] == 3);
   CHECK(list_of(group(moves(fixed_targets), "A")).front() == Approx((201 + 301 + 401 + 501) / 4.0));
   CHECK(list_of(group(moves(chained), "A")).front() == 102.5);
+  const auto misses_all = [](SolveRecord& solve) {
+    solve.status = solve.label == "A" ? Status::tolerance_missed : Status::ok;
+  };
+  const Observations of_path = observed(study({.start = "previous", .tolerance_cm = 1}, misses_all), "variation_deg");
+  CHECK(std::get<Untold>(group(of_path, "A").sample).why == Untold::Why::none);
+  CHECK(list_of(group(of_path, "B")).size() == 5);
 }
 
 TEST_CASE("Times are compared only where they are clean, of one machine, and of the same kind") {
