@@ -100,7 +100,13 @@ Answer answer_of(const JudgedStudy& judged) {
   all.studied = fmt::format("{}: {}. A solve ends at {}.", judged.study.entry.name, what_is_solved(judged.study),
                             stops_of(judged.study));
   all.show = judged.study.definition.tables.show;
-  all.noun = judged.study.definition.compares_runs() ? "runs" : "targets";
+  const results::Definition& definition = judged.study.definition;
+  const bool are_runs = definition.compares_runs();
+  all.noun = are_runs ? "runs" : "targets";
+  if (are_runs ? definition.points > 1 : definition.runs > 1 && !definition.draws_targets)
+    all.notes.push_back(fmt::format("Each {} is the mean of its {}{}.", are_runs ? "run" : "target",
+                                    are_runs ? "targets" : "runs",
+                                    judged_of(judged, "seconds") ? ", of time the median" : ""));
   for (JudgedMetric& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);

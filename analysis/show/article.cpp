@@ -102,7 +102,8 @@ std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
   for (const Finding& finding : findings) parts.push_back(told(finding, judged));
   std::string text = fmt::format("{}{}: {}.", judged.observations.quantity, tests.empty() ? "" : ", by " + tests,
                                  fmt::join(parts, "; "));
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  if (answer.direction.empty())  // else its name is the user's
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text;
 }
 
@@ -117,12 +118,11 @@ Table for_article(const Table& whole, const Report& report) {
   const std::string& name = report.study.entry.name;
   const bool is_of_study = !report.study.entry.series.empty();
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
-  if (table.is_of_study && is_of_study)
-    table.caption += fmt::format("{} {}: {}. A solve ends at {}.", table.caption.ends_with('?') ? "" : ".",
-                                 with_blanks(title_of(report.study)), with_blanks(what_is_solved(report.study)),
-                                 stops_of(report.study));
-  else if (table.is_of_study && !name.empty())
-    table.caption += fmt::format(" of {}", with_blanks(std::filesystem::path(name).stem().string()));
+  if (table.is_of_study && !name.empty())
+    table.caption += fmt::format("{} {}.", table.caption.ends_with('?') ? "" : ".",
+                                 is_of_study ? fmt::format("{}: {}. A solve ends at {}", title_of(report.study),
+                                                           what_is_solved(report.study), stops_of(report.study))
+                                             : std::filesystem::path(name).stem().string());
   return table;
 }
 
@@ -150,7 +150,7 @@ std::string methods_of(const Answer& answer, const StudyResults& study, const st
     text = fmt::format(
         "{} had {}{} ({}; search: {}) with the arm {}; each solve started {} and ended at {}; the machine was {}.",
         listed(study.labels), study.labels.size() > 1 ? "the same " : "", targets, with_blanks(definition.path),
-        with_blanks(name_of(definition.search)), definition.robot,
+        with_blanks(name_of(definition.search)), std::filesystem::path(definition.robot).stem().string(),
         definition.is_chained() ? "at the last answer"
                                 : "from its " + with_blanks(name_of(definition.start)) + " position",
         stops_of(study), fact("cpu"));

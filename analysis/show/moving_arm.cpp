@@ -25,17 +25,17 @@ constexpr std::size_t most_points = 200;
 constexpr std::size_t most_solvers = 24;
 
 // Rounds to 1e-5, a 30th of a pixel's width for an arm of 1 m. JSON has null for what is not finite.
-base::Json rounded(const std::vector<double>& values) {
-  base::Json list = base::Json::array();
+Json rounded(const std::vector<double>& values) {
+  Json list = Json::array();
   for (const double value : values) list.push_back(std::round(value * 1e5) / 1e5);
   return list;
 }
 
 // Joints of an answer outside their limits, and by how much. Up to 1e-9 is rounding, as in experiments/verifier.cpp.
 // Computed here because the page has rounded angles.
-base::Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
+Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
   constexpr double rounding = 1e-9;
-  base::Json list = base::Json::array();
+  Json list = Json::array();
   if (!(solve.limit_violation_deg > 0 || solve.limit_violation_m > 0)) return list;
   for (std::size_t joint = 0; joint < solve.answer_rad.size(); ++joint) {
     const auto j = static_cast<Eigen::Index>(joint);
@@ -81,7 +81,7 @@ Json first_run(const StudyResults& study, const std::string& solver, const robot
                const std::set<std::size_t>& places) {
   const std::span<const SolveRecord> solves = study.first_run_of(solver);
   const auto [unit, factor] = figures::drawn_unit(study, "cm");
-  base::Json steps = base::Json::array();
+  Json steps = Json::array();
   const SolveRecord* before = nullptr;
   for (const std::size_t place : places) {
     if (place >= solves.size()) break;
@@ -103,14 +103,14 @@ Json first_run(const StudyResults& study, const std::string& solver, const robot
   return {{"name", base::one_line(solver)}, {"unit", unit}, {"steps", std::move(steps)}};
 }
 
-base::Json drawn(const robots::Frame& frame) {
-  const auto numbers = [](const Eigen::Vector3d& v) { return base::Json{v.x(), v.y(), v.z()}; };
+Json drawn(const robots::Frame& frame) {
+  const auto numbers = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
   return {{"position_m", numbers(frame.position)}, {"rpy_rad", numbers(frame.rpy)}};
 }
 
-base::Json drawn(const robots::Chain& chain) {
+Json drawn(const robots::Chain& chain) {
   constexpr std::array joints{"turns", "slides", "coupled"};
-  base::Json links = base::Json::array();
+  Json links = Json::array();
   for (const robots::DhLink& link : chain.links()) {
     links.push_back({{"joint", joints[static_cast<std::size_t>(link.joint)]},
                      {"offset_rad", link.offset},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -152,23 +153,31 @@ Table results_table(const Answer& answer) {
   const std::set<std::string> losers = losers_of(decisive.findings);
   const bool are_means = are_means_shown(answer);
   const std::string average = are_means ? "mean" : "median";
-  bool has_numbers = false, has_quartiles = false, has_shares = false, has_words = false, has_sd = false;
+  bool has_numbers = false, has_averages = false, has_quartiles = false, has_shares = false, has_words = false,
+       has_sd = false;
   std::set<std::string> kinds, marks;
   std::vector<std::string> reasons, without;  // of "-", and the metric that has it
   std::vector<std::string> counts, counted;   // what numbers are of that each solver has for itself, and the metric
+  std::vector<std::string> ratios, own;       // metrics of ratios to the reference, and those where some have none
   for (const JudgedMetric& judged : answer.metrics) {
     const Observations& observed = judged.observations;
     const bool is_average = &judged == &decisive && !is_share(judged) && !observed.is_of_solved && !observed.are_logs;
     table.columns.push_back({.name = (is_average ? average + " " : "") + observed.quantity,
                              .unit = observed.unit,
                              .ends = ends_of_shares(judged)});
+    const bool are_ratios_here = are_ratios(judged, reference),
+               are_counted = observed.is_of_solved && !are_ratios_here && !judged.findings.empty();
     std::set<std::string> here;
+    bool has_own = false;
     for (auto& row : table.rows) {
       row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), losers));
       if (const auto* const absent = std::get_if<Absent>(&row.back())) here.insert(absent->why);
       const auto* const marked = std::get_if<Marked>(&row.back());
       if (!marked) continue;
       has_numbers |= !is_share(judged);
+      has_averages |= !is_share(judged) && !observed.are_logs && !are_ratios_here && !are_counted;
+      has_own |= are_ratios_here && !marked->to_reference && marked->words.empty() &&
+                 std::get<std::string>(row[0]) != reference;
       has_words |= !marked->words.empty();
       marks.insert(marked->mark);
       has_sd |= marked->sd.has_value();
@@ -177,8 +186,10 @@ Table results_table(const Answer& answer) {
       if (marked->to_reference)
         kinds.insert(marked->to_reference == Scale::ratio ? "ratios to it" : "differences from it");
     }
+    if (are_ratios_here) ratios.push_back(observed.quantity);
+    if (has_own) own.push_back(observed.quantity);
     for (const std::string& reason : here) reasons.push_back(reason), without.push_back(observed.quantity);
-    if (!observed.is_of_solved || are_ratios(judged, reference) || judged.findings.empty()) continue;
+    if (!are_counted) continue;
     std::vector<std::string> solved;
     for (const std::size_t i : answer.order) {
       const std::string& solver = decisive.observations.groups[i].name;
@@ -188,25 +199,28 @@ Table results_table(const Answer& answer) {
     counts.push_back(fmt::format("{}s of the {} that each solved ({})", average, answer.noun, fmt::join(solved, ", ")));
     counted.push_back(observed.quantity);
   }
-  std::string key = !has_numbers ? "" : are_means ? "Means" : "Medians";
+  std::string key = !has_averages ? "" : are_means ? "Means" : "Medians";
   if (has_quartiles) key += " (quartiles)";
   if (has_sd) key += " ± standard deviations";
   if (const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n);
       most.n > 0 && !answer.direction.empty())
-    key = fmt::format("{} of {}{}; {}", has_numbers ? key : "Shares",
+    key = fmt::format("{} of {}{}; {}", has_averages ? key : "Shares",
                       least.n == most.n ? "" : fmt::format("{} to ", least.n), base::counted(most.n, "values"),
                       answer.direction);
+  std::vector<std::string> sentences{key};
   if (!kinds.empty()) {
     const bool are_common = std::ranges::any_of(answer.metrics, [](const JudgedMetric& judged) {
       return judged.observations.is_of_solved && judged.observations.is_paired;
     });
-    key = fmt::format("{}: {}s; the other{}: {}, {}", reference, average, answer.order.size() == 2 ? "" : "s",
-                      fmt::join(kinds, " or "),
-                      are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun);
+    sentences.push_back(
+        fmt::format("{}{}: {}s; the other{}: {}, {}", has_averages ? listed(ratios) + " of " : "", reference, average,
+                    answer.order.size() == 2 ? "" : "s", fmt::join(kinds, " or "),
+                    are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun));
   }
   const auto are_spent = [](const JudgedMetric& judged) { return judged.observations.are_logs; };
   if (std::ranges::any_of(answer.metrics, are_spent))
-    key += fmt::format("{}per solved: all that was spent by the {} solved", key.empty() ? "" : "; ", answer.noun);
+    sentences.back() += fmt::format("{}per solved: all that was spent by the {} solved",
+                                    sentences.back().empty() ? "" : "; ", answer.noun);
   const auto has_facts = [](const JudgedMetric& judged) {
     return std::ranges::any_of(judged.findings, [](const Finding& finding) {
       return std::holds_alternative<Fact>(finding.what) && is_difference(verdict_of(finding));
@@ -214,7 +228,8 @@ Table results_table(const Answer& answer) {
   };
   const std::string level = fmt::format(" (adjusted p < {}{})", number_text(decisive.plan.significance),
                                         std::ranges::any_of(answer.metrics, has_facts) ? ", or for certain" : "");
-  std::vector<std::string> sentences{key, meaning_of(marks, of_whom(answer, reference) + level)};
+  sentences.push_back(meaning_of(marks, of_whom(answer, reference) + level));
+  if (!own.empty()) sentences.back() += fmt::format(" ({}: its own {})", listed(own), average);
   if (has_numbers && are_means != are_means_tested(decisive))
     sentences.emplace_back(are_means ? "Tests are of ranks" : "Tests are of means");
   if (has_words) sentences.emplace_back("1 times, or in N % of comparisons: no other ratio tells it");
@@ -223,7 +238,7 @@ Table results_table(const Answer& answer) {
                                     100 * (1 - decisive.plan.significance)));
   std::vector<std::string> dashes;
   for (const auto& [reason, where] : by_word(reasons, without)) dashes.push_back(fmt::format("{} ({})", reason, where));
-  if (!dashes.empty()) sentences.push_back("-: " + listed(dashes, "; "));
+  if (!dashes.empty()) sentences.push_back(fmt::format("-: {}", fmt::join(dashes, "; ")));
   std::erase(sentences, "");
   if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
   for (const auto& [what, where] : by_word(counts, counted)) table.notes.push_back(fmt::format("{}: {}.", where, what));
@@ -469,9 +484,12 @@ Table descriptives_table(const Answer& answer) {
       .caption = "By metric and solver",
       .columns = columns_of({"metric", "solver", "n", "mean", "sd", "median", "lower quartile", "upper quartile",
                              "95 % quantile", "smallest", "largest", "interval", "unit", "missing"})};
-  bool is_any_lost = false, is_any_share = false, is_any_of_solved = false;
+  bool is_any_lost = false, is_any_share = false;
+  std::vector<std::string> of_solved, of_all;
   for (const JudgedMetric& judged : answer.metrics) {
     const Observations& observed = judged.observations;
+    if (observed.is_of_solved) of_solved.push_back(observed.quantity);
+    if (observed.are_logs) of_all.push_back(observed.quantity);
     for (const std::size_t place : answer.order) {
       const std::size_t i = place_of(observed, answer.decisive().observations.groups[place].name);
       if (i == observed.groups.size()) continue;
@@ -488,11 +506,11 @@ Table descriptives_table(const Answer& answer) {
       row.emplace_back(observed.unit);
       row.push_back(lost_in(group) > 0 ? Cell(std::int64_t{lost_in(group)}) : Cell());
       is_any_lost |= lost_in(group) > 0;
-      is_any_of_solved |= observed.is_of_solved;
     }
   }
-  table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun,
-                             is_any_of_solved ? "; of costs, those solved" : "",
+  std::string of_costs = of_solved.empty() ? "" : fmt::format("; of {} those solved", listed(of_solved));
+  if (!of_all.empty()) of_costs += fmt::format("; of {} all, solved or not", listed(of_all));
+  table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun, of_costs,
                              is_any_share ? " Interval: Wilson's." : "")};
   if (is_any_lost) table.notes.emplace_back("missing: without a value; such a solver is not tested.");
   return table;
@@ -522,7 +540,7 @@ Table anova_table(const Answer& answer) {
   }
   table.notes = {"Statistics: F of ANOVA, chi-squared of ranks. The pairs decide, whatever these say."};
   for (const auto& [who, metrics] : by_word(left_out, where))
-    table.notes.push_back(fmt::format("Without {}: no chance in its values, or not compared ({}).", who, metrics));
+    table.notes.push_back(fmt::format("Without {}: no chance in the values, or not compared ({}).", who, metrics));
   return table;
 }
 
@@ -552,11 +570,13 @@ Table solves_table(const StudyResults& study, const std::vector<std::string>& so
     auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(all), failed});
     for (const double share : {0.5, 0.95, 0.99, 0.999}) {
       const bool is_beyond = static_cast<double>(times.size()) * (1 - share) < 1 - 1e-9;  // rarer than so many can show
-      row.push_back(times.empty() ? Cell() : is_beyond ? Cell("at least the largest") : Cell(quantile(times, share)));
+      row.push_back(times.empty() || is_beyond ? Cell() : Cell(quantile(times, share)));
     }
     row.push_back(times.empty() ? Cell() : Cell(times.back()));
   }
-  table.notes = {"Time of each solve that gave an answer, solved or not."};
+  table.notes = {
+      "Time of each solve that gave an answer, solved or not. Left out is what so few solves cannot show: it is "
+      "at least the largest."};
   return table;
 }
 
@@ -714,6 +734,7 @@ std::string stops_of(const StudyResults& study) {
 }
 
 std::string ends_of_unsolved(const StudyResults& study) {
+  if (!study.definition.has_tolerance()) return "";  // nothing is solved or not
   std::vector<std::string> reasons, labels;
   for (const std::string& label : study.labels) {
     std::set<std::string> of_label;
@@ -728,7 +749,7 @@ std::string ends_of_unsolved(const StudyResults& study) {
   }
   std::vector<std::string> told;
   for (const auto& [reason, who] : by_word(reasons, labels)) told.push_back(fmt::format("{} ({})", reason, who));
-  return told.empty() ? "" : fmt::format("What ended unsolved solves: {}.", listed(told, "; "));
+  return told.empty() ? "" : fmt::format("What ended unsolved solves: {}.", fmt::join(told, "; "));
 }
 
 const std::string& title_of(const StudyResults& study) {
@@ -737,8 +758,9 @@ const std::string& title_of(const StudyResults& study) {
 
 std::string what_is_solved(const StudyResults& study) {
   const results::Definition& definition = study.definition;
-  return fmt::format("{}, {} of {} ({})", definition.robot, base::counted(definition.runs, "runs"),
-                     base::counted(definition.points, "targets"), with_blanks(definition.path));
+  return fmt::format("{}, {} of {} ({})", std::filesystem::path(definition.robot).stem().string(),
+                     base::counted(definition.runs, "runs"), base::counted(definition.points, "targets"),
+                     with_blanks(definition.path));
 }
 
 Table options_table(const StudyResults& study) {

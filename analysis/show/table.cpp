@@ -124,7 +124,9 @@ Table for_readers(Table table) {
       }
     }
     const auto is_empty = [=](const auto& row) {
-      return std::holds_alternative<std::monostate>(row[c]) || std::holds_alternative<Absent>(row[c]);
+      const auto* const text = std::get_if<std::string>(&row[c]);
+      return std::holds_alternative<std::monostate>(row[c]) || std::holds_alternative<Absent>(row[c]) ||
+             (text && text->empty());
     };
     const bool is_detail = table.columns[c].role == Role::detail;
     if (!is_detail && (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty))) continue;
@@ -302,9 +304,10 @@ std::string to_latex(const Table& whole) {
   const std::vector<Kinds> kinds = kinds_of(table);  // spreads have a column of their own, so that the numbers align
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     letters += kinds[c].long_texts ? "p{5cm}" : kinds[c].texts ? "l" : has_spreads(kinds[c]) ? "r@{ }l" : "r";
-    if (kinds[c].marks) letters += "@{\\hspace{14pt}}";  // room for them
+    const std::string room = kinds[c].marks ? "@{\\hspace{14pt}}" : "";  // for them
     const std::string name = latex_text(head(table.columns[c]));
-    heads.push_back(has_spreads(kinds[c]) ? fmt::format("\\multicolumn{{2}}{{c}}{{{}}}", name) : name);
+    letters += room;
+    heads.push_back(has_spreads(kinds[c]) ? fmt::format("\\multicolumn{{2}}{{c{}}}{{{}}}", room, name) : name);
   }
   text += fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
   for (const auto& row : table.rows) {
@@ -316,16 +319,16 @@ std::string to_latex(const Table& whole) {
     }
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
-  if (std::ranges::any_of(kinds, &Kinds::best))
-    table.notes.emplace_back("Bold: not shown to be worse, where another is.");
+  if (std::ranges::any_of(kinds, &Kinds::best)) table.notes.emplace_back("Bold: none is shown to be better.");
   const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
-  // A table shrinks to fit a column, to four fifths at the most; else it takes both, and shrinks down to the size of
+  // No journal's capitals change names in a caption. A table shrinks to fit a column, to four fifths at the most; else
+  // it takes both, and shrinks down to the size of
   // \\scriptsize.
   return fmt::format(
       "% Needs \\usepackage{{booktabs,graphicx}}\n\\begingroup\\tabcolsep5pt{}\n"
       "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"
       "\\edef\\wide{{\\ifdim.8\\wd0>\\columnwidth*\\fi}}%\n"
-      "\\csname table\\wide\\endcsname\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\\smallskip\n"
+      "\\csname table\\wide\\endcsname\n\\centering\n\\caption{{\\textnormal{{{}}}}}\\label{{tab:{}}}\\smallskip\n"
       "\\ifdim.7\\wd0>\\linewidth\\scalebox{{.7}}{{\\usebox0}}\\else\n"
       "\\ifdim\\wd0>\\linewidth\\resizebox{{\\linewidth}}{{!}}{{\\usebox0}}\\else\\usebox0\\fi\\fi\n{}{}\n"
       "\\csname endtable\\wide\\endcsname\n\\endgroup\n",

@@ -106,6 +106,8 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
       to_latex(table).find(
           "A & 100 & {\\scriptsize (96--100)} & 339 deg \\\\\nB & 0.5 & {\\scriptsize (0.1--1.25)}\\rlap{\\,\\scriptsize {*}} & 1.6 times\\rlap{\\,\\scriptsize {*}} \\\\") !=
       std::string::npos);
+  CHECK(contains(to_latex(table), "\\multicolumn{2}{c@{\\hspace{14pt}}}{solved {[}\\%{]}}"));
+  CHECK(contains(to_latex(table), "\\caption{\\textnormal{Results}}"));
 }
 
 TEST_CASE("short names stay different, and lose what they share", "[show]") {
