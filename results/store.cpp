@@ -235,13 +235,19 @@ struct Store::Database {
           "'{}' is a store of version {}, and this ikbench reads version {} alone; read it with the ikbench "
           "that made it, or run its studies into a new store",
           name, version, store_version));
-    // SQLite takes missing bytes of the last page for zeros.
-    if (fs::file_size(name) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
+    // SQLite takes missing bytes of the last page for zeros. A kill while the log is folded in leaves half a page, too.
+    if (!has_log() && fs::file_size(name) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
       throw Damage("it is truncated");
     // A view may be endless, and a column be computed.
     if (schema_of(sqlite) != our_schema()) throw Damage("its tables and views are not those that ikbench makes");
     const std::string verdict = sqlite.execAndGet("PRAGMA quick_check(1)").getString();
     if (verdict != "ok") throw Damage(verdict.substr(verdict.rfind('\n') + 1));
+  }
+
+  bool has_log() const {
+    std::error_code none;
+    const auto size = fs::file_size(name + "-wal", none);
+    return !none && size > 0;
   }
 
   // The file at the path, by device and number.
@@ -422,11 +428,8 @@ std::vector<fs::path> Store::finish() {
   return guarded(database_->name, [&]() -> std::vector<fs::path> {
     if (database_->mode == Mode::write) database_->fold(folding_patience_ms);
     database_->check_place();
-    const fs::path place = database_->name, log = place.string() + "-wal";
-    std::error_code no_log;
-    const auto size = fs::file_size(log, no_log);
-    if (no_log || size == 0) return {place};
-    return {place, log};
+    if (!database_->has_log()) return {database_->name};
+    return {database_->name, database_->name + "-wal"};
   });
 }
 

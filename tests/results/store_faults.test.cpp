@@ -242,6 +242,20 @@ TEST_CASE("kill -9 loses nothing that was committed", "[store][faults]") {
   }
 }
 
+TEST_CASE("half a page, which a kill leaves while the log is folded in, is no damage", "[store][faults]") {
+  const ScratchFolder folder;
+  const std::string file = folder.path / "a.ikb", killed = folder.path / "killed.ikb";
+  Store store(file, Store::Mode::write);
+  store.save_study(sample_study());
+  SolveRecord record = sample_record("key-a");
+  record.trace_cm.assign(500, 0.1234567890123);
+  for (record.run = 1; record.run <= 20; ++record.run) store.append({record});
+  for (const char* part : {"", "-wal"}) std::filesystem::copy_file(file + part, killed + part);
+  std::filesystem::resize_file(killed, std::filesystem::file_size(killed) + 4096);
+  for (const auto mode : {Store::Mode::read, Store::Mode::write})
+    CHECK(series_of(Store(killed, mode), "key-a").size() == 20);
+}
+
 TEST_CASE("kill -9 while a store is made leaves a file that becomes a store", "[store][faults]") {
   for (int delay_us = 0; delay_us < 6000; delay_us += 300) {
     const ScratchFolder folder;
