@@ -44,6 +44,12 @@ toml::array list_of(const Json& list) {
 
 }  // namespace
 
+std::string toml_string(std::string_view text) {
+  std::ostringstream out;
+  out << toml::value<std::string>(text);
+  return out.str();
+}
+
 void refuse_deep_keys(std::string_view text, std::string_view source) {
   constexpr int most_dots = 500;
   int line = 1, column = 0, dots = 0;

@@ -30,6 +30,8 @@ toml::table parse_toml(std::string_view text, std::string_view source);
 // hundred thousand of them exhaust the stack.
 void refuse_deep_keys(std::string_view text, std::string_view source);
 
+std::string toml_string(std::string_view text);  // in quotes, with escapes
+
 // A JSON object as a table without nulls, so that one reader reads both.
 toml::table toml_of(const nlohmann::json& object);
 

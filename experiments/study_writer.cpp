@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "base/json.hpp"
@@ -42,12 +41,6 @@ std::string exact(const Values& values) {
   std::string text;
   for (const double value : values) text += fmt::format("{} ", value);
   return text;
-}
-
-std::string toml_string(std::string_view text) {
-  std::ostringstream out;
-  out << toml::value<std::string>(text);
-  return out.str();
 }
 
 std::string toml_text(const OrderedJson& value) {

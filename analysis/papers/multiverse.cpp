@@ -372,10 +372,10 @@ Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse) {
   const auto add = [&](const std::string& reading, const std::map<std::string, Names>& numbers) {
     Names all;
     for (const auto& [whose, which] : numbers) all.push_back(whose + ' ' + show::listed(which));
-    if (!all.empty()) parts.push_back(fmt::format("{} explains {}", reading, show::listed(all, ", and ")));
+    if (!all.empty()) parts.push_back(fmt::format("{}: {}", reading, show::listed(all, ", and ")));
   };
   for (const auto& [reading, numbers] : by_reading) add(reading, numbers);
-  add("none tried", by_none);
+  add("none", by_none);
   result.in_short = fmt::format("{}", fmt::join(parts, "; "));
   return result;
 }
