@@ -1,0 +1,256 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "base/json.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
+#include "experiments/foreign/program.hpp"
+#include "experiments/study_parts.hpp"
+#include "experiments/study_writer.hpp"
+#include "experiments/task.hpp"
+
+namespace ikbench::experiments {
+
+using namespace base;
+using namespace solvers;
+using namespace robots;
+using namespace results;
+
+namespace {
+
+constexpr std::array<std::string_view, 2> if_missing_choices{"refuse", "leave_out"};
+
+// Throws LeftOut if the entry of what is missing may be left out.
+void leave_out(TomlReader& entry, const std::string& what, const std::string& why) {
+  IfMissing if_missing = IfMissing::refuse;
+  entry.choice("if_missing", if_missing, if_missing_choices);
+  if (if_missing == IfMissing::refuse) return;
+  LeftOut left_out{what, why};
+  entry.text("label", left_out.label);
+  throw left_out;
+}
+
+// Starts the program to read its name and options. Throws LeftOut if it does not start and may be left out.
+std::shared_ptr<const Program> read_program(TomlReader& reader) {
+  constexpr std::string_view key = "process";
+  ProgramChoice choice;
+  list_fields(reader, choice);
+  if (choice.process.empty() || choice.process[0].empty())
+    reader.fail(key, *reader.find(key), "a program, and its arguments");
+  try {
+    return meet(choice, folder_of(reader, key));
+  } catch (const std::invalid_argument& error) {
+    leave_out(reader, choice.process[0], error.what());
+    throw reader.mistake(key, fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
+  }
+}
+
+// Reads what an entry is: a built-in solver or a program. Throws LeftOut as read_program does, also for a library that
+// this program was built without.
+void read_kind(TomlReader& reader, SolverEntry& entry) {
+  reader.text("solver", entry.solver);
+  const bool is_program = reader.find("process") != nullptr;
+  if (is_program == (reader.find("solver") != nullptr)) {
+    throw std::invalid_argument(reader.where(reader.table().source(), "solver") +
+                                (is_program
+                                     ? "a [[solvers]] has a `process` and a `solver`; expected one of them"
+                                     : "a [[solvers]] has no `solver` and no `process`; see: ikbench list solvers"));
+  }
+  if (is_program) {
+    entry.program = read_program(reader);
+    entry.solver = entry.program->hello.name;
+    return;
+  }
+  for (const MissingPeer& peer : missing_peers()) {
+    if (peer.name == entry.solver) leave_out(reader, entry.solver, peer.how);
+  }
+  try {
+    static_cast<void>(solver(entry.solver));
+  } catch (const std::invalid_argument& error) {
+    throw reader.mistake("solver", error.what());
+  }
+}
+
+// Returns whether the default of an option is a number.
+bool is_of_numbers(const SolverEntry& entry, const std::string& option) {
+  const Settings defaults = options_with(entry, {});
+  const auto by_default = defaults.find(option);
+  return by_default != defaults.end() && number_from(by_default->second);
+}
+
+// A value of a setting, the population or an option, as text. `settings` has the entry's label before its keys.
+std::string value_in(const TomlReader& settings, const SolverEntry& entry, const std::string& setting,
+                     const toml::node& node) {
+  if (setting == population_key) {
+    const toml::value<std::int64_t>* value = node.as_integer();
+    if (value == nullptr || value->get() < populations.first || value->get() > populations.second) {
+      settings.fail_number(setting, node,
+                           fmt::format("a whole number from {} to {}", populations.first, populations.second));
+    }
+    return fmt::format("{}", value->get());
+  }
+  std::string text;
+  if (const auto quoted = node.value<std::string>()) {
+    if (!is_plain(*quoted)) settings.fail(setting, node, plain_text);
+    if (const auto number = number_from(*quoted); number && is_of_numbers(entry, setting))
+      settings.fail(setting, node,
+                    std::isfinite(*number) ? fmt::format("a number, without quotes: {}", *number) : "a finite number");
+    text = *quoted;
+  } else if (node.is_integer()) {
+    text = fmt::format("{}", *node.value<std::int64_t>());
+  } else if (node.is_floating_point()) {
+    text = fmt::format("{}", *node.value<double>());
+  } else {
+    settings.fail(setting, node, "a number or a quoted string, or a list of them");
+  }
+  try {
+    options_with(entry, {{setting, text}});
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(settings.where(node.source(), setting) + error.what());
+  }
+  return text;
+}
+
+void give(SolverEntry& entry, const std::string& setting, const std::string& value) {
+  if (setting == population_key)
+    entry.population = std::stoi(value);
+  else
+    entry.options[setting] = value;
+}
+
+// Swept settings, each with its values.
+using Axes = std::map<std::string, std::vector<std::string>>;
+
+// Reads a list of values into `axes`.
+void read_values(const TomlReader& settings, const SolverEntry& entry, Axes& axes, const std::string& setting,
+                 const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->empty() || list->size() > most_solvers)
+    settings.fail(setting, node, fmt::format("a list of 1 to {} values", most_solvers));
+  std::vector<std::string> values;
+  for (const toml::node& element : *list) {
+    values.push_back(value_in(settings, entry, setting, element));
+    if (std::ranges::count(values, values.back()) > 1) settings.fail(setting, element, "each value once");
+  }
+  axes[setting] = std::move(values);
+}
+
+// A setting of the entry: one value, or a list of them.
+void read_setting(const TomlReader& settings, SolverEntry& entry, Axes& axes, const std::string& setting,
+                  const toml::node& node) {
+  if (node.is_array())
+    read_values(settings, entry, axes, setting, node);
+  else
+    give(entry, setting, value_in(settings, entry, setting, node));
+}
+
+const std::string too_many_solvers = fmt::format("more than {0} solvers; expected at most {0}", most_solvers);
+
+// One entry per combination of the values; the last setting varies fastest. The entry itself if nothing is swept.
+std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntry& entry, const Axes& axes) {
+  const auto refuse_if = [&](bool is_wrong, std::string_view what) {
+    if (is_wrong)
+      throw std::invalid_argument(fmt::format("{}the sweep of {} makes {}",
+                                              reader.where(reader.table().source(), "solvers"), entry.label, what));
+  };
+  std::vector<SolverEntry> entries{entry};
+  if (!axes.empty()) entries.front().family = entry.label;
+  for (const auto& [setting, values] : axes) {
+    refuse_if(entries.size() * values.size() > most_solvers, too_many_solvers);
+    std::vector<SolverEntry> longer;
+    for (const SolverEntry& shorter : entries) {
+      for (const std::string& value : values) {
+        SolverEntry& one = longer.emplace_back(shorter);
+        give(one, setting, value);
+        one.label += fmt::format(" {}={}", setting, value);
+      }
+    }
+    entries = std::move(longer);
+  }
+  refuse_if(!std::ranges::all_of(entries, is_plain, &SolverEntry::label),
+            "a label of more than 200 bytes; expected a shorter label");
+  return entries;
+}
+
+// Checks an entry against the study. The keys of `at_entry` have its label before them.
+void check_entry(const TomlReader& reader, const TomlReader& at_entry, const SolverEntry& entry, const Study& study,
+                 const Robot& arm) {
+  if (entry.program) {  // which may decline further
+    if (const Hello& hello = entry.program->hello; !hello.solves(goal_kind(study.search)))
+      throw at_entry.mistake("process", fmt::format("{} solves for {}; expected another search", hello.name,
+                                                    fmt::join(hello.goals, ", ")));
+    return;
+  }
+  const SolverInfo info = solver(entry.solver);
+  if (const std::string why = info.why_not(arm.chain, goal_kind(study.search)); !why.empty())
+    throw at_entry.mistake("solver", why);
+  if (const int population = effective_population(study, entry); population < info.least_population) {
+    throw(entry.population > 0 ? at_entry : reader)
+        .mistake(population_key, fmt::format("population is {}, but {} needs at least {}", population, entry.solver,
+                                             info.least_population));
+  }
+  const auto bounds = entry.options.find("bounds");
+  if (study.limits == Limits::enforced && bounds != entry.options.end() && bounds->second == "initial") {
+    const toml::table* const options = at_entry.table()["options"].as_table();
+    throw(options == nullptr ? at_entry : at_entry.nested(*options, at_entry.prefix())).mistake("bounds", not_enforced);
+  }
+}
+
+// Reads an entry. A setting that has a list of values makes one entry per combination: "IK-BA population=20".
+std::vector<SolverEntry> read_entry(TomlReader reader) {
+  SolverEntry entry;
+  read_kind(reader, entry);
+  entry.label = entry.solver;
+  reader.text("label", entry.label);
+  if (entry.label.empty() || entry.label.front() == ' ' || entry.label.back() == ' ')
+    reader.fail("label", *reader.find("label"), "a label that is not empty, without spaces at its ends");
+  reader.choice("if_missing", entry.if_missing, if_missing_choices);
+  reader.text("colour", entry.colour);
+  if (!entry.colour.empty() && !hex_colour(entry.colour))
+    reader.fail("colour", *reader.find("colour"), std::string(expected_colour));
+  Axes axes;
+  const TomlReader settings = reader.nested(reader.table(), entry.label + ".");
+  if (const toml::node* node = reader.find(population_key))
+    read_setting(settings, entry, axes, std::string(population_key), *node);
+  if (const toml::table* options = reader.subtable("options")) {
+    for (const auto& [key, node] : *options) read_setting(settings, entry, axes, std::string(key.str()), node);
+  }
+  reader.refuse_unknown_keys();
+  return combinations(reader, entry, axes);
+}
+
+}  // namespace
+
+void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
+  constexpr std::string_view key = "solvers", expected = "1 to 400 tables [[solvers]] with solver = \"...\"";
+  std::set<std::string> labels;
+  for (const toml::table* const table : reader.tables(key, most_solvers, expected)) {
+    std::vector<SolverEntry> entries;
+    try {
+      entries = read_entry(reader.nested(*table, "solvers."));
+    } catch (const LeftOut& left_out) {
+      study.left_out.push_back(left_out);
+    }
+    for (SolverEntry& entry : entries) {
+      if (!labels.insert(entry.label).second) {
+        throw std::invalid_argument(
+            fmt::format("{}label \"{}\" is used twice; expected a different label for each of [[solvers]]",
+                        reader.where(table->source(), key), entry.label));
+      }
+      check_entry(reader, reader.nested(*table, entry.label + "."), entry, study, arm);
+      if (study.solvers.size() == most_solvers) throw reader.mistake(key, "the entries make " + too_many_solvers);
+      study.solvers.push_back(std::move(entry));
+    }
+  }
+  if (study.solvers.empty()) reader.fail(key, *reader.find(key), expected);
+}
+
+}  // namespace ikbench::experiments

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "base/json.hpp"
+#include "base/names.hpp"
+#include "base/number.hpp"
+#include "experiments/study_parts.hpp"
+#include "experiments/study_reader.hpp"
+
+namespace ikbench::experiments {
+
+using namespace base;
+using namespace solvers;
+
+namespace {
+
+// Inserts the text as a TOML value, or else as a string: people type both `runs=5` and `path.tool=eq27`.
+void insert(toml::table& table, std::string_view key, const std::string& text) {
+  refuse_deep_keys(text, override_source);
+  try {
+    toml::table parsed = toml::parse(std::string_view("value = " + text), override_source);
+    if (parsed.size() == 1) {
+      parsed.get("value")->visit([&](auto& value) { table.insert_or_assign(key, std::move(value)); });
+      return;
+    }
+  } catch (const toml::parse_error&) {
+  }
+  table.insert_or_assign(key, text);
+}
+
+toml::table& subtable(toml::table& table, std::string_view key) {
+  if (!table.contains(key)) table.insert(key, toml::table{});
+  toml::table* part = table.get(key)->as_table();
+  if (part == nullptr) throw std::invalid_argument(fmt::format("--set {}: {} of the study is not a table", key, key));
+  return *part;
+}
+
+constexpr std::string_view swept_owner = "sweep";
+
+// What can be swept of a solver: the population, and the options of one that is built in.
+std::set<std::string> settings_of(const std::string& solver) {
+  std::set<std::string> settings{std::string(population_key)};
+  for (const SolverInfo& info : all_solvers()) {
+    if (info.name != solver) continue;
+    for (const auto& [option, value] : info.options({})) settings.insert(option);
+  }
+  return settings;
+}
+
+}  // namespace
+
+// Applies one override to a study's table. "IK-BA.alpha" is of the entries with that label or solver, and "sweep.alpha"
+// of those whose solver has that setting.
+void override_one(toml::table& study, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  constexpr std::size_t longest_key = 300;
+  if (equals == std::string::npos || equals == 0 || equals > longest_key) {
+    throw std::invalid_argument(
+        fmt::format("--set {}: expected key=value, such as runs=5 or ik_bat.bounds=clamp", text.substr(0, 100)));
+  }
+  const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
+  const std::size_t dot = key.rfind('.');
+  if (dot == std::string::npos) {
+    constexpr std::array<std::string_view, 5> stops{"seconds", "iterations", "evaluations", "tolerance_cm",
+                                                    "tolerance_deg"};
+    if (std::ranges::find(stops, key) != stops.end())
+      throw std::invalid_argument(fmt::format("--set {0}: unknown key; did you mean stop.{0}?", key));
+    return insert(study, key, value);
+  }
+  const std::string owner = key.substr(0, dot), field = key.substr(dot + 1);
+  if (owner.empty() || field.empty()) {
+    throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
+  }
+  std::set<std::string> owners{"analysis", "figures", "loop", "path", "stop", "tables", "urdf"}, settings;
+  if (owners.contains(owner)) return insert(subtable(study, owner), field, value);
+  const bool is_of_all = owner == swept_owner;
+  bool is_known = false;
+  if (toml::array* const entries = study["solvers"].as_array()) {
+    for (toml::node& element : *entries) {
+      toml::table* const entry = element.as_table();
+      if (entry == nullptr) continue;
+      const std::string label = (*entry)["label"].value_or(std::string());
+      const std::string solver = (*entry)["solver"].value_or(std::string());
+      const std::set<std::string> own = settings_of(solver);
+      if (is_of_all ? own.contains(field) : owner == label || owner == solver) {
+        insert(field == population_key || field == "colour" || field == "patience_s" ? *entry
+                                                                                     : subtable(*entry, "options"),
+               field, value);
+        is_known = true;
+      }
+      settings.insert(own.begin(), own.end());
+      owners.insert({label, solver});
+    }
+  }
+  if (is_known) return;
+  owners.erase("");
+  throw std::invalid_argument(
+      is_of_all
+          ? fmt::format("--sweep {}: {}", field, unknown_name("setting", field, {settings.begin(), settings.end()}))
+          : fmt::format("--set {}: {}", key, unknown_name("solver", owner, {owners.begin(), owners.end()})));
+}
+
+std::string sweep_override(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+    throw std::invalid_argument(
+        fmt::format("--sweep {}: expected setting=values, such as population=10,20,50 or ik_bat.alpha=0.5,0.9",
+                    text.substr(0, 100)));
+  }
+  std::string values;
+  for (std::size_t from = equals + 1; from <= text.size();) {
+    const std::size_t end = std::min(text.find(',', from), text.size());
+    const std::string value = text.substr(from, end - from);
+    const std::optional<double> number = number_from(value);
+    values += number && std::isfinite(*number) ? text_of(*number) : text_of(base::Json(value));
+    values += ", ";
+    from = end + 1;
+  }
+  const std::string setting = text.substr(0, equals);
+  return fmt::format(
+      "{}=[{}]", setting.find('.') == std::string::npos ? fmt::format("{}.{}", swept_owner, setting) : setting, values);
+}
+
+}  // namespace ikbench::experiments

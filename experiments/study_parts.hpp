@@ -1,0 +1,27 @@
+// Parts of the reader of studies, a source for each.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "base/toml_table.hpp"
+#include "experiments/study.hpp"
+#include "robots/robot.hpp"
+
+namespace ikbench::experiments {
+
+constexpr std::string_view population_key = "population";
+constexpr std::string_view not_enforced =
+    "bounds is \"initial\", but limits is \"enforced\"; expected bounds that keep candidates inside the limits";
+
+// study_overrides.cpp: sets a key of the study, or settings of its solvers, by "key=value".
+void override_one(toml::table& study, const std::string& text);
+
+// study_entries.cpp: the solvers of a study, a sweep as one entry per combination.
+void read_solvers(base::TomlReader& reader, Study& study, const robots::Robot& arm);
+
+// study_reader.cpp: the folder of a file that a key names: the study's, or the current one if --set gave the key.
+std::filesystem::path folder_of(const base::TomlReader& reader, std::string_view key);
+
+}  // namespace ikbench::experiments
