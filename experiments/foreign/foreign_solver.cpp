@@ -214,7 +214,11 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   if (message.name() == "declined") throw Trouble{Trouble::Kind::declined, message.why()};
   if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
 
-  for (const auto& [name, value] : message.extras()) objective.note(name, value);
+  for (const auto& [name, value] : message.extras()) {
+    if (own_.extras.size() < most_extras) own_.extras.insert(name);
+    if (!own_.extras.contains(name)) message.fail(fmt::format("at most {} names of \"extras\" in all", most_extras));
+    objective.note(name, value);
+  }
   if (message.has("answers"))
     best_.q = nearest(message.candidates(joints, "answers"), problem, objective);
   else

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ double own_seconds(const Account& account, double wall);
 struct Conversation {
   std::unique_ptr<ChildProcess> child = {};  // null until it is needed, and after a failure
   int failures_in_a_row = 0;
+  std::set<std::string> extras = {};    // names
   std::optional<Trouble> refusal = {};  // set if it is given up
 };
 

@@ -164,10 +164,10 @@ Configuration Message::joints(int joints) const {
 }
 
 std::map<std::string, double> Message::extras() const {
-  constexpr std::size_t most = 50;
   std::map<std::string, double> extras;
-  const Json object = json_->value("extras", Json::object());
-  if (!object.is_object() || object.size() > most) fail(fmt::format("at most {} numbers by name as \"extras\"", most));
+  const Json object = json_->value("extras", Json());
+  if (!(object.is_object() || object.is_null()) || object.size() > most_extras)
+    fail(fmt::format("at most {} numbers by name as \"extras\"", most_extras));
   for (const auto& [name, value] : object.items()) {
     if (!is_plain(name) || !(value.is_number() || value.is_null())) fail("numbers by name as \"extras\"");
     extras[name] = value.is_null() ? not_a_number : value.get<double>();

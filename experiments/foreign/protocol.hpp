@@ -40,6 +40,8 @@ struct Hello {
 // does.
 solvers::Settings options_of(const Hello& hello, const solvers::Settings& settings);
 
+constexpr std::size_t most_extras = 50;  // names, in one answer and in all of a program
+
 // A message of a program. What makes no sense is a Trouble that shows the line and what was expected.
 class Message {
  public:

@@ -30,7 +30,8 @@ def solve(problem):
                 if found < error: q, error = other, found
         step *= 0.8
     if FAULT == "late": time.sleep(2 * problem["budget"]["seconds"])
-    counted = {"boasts": {"evaluations": 1}, "spends": {"evaluations": 1000}}.get(FAULT, {})
+    counted = {"boasts": {"evaluations": 1}, "spends": {"evaluations": 1000}, "no extras": {"extras": None},
+               "new names": {"extras": {f"{solves}.{i}": i for i in range(10)}}}.get(FAULT, {})
     if FAULT == "asks once": ask([q])
     if FAULT == "asks at first": ask([problem["start"]])
     if FAULT == "asks on":
