@@ -17,6 +17,7 @@
 
 #include "base/inputs.hpp"
 #include "base/json.hpp"
+#include "base/names.hpp"
 #include "results/store_codec.hpp"
 #include "results/study.hpp"
 
@@ -179,6 +180,12 @@ void execute(SQLite::Statement& statement, const Values&... values) {
   statement.reset();
 }
 
+std::string name_of_extra(const SQLite::Column& column) {
+  const std::string name = column.getString();
+  if (!base::is_plain(name)) throw Damage(fmt::format("{} as the name of an extra", excerpt(name)));
+  return name;
+}
+
 // Calls `action` and returns its result; refuses the file if SQLite fails or finds damage.
 template <class Action>
 auto guarded(const std::string& file, Action&& action) {
@@ -299,9 +306,9 @@ struct Store::Database {
         if (extras) {
           extras->reset();
           for (SQLite::bind(*extras, solve.series, solve.run, solve.point); extras->executeStep();)
-            solve.extras[extras->getColumn(0).getString()] = extras->getColumn(1).isNull()
-                                                                 ? std::numeric_limits<double>::quiet_NaN()
-                                                                 : extras->getColumn(1).getDouble();
+            solve.extras[name_of_extra(extras->getColumn(0))] = extras->getColumn(1).isNull()
+                                                                    ? std::numeric_limits<double>::quiet_NaN()
+                                                                    : extras->getColumn(1).getDouble();
         }
       } catch (const Damage& error) {
         throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(),
@@ -481,7 +488,7 @@ std::vector<std::string> Store::names_of_extras(const StoredStudy& study) const 
     SQLite::Statement query(
         database_->sqlite,
         "SELECT DISTINCT name FROM extras JOIN series ON key = extras.series WHERE study = ? ORDER BY name");
-    for (query.bind(1, study.name); query.executeStep();) names.push_back(query.getColumn(0).getString());
+    for (query.bind(1, study.name); query.executeStep();) names.push_back(name_of_extra(query.getColumn(0)));
     return names;
   });
 }

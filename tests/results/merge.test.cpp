@@ -87,6 +87,9 @@ TEST_CASE("extras come back with their solves, in a table that only stores with 
   CHECK(solves[1].extras == std::map<std::string, double>{{"restarts", 3}, {"answers", -0.5}});
   CHECK(solves[2].extras.empty());
   CHECK(std::isnan(solves[3].extras.at("restarts")));
+  edit(folder.path / "out", "UPDATE extras SET name = name || char(10)");
+  CHECK_THROWS_WITH(store.names_of_extras(sample_study()), ContainsSubstring("as the name of an extra"));
+  CHECK_THROWS_WITH(series_of(store, "key-a"), ContainsSubstring("as the name of an extra"));
   edit(folder.path / "out", "DROP TABLE extras; CREATE TABLE extras (series, run, point, name, value)");
   CHECK_THROWS_AS(Store(folder.path / "out", Store::Mode::read), std::invalid_argument);
 }
