@@ -80,7 +80,7 @@ void remove_litter(const fs::path& folder) {
 }
 
 // Replaces `former`, or writes a new file; whole or not at all.
-std::error_code replace(const fs::path& file, const Contents& contents, const struct stat* former) {
+std::error_code replace(const fs::path& file, const Contents& contents, const struct stat* former, bool syncs) {
   const TemporaryFolder scratch(folder_of(file), file);
   const fs::path half = scratch.path() / file.filename();
   const int descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
@@ -93,20 +93,20 @@ std::error_code replace(const fs::path& file, const Contents& contents, const st
     throw;
   }
   if (former != nullptr) ::fchmod(descriptor, former->st_mode & 07777);
+  // A name that outlives a power cut must not be that of a file without contents.
+  if (syncs && !error && ::fsync(descriptor) != 0) error = last_error();
   if (::close(descriptor) != 0 && !error) error = last_error();
   const std::scoped_lock lock(temporary_mutex);
   if (!error) fs::rename(half, file, error);
-  return error;
+  if (error || !syncs) return error;
+  const int folder = ::open(folder_of(file).c_str(), O_RDONLY | O_CLOEXEC);
+  ::fsync(folder);  // which not all file systems can
+  ::close(folder);
+  return {};
 }
 
-}  // namespace
-
-void write_file(const fs::path& file, std::string_view text) {
-  write_file(file, [&](const Write& write) { write(text); });
-}
-
-void write_file(const fs::path& file, const Contents& contents) {
-  refuse_input(file);
+void write_whole(const fs::path& file, const Contents& contents, bool syncs) {
+  base::refuse_input(file);
   std::error_code error;
   if (file.has_parent_path()) {
     const std::scoped_lock lock(temporary_mutex);  // a folder that a signal has removed stays away
@@ -116,9 +116,17 @@ void write_file(const fs::path& file, const Contents& contents) {
   const bool is_file = ::lstat(file.c_str(), &there) == 0 && S_ISREG(there.st_mode);
   if (!error)
     error = is_file && ::access(file.c_str(), W_OK) != 0 ? last_error()
-                                                         : replace(file, contents, is_file ? &there : nullptr);
+                                                         : replace(file, contents, is_file ? &there : nullptr, syncs);
   if (error) refuse(fmt::format("'{}'", file.string()), error.message(), error);
 }
+
+}  // namespace
+
+void write_file(const fs::path& file, std::string_view text) {
+  write_file(file, [&](const Write& write) { write(text); });
+}
+
+void write_file(const fs::path& file, const Contents& contents) { write_whole(file, contents, false); }
 
 void write_through(const fs::path& file, const Contents& contents) {
   std::error_code none;
@@ -126,7 +134,7 @@ void write_through(const fs::path& file, const Contents& contents) {
   if (fs::exists(place, none) && !fs::is_regular_file(place, none))
     throw std::invalid_argument(
         fmt::format("'{}' is no regular file; choose one, or redirect the output", file.string()));
-  write_file(place, contents);
+  write_whole(place, contents, true);
 }
 
 void refuse_links(const fs::path& folder) {

@@ -19,7 +19,8 @@ void write_file(const std::filesystem::path& file, std::string_view text);
 using Write = std::function<void(std::string_view)>;
 using Contents = std::function<void(const Write&)>;
 void write_file(const std::filesystem::path& file, const Contents& contents);
-// The same for a file that the user named: follows a link, and refuses a pipe or a device.
+// The same for a file that the user named: follows a link, refuses a pipe or a device, and waits for the disk, which a
+// report of forty files, which a store makes again, does not.
 void write_through(const std::filesystem::path& file, const Contents& contents);
 // Refuses a link in place of a report's tables/ or figures/: what it leads to belongs to somebody else.
 void refuse_links(const std::filesystem::path& folder);
