@@ -284,7 +284,9 @@ struct Store::Database {
   void fold(int wait_ms) {
     sqlite.setBusyTimeout(wait_ms);
     sqlite.tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
-    if (is_in_place()) sqlite.tryExec("PRAGMA journal_mode = DELETE");  // else it would remove another file's log
+    // Elsewhere it would remove another file's log. A read undoes what failed half-way.
+    for (int tries = 0; tries < 2 && is_in_place(); ++tries)
+      if (sqlite.tryExec("SELECT 1 FROM sqlite_master; PRAGMA journal_mode = DELETE") != SQLITE_IOERR) break;
     sqlite.setBusyTimeout(patience_ms);
   }
 
