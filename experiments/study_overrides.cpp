@@ -90,9 +90,9 @@ void override_one(toml::table& study, const std::string& text) {
       const std::string solver = (*entry)["solver"].value_or(std::string());
       const std::set<std::string> own = settings_of(solver);
       if (is_of_all ? own.contains(field) : owner == label || owner == solver) {
-        insert(field == population_key || field == "colour" || field == "patience_s" ? *entry
-                                                                                     : subtable(*entry, "options"),
-               field, value);
+        const bool is_of_entry =
+            field == population_key || field == "colour" || field == "memory_mb" || field == "patience_s";
+        insert(is_of_entry ? *entry : subtable(*entry, "options"), field, value);
         is_known = true;
       }
       settings.insert(own.begin(), own.end());

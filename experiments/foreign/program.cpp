@@ -66,6 +66,8 @@ std::string digest_of_file(const fs::path& file) {
 void list_fields(base::Fields& io, ProgramChoice& choice) {
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");
   io.texts("files", choice.files, "what the program consists of besides; an edited file solves anew");
+  io.whole("memory_mb", choice.memory_mb, {0, 1'000'000},
+           "address space that each process of the program may take, on Linux; 0: no limit");
   io.number("patience_s", choice.patience, 1, {0, 86400},
             "wall time after which a solve is given up; 0: 20 times stop.seconds, at least 5 s; without that 60 s");
 }
@@ -97,8 +99,11 @@ Trouble unasked(ChildProcess& child, std::chrono::milliseconds patience) {
 }
 
 std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const fs::path& folder, Hello& hello) {
-  auto child =
-      std::make_unique<ChildProcess>(choice.process, folder, std::vector<std::string>{"LC_ALL=C", "OMP_NUM_THREADS=1"});
+  std::vector<std::string> words = choice.process;
+  if (choice.memory_mb > 0)
+    words.insert(words.begin(),
+                 {"sh", "-c", fmt::format(R"(ulimit -v {} && exec "$0" "$@")", 1000 * choice.memory_mb)});
+  auto child = std::make_unique<ChildProcess>(words, folder, std::vector<std::string>{"LC_ALL=C", "OMP_NUM_THREADS=1"});
   const std::chrono::duration<double> patience(std::max(hello_patience, choice.patience));
   try {
     hello = next_message(*child, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience)).hello();

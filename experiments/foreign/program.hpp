@@ -14,6 +14,7 @@ namespace ikbench::experiments {
 struct ProgramChoice {
   std::vector<std::string> process;  // the program and its arguments
   std::vector<std::string> files;    // its further files
+  int memory_mb = 0;                 // of each of its processes; 0: as much as there is
   double patience = 0;               // [s] per solve; 0: max(5 s, 20 x stop.seconds), without that 60 s
 };
 

@@ -85,8 +85,8 @@ std::string Message::text(const Json& object, const char* key) const {
 HelloOption Message::option(const Json& object) const {
   if (!object.is_object()) fail("options that are objects");
   HelloOption option{.name = text(object, "name"), .meaning = text(object, "meaning"), .choices = {}};
-  for (const char* key :
-       {"", "solver", "label", "process", "files", "patience_s", "population", "options", "colour", "if_missing"}) {
+  for (const char* key : {"", "solver", "label", "process", "files", "memory_mb", "patience_s", "population", "options",
+                          "colour", "if_missing"}) {
     if (option.name == key) fail("options whose \"name\" is no key of [[solvers]]");
   }
   if (const auto choices = object.find("choices"); choices != object.end()) {

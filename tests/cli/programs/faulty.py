@@ -32,6 +32,7 @@ def solve(problem):
     if FAULT == "late": time.sleep(2 * problem["budget"]["seconds"])
     counted = {"boasts": {"evaluations": 1}, "spends": {"evaluations": 1000}, "no extras": {"extras": None},
                "new names": {"extras": {f"{solves}.{i}": i for i in range(10)}}}.get(FAULT, {})
+    if FAULT == "eats" and solves == 11: bytearray(10**9)
     if FAULT == "asks once": ask([q])
     if FAULT == "asks at first": ask([problem["start"]])
     if FAULT == "asks on":
