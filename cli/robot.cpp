@@ -90,10 +90,9 @@ std::string reach_text(const Robot& arm) {
 // The configuration of --at.
 Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
   if (at.empty()) return experiments::nearest_to_zero(arm);
-  if (at.size() != static_cast<std::size_t>(arm.joints())) {
+  if (at.size() != static_cast<std::size_t>(arm.joints()))
     throw std::invalid_argument(
         fmt::format("--at has {} values; expected {}, one for each joint of {}", at.size(), arm.joints(), arm.name));
-  }
   const Configuration units = experiments::joint_units(arm.chain);
   for (std::size_t j = 0; j < at.size(); ++j) {
     const auto joint = static_cast<Eigen::Index>(j);
@@ -105,9 +104,8 @@ Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
 
 std::string tool_text(const Robot& arm, const Configuration& q) {
   std::vector<std::string> values;
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
+  for (Eigen::Index j = 0; j < q.size(); ++j)
     values.push_back(arm.chain.slides(j) ? number(q[j]) + " m" : number(q[j], degree) + " deg");
-  }
   std::string text = fmt::format("with the joints at {}, the tool is {}", fmt::join(values, ", "),
                                  frame_text(frame_of(arm.chain.forward(q))));
   if (arm.limits.violation(q) > 0) text += "; a joint is outside its limits";

@@ -139,12 +139,11 @@ Robot robot(std::string_view name) {
   std::vector<std::string> names;
   for (const EmbeddedFile& file : arm_files) names.emplace_back(file.stem());
   std::error_code error;
-  if (name.find_first_of("./") != std::string_view::npos || std::filesystem::exists(name, error)) {
+  if (name.find_first_of("./") != std::string_view::npos || std::filesystem::exists(name, error))
     throw std::invalid_argument(fmt::format(
         "\"{}\" is no arm{}; expected a file that ends in .urdf or .toml (a mesh has no joints), or a name of: ikbench "
         "list robots",
         front(name, 100), did_you_mean(name, names)));
-  }
   throw std::invalid_argument(unknown_name("robot", name, names));
 }
 
@@ -166,12 +165,10 @@ Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice) {
 
 std::string text_of_arm_file(const std::filesystem::path& file) {
   std::error_code error;
-  if (std::filesystem::is_directory(file, error)) {
+  if (std::filesystem::is_directory(file, error))
     throw std::invalid_argument(fmt::format("{} is a folder; expected the .urdf or .toml file in it", file.string()));
-  }
-  if (!std::filesystem::exists(file, error)) {
+  if (!std::filesystem::exists(file, error))
     throw std::invalid_argument(fmt::format("there is no file {}", file.string()));
-  }
   constexpr std::uintmax_t largest_urdf = 16'000'000;
   return is_urdf_file(file.string()) ? text_of_file(file, largest_urdf) : text_of_file(file);
 }

@@ -47,9 +47,8 @@ std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const
   std::string text = hello.name + '\n' + hello.version + '\n';
   const std::vector<std::string>& words = choice.process;
   if (const fs::path file = executable(words[0], folder); is_file(file)) text += digest_of_file(file);
-  for (std::size_t i = 1; i < words.size(); ++i) {
+  for (std::size_t i = 1; i < words.size(); ++i)
     if (const fs::path file = folder / words[i]; is_file(file)) text += digest_of_file(file);
-  }
   for (const std::string& name : choice.files) text += name + '\n' + digest_of_file(folder / name);
   return digest_of_text(text);
 }

@@ -153,9 +153,8 @@ Candidates Message::candidates(int joints, const char* key) const {
   if (!list.is_array() || list.empty()) fail(expected);
   if (!list.front().is_array()) list = Json::array({list});  // Octave writes a list of one so
   Candidates q(joints, static_cast<Eigen::Index>(list.size()));
-  for (Eigen::Index i = 0; i < q.cols(); ++i) {
+  for (Eigen::Index i = 0; i < q.cols(); ++i)
     q.col(i) = configuration(list[static_cast<std::size_t>(i)], joints, expected);
-  }
   return q;
 }
 
