@@ -15,6 +15,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/files.hpp"
 #include "base/inputs.hpp"
 #include "base/json.hpp"
 #include "base/names.hpp"
@@ -242,13 +243,26 @@ struct Store::Database {
           "'{}' is a store of version {}, and this ikbench reads version {} alone; read it with the ikbench "
           "that made it, or run its studies into a new store",
           name, version, store_version));
-    // SQLite takes missing bytes of the last page for zeros. A kill while the log is folded in leaves half a page, too.
-    if (!has_log() && fs::file_size(name) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
-      throw Damage("it is truncated");
+    // SQLite takes missing bytes of the last page for zeros. A kill while the log is folded in leaves half a page that
+    // the log still has.
+    const auto size = fs::file_size(name), page = static_cast<std::uintmax_t>(number("PRAGMA page_size"));
+    if (size % page != 0 && !log_has(size / page + 1, page)) throw Damage("it is truncated");
     // A view may be endless, and a column be computed.
     if (schema_of(sqlite) != our_schema()) throw Damage("its tables and views are not those that ikbench makes");
     const std::string verdict = sqlite.execAndGet("PRAGMA quick_check(1)").getString();
     if (verdict != "ok") throw Damage(verdict.substr(verdict.rfind('\n') + 1));
+  }
+
+  // Whether the log has a page, from 1, which SQLite then takes from there: frames of 24 bytes and a page, behind 32
+  // bytes whose salt they repeat (sqlite.org/walformat.html).
+  bool log_has(std::uintmax_t which, std::size_t page) const {
+    const std::string log = base::read_file(name + "-wal").value_or("");
+    for (std::size_t frame = 32; frame + 24 + page <= log.size(); frame += 24 + page) {
+      std::uintmax_t its = 0;
+      for (std::size_t i = 0; i < 4; ++i) its = 256 * its + static_cast<unsigned char>(log[frame + i]);
+      if (its == which && log.compare(frame + 8, 8, log, 16, 8) == 0) return true;
+    }
+    return false;
   }
 
   bool has_log() const {

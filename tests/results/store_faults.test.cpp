@@ -256,6 +256,9 @@ TEST_CASE("half a page, which a kill leaves while the log is folded in, is no da
   std::filesystem::resize_file(killed, std::filesystem::file_size(killed) + 4096);
   for (const auto mode : {Store::Mode::read, Store::Mode::write})
     CHECK(series_of(Store(killed, mode), "key-a").size() == 20);
+  std::filesystem::resize_file(killed, std::filesystem::file_size(killed) - 6);
+  write_text(killed + "-wal", "x");  // a log without that page
+  CHECK(contains(complaint<std::invalid_argument>([&] { Store(killed, Store::Mode::read); }), "it is truncated"));
 }
 
 TEST_CASE("kill -9 while a store is made leaves a file that becomes a store", "[store][faults]") {
