@@ -121,9 +121,7 @@ bool is_one_of(std::string_view text, const Words& words) {
   return std::ranges::find(words, lower_case(text)) != words.end();
 }
 
-std::string in_quotes(std::string_view text) {
-  return fmt::format("'{}'", one_line(front(text, 60)));
-}
+std::string in_quotes(std::string_view text) { return fmt::format("'{}'", one_line(front(text, 60))); }
 
 std::string listed(const std::vector<std::string>& titles) {
   return std::string(front(fmt::format("{}", fmt::join(titles, ", ")), 300));
@@ -207,8 +205,7 @@ std::size_t Sheet::column(std::string_view name) {
   }
   if (number > 1) refuse(fmt::format("{} columns {}; give them different names", number, in_quotes(name)));
   if (number == 0)
-    refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), did_you_mean(name, titles_),
-                       listed(titles_)));
+    refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), did_you_mean(name, titles_), listed(titles_)));
   return static_cast<std::size_t>(std::ranges::find(titles_, name) - titles_.begin());
 }
 

@@ -161,7 +161,8 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
                   [](const judge::JudgedMetric& each) { return each.observations.metric == "evaluations"; });
   }
   if (!sentences.empty() && !readings.explains.empty())
-    sentences.push_back(fmt::format("Of the other numbers one other setting explains, with seed 1, {}.", readings.explains));
+    sentences.push_back(
+        fmt::format("Of the other numbers one other setting explains, with seed 1, {}.", readings.explains));
   if (sentences.empty()) sentences = papers::rates_sentences(repeated);
   if (sentences.empty()) sentences = {papers::tally_words(claims)};
   reported.first = papers::beginning(paper, sentences, means);

@@ -74,8 +74,7 @@ class Finder {
     }
     for (const std::size_t column : texts_) {
       std::set<std::string> units;
-      for (const Index row : sheet.rows())
-        units.insert(base::Title(fmt::format("v_{}", sheet.cell(row, column))).unit);
+      for (const Index row : sheet.rows()) units.insert(base::Title(fmt::format("v_{}", sheet.cell(row, column))).unit);
       if (units.size() > 1 && !units.contains(""))
         sheet.refuse(fmt::format("{} has {}: convert its values to one unit, or take some with --where",
                                  titles_of({column}), fmt::join(units, " and ")));

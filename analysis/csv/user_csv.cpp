@@ -90,8 +90,8 @@ Better better_of(const Sheet& sheet, const Request& request, const std::vector<s
     if (way != "smaller" && way != "larger")
       sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(option)));
     if (!is_of_all && std::ranges::count(titles, column) == 0)
-      sheet.refuse(fmt::format("--better {}: {}", in_quotes(option),
-                               base::unknown_name("column of values", column, titles)));
+      sheet.refuse(
+          fmt::format("--better {}: {}", in_quotes(option), base::unknown_name("column of values", column, titles)));
     if (is_of_all ? said.empty() : column == title) said = way;
   }
   if (said.empty() && are_shares)
