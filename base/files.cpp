@@ -106,7 +106,7 @@ std::error_code replace(const fs::path& file, const Contents& contents, const st
 }
 
 void write_whole(const fs::path& file, const Contents& contents, bool syncs) {
-  base::refuse_input(file);
+  refuse_input(file);
   std::error_code error;
   if (file.has_parent_path()) {
     const std::scoped_lock lock(temporary_mutex);  // a folder that a signal has removed stays away

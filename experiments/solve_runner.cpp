@@ -156,7 +156,9 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const 
   timed.cpu_seconds = account.cpu_seconds;
   timed.solution.evaluations = account.evaluations;
   timed.solution.iterations = account.iterations;
-  if (study_.trace != Trace::none) timed.solution.trace = account.trace, timed.solution.improved = account.improved;
+  if (study_.trace == Trace::none) return timed;
+  timed.solution.trace = account.trace;
+  timed.solution.improved = account.improved;
   return timed;
 }
 

@@ -265,12 +265,6 @@ struct Store::Database {
     return false;
   }
 
-  bool has_log() const {
-    std::error_code none;
-    const auto size = fs::file_size(name + "-wal", none);
-    return !none && size > 0;
-  }
-
   // The file at the path, by device and number.
   std::optional<std::pair<dev_t, ino_t>> identity_there() const {
     struct stat status {};
@@ -451,8 +445,11 @@ std::vector<fs::path> Store::finish() {
   return guarded(database_->name, [&]() -> std::vector<fs::path> {
     if (database_->mode == Mode::write) database_->fold(folding_patience_ms);
     database_->check_place();
-    if (!database_->has_log()) return {database_->name};
-    return {database_->name, database_->name + "-wal"};
+    const fs::path place = database_->name, log = place.string() + "-wal";
+    std::error_code no_log;
+    const auto size = fs::file_size(log, no_log);
+    if (no_log || size == 0) return {place};
+    return {place, log};
   });
 }
 

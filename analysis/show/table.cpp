@@ -322,8 +322,7 @@ std::string to_latex(const Table& whole) {
   if (std::ranges::any_of(kinds, &Kinds::best)) table.notes.emplace_back("Bold: none is shown to be better.");
   const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
   // No journal's capitals change names in a caption. A table shrinks to fit a column, to four fifths at the most; else
-  // it takes both, and shrinks down to the size of
-  // \\scriptsize.
+  // it takes both, and shrinks down to the size of \\scriptsize.
   return fmt::format(
       "% Needs \\usepackage{{booktabs,graphicx}}\n\\begingroup\\tabcolsep5pt{}\n"
       "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"

@@ -53,8 +53,9 @@ double own_seconds(const Account& account, double wall) {
 
 Conversation Conversations::take() {
   const std::scoped_lock lock(mutex_);
-  Conversation conversation;
-  if (!idle_.empty()) conversation = std::move(idle_.back()), idle_.pop_back();
+  if (idle_.empty()) return {};
+  Conversation conversation = std::move(idle_.back());
+  idle_.pop_back();
   return conversation;
 }
 

@@ -118,6 +118,10 @@ std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const fs::pat
 bool Program::is_unchanged() const { return digest_of(choice, folder, hello) == digest; }
 
 std::shared_ptr<const Program> meet(const ProgramChoice& choice, const fs::path& folder) {
+  for (const std::string& name : choice.files) {
+    if (!is_file(folder / name))
+      throw std::invalid_argument(fmt::format("there is no file {}", (folder / name).string()));
+  }
   auto program = std::make_shared<Program>(Program{.choice = choice, .folder = folder, .hello = {}, .digest = {}});
   try {
     started(choice, folder, program->hello);
