@@ -1,7 +1,6 @@
 #include "analysis/csv/user_csv.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <bitset>
 #include <iterator>
-#include <map>
 #include <utility>
 
 #include "analysis/show/text.hpp"
