@@ -329,6 +329,13 @@ std::size_t testable(std::vector<Pair>& pairs, double significance) {
   return family.size();
 }
 
+auto* amount_in(auto& finding) {
+  if (auto* const fact = std::get_if<Fact>(&finding.what)) return &fact->amount;
+  auto* const tested = std::get_if<Tested>(&finding.what);
+  auto& amount = tested ? tested->amount : std::get<Open>(finding.what).amount;
+  return amount ? &*amount : nullptr;
+}
+
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
@@ -342,12 +349,8 @@ Verdict verdict_of(const Finding& finding) {
   return is_open(finding, Open::Why::few_decide) ? Verdict::undecided : Verdict::not_tested;
 }
 
-const Amount* amount_of(const Finding& finding) {
-  if (const auto* const fact = std::get_if<Fact>(&finding.what)) return &fact->amount;
-  const auto* const tested = std::get_if<Tested>(&finding.what);
-  const std::optional<Amount>& amount = tested ? tested->amount : std::get<Open>(finding.what).amount;
-  return amount ? &*amount : nullptr;
-}
+const Amount* amount_of(const Finding& finding) { return amount_in(finding); }
+Amount* amount_of(Finding& finding) { return amount_in(finding); }
 
 std::optional<double> p_of(const Finding& finding) {
   const auto* const tested = std::get_if<Tested>(&finding.what);
@@ -426,22 +429,17 @@ Finding better_first(Finding finding, std::string_view control, bool is_second_a
   const bool is_behind = is_difference(verdict) ? verdict == Verdict::worse : is_second_ahead;
   if (control.empty() ? !is_behind : finding.first != control) return finding;
   std::swap(finding.first, finding.second);
-  const auto turn = [&](Amount& amount) {
+  if (Amount* const amount = amount_of(finding)) {
     const auto end = [&](double value) { return finding.scale == Scale::ratio ? 1 / value : 0 - value; };
-    amount.value = end(amount.value);
-    if (const auto ends = amount.interval)
-      amount.interval = Interval{end(ends->high), end(ends->low), ends->excludes_high, ends->excludes_low};
-  };
+    amount->value = end(amount->value);
+    if (const auto ends = amount->interval)
+      amount->interval = Interval{end(ends->high), end(ends->low), ends->excludes_high, ends->excludes_low};
+  }
+  if (auto* const fact = std::get_if<Fact>(&finding.what)) fact->verdict = turned(fact->verdict);
   if (auto* const tested = std::get_if<Tested>(&finding.what)) {
     tested->verdict = turned(tested->verdict);
-    if (tested->amount) turn(*tested->amount);
     if (tested->effect) std::swap(tested->effect->ahead, tested->effect->behind);
     if (tested->g) tested->g = -*tested->g;
-  } else if (auto* const fact = std::get_if<Fact>(&finding.what)) {
-    fact->verdict = turned(fact->verdict);
-    turn(fact->amount);
-  } else if (auto& amount = std::get<Open>(finding.what).amount) {
-    turn(*amount);
   }
   return finding;
 }

@@ -75,6 +75,7 @@ struct Finding {
 // What every finding has in common.
 Verdict verdict_of(const Finding& finding);       // few that decide leave it undecided
 const Amount* amount_of(const Finding& finding);  // null if there is none
+Amount* amount_of(Finding& finding);
 std::optional<double> p_of(const Finding& finding);
 bool is_open(const Finding& finding, Open::Why why);
 bool are_equal(const Finding& finding);  // no value differs

@@ -40,15 +40,10 @@ JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
     scale(factor, its.mean, its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest,
           its.largest);
   for (Finding& finding : judged.findings) {
-    if (finding.scale == Scale::ratio) continue;
-    const auto scale_amount = [=](Amount& amount) {
-      scale(factor, amount.value);
-      if (amount.interval) scale(factor, amount.interval->low, amount.interval->high);
-    };
-    if (auto* const tested = std::get_if<Tested>(&finding.what); tested && tested->amount)
-      scale_amount(*tested->amount);
-    if (auto* const fact = std::get_if<Fact>(&finding.what)) scale_amount(fact->amount);
-    if (auto* const open = std::get_if<Open>(&finding.what); open && open->amount) scale_amount(*open->amount);
+    Amount* const amount = amount_of(finding);
+    if (!amount || finding.scale == Scale::ratio) continue;
+    scale(factor, amount->value);
+    if (amount->interval) scale(factor, amount->interval->low, amount->interval->high);
   }
   return judged;
 }
