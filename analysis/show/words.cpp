@@ -173,6 +173,13 @@ Sentence not_tested(const Answer& answer) {
   return {"Not tested" + (is_told ? why : ""), ": " + numbers_of(answer, true)};
 }
 
+// What is said of several is so of each pair of them.
+bool are_all(const JudgedMetric& judged, const std::vector<std::string>& names, auto is_so) {
+  return std::ranges::all_of(judged.findings, [&](const Finding& finding) {
+    return std::ranges::count(names, finding.first) + std::ranges::count(names, finding.second) < 2 || is_so(finding);
+  });
+}
+
 // Where no solver is best: those that none is shown to beat, and whom the one of them beats that beats most.
 Sentence unbeaten(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
@@ -208,12 +215,6 @@ Sentence unbeaten(const Answer& answer) {
     }
     return names_of(names);
   };
-  // What is said of several is so of each pair of them.
-  const auto are_all = [&](const std::vector<std::string>& names, auto is_so) {
-    return std::ranges::all_of(judged.findings, [&](const Finding& finding) {
-      return std::ranges::count(names, finding.first) + std::ranges::count(names, finding.second) < 2 || is_so(finding);
-    });
-  };
   const auto is_undecided = [](const Finding& finding) { return verdict_of(finding) == Verdict::undecided; };
   std::vector<std::string> same, others;  // same: as all before it
   const auto is_to_same = [&](const std::string& name, Verdict verdict) {
@@ -225,7 +226,7 @@ Sentence unbeaten(const Answer& answer) {
       std::ranges::all_of(others, [&](const std::string& name) { return is_to_same(name, Verdict::undecided); });
   Sentence sentence;
   bool are_numbers_told = false, are_losers_told = false;
-  if (rest.size() > 1 && are_all(rest, are_equal)) {
+  if (rest.size() > 1 && are_all(judged, rest, are_equal)) {
     const auto& found = std::get_if<Tested>(&judged.findings.front().what);
     sentence.subject =
         fmt::format("{} are {}: {} {}", names_of(rest),
@@ -242,7 +243,7 @@ Sentence unbeaten(const Answer& answer) {
         fmt::format("{} is better than {}", told(rest), told(against(rest.front(), Verdict::better), rest.front())),
         open.empty() ? "" : "; not decided against " + told(open)};
     are_losers_told = true;
-  } else if (rest.size() > 1 && are_all(rest, is_undecided)) {
+  } else if (rest.size() > 1 && are_all(judged, rest, is_undecided)) {
     sentence.subject = "Not decided between " + told(rest);
   } else if (!rest.empty()) {
     sentence.subject = "Nobody is shown to beat " + told(rest);
@@ -395,12 +396,8 @@ std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::
 }
 
 std::vector<std::string> best_of(const JudgedMetric& judged) {
-  const std::vector<std::string>& best = judged.headline.best;
-  const auto is_alike = [&](const Finding& finding) {  // or not of two best ones
-    return std::ranges::count(best, finding.first) + std::ranges::count(best, finding.second) < 2 ||
-           verdict_of(finding) == Verdict::same || are_equal(finding);
-  };
-  return std::ranges::all_of(judged.findings, is_alike) ? best : std::vector<std::string>();
+  const auto is_alike = [](const Finding& its) { return verdict_of(its) == Verdict::same || are_equal(its); };
+  return are_all(judged, judged.headline.best, is_alike) ? judged.headline.best : std::vector<std::string>();
 }
 
 Sentence headline_of(const Answer& whole) {
