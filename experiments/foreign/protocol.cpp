@@ -9,6 +9,7 @@
 
 #include "base/names.hpp"
 #include "experiments/verifier.hpp"
+#include "results/export.hpp"
 #include "robots/urdf.hpp"
 #include "solvers/bounds.hpp"
 
@@ -168,7 +169,9 @@ std::map<std::string, double> Message::extras() const {
   if (!(object.is_object() || object.is_null()) || object.size() > most_extras)
     fail(fmt::format("at most {} numbers by name as \"extras\"", most_extras));
   for (const auto& [name, value] : object.items()) {
-    if (!is_plain(name) || !(value.is_number() || value.is_null())) fail("numbers by name as \"extras\"");
+    if (!is_plain(name) || trimmed(name).empty() || name.starts_with(results::refused_extra))
+      fail(fmt::format("\"extras\" whose names are texts, not blank and not \"{}...\"", results::refused_extra));
+    if (!(value.is_number() || value.is_null())) fail("numbers by name as \"extras\"");
     extras[name] = value.is_null() ? not_a_number : value.get<double>();
   }
   return extras;

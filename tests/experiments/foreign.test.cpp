@@ -72,6 +72,14 @@ TEST_CASE("candidates are numbers as JSON writes them", "[foreign]") {
     CHECK_FALSE(is_read(number));
 }
 
+TEST_CASE("an extra's name is no refused answer's, and not blank", "[foreign]") {
+  const auto read = [](const std::string& name) {
+    return Message(R"({"message":"solved","extras":{")" + name + "\":3}}").extras();
+  };
+  CHECK(read("refused").at("refused") == 3);
+  for (const char* name : {"", " ", "refused_1", "a\\u001b"}) CHECK_THROWS_AS(read(name), Trouble);
+}
+
 TEST_CASE("a claim may be off by rounding and twice what snapping moves", "[foreign]") {
   CHECK(claim_slack(robots::robot("ur5e")) == 1e-6);
   robots::Robot snapped = robots::robot("ur5e");
