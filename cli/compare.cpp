@@ -18,6 +18,7 @@
 #include "base/number.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 
 namespace ikbench::cli {

@@ -11,7 +11,7 @@
 #include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/reporting.hpp"
+#include "cli/options.hpp"
 #include "results/fingerprint.hpp"
 #include "results/store.hpp"
 

@@ -11,7 +11,8 @@
 #include "base/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/reporting.hpp"
+#include "cli/options.hpp"
+#include "cli/running.hpp"
 
 namespace ikbench::cli {
 

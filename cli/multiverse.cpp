@@ -10,7 +10,9 @@
 #include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/options.hpp"
 #include "cli/reporting.hpp"
+#include "cli/running.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/study_reader.hpp"
 

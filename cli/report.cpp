@@ -17,6 +17,7 @@
 #include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
 

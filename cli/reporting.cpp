@@ -4,28 +4,23 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
-#include <thread>
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/judge/judge.hpp"
-#include "analysis/papers/paper.hpp"
 #include "base/embedded_file.hpp"
 #include "base/inputs.hpp"
 #include "base/names.hpp"
-#include "base/number.hpp"
 #include "cli/console.hpp"
+#include "cli/options.hpp"
 #include "experiments/environment.hpp"
+#include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "results/export.hpp"
-#include "results/merge.hpp"
 
 namespace ikbench::cli {
 
@@ -41,33 +36,6 @@ constexpr EmbeddedFile references[]{
 constexpr EmbeddedFile styles[]{
 #include "styles.inc"
 };
-
-// Explains why solves that look done are made anew.
-void warn_of_left_aside(const StoredStudy& study, const Store& store) {
-  const LeftAside aside = left_aside(study, store);
-  if (aside.solves == 0) return;
-  warn(fmt::format(
-      "another version of {} or of shared code made {}; the store keeps them, and this run solves those points again",
-      fmt::join(aside.labels, ", "), counted(aside.solves, "solves")));
-}
-
-// Warns if somebody else has the store open, so that it is more than one file.
-void tell_of_log(const std::vector<std::filesystem::path>& files) {
-  if (files.size() < 2) return;
-  warn(fmt::format(
-      "another program has {0} open, so part of the data is still in {1}; copy both files together, or close "
-      "that program and run this command again to merge them",
-      files[0].string(), files[1].string()));
-}
-
-void warn_of_unreachable(const Study& study) {
-  const std::vector<Unreachable> beyond = unreachable(study);
-  if (beyond.empty()) return;
-  const Unreachable& first = beyond.front();
-  warn(fmt::format(
-      "{} of a run are out of reach; point {} is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
-      counted(std::ssize(beyond), "points"), first.point, first.distance * 100, first.reach * 100));
-}
 
 bool is_meant(const std::string& figure, const std::string& name) {
   return figure == name || figure.starts_with(name + "-");
@@ -122,46 +90,7 @@ std::string style_text(const std::string& name) {
 
 bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
 
-// The door of these numbers: a run with an answer that is not finite is lost.
-judge::Group group_of(const std::vector<double>& runs) {
-  std::vector<double> finite = runs;
-  const auto lost = static_cast<int>(std::erase_if(finite, [](double value) { return !std::isfinite(value); }));
-  if (lost > 0) return {.sample = judge::Untold{.lost = lost, .values = std::move(finite)}};
-  return {.sample = judge::Measured{std::move(finite)}};
-}
-
 }  // namespace
-
-CLI::Validator number_in(std::pair<double, double> range) {
-  const auto mistake = [range](const std::string& text) {
-    const auto value = number_from(text);
-    return value && *value >= range.first && *value <= range.second
-               ? std::string()
-               : fmt::format("{} is not a number from {} to {}", text.substr(0, 100), range.first, range.second);
-  };
-  return {mistake, ""};
-}
-
-CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range) {
-  const auto mistake = [range](const std::string& text) {
-    const bool are_digits = !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == text.npos &&
-                            (text == "0" || text[0] != '0');
-    if (are_digits && std::stoll(text) >= range.first && std::stoll(text) <= range.second) return std::string();
-    return fmt::format("{} is not a whole number from {} to {}, without zeros before it", text.substr(0, 100),
-                       range.first, range.second);
-  };
-  return {mistake, range.second < largest_whole ? fmt::format("{} to {}", range.first, range.second) : ""};
-}
-
-CLI::Validator not_empty() {
-  return {[](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, ""};
-}
-
-void add_json_option(CLI::App& command, bool& is_json) {
-  command.add_flag("--json", is_json, "print the answer as JSON");
-}
-
-void show_json(const base::OrderedJson& json) { fmt::print("{}\n", base::text_of(json, 2)); }
 
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
   command.add_option("--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
@@ -204,29 +133,6 @@ std::vector<std::string> labels_of(const StoredStudy& stored) {
   std::vector<std::string> labels;
   for (const Series& series : stored.series) labels.push_back(series.label);
   return labels;
-}
-
-void add_run_options(CLI::App& command, RunArguments& arguments) {
-  command.add_option("--out", arguments.out, "folder for the results; default: out/<study>")->check(not_empty());
-  command.add_option("--jobs", arguments.jobs, "number of solves at once; times are compared only with 1")
-      ->check(whole_number({1, 1024}))
-      ->capture_default_str();
-}
-
-void add_study_option(CLI::App& command, std::string& study) {
-  command.add_option("--study", study, "name of the study; default: the first in the store");
-}
-
-void add_paper_option(CLI::App& command, std::string& paper) {
-  std::vector<std::string> names;
-  for (const papers::Paper& known : papers::papers())
-    names.push_back(fmt::format("{} ({})", known.name, known.in_short));
-  paper = papers::papers().front().name;
-  command.add_option("PAPER", paper, fmt::format("one of: {}", fmt::join(names, ", ")))->capture_default_str();
-}
-
-void check_plan(const Study& study) {
-  if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric));
 }
 
 std::vector<std::string> references_of(std::string_view name) {
@@ -299,96 +205,8 @@ judge::StudyResults exported_study(const Store& store, const StoredStudy& entry,
   return study;
 }
 
-std::string run_study(const Study& study, const StoredStudy& stored, const std::filesystem::path& folder,
-                      RunRequest request, Store::Mode mode) {
-  if (const auto& arm = study.robot_of_file; arm != nullptr && !arm->tip_link.empty()) {
-    say(fmt::format("arm: {}", arm->summary));
-    for (const std::string& note : arm->notes) say(note);
-  }
-  for (const std::string& note : study.notes) say(note);
-  warn_of_unreachable(study);
-  std::map<std::string, std::vector<std::string>> left_out;  // labels by why
-  for (const LeftOut& entry : study.left_out) left_out[entry.why].push_back(entry.label);
-  std::string without;
-  for (const auto& [why, labels] : left_out)
-    without += fmt::format("{}{} ({})", without.empty() ? "" : "; ", fmt::join(labels, ", "), why);
-  if (!without.empty()) warn("left out: " + without);
-  if (is_debug_build()) {
-    warn("this is a debug build; its times are marked and not comparable");
-  } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
-    warn(fmt::format("{} jobs share {}", request.jobs, counted(std::thread::hardware_concurrency(), "processors")));
-  }
-  // A transaction for each solve would cost more than many a solve; in a shared store each waits for the disk.
-  request.patience = std::chrono::milliseconds(mode == Store::Mode::write_shared ? 1000 : 20);
-  Store store(store_in(folder), mode);
-  for (const StoredStudy& earlier : store.studies()) {
-    if (earlier.name != study.name) continue;
-    const std::string difference = difference_in_solves(earlier.definition, stored.definition);
-    if (!difference.empty())
-      warn(
-          fmt::format("{} has a different study named {} ({}); its solves stay there, but its {}; use another name or "
-                      "--out to keep both",
-                      folder.string(), study.name, difference,
-                      mode == Store::Mode::write_shared ? "definition is replaced, and merge takes no two of one name"
-                                                        : "report is overwritten"));
-  }
-  warn_of_left_aside(stored, store);
-  Progress progress;
-  bool is_cancelled = false;
-  {
-    ProgressBar bar(study.name);
-    request.progress = [&](const Progress& now) { bar.show(now); };
-    CancelOnSignal signals;
-    request.cancelled = &signals.requested();
-    progress = run(study, stored, store, request);
-    is_cancelled = signals.end();
-  }
-  for (const std::string& note : progress.notes) warn(note);
-  tell_of_log(store.finish());
-  const auto may_meddle = [](const SolverEntry& entry) { return entry.program != nullptr; };
-  if (std::ranges::any_of(study.solvers, may_meddle)) {  // a program can write where its user can
-    const std::int64_t there = Store(store_in(folder), Store::Mode::read).number_of_solves(stored);
-    if (there < progress.done)
-      throw std::runtime_error(fmt::format(
-          "{} has {} of the {} solves: one of the programs or somebody else changed it; run the same command again",
-          store_in(folder).string(), there, progress.done));
-  }
-  if (is_cancelled) {
-    say(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.", progress.done,
-                    progress.total, store_in(folder).string()));
-    throw Cancelled();
-  }
-  return fmt::format("{}{}: {} in {}{}", study.name,
-                     request.shard.count == 1 ? "" : fmt::format(", shard {}", request.shard.text()),
-                     counted(progress.total, "solves"), store_in(folder).string(),
-                     progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
-}
-
-papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::vector<Dimension>& varied,
-                                           MultiverseRequest request, int jobs) {
-  CancelOnSignal signals;
-  request.cancelled = &signals.requested();
-  const MultiversePlan plan = plan_multiverse(study, varied, request);
-  std::optional<ProgressBar> bar("readings");
-  const std::vector<PartMeans> means =
-      solve_parts(plan.parts, {.jobs = jobs,
-                               .progress = [&](const Progress& progress) { bar->show(progress); },
-                               .cancelled = request.cancelled});
-  bar.reset();  // leaves its line to the next words
-  if (signals.end()) {
-    say("Stopped. Readings are judged together, so none is kept; the same command solves them anew.");
-    throw Cancelled();
-  }
-  papers::SolvedMultiverse multiverse{plan, {}};
-  for (const PartMeans& part : means)
-    multiverse.means.push_back({group_of(part.error_cm), group_of(part.variation_deg)});
-  return multiverse;
-}
-
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options) {
   for (const std::string& error : figures::write_figures({figure}, folder, options)) warn(error);
 }
-
-std::filesystem::path store_in(const std::filesystem::path& folder) { return folder / "store.sqlite"; }
 
 }  // namespace ikbench::cli

@@ -13,6 +13,7 @@
 #include "base/units.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study.hpp"
 #include "robots/spherical_wrist.hpp"

@@ -16,6 +16,7 @@
 #include "base/inputs.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 
 namespace ikbench::cli {

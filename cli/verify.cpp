@@ -8,6 +8,7 @@
 #include "base/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/runner.hpp"
 #include "results/study.hpp"

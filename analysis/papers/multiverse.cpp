@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -173,6 +174,12 @@ std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& p
 }
 
 }  // namespace
+
+Group group_of(std::vector<double> runs) {
+  const auto lost = static_cast<int>(std::erase_if(runs, [](double value) { return !std::isfinite(value); }));
+  if (lost > 0) return {.sample = Untold{.lost = lost, .values = std::move(runs)}};
+  return {.sample = Measured{std::move(runs)}};
+}
 
 JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::Plan& plan) {
   JudgedMultiverse result{

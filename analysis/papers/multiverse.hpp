@@ -16,6 +16,9 @@ namespace ikbench::papers {
 
 constexpr std::array<std::string_view, 2> metrics_of_readings{"position_error_cm", "variation_deg"};
 
+// Of the means of runs; one that is not finite is lost.
+judge::Group group_of(std::vector<double> runs);
+
 struct SolvedMultiverse : results::Multiverse {
   // By part and metric: the mean of each run over its targets.
   std::vector<std::array<judge::Group, metrics_of_readings.size()>> means;

@@ -1,0 +1,54 @@
+#include "cli/options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "analysis/papers/paper.hpp"
+#include "base/number.hpp"
+
+namespace ikbench::cli {
+
+CLI::Validator number_in(std::pair<double, double> range) {
+  const auto mistake = [range](const std::string& text) {
+    const auto value = base::number_from(text);
+    return value && *value >= range.first && *value <= range.second
+               ? std::string()
+               : fmt::format("{} is not a number from {} to {}", text.substr(0, 100), range.first, range.second);
+  };
+  return {mistake, ""};
+}
+
+CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range) {
+  const auto mistake = [range](const std::string& text) {
+    const bool are_digits = !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == text.npos &&
+                            (text == "0" || text[0] != '0');
+    if (are_digits && std::stoll(text) >= range.first && std::stoll(text) <= range.second) return std::string();
+    return fmt::format("{} is not a whole number from {} to {}, without zeros before it", text.substr(0, 100),
+                       range.first, range.second);
+  };
+  return {mistake, range.second < largest_whole ? fmt::format("{} to {}", range.first, range.second) : ""};
+}
+
+CLI::Validator not_empty() {
+  return {[](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, ""};
+}
+
+void add_json_option(CLI::App& command, bool& is_json) {
+  command.add_flag("--json", is_json, "print the answer as JSON");
+}
+
+void show_json(const base::OrderedJson& json) { fmt::print("{}\n", base::text_of(json, 2)); }
+
+void add_study_option(CLI::App& command, std::string& study) {
+  command.add_option("--study", study, "name of the study; default: the first in the store");
+}
+
+void add_paper_option(CLI::App& command, std::string& paper) {
+  std::vector<std::string> names;
+  for (const papers::Paper& known : papers::papers())
+    names.push_back(fmt::format("{} ({})", known.name, known.in_short));
+  paper = papers::papers().front().name;
+  command.add_option("PAPER", paper, fmt::format("one of: {}", fmt::join(names, ", ")))->capture_default_str();
+}
+
+}  // namespace ikbench::cli

@@ -1,0 +1,39 @@
+// Solving, with progress and warnings, for the commands that do it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/papers/multiverse.hpp"
+#include "cli/commands.hpp"
+#include "experiments/multiverse.hpp"
+#include "experiments/runner.hpp"
+#include "results/store.hpp"
+
+namespace ikbench::cli {
+
+struct RunArguments {
+  std::string out;
+  int jobs = 1;
+};
+
+void add_run_options(CLI::App& command, RunArguments& arguments);
+
+// Runs a study, and its stored_study, into the folder's store.sqlite, opened in this mode, with progress, and warns of
+// targets out of reach. Returns "six: 288 solves in out/six/store.sqlite"; after Ctrl-C it says how to continue, and
+// throws Cancelled.
+std::string run_study(const experiments::Study& study, const results::StoredStudy& stored,
+                      const std::filesystem::path& folder, experiments::RunRequest request,
+                      results::Store::Mode mode = results::Store::Mode::write);
+
+// Solves all combinations of what a paper leaves open, with progress. After Ctrl-C it says so, and
+// throws Cancelled: shares need all readings.
+papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::vector<results::Dimension>& varied,
+                                           experiments::MultiverseRequest request, int jobs);
+
+// Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
+void check_plan(const experiments::Study& study);
+std::filesystem::path store_in(const std::filesystem::path& folder);
+
+}  // namespace ikbench::cli
