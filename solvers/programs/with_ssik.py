@@ -1,8 +1,9 @@
 # /// script
 # dependencies = ["ssik[urdf]==8.2.0"]
 # ///
-"""ssik: closed forms and eliminations, with its compiled backend: its prebuilt arm where one has the same limits and, up
-to the tool, kinematics, else one derived from the URDF file. The answer that is nearest to the start."""
+"""ssik: closed forms and eliminations, with its compiled backend: its prebuilt arm where one has, up to the tool, the same
+kinematics, else one derived from the URDF file. The answer that is nearest to the start; where the prebuilt arm has other
+limits, the nearest inside those of the study of all that it finds."""
 import ssik
 
 import ikbench
@@ -25,21 +26,23 @@ def prepare(robot):
         if its.dof == len(axes):
             arm = ssik.Manipulator.from_prebuilt(its.name)
             its_limits, tools = [of or (None, None) for of in arm.joint_limits], [tool_of(arm, q) for q in some]
-            if max(np.abs(each - tools[0]).max() for each in tools) < 1e-9 and \
-                    np.allclose(np.array(its_limits, float), np.array(limits, float), atol=1e-3, equal_nan=True):
-                return arm, np.linalg.inv(tools[0])
+            if max(np.abs(each - tools[0]).max() for each in tools) < 1e-9:
+                same = np.allclose(np.array(its_limits, float), np.array(limits, float), atol=1e-3, equal_nan=True)
+                return arm, np.linalg.inv(tools[0]), same
     try:
         arm = ssik.Manipulator.from_urdf(robot.file, base=robot.base_link, ee=robot.tip_link)
         arm.prepare()
     except (ValueError, NotImplementedError) as error:
         raise ikbench.Declined(str(error)[:100])
-    return arm, np.eye(4)
+    return arm, np.eye(4), True
 
 
 def solve(prepared, problem):
-    arm, tool = prepared
-    found = arm.solve(np.array(problem.matrix) @ tool, q_seed=problem.start, max_solutions=1)
-    return found[0].q if found else None
+    arm, tool, has_limits = prepared
+    how = {"max_solutions": 1} if has_limits else {"respect_limits": False}
+    found = arm.solve(np.array(problem.matrix) @ tool, q_seed=problem.start, **how)
+    is_inside = lambda q: has_limits or all(low <= x <= high for x, low, high in zip(q, problem.lower, problem.upper))
+    return next((each.q for each in found if is_inside(each.q)), None)
 
 
 ikbench.run("ssik", prepare, solve, version="8.2.0", goals=["pose"])
