@@ -74,7 +74,7 @@ bool begins_with_number(std::string_view text) {
   const std::string_view rest = text.substr(number.size());
   return is_number(number) && !rest.empty() &&
          (rest.find_first_of("0123456789") == std::string_view::npos || trimmed(rest).starts_with('(') ||
-          trimmed(rest)[0] < 0);
+          static_cast<unsigned char>(trimmed(rest)[0]) >= 0x80);
 }
 
 // What the first line has most often outside quotes; blanks if nothing else parts it.
