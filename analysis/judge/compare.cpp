@@ -197,7 +197,7 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
     tested.g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
   std::optional<Interval> interval;
   if (std::isfinite(outcome.estimate)) {
-    tested.amount = Amount{.value = shown(outcome.estimate)};
+    tested.amount.emplace().value = shown(outcome.estimate);
     if (outcome.interval) interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
   }
   if (tested.p >= plan.significance) {
