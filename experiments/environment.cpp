@@ -30,20 +30,6 @@ namespace {
 
 #include "source_digests.inc"
 
-// Its name; on ARM, where the kernel knows none, the numbers of its maker and part.
-std::string cpu_model() {
-  std::ifstream info("/proc/cpuinfo");
-  std::string numbers;
-  for (std::string line; std::getline(info, line);) {
-    const std::size_t colon = line.find(": ");
-    if (colon == std::string::npos) continue;
-    if (line.starts_with("model name")) return line.substr(colon + 2);
-    if (line.starts_with("CPU implementer")) numbers = "ARM " + line.substr(colon + 2);
-    if (line.starts_with("CPU part")) return numbers + ' ' + line.substr(colon + 2);
-  }
-  return "unknown";
-}
-
 std::string compiler() {
 #if defined(__clang__)
   return "clang " __clang_version__;
@@ -61,14 +47,27 @@ std::string boot() {
 
 }  // namespace
 
+std::string cpu_model(std::istream& info) {
+  std::string numbers;
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (colon == std::string::npos) continue;
+    if (line.starts_with("model name")) return line.substr(colon + 2);
+    if (line.starts_with("CPU implementer")) numbers = "ARM " + line.substr(colon + 2);
+    if (line.starts_with("CPU part")) return numbers + ' ' + line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
 std::map<std::string, std::string> environment() {
   utsname system{};
+  std::ifstream cpu("/proc/cpuinfo");
   uname(&system);
   return {{"boot", boot()},
           {"build_type", build_info::build_type},
           {"commit", build_info::commit},
           {"compiler", compiler()},
-          {"cpu", cpu_model()},
+          {"cpu", cpu_model(cpu)},
           {"cpus", std::to_string(std::thread::hardware_concurrency())},
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
           {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},

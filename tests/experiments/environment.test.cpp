@@ -15,6 +15,16 @@ TEST_CASE("the environment says something for each of its keys", "[environment]"
   }
 }
 
+TEST_CASE("on a Raspberry Pi the processor has numbers, and no name", "[environment]") {
+  std::istringstream raspberry(
+      "processor\t: 0\nBogoMIPS\t: 108.00\nFeatures\t: fp asimd evtstrm crc32 cpuid\nCPU implementer\t: 0x41\n"
+      "CPU architecture: 8\nCPU variant\t: 0x0\nCPU part\t: 0xd08\nCPU revision\t: 3\n\nModel\t\t: Raspberry Pi 4 Model B\n");
+  CHECK(cpu_model(raspberry) == "ARM 0x41 0xd08");
+  std::istringstream other("vendor_id\t: AuthenticAMD\nmodel name\t: AMD EPYC\n"), none("processor\t: 0\n");
+  CHECK(cpu_model(other) == "AMD EPYC");
+  CHECK(cpu_model(none) == "unknown");
+}
+
 TEST_CASE("the date is that of ISO 8601 in UTC", "[environment]") {
   const std::string date = environment().at("date");
   REQUIRE(date.size() == std::string("2026-01-31T23:59:59Z").size());
