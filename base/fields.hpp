@@ -70,7 +70,7 @@ class Fields {
                InKey in_key = InKey::by_name) {
     std::vector<double> values(field.begin(), field.end());
     on_numbers({key, meaning, in_key}, values, unit, size);
-    field.resize(static_cast<std::ptrdiff_t>(values.size()));
+    field.resize(static_cast<decltype(field.size())>(values.size()));
     std::ranges::copy(values, field.begin());
   }
 
