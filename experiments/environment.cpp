@@ -38,16 +38,9 @@ std::string compiler() {
 #endif
 }
 
-// Identifies one start of the system: all its containers share it, whatever their host names.
-std::string boot() {
-  std::ifstream file("/proc/sys/kernel/random/boot_id");
-  std::string id;
-  return std::getline(file, id) ? id : "unknown";
-}
-
 }  // namespace
 
-std::string cpu_model(std::istream& info) {
+std::string cpu_model(std::istream&& info) {
   std::string numbers;
   for (std::string line; std::getline(info, line);) {
     const std::size_t colon = line.find(": ");
@@ -61,13 +54,14 @@ std::string cpu_model(std::istream& info) {
 
 std::map<std::string, std::string> environment() {
   utsname system{};
-  std::ifstream cpu("/proc/cpuinfo");
   uname(&system);
-  return {{"boot", boot()},
+  std::string boot = "unknown";  // one start of the system: all its containers share it, whatever their host names
+  std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
+  return {{"boot", boot},
           {"build_type", build_info::build_type},
           {"commit", build_info::commit},
           {"compiler", compiler()},
-          {"cpu", cpu_model(cpu)},
+          {"cpu", cpu_model(std::ifstream("/proc/cpuinfo"))},
           {"cpus", std::to_string(std::thread::hardware_concurrency())},
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
           {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},

@@ -15,22 +15,15 @@ TEST_CASE("the environment says something for each of its keys", "[environment]"
   }
 }
 
-TEST_CASE("on a Raspberry Pi the processor has numbers, and no name", "[environment]") {
-  std::istringstream raspberry(
-      "processor\t: 0\nBogoMIPS\t: 108.00\nFeatures\t: fp asimd evtstrm crc32 cpuid\nCPU implementer\t: 0x41\n"
-      "CPU architecture: 8\nCPU variant\t: 0x0\nCPU part\t: 0xd08\nCPU revision\t: 3\n\nModel\t\t: Raspberry Pi 4 Model B\n");
-  CHECK(cpu_model(raspberry) == "ARM 0x41 0xd08");
-  std::istringstream other("vendor_id\t: AuthenticAMD\nmodel name\t: AMD EPYC\n"), none("processor\t: 0\n");
-  CHECK(cpu_model(other) == "AMD EPYC");
-  CHECK(cpu_model(none) == "unknown");
+TEST_CASE("a Raspberry Pi's processor has numbers, and no name", "[environment]") {
+  CHECK(cpu_model(std::istringstream("CPU implementer\t: 0x41\nCPU architecture: 8\nCPU part\t: 0xd08\n\nModel\t: "
+                                     "Raspberry Pi 4 Model B\n")) == "ARM 0x41 0xd08");
+  CHECK(cpu_model(std::istringstream("model\t: 1\nmodel name\t: AMD EPYC\n")) == "AMD EPYC");
+  CHECK(cpu_model(std::istringstream("processor\t: 0\n")) == "unknown");
 }
 
 TEST_CASE("the date is that of ISO 8601 in UTC", "[environment]") {
-  const std::string date = environment().at("date");
-  REQUIRE(date.size() == std::string("2026-01-31T23:59:59Z").size());
-  CHECK(date.substr(0, 2) == "20");
-  CHECK(date[10] == 'T');
-  CHECK(date.back() == 'Z');
+  CHECK(std::regex_match(environment().at("date"), std::regex("20[0-9]{2}(-[0-9]{2}){2}T[0-9]{2}(:[0-9]{2}){2}Z")));
 }
 
 TEST_CASE("the version names the commit and the source", "[environment]") {
