@@ -1,8 +1,10 @@
+#include "base/files.hpp"
+
 #include <signal.h>
 
-#include "tests/results/samples.hpp"
+#include "tests/base/processes.hpp"
 
-namespace ikbench::results {
+namespace ikbench::base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +106,4 @@ TEST_CASE("a scratch folder that cannot be made is reported with its place", "[f
 }
 
 }  // namespace
-}  // namespace ikbench::results
+}  // namespace ikbench::base

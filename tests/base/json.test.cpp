@@ -3,7 +3,6 @@
 #include "tests/common.hpp"
 
 using namespace ikbench::base;
-using namespace ikbench::numerics;
 
 namespace {
 

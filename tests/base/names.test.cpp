@@ -4,7 +4,6 @@
 
 using namespace ikbench::base;
 using namespace ikbench;
-using namespace ikbench::numerics;
 
 TEST_CASE("the nearest name is the one with the fewest edits", "[names]") {
   const std::vector<std::string> names{"bat", "ik_bat", "particle_swarm"};

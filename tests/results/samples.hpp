@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/csv.hpp"
 #include "base/files.hpp"
 #include "base/number.hpp"
 #include "base/toml_table.hpp"
@@ -18,6 +17,7 @@
 #include "results/record.hpp"
 #include "results/store.hpp"
 #include "results/study.hpp"
+#include "tests/base/cells.hpp"
 #include "tests/base/processes.hpp"
 #include "tests/common.hpp"
 
@@ -27,24 +27,6 @@ using namespace ikbench::numerics;
 using namespace ikbench::results;
 
 namespace ikbench {
-
-// The cells of a CSV, row by row; the first is the header.
-using Cells = std::vector<std::vector<std::string>>;
-
-inline Cells cells_of(const base::CsvTable& table) {
-  Cells cells{table.header};
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    std::vector<std::string>& its = cells.emplace_back();
-    for (std::size_t column = 0; column < table.header.size(); ++column) its.emplace_back(table.cell(row, column));
-  }
-  return cells;
-}
-
-inline std::string to_csv(const Cells& cells) {
-  std::string text;
-  for (const auto& row : cells) base::append_csv_row(text, row);
-  return text;
-}
 
 // A record with a different value in every column, of the series and label of sample_study.
 inline results::SolveRecord sample_record(const std::string& series = "key-a", int run = 1, int point = 1) {
