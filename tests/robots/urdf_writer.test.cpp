@@ -1,10 +1,7 @@
 // The URDF text of an arm is that arm: by a reader of its own, and by ours.
-#include <catch2/catch_all.hpp>
-#include <map>
-#include <regex>
-
 #include "numerics/random.hpp"
 #include "robots/urdf.hpp"
+#include "tests/common.hpp"
 
 using namespace ikbench::robots;
 
