@@ -62,7 +62,7 @@ std::set<std::size_t> shown_places(const StudyResults& study, const std::vector<
       for (std::size_t i = 0; i < run.size(); ++i) {
         if (run[i].*is_bad) bad.push_back(i);
       }
-      std::ranges::stable_sort(bad, std::ranges::greater(), [&, by = by](std::size_t i) { return run[i].*by; });
+      std::ranges::stable_sort(bad, std::ranges::greater(), [&, amount = by](std::size_t i) { return run[i].*amount; });
     }
   }
   std::set<std::size_t> places;
