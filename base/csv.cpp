@@ -31,6 +31,7 @@ class Reader {
     while (take_line_end()) {
     }
     row_line_ = line_;
+    row_ = rest_.data();
     cells_.clear();
     if (rest_.empty()) return cells_;
     do {
@@ -50,6 +51,7 @@ class Reader {
 
   // The line where the last row begins.
   std::size_t row_line() const { return row_line_; }
+  std::string_view row_text() const { return {row_, static_cast<std::size_t>(rest_.data() - row_)}; }
   [[noreturn]] void refuse_row(const std::string& what) {
     line_ = row_line_;
     refuse(what);
@@ -106,6 +108,7 @@ class Reader {
   std::vector<std::unique_ptr<const std::string>>& unquoted_;
   std::size_t line_;
   std::size_t row_line_ = 1;
+  const char* row_ = nullptr;
 };
 
 // Spreadsheets take such a text for a formula, which may do anything.
@@ -171,19 +174,24 @@ CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm
   table.header.assign(row->begin(), row->end());
   if (form.has_header) row = &reader.row();
   for (std::size_t i = 0; i < table.header.size() && !form.has_header; ++i) table.header[i] = std::to_string(i + 1);
-  // Below the header, as in Markdown, or around the table.
-  const auto is_rule = [](std::string_view cell) { return cell.find_first_not_of("-=:+ ") == std::string_view::npos; };
   for (; !row->empty(); row = &reader.row()) {
-    const bool may_be_rule =
-        table.header.size() > 1 && (row->size() == 1 || (form.separator == '|' && table.rows() == 0));
-    if (may_be_rule && std::ranges::all_of(*row, is_rule)) continue;
-    if (row->size() != table.header.size())
+    const bool has_all = row->size() == table.header.size();
+    const bool is_none = is_rule(reader.row_text()) || (!has_all && is_comment(row->front()));
+    if (!form.is_ours && is_none) continue;
+    if (!has_all)
       reader.refuse_row(fmt::format("{} cells; expected {} as in the header{}", row->size(), table.header.size(),
                                     table.rows() > 0 ? "" : "; begin a title above the header with #"));
     table.lines_.push_back(reader.row_line());
     table.cells_.insert(table.cells_.end(), row->begin(), row->end());
   }
   return table;
+}
+
+bool is_comment(std::string_view text) { return text.starts_with('#') || text.starts_with('%'); }
+
+bool is_rule(std::string_view text) {
+  return text.find_first_not_of("-=:+| \t\r\n") == std::string_view::npos &&
+         (text.find("---") != std::string_view::npos || text.find("===") != std::string_view::npos);
 }
 
 void append_csv_row(std::string& text, const std::vector<std::string>& cells) {

@@ -21,6 +21,7 @@ struct CsvForm {
   char separator = ',';        // ' ': any number of blanks
   std::size_t first_line = 1;  // number of the text's first line in its file
   bool has_header = true;      // else columns are named "1", "2" ...
+  bool is_ours = true;         // else rules and comments may stand below the header
 };
 
 // Also of millions of rows: cells are views of the text, which must outlive the table. Quoted cells are kept without
@@ -52,6 +53,11 @@ std::string csv_text(std::istream& stream, std::string_view source);
 // `source` is the text's name in messages ("data.csv"). Malformed text throws
 // std::invalid_argument with source:line.
 CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm& form = {});
+
+// Begins with the mark of a comment.
+bool is_comment(std::string_view text);
+// "---+---", as around tables.
+bool is_rule(std::string_view text);
 
 // Appends a cell, or one line of CSV, to `text`.
 void append_csv_cell(std::string& text, std::string_view cell);

@@ -31,6 +31,7 @@ bool is_grouped(std::string_view whole, char mark) {
   return true;
 }
 
+constexpr char of_truth = 't';                        // in place of a mark of decimals
 constexpr std::string_view thousands = "' \xE2\xC2";  // first bytes
 
 bool has_mark(std::string_view text) { return text.find_first_of(".,") != std::string_view::npos; }
@@ -68,12 +69,14 @@ std::optional<double> truth(std::string_view text) {
   return std::nullopt;
 }
 
-// "76 us", "95 %", "1.2 (0.3)"
+// "76 us", "95 %", "1.2 (0.3)", "<0.001"
 bool begins_with_number(std::string_view text) {
+  const bool is_marked = text.starts_with('<') || text.starts_with('>') || text.starts_with('~');
+  if (is_marked) text = trimmed(text.substr(1));
   const std::string_view number = text.substr(0, text.find_first_not_of("0123456789.,+-eE"));
   const std::string_view rest = text.substr(number.size());
-  return is_number(number) && !rest.empty() &&
-         (rest.find_first_of("0123456789") == std::string_view::npos || trimmed(rest).starts_with('(') ||
+  if (!is_number(number) || rest.empty()) return is_number(number) && is_marked;
+  return (rest.find_first_of("0123456789") == std::string_view::npos || trimmed(rest).starts_with('(') ||
           static_cast<unsigned char>(trimmed(rest)[0]) >= 0x80);
 }
 
@@ -91,15 +94,20 @@ char separator_of(std::string_view text) {
   return count(most) == 0 && count(' ') > 0 ? ' ' : most;
 }
 
-bool is_comment(std::string_view text) { return text.starts_with('#') || text.starts_with('%'); }
-
-// Takes comments from the front and returns how many lines these are. The last one stays, without its mark, if it has
-// as many cells as the line that follows.
+// Takes comments, rules and empty lines from the front and returns how many lines these are. The last comment stays,
+// without its mark, if it has as many cells as the line that follows.
 std::size_t take_comments(std::string_view& text) {
   std::size_t lines = 0;
-  for (; is_comment(text); ++lines) {
-    const std::string_view line = text.substr(0, text.find('\n')), names = trimmed(line.substr(1));
+  for (;; ++lines) {
+    const std::string_view line = text.substr(0, text.find('\n'));
     const std::string_view after = text.substr(std::min(line.size() + 1, text.size()));
+    if (const bool is_empty = line.find_first_not_of(" \t\r") == std::string_view::npos;
+        !after.empty() && (is_empty || is_rule(line))) {
+      text = after;
+      continue;
+    }
+    if (!is_comment(line)) break;
+    const std::string_view names = trimmed(line.substr(1));
     const char separator = separator_of(names);
     const auto cells = [&](std::string_view of) {
       std::string row(trimmed(of.substr(0, of.find_first_of("\r\n"))));
@@ -137,15 +145,16 @@ Title::Title(std::string_view title) : name(title) {
   unit = end;
 }
 
-Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Header header) : source_(source) {
+Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Header header)
+    : source_(source), decimal_(decimal) {
   expect_text(text, source);
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   constexpr std::string_view sep = "sep=";  // of spreadsheets, also in quotes
   const bool has_sep = text.substr(text.starts_with('"')).starts_with(sep) && text.find('\n') < sep.size() + 5;
-  const bool has_rule = text.starts_with("+-");  // of MySQL
-  if (has_sep || has_rule) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-  CsvForm form{.first_line = 1 + (has_sep || has_rule) + take_comments(text)};
-  form.separator = separator_ = separator_of(text);
+  const char said = has_sep ? text[text.find(sep) + sep.size()] : '\0';
+  if (has_sep) text.remove_prefix(text.find('\n') + 1);
+  CsvForm form{.first_line = 1 + has_sep + take_comments(text), .is_ours = false};
+  form.separator = separator_ = has_sep ? said : separator_of(text);
   if (const std::string_view line = trimmed(text.substr(0, text.find('\n')));
       line.starts_with('\\') || line.ends_with('\\'))
     refuse("a table in LaTeX; write a comma in place of each &, and leave out what begins with a backslash");
@@ -155,21 +164,28 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   form.has_header = header == Header::required || !std::ranges::all_of(table_.header, is_number);
   if (!form.has_header) table_ = parse_csv(text, source, form);
   for (const std::string& title : table_.header) titles_.emplace_back(trimmed(title));
-  decimals_.assign(titles_.size(), decimal);
+  decimals_.assign(titles_.size(), 0);
   if (const auto empty = std::ranges::count(titles_, ""); empty > 1 && empty + 1 == std::ssize(titles_))
     refuse(fmt::format("{} stands alone in the header; begin a title above it with #", in_quotes(titles_.front())));
   const auto number = std::ranges::find_if(titles_, is_number);
   if (form.has_header && number != titles_.end())
     refuse(fmt::format("{} in the header; expected names of columns in the first line{}", in_quotes(*number),
                        is_number(titles_.front()) ? "" : "; runs and steps of a curve stand below each other"));
+  std::size_t marked = 0;
   for (std::uint32_t row = 0; row < table_.rows(); ++row) {
     std::size_t filled = 0, last = 0;
     for (std::size_t i = 0; i < titles_.size(); ++i) {
       if (!cell(row, i).empty()) ++filled, last = i;
     }
+    marked += is_comment(table_.cell(row, 0));
     if (filled == 1 && titles_.size() > 2 && !is_number(cell(row, last)))
       refuse(row, last, "stands alone in its row: leave it out, or write NA where values are missing");
     if (filled > 0) rows_.push_back(row);
+  }
+  if (marked > 0 && marked < table_.rows()) {
+    std::uint32_t row = 0;
+    while (!is_comment(table_.cell(row, 0))) ++row;
+    refuse(row, 0, "begins as a comment does: take its row out, or rename what it is");
   }
   if (titles_.size() == 1)
     refuse(
@@ -191,7 +207,10 @@ void Sheet::choose(std::string_view condition) {
 
 std::string_view Sheet::cell(std::size_t row, std::size_t column) const {
   const std::size_t in_file = table_.header.size();
-  return column < in_file ? trimmed(table_.cell(row, column)) : joined_[column - in_file][row];
+  std::string_view text = column < in_file ? trimmed(table_.cell(row, column)) : joined_[column - in_file][row];
+  while (separator_ == '|' && text.size() > 2 && text.starts_with('*') && text.ends_with('*'))
+    text = text.substr(1, text.size() - 2);  // of Markdown
+  return text;
 }
 
 std::size_t Sheet::column(std::string_view name) {
@@ -242,12 +261,13 @@ std::optional<std::size_t> Sheet::column_like(const Words& names) const {
 bool Sheet::is_missing(std::size_t row, std::size_t column) const { return means_none(cell(row, column)); }
 
 bool Sheet::has_numbers(std::size_t column) const {
-  std::size_t filled = 0, numbers = 0;
+  std::size_t filled = 0, numbers = 0, truths = 0;
   for (const std::uint32_t row : rows_) {
     filled += !is_missing(row, column);
-    numbers += is_number(cell(row, column)) || truth(cell(row, column));
+    numbers += is_number(cell(row, column));
+    truths += truth(cell(row, column)).has_value();
   }
-  return 2 * numbers > filled;
+  return 2 * numbers > filled || (filled > 0 && truths == filled);
 }
 
 std::optional<std::uint32_t> Sheet::broken_number(std::size_t column) const {
@@ -271,6 +291,9 @@ bool Sheet::counts_rows(std::size_t column) const {
 }
 
 char Sheet::decimal_of(std::size_t column) {
+  const auto is_truth = [&](std::uint32_t row) { return is_missing(row, column) || truth(cell(row, column)); };
+  if (std::ranges::all_of(rows_, is_truth)) return of_truth;
+  if (decimal_ != 0) return decimal_;
   std::optional<std::uint32_t> doubtful;      // row of a cell that is two numbers
   const auto mark_in = [&](std::size_t at) {  // of the first cell that is a number by one mark alone
     for (const std::uint32_t row : rows_) {
@@ -303,9 +326,8 @@ char Sheet::decimal_of(std::size_t column) {
 double Sheet::number(std::size_t row, std::size_t column) {
   const std::string_view text = cell(row, column);
   if (means_none(text)) return std::numeric_limits<double>::quiet_NaN();
-  if (const auto value = truth(text)) return *value;
   if (decimals_[column] == 0) decimals_[column] = decimal_of(column);
-  const auto value = parsed(text, decimals_[column]);
+  const auto value = decimals_[column] == of_truth ? truth(text) : parsed(text, decimals_[column]);
   if (!value && is_number(text))
     refuse(row, column,
            fmt::format("is no number with a decimal {}; --decimal says what marks decimals",

@@ -49,7 +49,7 @@ class Sheet {
   std::size_t joined(const std::vector<std::string>& names);
   std::optional<std::size_t> column_like(const Words& names) const;  // named so; earlier names first
   bool is_missing(std::size_t row, std::size_t column) const;
-  bool has_numbers(std::size_t column) const;  // or True and False: most cells of the column, but those missing
+  bool has_numbers(std::size_t column) const;  // most cells but those missing, or all are True and False
   // The first row with a number and more, such as its unit, where most cells are so.
   std::optional<std::uint32_t> broken_number(std::size_t column) const;
   bool counts_rows(std::size_t column) const;  // each number is one more than that of the row before in the file
@@ -64,7 +64,7 @@ class Sheet {
 
  private:
   std::string source_;
-  char separator_;
+  char separator_, decimal_;
   CsvTable table_;
   std::vector<std::string> titles_;
   std::vector<std::uint32_t> rows_;
