@@ -27,7 +27,6 @@ struct StatsArguments {
   std::string file, test, margin, out, decimal;
   csv::Request csv;
   results::Plan plan;
-  bool are_summaries = false;
   ReportArguments report;
 };
 
@@ -55,8 +54,7 @@ std::string direction_of(const std::vector<judge::JudgedMetric>& metrics) {
 // With figures, and the look that they have, if there is a folder for them.
 show::Report judged(const StatsArguments& arguments, Style& style) {
   const std::string text = contents_of(arguments.file), source = name_of_source(arguments.file);
-  csv::Quantities quantities = arguments.are_summaries ? csv::read_summaries(text, source, arguments.csv)
-                                                       : csv::read(text, source, arguments.csv);
+  csv::Quantities quantities = csv::read(text, source, arguments.csv);
   std::vector<judge::JudgedMetric> metrics;
   for (judge::Observations& observed : quantities.observed) {
     const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, observed);
@@ -121,7 +119,7 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       "column of runs: averages the rows of a run (within a block), which are no repetitions; row: each row is one");
   add_several("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
   add_several("--better", csv.better, "smaller or larger is better; COLUMN=larger: of this column [smaller]");
-  command->add_flag("--summaries", arguments->are_summaries,
+  command->add_flag("--summaries", csv.are_summaries,
                     "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
   add("--decimal", arguments->decimal, "mark in numbers [found]")->check(CLI::IsMember({".", ","}));
   add("--test", arguments->test, "of ranks or means [ranks]")->check(CLI::IsMember({"ranks", "means"}));
@@ -138,7 +136,7 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       "  ikbench stats --summaries published.csv\n\n"
       "docs/your-own-csv.md explains which rows are yours.");
   command->callback([arguments, &invocation] {
-    if (arguments->test == "means" || arguments->are_summaries) arguments->plan.test = results::Plan::Test::means;
+    if (arguments->test == "means" || arguments->csv.are_summaries) arguments->plan.test = results::Plan::Test::means;
     if (!arguments->decimal.empty()) arguments->csv.decimal = arguments->decimal[0];
     try {
       stats(*arguments);

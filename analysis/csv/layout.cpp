@@ -10,8 +10,8 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
-#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -19,6 +19,7 @@
 #include "analysis/judge/tests_of_two.hpp"
 #include "base/names.hpp"
 #include "base/number.hpp"
+#include "numerics/random.hpp"
 
 namespace ikbench::csv {
 namespace {
@@ -67,6 +68,13 @@ class Finder {
       const bool counts = sheet.counts_rows(i), is_constant = sheet.rows().size() > 1 && count(sheet.rows(), {i}) == 1;
       (counts ? asked_.counting : is_constant ? constant : sheet.has_numbers(i) ? numbers_ : texts_).push_back(i);
     }
+    const auto names_rows = [&](std::size_t column) { return count(sheet.rows(), {column}) == sheet.rows().size(); };
+    const bool are_few = numbers_.empty() || std::ranges::any_of(texts_, names_rows);  // rows with values of all groups
+    for (const std::size_t column : asked_.values.empty() ? texts_ + constant : Columns()) {
+      const auto row = sheet.broken_number(column);
+      if (row && (are_few || 2 * count(sheet.rows(), {column}) > sheet.rows().size()))
+        sheet.refuse(*row, column, "is no number: write it alone, its unit in the header, or name others with --value");
+    }
     for (const std::size_t column : constant) {  // of one group, or of equal values
       Columns& others = sheet.has_numbers(column) ? numbers_ : texts_;
       if (others.empty() && (&others == &numbers_ || numbers_.size() < 2)) others.push_back(column);
@@ -77,11 +85,6 @@ class Finder {
       if (units.size() > 1 && !units.contains(""))
         sheet.refuse(fmt::format("{} has {}: convert its values to one unit, or take some with --where",
                                  titles_of({column}), fmt::join(units, " and ")));
-    }
-    for (const std::size_t column : asked_.values.empty() ? texts_ : Columns()) {
-      const auto row = sheet.broken_number(column);
-      if (row && (numbers_.empty() || 2 * count(sheet.rows(), {column}) > sheet.rows().size()))
-        sheet.refuse(*row, column, "is no number: write it alone, its unit in the header, or name others with --value");
     }
   }
 
@@ -124,7 +127,7 @@ class Finder {
 
   // What each of the rows has in the columns, numbered from 0.
   Rows classes_of(const Rows& rows, const Columns& columns) {
-    Rows classes(rows.size());
+    std::vector<std::uint64_t> sums(rows.size());  // of random numbers of the texts, alike for the same texts alone
     for (const std::size_t column : columns) {
       Rows& texts = texts_of_[column];
       if (texts.empty()) {
@@ -133,12 +136,12 @@ class Finder {
         for (const Index row : sheet_.rows())
           texts[row] = known.try_emplace(sheet_.cell(row, column), static_cast<Index>(known.size())).first->second;
       }
-      std::unordered_map<std::uint64_t, Index> known;
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::uint64_t both = std::uint64_t{classes[i]} << 32 | texts[rows[i]];
-        classes[i] = known.try_emplace(both, static_cast<Index>(known.size())).first->second;
-      }
+      for (std::size_t i = 0; i < rows.size(); ++i) sums[i] += numerics::Key(column << 32 | texts[rows[i]]).value();
     }
+    Rows classes(rows.size());
+    std::unordered_map<std::uint64_t, Index> known;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      classes[i] = known.try_emplace(sums[i], static_cast<Index>(known.size())).first->second;
     return classes;
   }
   static std::size_t number_of(const Rows& classes) { return classes.empty() ? 0 : std::ranges::max(classes) + 1; }
@@ -321,8 +324,10 @@ class Finder {
     }
     if (labels.empty() && !may_be_wide)
       sheet_.refuse("no column of labels; name that of the groups with --label, or the column of each with --value");
+    constexpr std::size_t most_ways = 3;  // that anybody reads
     std::vector<Way> ways;
-    for (const std::size_t column : labels) ways.push_back(with(way, "--label", {column}));
+    for (std::size_t i = 0; i < std::min(labels.size(), most_ways); ++i)
+      ways.push_back(with(way, "--label", {labels[i]}));
     if (may_be_wide) {
       Way wide = way;
       if (!labels.empty()) wide = together.empty() ? with(way, "--value", values) : with(way, "--block", together);
@@ -368,7 +373,7 @@ class Finder {
       Columns kept;
       for (const std::size_t column : columns) {
         for (std::size_t i = 0; i < lists.size(); ++i) lists[i].push_back(printed(sheet_, sheet_.rows()[i], column));
-        if (kept.size() < 2 || !are_computed(lists))
+        if (kept.size() < 2 || !are_computed(lists, static_cast<double>(columns.size())))
           kept.push_back(column);
         else
           for (std::vector<Printed>& list : lists) list.pop_back();
@@ -588,54 +593,96 @@ Printed printed(Sheet& sheet, std::size_t row, std::size_t column) {
   return {value, std::pow(10, shift - (mark < exponent ? static_cast<double>(exponent - mark - 1) : 0)) / 2};
 }
 
-bool are_computed(const std::vector<std::vector<Printed>>& lists, std::optional<std::size_t> one) {
+namespace {
+
+// That a number like the others has these digits: by Cauchy's law, whose tails are long, or as one of several equal
+// ones. It is as coarse as they are; where all have as many digits, fewer are none of theirs.
+double chance_of(const Printed& last, const std::vector<double>& sorted, double half, double coarsest) {
+  std::uint64_t grain = 0;  // in the finest digit
+  double equal = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    grain = std::gcd(grain, static_cast<std::uint64_t>(std::min(std::round(std::abs(sorted[i]) / (2 * half)), 1e18)));
+    equal += (i > 0 && sorted[i] == sorted[i - 1]) || (i + 1 < sorted.size() && sorted[i] == sorted[i + 1]);
+  }
+  const double step = 2 * half * static_cast<double>(grain), steps = std::abs(last.value) / step,
+               as_printed = 2 * (half == coarsest ? std::min(half, last.half) : last.half),
+               digit = std::abs(steps - std::round(steps)) < 1e-6 ? std::max(step, as_printed) : as_printed,
+               spread = std::max(judge::quantile(sorted, 0.75) - judge::quantile(sorted, 0.25), digit) / 2,
+               place = (last.value - judge::quantile(sorted, 0.5)) / spread,
+               chance = digit / (std::numbers::pi * spread * (1 + place * place));
+  const bool is_equal = std::ranges::binary_search(sorted, last.value);
+  return std::clamp(chance, is_equal ? equal / static_cast<double>(sorted.size()) : 0, 1.0);
+}
+
+std::vector<double> statistics_of(const std::vector<double>& values, const std::vector<double>& sorted) {
+  const judge::Description of = judge::described(values);
+  double logarithms = 0;
+  for (const double value : values) logarithms += std::log(value);
+  std::vector<double> computed{of.mean,     of.mean * of.n, of.median, std::exp(logarithms / of.n),
+                               of.smallest, of.largest,     of.sd,     of.sd * std::sqrt(1 - 1.0 / of.n)};
+  for (const double share : {0.1, 0.25, 0.75, 0.9}) {  // as NumPy, R and spreadsheets have it
+    const double place = share * (of.n - 1);
+    const auto low = static_cast<std::size_t>(place);
+    computed.push_back(std::lerp(sorted[low], sorted[std::min(low + 1, sorted.size() - 1)], place - std::floor(place)));
+  }
+  for (const bool is_turned : {false, true}) {
+    const double a = values[is_turned], b = values[!is_turned], ratio = a / b;
+    for (const double each : {a - b, ratio, 100 * ratio, ratio - 1, 1 - ratio, 100 * (ratio - 1), 100 * (1 - ratio)})
+      if (values.size() == 2) computed.push_back(each);
+  }
+  return computed;
+}
+
+}  // namespace
+
+bool are_computed(const Lists& lists, double tried, const Lists& of, std::size_t one) {
   std::vector<double> chances;  // of each statistic
-  for (const std::vector<Printed>& list : lists) {
-    const Printed& last = list.back();
-    std::vector<double> values;
-    double half = std::numeric_limits<double>::infinity(), coarsest = 0, logarithms = 0;
-    for (const Printed& each : std::span(list).first(list.size() - 1)) {
-      if (std::isnan(each.value)) continue;
+  for (std::size_t at = 0; at < lists.size(); ++at) {
+    const Printed& last = lists[at].back();
+    std::vector<double> values, from;
+    double half = std::numeric_limits<double>::infinity(), coarsest = 0;
+    for (std::size_t i = 0; i + 1 < lists[at].size(); ++i) {
+      const Printed& each = lists[at][i];
+      if (!of.empty()) from.push_back(of[at][i].value);
+      if (!std::isfinite(each.value)) continue;
       values.push_back(each.value);
       half = std::min(half, each.half), coarsest = std::max(coarsest, each.half);
-      logarithms += std::log(each.value);
     }
-    const judge::Description of = judge::described(values);
     if (std::isinf(last.value)) return false;
-    if (of.n < 2 || std::isnan(last.value)) continue;
-    std::vector<double> computed{of.mean,     of.mean * of.n, of.median, std::exp(logarithms / of.n),
-                                 of.smallest, of.largest,     of.sd,     of.sd * std::sqrt(1 - 1.0 / of.n)};
+    if (values.size() < 2 || std::isnan(last.value)) continue;
     std::vector<double> sorted = values;
     std::ranges::sort(sorted);
-    for (const double share : {0.1, 0.25, 0.75, 0.9}) {  // as NumPy, R and spreadsheets have it
-      const double place = share * (of.n - 1);
-      const auto low = static_cast<std::size_t>(place);
-      computed.push_back(
-          std::lerp(sorted[low], sorted[std::min(low + 1, sorted.size() - 1)], place - std::floor(place)));
-    }
-    for (const bool is_turned : {false, true}) {
-      const double a = values[is_turned], b = values[!is_turned], ratio = a / b;
-      for (const double each : {a - b, ratio, 100 * ratio, ratio - 1, 1 - ratio, 100 * (ratio - 1), 100 * (1 - ratio)})
-        if (list.size() == 3) computed.push_back(each);
-    }
+    const double sum = std::accumulate(from.begin(), from.end(), 0.0), chance = chance_of(last, sorted, half, coarsest);
+    const std::vector<double> computed = of.empty()
+                                             ? statistics_of(values, sorted)
+                                             : std::vector{one == 0 ? sum / static_cast<double>(from.size()) : sum};
     chances.resize(computed.size(), 1);
-    // A number like the others has these digits by Cauchy's law, whose tails are long; equal ones do not tell. Where
-    // all have as many digits, fewer are none of theirs.
-    const double digit = 2 * (half == coarsest ? std::min(half, last.half) : last.half),
-                 spread = std::max(of.upper_quartile - of.lower_quartile, digit) / 2,
-                 place = (last.value - of.median) / spread,
-                 chance = std::min(1.0, digit / (std::numbers::pi * spread * (1 + place * place)));
     for (std::size_t i = 0; i < computed.size(); ++i) {
-      const double off = std::abs(last.value - computed[i]),
-                   slack = last.half + std::min(half / 2, last.half) + 1e-9 * std::abs(last.value);
-      chances[i] *= !(off <= slack) ? judge::unknown : of.largest - of.smallest > half ? chance : 1;
+      const double slack = last.half + std::min(of.empty() ? half / 2 : 0, last.half) + 1e-9 * std::abs(last.value);
+      chances[i] *= std::abs(last.value - computed[i]) <= slack ? chance : judge::unknown;
     }
   }
   for (std::size_t i = 0; i < chances.size(); ++i) {
-    const double rare = one ? 2e-3 : i < 2 ? 5e-4 : 1e-4;  // means and sums are usual
-    if (chances[i] < rare && i == one.value_or(i)) return true;
+    const double share = i < 2 ? 0.5 : 1.0 / static_cast<double>(chances.size());  // means and sums are usual
+    if (chances[i] < 2e-3 * share / tried) return true;
   }
   return false;
+}
+
+Request with(Request request, const Options& options) {
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    const std::string& option = options[i];
+    request.are_summaries |= option == "--summaries";
+    if (option == "--run") request.run = options[++i];
+    for (const auto& [name, values] : {std::pair{"--value", &request.values},
+                                       {"--label", &request.label},
+                                       {"--block", &request.block},
+                                       {"--where", &request.where},
+                                       {"--better", &request.better}}) {
+      if (option == name) values->push_back(options[++i]);
+    }
+  }
+  return request;
 }
 
 Layout layout_of(Sheet& sheet, const Request& request) { return Finder(sheet, request).found(); }

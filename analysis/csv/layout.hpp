@@ -27,6 +27,7 @@ struct Request {
   std::vector<std::string> where = {};   // "metric=error": takes these rows alone
   std::vector<std::string> better = {};  // "smaller" or "larger", of one column "quality=larger"; else smaller
   char decimal = 0;                      // mark of decimals; 0: found
+  bool are_summaries = false;            // rows have printed means and standard deviations
 };
 
 // Where things are. Without a label each column of values is a group.
@@ -37,6 +38,7 @@ struct Layout {
 };
 
 using Options = std::vector<std::string>;  // "--run", "seed"
+Request with(Request request, const Options& options);
 
 // The file can be read in several ways: what is open, and the options to add for the likely ones, the likeliest first.
 struct Question : std::invalid_argument {
@@ -51,8 +53,10 @@ struct Printed {
 Printed printed(Sheet& sheet, std::size_t row, std::size_t column);
 // Whether the last number of each list is to its last digit one statistic of the others, and not by chance: mean, sum,
 // median, geometric mean, smallest, largest, standard deviation, a quartile or tenth; of two also a difference or
-// ratio. `one`: only the mean, 0, or the sum, 1.
-bool are_computed(const std::vector<std::vector<Printed>>& lists, std::optional<std::size_t> one = {});
+// ratio; or of the numbers `of` in place of the others, as of their ranks, only the mean, 0, or the sum, 1. `tried`: of
+// how many such lists of a file these are.
+using Lists = std::vector<std::vector<Printed>>;
+bool are_computed(const Lists& lists, double tried, const Lists& of = {}, std::size_t one = 0);
 
 // Rows without a label count for nothing. Throws a Question, or std::invalid_argument as Sheet does.
 Layout layout_of(Sheet& sheet, const Request& request);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -177,51 +176,64 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
   }
 }
 
-// Refuses last rows from the first on that has a statistic of those above in each group, or of ranks or wins of the
-// groups, where each row has a value of all groups.
+// Refuses a row that is the first of each group, or one of the last, or so in each unit of a group, and has a statistic
+// of the others there, or of ranks or wins of the groups, where each row has a value of all.
 void refuse_totals(Sheet& sheet, const Layout& layout, const Columns& columns, const Items& items) {
-  constexpr std::size_t most_values = 100'000, most_totals = 4, fewest = 3;  // nobody adds such rows to more
-  const std::size_t groups = items.groups.size(), units = items.values.size() / groups;
-  if ((layout.label && !layout.block) || groups < 2 || items.values.size() > most_values) return;
-  using Lists = std::vector<std::vector<Printed>>;  // of each group
-  std::vector<Lists> kinds{Lists(groups)};          // values, then from either end their ranks and who is first
-  for (std::size_t i = 0; i < items.values.size(); ++i) {
-    const Value& item = items.values[i];
-    if (item.group != i / units || item.unit != items.values[i % units].unit) return;
-    kinds[0][item.group].push_back(printed(sheet, item.row, columns[layout.label ? 0 : item.group]));
-  }
-  for (const double sign : {1.0, -1.0}) {
-    Lists ranks(groups), firsts(groups);
-    for (std::size_t unit = 0; unit < units; ++unit) {
-      std::vector<double> row;
-      for (const std::vector<Printed>& group : kinds[0])
-        row.push_back(std::isnan(group[unit].value) ? std::numeric_limits<double>::infinity()
-                                                    : sign * group[unit].value);
-      row = midranks(row).ranks;
-      for (std::size_t g = 0; g < groups; ++g) {
-        ranks[g].push_back({row[g], 0.5});
-        firsts[g].push_back({row[g] == std::ranges::min(row) ? 1.0 : 0.0, 0.5});
-      }
+  constexpr std::size_t most_values = 100'000, most_last = 4, fewest = 3;  // nobody adds such rows to more
+  if (items.groups.size() < 2 || items.values.size() > most_values) return;
+  for (const bool by_unit : {false, true}) {
+    std::vector<Lists> kinds(1);  // values, then from either end their ranks and who is first
+    std::vector<std::vector<Value>> rows;
+    for (const Value& item : items.values) {
+      if (rows.empty() || rows.back().back().group != item.group || (by_unit && rows.back().back().unit != item.unit))
+        rows.emplace_back(), kinds[0].emplace_back();
+      rows.back().push_back(item);
+      kinds[0].back().push_back(printed(sheet, item.row, columns[layout.label ? 0 : item.group]));
     }
-    kinds.insert(kinds.end(), {ranks, firsts});
-  }
-  for (std::size_t above = std::max(units, fewest + most_totals) - most_totals; above < units; ++above) {
-    const auto is_as = [&](std::size_t unit) {
-      return std::ranges::all_of(kinds[0], [&](const auto& group) { return group[unit].value == group[above].value; });
+    const std::size_t least = std::ranges::min(rows, {}, &std::vector<Value>::size).size();
+    const auto is_complete = [&](const std::vector<Value>& of) {
+      return !by_unit && (layout.block || !layout.label) &&
+             std::ranges::equal(of, rows.front(), {}, &Value::unit, &Value::unit);
     };
-    if (std::ranges::any_of(std::views::iota(std::size_t{0}, above), is_as)) continue;  // it may well be one more
-    for (std::size_t k = 0; k < kinds.size(); ++k) {
-      Lists lists = kinds[k];
-      for (std::size_t g = 0; g < groups; ++g) {
-        lists[g].resize(above);
-        lists[g].push_back(kinds[0][g][above]);
+    for (const double sign : std::ranges::all_of(rows, is_complete) ? std::vector{1.0, -1.0} : std::vector<double>()) {
+      Lists ranks(rows.size()), firsts(rows.size());
+      for (std::size_t unit = 0; unit < least; ++unit) {
+        std::vector<double> row;
+        for (const std::vector<Printed>& group : kinds[0])
+          row.push_back(std::isnan(group[unit].value) ? std::numeric_limits<double>::infinity()
+                                                      : sign * group[unit].value);
+        row = midranks(row).ranks;
+        for (std::size_t g = 0; g < rows.size(); ++g) {
+          ranks[g].push_back({row[g], 0.5});
+          firsts[g].push_back({row[g] == std::ranges::min(row) ? 1.0 : 0.0, 0.5});
+        }
       }
-      if (k == 0 ? are_computed(lists) : are_computed(lists, k % 2 == 0))  // a mean of ranks, a sum of firsts
-        sheet.refuse(items.values[above].row, columns.front(),
-                     fmt::format("sums up those above, as the other values of its row do; leave the last {} out of the "
-                                 "file",
-                                 units - above > 1 ? fmt::format("{} rows", units - above) : "row"));
+      kinds.insert(kinds.end(), {ranks, firsts});
     }
+    for (std::size_t after = most_last + 1; after-- > 0;) {  // as many rows; if all, it is the first
+      const bool is_first = after == most_last;
+      if (least < fewest + (is_first ? 1 : after + 1)) continue;
+      for (std::size_t k = 0; k < kinds.size(); ++k) {
+        Lists lists = kinds[0], of = kinds[k];
+        for (Lists* each : {&lists, &of}) {
+          for (std::vector<Printed>& list : *each) {
+            const auto place = static_cast<std::ptrdiff_t>(is_first ? 0 : list.size() - 1 - after);
+            list.push_back(list[static_cast<std::size_t>(place)]);
+            list.erase(list.begin() + place, is_first ? list.begin() + 1 : list.end() - 1);
+          }
+        }
+        const auto is_limit = [&](const auto& list) { return list.back().value == lists.front().back().value; };
+        constexpr double tried = most_last + 1;
+        if (!std::ranges::all_of(lists, is_limit) &&
+            (k == 0 ? are_computed(lists, tried)
+                    : are_computed(lists, 4 * tried, of, k % 2 == 0)))  // mean rank, sum of firsts
+          sheet.refuse(
+              rows.front()[is_first ? 0 : rows.front().size() - 1 - after].row, columns.front(),
+              fmt::format("sums up those {} it, as those of the other groups do; leave such rows out of the file",
+                          is_first ? "below" : "above"));
+      }
+    }
+    if (items.means.size() == items.values.size()) return;
   }
 }
 
@@ -251,7 +263,9 @@ Means means_in(const Sheet& sheet) {
 
 }  // namespace
 
-Quantities read(std::string_view text, std::string_view source, const Request& request) {
+namespace {
+
+Quantities values_in(std::string_view text, std::string_view source, const Request& request) {
   Sheet sheet(text, source, request.decimal);
   if (sheet.column_like({"stop_reason"}) && sheet.column_like({"series"}))
     sheet.refuse("solves of a study, which a CSV does not say all of; `ikbench report` judges its store");
@@ -290,7 +304,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   return quantities;
 }
 
-Quantities read_summaries(std::string_view text, std::string_view source, const Request& request) {
+Quantities summaries_in(std::string_view text, std::string_view source, const Request& request) {
   Sheet sheet(text, source, request.decimal);
   for (const std::string& condition : request.where) sheet.choose(condition);
   const auto [n, mean, sd] = means_in(sheet);
@@ -301,8 +315,23 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
   for (std::size_t i = 0; request.label.empty() && i < sheet.titles().size(); ++i) {
     if (i != quantity && !sheet.has_numbers(i)) texts.push_back(sheet.titles()[i]);
   }
-  if (texts.empty() || (request.label.empty() && texts.size() > 1))
-    sheet.refuse(fmt::format("{} columns of text; name that of the groups with --label", texts.size()));
+  if (texts.empty()) sheet.refuse("no column of text; name that of the groups with --label");
+  if (request.label.empty() && texts.size() > 1) {
+    std::vector<Options> answers;
+    for (const std::string& name : texts) {
+      const std::size_t groups = sheet.column(name);
+      answers.push_back({"--label", name});
+      const auto is_again = [&](Index row) {
+        return row != sheet.rows()[0] && sheet.cell(row, groups) == sheet.cell(sheet.rows()[0], groups);
+      };
+      for (const std::string& other : std::ranges::any_of(sheet.rows(), is_again) ? texts : std::vector<std::string>())
+        if (other != name)
+          answers.back().insert(
+              answers.back().end(),
+              {"--where", fmt::format("{}={}", other, sheet.cell(sheet.rows()[0], sheet.column(other)))});
+    }
+    throw Question(sheet.said(fmt::format("{} may name the groups", listed(texts))), answers);
+  }
   const std::size_t label = sheet.joined(texts);
   Quantities quantities;
   std::vector<std::string> titles;
@@ -336,6 +365,36 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
   for (std::size_t i = 0; i < titles.size(); ++i)
     quantities.observed[i].better = better_of(sheet, request, titles, titles[i], false);
   return quantities;
+}
+
+// With each answer, and more that it is asked for, tried: what is likeliest may be refused as a whole.
+Quantities answered(std::string_view text, std::string_view source, const Request& request, int asked) {
+  try {
+    return request.are_summaries ? summaries_in(text, source, request) : values_in(text, source, request);
+  } catch (const Question& question) {
+    constexpr int most_asked = 3;
+    std::vector<Options> answers;
+    for (const Options& answer : asked < most_asked ? question.answers : std::vector<Options>()) {
+      try {
+        answered(text, source, with(request, answer), asked + 1);
+        answers.push_back(answer);
+      } catch (const Question& further) {
+        for (const Options& more : further.answers) {
+          answers.push_back(answer);
+          answers.back().insert(answers.back().end(), more.begin(), more.end());
+        }
+      } catch (const std::invalid_argument&) {
+        if (answers.empty()) throw;
+      }
+    }
+    throw Question(question.what(), answers);
+  }
+}
+
+}  // namespace
+
+Quantities read(std::string_view text, std::string_view source, const Request& request) {
+  return answered(text, source, request, 0);
 }
 
 Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {

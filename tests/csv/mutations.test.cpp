@@ -17,14 +17,13 @@ TEST_CASE("whatever is in a CSV, it is judged or refused in one sentence", "[mut
       {rows, {.values = {"error"}, .block = {"problem"}}},
       {rows, {.values = {"error"}, .block = {"problem"}, .run = "run"}},
       {rows, {.values = {"error"}, .run = "run", .where = {"problem=p1"}}},
-      {printed, {}}};
+      {printed, {.are_summaries = true}}};
   int judged = 0;
   for (const auto& each_case : cases) {
     const std::string& whole = each_case.first;
     const csv::Request& request = each_case.second;
     judged += read_mutated(Mutator(2023), whole, 500, "", [&](const std::string& text) {
-      csv::Quantities read =
-          whole == printed ? csv::read_summaries(text, "m.csv", request) : csv::read(text, "m.csv", request);
+      csv::Quantities read = csv::read(text, "m.csv", request);
       for (judge::Observations& each : read.observed) {
         const judge::Plan plan = csv::with_margin({}, "", each);
         for (const judge::Group& group : judge::judge(std::move(each), plan).observations.groups)
