@@ -12,7 +12,7 @@ numbers AS (
 SELECT * FROM (
   SELECT study, label, solved || ' of ' || poses AS solved, printf('%.3g', 1000 * median) AS "median, ms",
     printf('%.3g', 1000 * p95) AS "95 %", printf('%.3g', 1000 * p99) AS "99 %",
-    printf('%.1f', median / min(iif(solved = poses, median, NULL)) OVER (PARTITION BY study)) AS "x fastest",
+    printf('%.3g', median / max(iif(label = 'LM', median, NULL)) OVER (PARTITION BY study)) AS "x LM",
     iif(solved > 0, printf('%.3g', motion), '') AS "joint motion, deg"
   FROM numbers ORDER BY study, solved < poses, median)
 UNION ALL SELECT DISTINCT study, label, 'declines', '', '', '', '', '' FROM current_solves
