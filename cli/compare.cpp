@@ -106,12 +106,9 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
   return all;
 }
 
-// "3 runs cannot decide it, it takes 4"
-std::string why_not_compared(const Gate& gate) {
-  const auto* const open = std::get_if<Open>(&gate.judged.metrics[gate.judged.deciding].findings.front().what);
-  if (open == nullptr || open->why != Open::Why::too_few || open->n == 0) return "the warnings say why";
-  return fmt::format("{} cannot decide it, it takes {}", base::counted(open->n, show::answer_of(gate.judged).noun),
-                     open->needed);
+std::string why_open(const Gate& gate, const JudgedMetric& judged) {
+  const auto noun = show::noun_of(show::answer_of(gate.judged), judged);
+  return show::reason_of(std::get<Open>(judged.findings.front().what), noun);
 }
 
 // "mine is worse than PSO: in solved and error. Not decided: joint motion."
@@ -119,8 +116,10 @@ std::string verdict_of(const Gate& gate) {
   const std::vector<std::string>& solvers = gate.judged.study.labels;
   const std::string candidate = gate.label.empty() ? solvers.front() : gate.label,
                     baseline = gate.label.empty() ? solvers.back() : "before";
-  if (!gate.is_compared)
-    return fmt::format("{} is not compared with {}: {}.", candidate, baseline, why_not_compared(gate));
+  if (!gate.is_compared) {
+    return fmt::format("{} is not compared with {}: {}.", candidate, baseline,
+                       why_open(gate, gate.judged.metrics[gate.judged.deciding]));
+  }
   const bool is_worse = !gate.worse.empty(), is_open = !gate.not_decided.empty() || !gate.not_tested.empty(),
              is_within = !gate.worse_by_little.empty();
   std::vector<std::string> parts;
@@ -136,7 +135,13 @@ std::string verdict_of(const Gate& gate) {
   if (!gate.worse_by_little.empty())
     text += fmt::format(" Worse by less than the margin: {}.", show::listed(gate.worse_by_little));
   if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));
-  if (!gate.not_tested.empty()) text += fmt::format(" Not tested: {}.", show::listed(gate.not_tested));
+  std::vector<std::string> untested;
+  for (const std::string& quantity : gate.not_tested) {
+    const JudgedMetric& judged = *std::ranges::find_if(
+        gate.judged.metrics, [&](const JudgedMetric& its) { return its.observations.quantity == quantity; });
+    untested.push_back(fmt::format("{} ({})", quantity, why_open(gate, judged)));
+  }
+  if (!untested.empty()) text += fmt::format(" Not tested: {}.", show::listed(untested));
   return text;
 }
 
@@ -170,15 +175,25 @@ show::Answer answer_of(const Gate& gate) {
   return answer;
 }
 
-// "These 100 targets show a loss of 14 points or more; 5 points take 700."
-std::string sight_of(const Gate& gate) {
-  if (!gate.sight || gate.are_same) return "";
-  const auto& [smallest, targets, of_margin] = *gate.sight;
-  std::string text = fmt::format("These {} show a loss of {:.2g} points or more", base::counted(targets, "targets"),
-                                 std::ceil(100 * smallest));
-  if (of_margin > targets)
-    text += fmt::format("; {:.2g} points take {}", 100 * gate.judged.metrics.front().plan.margin, of_margin);
-  return text + '.';
+// "These 100 targets show a loss of 14 points or more (mine); 5 points take 700 (mine)." Of solves that are the same
+// nothing is left to show.
+std::string sights_of(const std::vector<Gate>& all) {
+  std::vector<std::string> shown, labels;
+  for (const Gate& gate : all) {
+    if (!gate.sight || gate.are_same) continue;
+    const auto& [smallest, targets, of_margin] = *gate.sight;
+    shown.push_back(fmt::format(
+        "these {} show a loss of {:.2g} points or more{}", base::counted(targets, "targets"), std::ceil(100 * smallest),
+        of_margin > targets
+            ? fmt::format("; {:.2g} points take {}", 100 * gate.judged.metrics.front().plan.margin, of_margin)
+            : ""));
+    labels.push_back(gate.label);
+  }
+  std::string text;
+  for (const auto& [what, who] : show::by_word(shown, labels))
+    text += fmt::format("{}{}{}.", text.empty() ? "" : " ", all.size() == 1 ? "" : who + ": ", what);
+  if (all.size() == 1 && !text.empty()) text.front() = 'T';
+  return text;
 }
 
 // What all labels that differ have in common; empty if none does.
@@ -198,11 +213,9 @@ std::string note_of(const std::vector<Gate>& all) {
 
 std::string screen_of(const std::vector<Gate>& all) {
   std::string text;
-  for (const Gate& gate : all) {
-    const std::string sight = sight_of(gate);
-    text += !is_told(gate) ? "" : show::screen(answer_of(gate)) + (sight.empty() ? "" : wrapped(sight) + '\n') + '\n';
-  }
-  for (const std::string& last : {note_of(all), verdict_of_same(all)}) text += last.empty() ? "" : wrapped(last) + '\n';
+  for (const Gate& gate : all) text += is_told(gate) ? show::screen(answer_of(gate)) + '\n' : "";
+  for (const std::string& last : {note_of(all), verdict_of_same(all), sights_of(all)})
+    text += last.empty() ? "" : wrapped(last) + '\n';
   return text;
 }
 
@@ -251,8 +264,11 @@ std::string markdown_of(const std::vector<Gate>& all) {
                         show::to_markdown(show::results_table(answer)), show::to_markdown(show::pairs_table(answer)),
                         show::markdown_text(fmt::format("{}", fmt::join(sentences, " "))));
   }
-  const std::string note = show::markdown_text(note_of(all)), same = show::markdown_text(verdict_of_same(all));
-  return text + note + (same.empty() ? "\n" : fmt::format("{}**{}**\n", note.empty() ? "" : "\n\n", same));
+  const std::string same = show::markdown_text(verdict_of_same(all));
+  std::vector<std::string> last{show::markdown_text(note_of(all)), same.empty() ? "" : fmt::format("**{}**", same),
+                                show::markdown_text(sights_of(all))};
+  std::erase(last, "");
+  return text + fmt::format("{}\n", fmt::join(last, "\n\n"));
 }
 
 }  // namespace
@@ -286,7 +302,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
       "Exit codes: 0 nothing is worse, 3 something is worse, perhaps by more than the margin, 4 with --strict something "
       "is not decided or not tested, 1 not compared: a mistake, A and B differ in more than solvers, or nothing could "
-      "be compared.\n"
+      "be compared, or not the times that --time-margin asks for.\n"
       "Times are shown and decide nothing without --time-margin.");
   command->callback([arguments, &invocation] {
     const std::vector<Gate> all = compare_all(*arguments);

@@ -103,8 +103,8 @@ Definition definition_of(std::string_view json) {
   for (std::size_t j = 0; j < velocities.size() && study.loop.period > 0; ++j) {
     const auto link = table["arm"]["links"][j];
     const double unit = link["joint"].value_or(std::string()) == "slides" ? 1 : base::degree;
-    study.steps.emplace_back(velocities[j] > 0 ? velocities[j] * unit * study.loop.period : INFINITY,
-                             link["limits_deg"].is_string());
+    const double step = velocities[j] * unit * study.loop.period;
+    study.steps.emplace_back(std::isnormal(step) ? step : INFINITY, link["limits_deg"].is_string());
   }
   study.arm = text_of(all.value("arm", base::Json()));
   study.task = text_of(all.value("initial_deg", base::Json()));

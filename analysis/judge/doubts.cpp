@@ -22,9 +22,11 @@ namespace {
 
 std::string names_of(const std::vector<std::string>& who) {
   constexpr std::size_t most = 4;
-  if (who.size() > most)
-    return fmt::format("{} and {} more", fmt::join(who.begin(), who.begin() + 3, ", "), who.size() - 3);
-  return fmt::format("{}", fmt::join(who, ", "));
+  const bool has_comma = std::ranges::any_of(who, [](const auto& name) { return name.find(',') != std::string::npos; });
+  const std::size_t told = who.size() > most ? 3 : who.size();
+  const auto end = who.begin() + static_cast<std::ptrdiff_t>(told);
+  const std::string names = fmt::format("{}", fmt::join(who.begin(), end, has_comma ? "; " : ", "));
+  return told < who.size() ? fmt::format("{} and {} more", names, who.size() - told) : names;
 }
 
 using Doubts = std::vector<Doubt>;

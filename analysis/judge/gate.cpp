@@ -31,6 +31,21 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
   }
 }
 
+// Each turn began before the next of either store; a second is the least that times of sessions tell.
+bool were_in_turn(const std::vector<Session>& ours, const std::vector<Session>& theirs) {
+  const auto begins = [](const std::vector<Session>& sessions) {
+    std::vector<std::string> all;
+    for (const Session& session : sessions) all.push_back(session.began);
+    std::ranges::sort(all);
+    return all;
+  };
+  const std::vector<std::string> one = begins(ours), other = begins(theirs);
+  bool are_apart = one.size() != other.size() || one.size() < 2;
+  for (std::size_t i = 1; i < one.size() && !are_apart; ++i)
+    are_apart = std::max(one[i - 1], other[i - 1]) > std::min(one[i], other[i]);
+  return !are_apart;
+}
+
 // Of both stores, as solvers of one study. Takes their solves.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both) {
   both.labels = {"now", "before"};
@@ -154,6 +169,11 @@ Gate gate(StudyResults study, const std::string& label) {
 Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> time_margin) {
   refuse_other_task(baseline, candidate);
   const std::string label = candidate.labels.front();
+  if (time_margin && !were_in_turn(baseline.sessions, candidate.sessions))
+    throw std::invalid_argument(
+        fmt::format("not compared: times of {} are of other sessions than before; expected two stores that were solved "
+                    "in turn (cli/gate.sh with OLD), or leave out --time-margin",
+                    label));
   StudyResults study = study_of_both(baseline, std::move(candidate));
   study.are_in_turn = time_margin.has_value();
   Gate both = gate(std::move(study), label);
@@ -178,6 +198,7 @@ void decide(std::vector<Gate>& gates) {
   tests = std::max<std::ptrdiff_t>(tests, 1);
   for (Gate& gate : gates) {
     gate.is_compared = gate.are_same;
+    gate.are_times_missing = gate.judged.study.are_in_turn && std::ranges::none_of(gate.judged.metrics, is_time);
     for (JudgedMetric& judged : gate.judged.metrics) {
       judged = judge(std::move(judged.observations), judged.plan, static_cast<std::size_t>(tests));
       const Observations& observed = judged.observations;
@@ -198,6 +219,7 @@ void decide(std::vector<Gate>& gates) {
       if (!matters && verdict == Verdict::worse) gate.worse_by_little.push_back(observed.quantity);
       if (is_open && may_decide(gate, judged))
         (verdict == Verdict::not_tested ? gate.not_tested : gate.not_decided).push_back(observed.quantity);
+      gate.are_times_missing |= is_time(judged) && verdict == Verdict::not_tested;
       gate.is_compared |= !is_of_answers(judged) && verdict != Verdict::not_tested;
     }
     gate.is_compared |= !gate.worse.empty() || !gate.better.empty();
@@ -206,7 +228,8 @@ void decide(std::vector<Gate>& gates) {
 
 int exit_code(const std::vector<Gate>& gates, bool is_strict) {
   if (std::ranges::any_of(gates, [](const Gate& gate) { return !gate.worse.empty(); })) return 3;
-  if (!std::ranges::all_of(gates, &Gate::is_compared)) return 1;
+  if (std::ranges::any_of(gates, [](const Gate& gate) { return !gate.is_compared || gate.are_times_missing; }))
+    return 1;
   const auto is_open = [](const Gate& gate) { return !gate.not_decided.empty() || !gate.not_tested.empty(); };
   return is_strict && std::ranges::any_of(gates, is_open) ? 4 : 0;
 }

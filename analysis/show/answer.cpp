@@ -95,13 +95,18 @@ Answer answer_of(const JudgedStudy& judged) {
   all.studied = fmt::format("{}: {}. A solve ends at {}.", judged.study.entry.name, what_is_solved(judged.study),
                             stops_of(judged.study));
   all.show = judged.study.definition.tables.show;
+  all.are_in_turn = judged.study.are_in_turn;
+  std::vector<std::string> solvers;
+  for (const std::size_t i : all.order) solvers.push_back(all.decisive().observations.groups[i].name);
+  all.loop = loop_table(judged.study, solvers);
   const results::Definition& definition = judged.study.definition;
   const bool are_runs = definition.compares_runs();
   all.noun = are_runs ? "runs" : "targets";
   if (are_runs ? definition.points > 1 : definition.runs > 1 && !definition.draws_targets)
     all.notes.push_back(fmt::format("Each {} is the mean of its {}{}.", are_runs ? "run" : "target",
                                     are_runs ? "targets" : "runs",
-                                    judged_of(judged, "seconds") ? ", of time the median" : ""));
+                                    judged_of(judged, "seconds") && !all.are_in_turn ? ", of time the median" : ""));
+  if (all.are_in_turn) all.notes.emplace_back("Of time a turn is one value, its median.");
   for (JudgedMetric& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
@@ -141,7 +146,13 @@ Answer with_short_names(Answer answer, std::size_t length) {
     shorten_all(judged.observations.doubts);
   }
   shorten_all(answer.doubts);
+  for (auto& row : answer.loop.rows) shorten(std::get<std::string>(row[0]));
   return answer;
+}
+
+std::string noun_of(const Answer& answer, const JudgedMetric& judged) {
+  const bool is_time = judged.observations.unit == "s" || judged.observations.unit == "ms";
+  return answer.are_in_turn && is_time ? "turns" : answer.noun;
 }
 
 Shown shown_average(const JudgedMetric& judged, std::size_t group) {

@@ -21,6 +21,8 @@ struct Answer {
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
   results::TableStyle::Show show = results::TableStyle::Show::tested;  // of the table of results
+  Table loop = {};                                                     // of a control loop; without rows if it is none
+  bool are_in_turn = false;                                            // so an observation of time is a turn
 
   const judge::JudgedMetric& decisive() const { return metrics.front(); }
   // Those of all and of each metric, each once; what several metrics have alike, as one.
@@ -46,6 +48,8 @@ Shown shown(const judge::JudgedMetric& judged, std::size_t group, double value);
 Shown shown_average(const judge::JudgedMetric& judged, std::size_t group);  // by which it is tested
 std::vector<double> ends_of_shares(const judge::JudgedMetric& judged);      // 99.97 % is not 100; of others none
 
+// What observations of a metric are: "targets", of time perhaps "turns".
+std::string noun_of(const Answer& answer, const judge::JudgedMetric& judged);
 std::string reference_of(const Answer& answer);  // the control, else the first of the table of results
 
 // The tables of every report, in study_tables.cpp. Their numbers are those of the sentences and of results.json.

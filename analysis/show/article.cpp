@@ -35,7 +35,7 @@ std::string told(const Finding& finding, const JudgedMetric& judged) {
 }
 
 // "McNemar's exact (n = 20 targets)", of each test.
-std::string tests_of(const Answer& answer, const std::vector<Finding>& findings) {
+std::string tests_of(const std::string& noun, const std::vector<Finding>& findings) {
   std::map<std::string, std::pair<int, int>> sizes;
   for (const Finding& finding : findings) {
     const auto* const tested = std::get_if<Tested>(&finding.what);
@@ -46,7 +46,7 @@ std::string tests_of(const Answer& answer, const std::vector<Finding>& findings)
   std::vector<std::string> all;
   for (const auto& [test, n] : sizes)
     all.push_back(fmt::format("{} (n = {}{})", test, n.first == n.second ? "" : fmt::format("{} to ", n.first),
-                              base::counted(n.second, answer.noun)));
+                              base::counted(n.second, noun)));
   return listed(all);
 }
 
@@ -72,7 +72,7 @@ std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
   constexpr std::array<std::string_view, 6> words{"is better than", "is worse than",          "is the same as",
                                                   "is equal to",    "is not decided against", "is not tested against"};
   std::vector<Finding> findings = judged.findings;
-  const std::string tests = tests_of(answer, findings), reference = reference_of(answer);
+  const std::string tests = tests_of(noun_of(answer, judged), findings), reference = reference_of(answer);
   std::vector<std::string> parts, counts, names;
   if (findings.size() > most_pairs) {
     std::map<std::string_view, int> by_verdict;
@@ -218,7 +218,8 @@ std::vector<std::string> write_article(const Report& report, const std::vector<s
         filled_template(
             "main.tex",
             {{"program", program},
-             {"commands", keys.empty() ? "pdflatex main" : "pdflatex main, bibtex main, pdflatex main, pdflatex main"},
+             {"commands", keys.empty() ? "pdflatex main, or xelatex main"
+                                       : "pdflatex main, bibtex main, pdflatex main, pdflatex main, or with xelatex"},
              {"title", latex_text(title_of(report.study))},
              {"floats", floats},
              {"bibliography",

@@ -52,7 +52,7 @@ Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
 // half of what it shows, and others evenly.
 std::set<std::size_t> shown_places(const StudyResults& study, const std::vector<std::string>& order) {
   std::size_t n = 0;
-  std::vector<std::vector<std::size_t>> all_bad;  // the latest solves, and the longest of the steps that are too fast
+  std::vector<std::vector<std::size_t>> all_bad;  // late solves, and steps that are too fast; the longest first
   for (const std::string& solver : order) {
     const judge::Solves run = study.of(solver).first(study.first_run_of(solver).size());
     n = std::max(n, run.size());
@@ -142,12 +142,21 @@ std::optional<std::string> moving_arm(const StudyResults& study, const std::vect
   for (const std::string& solver : shown) solvers.push_back(first_run(study, solver, *arm, places));
   if (solvers.empty()) return std::nullopt;
   const bool is_path = !study.definition.draws_targets, are_all = *places.rbegin() + 1 == places.size();
+  std::vector<std::string> worst;
+  for (const auto& [is_bad, words] : {std::pair(&judge::Solve::is_late, "late solves"),
+                                      std::pair(&judge::Solve::is_too_fast, "steps that are too fast")}) {
+    if (std::ranges::any_of(shown, [&, is_bad = is_bad](const std::string& solver) {
+          return std::ranges::any_of(study.of(solver).first(study.first_run_of(solver).size()), is_bad);
+        }))
+      worst.emplace_back(words);
+  }
   const std::string which =
-      are_all ? ""
-              : fmt::format(
-                    " Shown are {} of {} targets: the latest solves and the longest of the steps that are too "
-                    "fast, of each solver in turn up to {}, and others evenly.",
-                    places.size(), *places.rbegin() + 1, most_points / 2);
+      are_all         ? ""
+      : worst.empty() ? fmt::format(" Shown are {} of {} targets, evenly.", places.size(), *places.rbegin() + 1)
+                      : fmt::format(
+                            " Shown are {} of {} targets: of {} the longest, of each solver in turn up to {}, "
+                            "and others evenly.",
+                            places.size(), *places.rbegin() + 1, listed(worst), most_points / 2);
   std::string text = base::text_of(
       Json{{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"which", which}, {"solvers", std::move(solvers)}});
   for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)

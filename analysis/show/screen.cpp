@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "analysis/show/report.hpp"
@@ -25,17 +26,20 @@ std::string screen(const Answer& whole, const std::string& page) {
   text += '\n' + to_text(table);
   if (all > most_rows) text += fmt::format("  and {} more solvers\n", all - most_rows + 1);
   if (!notes.empty()) text += paragraph(fmt::format("{}", fmt::join(notes, " ")), "");
+  if (!answer.loop.rows.empty()) text += fmt::format("\n{}\n{}\n", answer.loop.caption, to_text(answer.loop));
   const auto pairs = pair_rows(answer);
   text += in_columns(pairs);
-  const bool is_any_open = std::ranges::any_of(answer.metrics, [&](const JudgedMetric& judged) {
-    return (answer.order.size() == 2 || &judged == &answer.decisive()) &&
-           std::ranges::any_of(judged.findings, [](const Finding& each) { return !enough_words(each).empty(); });
-  });
+  std::set<std::string> nouns;  // of which more could decide
+  for (const JudgedMetric& judged : answer.metrics) {
+    if ((answer.order.size() == 2 || &judged == &answer.decisive()) &&
+        std::ranges::any_of(judged.findings, [](const Finding& each) { return !enough_words(each).empty(); }))
+      nouns.insert(noun_of(answer, judged));
+  }
   const std::string enough =
-      is_any_open
-          ? fmt::format("(about N would): so many {} of a new study, with another seed, would probably decide it.",
-                        answer.noun)
-          : "";
+      nouns.empty()
+          ? ""
+          : fmt::format("(about N would): so many {} of a new study, with another seed, would probably decide it.",
+                        fmt::join(nouns, " or "));
   for (const std::string& note :
        {pairs.empty() ? "" : of_pairs(answer), pairs.empty() ? "" : enough, what_decides(answer)})
     text += note.empty() ? "" : paragraph(note, "");

@@ -39,7 +39,7 @@ std::vector<Blocks> sections_of(const Report& report) {
   std::vector<std::string> solvers;
   for (const std::size_t i : report.answer.order)
     solvers.push_back(report.answer.decisive().observations.groups[i].name);
-  add("Control loop", {loop_table(report.study, solvers)});
+  add("Control loop", {report.answer.loop});
   std::ranges::copy(report.additions, std::back_inserter(sections));
   const Answer brief = with_short_names(report.answer, longest_name);
   Table pairs = pairs_table(report.answer), numbers = descriptives_table(report.answer);

@@ -66,7 +66,7 @@ bool are_means_shown(const Answer& answer) {
 // A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
 // with the reference. Where the numbers of two are of other targets, the finding of the pair stands in its place.
 Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver,
-                 const std::set<std::string>& losers) {
+                 const std::set<std::string>& losers, const std::vector<std::string>& apart) {
   const std::vector<Group>& groups = judged.observations.groups;
   const std::size_t i = place_of(judged.observations, solver);
   if (i == groups.size()) return Absent{"not in it"};
@@ -78,19 +78,16 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   const Verdict verdict = pair ? verdict_of(finding) : Verdict::undecided;
   const auto* const tested = std::get_if<Tested>(&finding.what);
   const bool is_deciding = &judged == &answer.decisive(), is_of_all = is_deciding && judged.plan.control.empty();
-  const auto is_test_of_it = [&](const Finding& its) {
-    return (its.first == solver || its.second == solver) && verdict_of(its) != Verdict::not_tested;
-  };
-  const bool is_untested = untold(group) != nullptr ||
-                           (is_of_all && !judged.findings.empty() ? std::ranges::none_of(judged.findings, is_test_of_it)
-                                                                  : pair && verdict == Verdict::not_tested);
+  const bool is_untested =
+      untold(group) != nullptr || (is_of_all && !judged.findings.empty() ? std::ranges::count(apart, solver) > 0
+                                                                         : pair && verdict == Verdict::not_tested);
   // Within the margin only what a headline tells is marked, so not of other metrics, nor in a gate what is no loss.
   const bool matters = !tested || tested->size == Size::matters ||
                        (answer.verdict.empty() ? is_deciding : tested->size == Size::usually_small);
   const bool is_worse = is_of_all ? losers.contains(solver) : matters && verdict == Verdict::worse;
   const bool is_better = matters && verdict == Verdict::better;
   Marked cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
-  cell.is_best = is_of_all && !losers.empty() && !is_worse && !is_untested;
+  cell.is_best = is_of_all && !losers.empty() && !is_worse && !is_untested && std::ranges::count(apart, reference) == 0;
   if (are_ratios(judged, reference) && solver != reference && !untold(group)) {
     if (is_untested) return Absent{std::string(words_of(std::get<Open>(finding.what).why).of_solver)};
     if (const Amount* const amount = amount_of(finding)) {
@@ -109,7 +106,7 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   const Shown shown =
       is_only_one ? shown_average(judged, i) : show::shown(judged, i, are_means ? its.mean : its.median);
   if (std::isnan(shown.value))
-    return Absent{judged.observations.is_of_solved || untold(group) ? "nothing was solved" : "without a value"};
+    return Absent{untold(group) ? std::string(words_of(untold(group)->why).of_solver) : "without a value"};
   cell.value = shown.value, cell.is_bound = shown.is_bound;
   cell.interval = interval_of(judged, its);
   if (!is_deciding || is_share(judged) || judged.observations.is_of_solved || cell.is_bound || its.n < 2) return cell;
@@ -151,6 +148,7 @@ Table results_table(const Answer& answer) {
   for (const std::size_t i : answer.order) table.rows.push_back({decisive.observations.groups[i].name});
   const std::string reference = reference_of(answer);
   const std::set<std::string> losers = losers_of(decisive.findings);
+  const std::vector<std::string> apart = not_compared(answer);
   const bool are_means = are_means_shown(answer);
   const std::string average = are_means ? "mean" : "median";
   bool has_numbers = false, has_averages = false, has_quartiles = false, has_shares = false, has_words = false,
@@ -170,7 +168,7 @@ Table results_table(const Answer& answer) {
     std::set<std::string> here;
     bool has_own = false;
     for (auto& row : table.rows) {
-      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), losers));
+      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), losers, apart));
       if (const auto* const absent = std::get_if<Absent>(&row.back())) here.insert(absent->why);
       const auto* const marked = std::get_if<Marked>(&row.back());
       if (!marked) continue;
@@ -196,7 +194,7 @@ Table results_table(const Answer& answer) {
       const std::size_t place = place_of(observed, solver);
       if (place < judged.described.size()) solved.push_back(fmt::format("{} {}", solver, judged.described[place].n));
     }
-    counts.push_back(fmt::format("{}s of the {} that each solved ({})", average, answer.noun, fmt::join(solved, ", ")));
+    counts.push_back(fmt::format("{}s of the {} that each solved ({})", average, answer.noun, listed(solved, ", ")));
     counted.push_back(observed.quantity);
   }
   std::string key = !has_averages ? "" : are_means ? "Means" : "Medians";
@@ -219,7 +217,7 @@ Table results_table(const Answer& answer) {
   }
   const auto are_spent = [](const JudgedMetric& judged) { return judged.observations.are_logs; };
   if (std::ranges::any_of(answer.metrics, are_spent))
-    sentences.back() += fmt::format("{}per solved: all that was spent by the {} solved",
+    sentences.back() += fmt::format("{}per solved: all that was spent, divided by the number of {} solved",
                                     sentences.back().empty() ? "" : "; ", answer.noun);
   const auto has_facts = [](const JudgedMetric& judged) {
     return std::ranges::any_of(judged.findings, [](const Finding& finding) {
@@ -508,8 +506,9 @@ Table descriptives_table(const Answer& answer) {
       is_any_lost |= lost_in(group) > 0;
     }
   }
-  std::string of_costs = of_solved.empty() ? "" : fmt::format("; of {} those solved", listed(of_solved));
-  if (!of_all.empty()) of_costs += fmt::format("; of {} all, solved or not", listed(of_all));
+  std::string of_costs =
+      of_solved.empty() ? "" : fmt::format("; of {} only those that a solver solved", listed(of_solved));
+  if (!of_all.empty()) of_costs += fmt::format("; of {} all, whether solved or not", listed(of_all));
   table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun, of_costs,
                              is_any_share ? " Interval: Wilson's." : "")};
   if (is_any_lost) table.notes.emplace_back("missing: without a value; such a solver is not tested.");
@@ -606,7 +605,12 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
                           {"late in a row"},
                           {"largest step", "deg"},
                           {.name = "too fast", .unit = "%", .ends = ends}}};
-  bool is_all_timed = true;
+  const auto& all_steps = study.definition.steps;
+  std::vector<std::string> unlimited;
+  for (std::size_t j = 0; j < all_steps.size(); ++j) {
+    if (std::isinf(all_steps[j].first)) unlimited.push_back(fmt::format("joint {}", j + 1));
+  }
+  bool is_all_timed = true, is_any_timed = false;
   for (const std::string& solver : solvers) {
     const Solves all = study.of(solver);
     if (period == 0 || all.empty()) continue;
@@ -624,18 +628,22 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
       too_fast += solve.is_too_fast;
       largest = std::max(largest, solve.largest_move_deg);
     }
-    is_all_timed &= is_timed;
+    is_all_timed &= is_timed, is_any_timed |= is_timed;
     const auto percent = [](double count, double of) { return of > 0 ? Cell(100 * count / of) : Cell(); };
     const auto n = static_cast<double>(all.size());
     table.rows.push_back({solver, percent(failed, n), is_timed ? percent(late, n) : Cell(),
                           is_timed ? Cell(most) : Cell(), largest,
-                          study.definition.steps.empty() ? Cell() : percent(too_fast, steps)});
+                          unlimited.size() == all_steps.size() ? Cell() : percent(too_fast, steps)});
   }
   table.notes = {
-      fmt::format("Late: longer than the period{}. Steps are of one joint that turns, between two targets; too "
-                  "fast: further than the velocity limit of a joint allows in a period{}.",
-                  is_all_timed ? "" : " (not known of solves at once or of a debug build)",
-                  study.definition.steps.empty() ? " (no limits are known of this arm)" : "")};
+      fmt::format("{}. Steps are of one joint that turns, between two targets{}.",
+                  is_all_timed ? "Late: longer than the period"
+                               : fmt::format("{}of solves at once and of a debug build it is not known who is late",
+                                             is_any_timed ? "Late: longer than the period; " : ""),
+                  unlimited.size() == all_steps.size()
+                      ? "; which are too fast is not known, since no velocity limit of this arm is"
+                      : fmt::format("; too fast: further than the velocity limit of a joint allows in a period{}",
+                                    unlimited.empty() ? "" : ", of which none is known of " + listed(unlimited)))};
   return table;
 }
 

@@ -298,7 +298,7 @@ std::string to_markdown(const Table& whole) {
 std::string to_latex(const Table& whole) {
   Table table = for_readers(whole);
   for (Column& column : table.columns) column.unit_of_cells = latex_text(column.unit_of_cells);
-  std::string letters, text;
+  std::string letters;
   std::vector<std::string> heads;
   const auto has_spreads = [](const Kinds& its) { return its.spreads || its.deviations; };
   const std::vector<Kinds> kinds = kinds_of(table);  // spreads have a column of their own, so that the numbers align
@@ -309,33 +309,43 @@ std::string to_latex(const Table& whole) {
     letters += room;
     heads.push_back(has_spreads(kinds[c]) ? fmt::format("\\multicolumn{{2}}{{c{}}}{{{}}}", room, name) : name);
   }
-  text += fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
-  for (const auto& row : table.rows) {
+  const std::string head_row = fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
+  constexpr std::size_t most_rows = 50;  // on a page
+  const std::size_t parts = std::max<std::size_t>(1, (table.rows.size() + most_rows - 1) / most_rows);
+  std::vector<std::string> rows(parts);
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const auto& row = table.rows[r];
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
       cells.push_back(latex_cell(row[c], table.columns[c]));
       if (kinds[c].long_texts) cells.back() = "\\raggedright\\let\\\\\\tabularnewline " + cells.back();
       if (has_spreads(kinds[c]) && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
     }
-    text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
+    rows[r * parts / table.rows.size()] += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
   if (std::ranges::any_of(kinds, &Kinds::best)) table.notes.emplace_back("Bold: none is shown to be better.");
   const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
   // No journal's capitals change names in a caption. A table shrinks to fit a column, to four fifths at the most; else
   // it takes both, and shrinks down to the size of \\scriptsize.
-  return fmt::format(
-      "% Needs \\usepackage{{booktabs,graphicx}}\n\\begingroup\\tabcolsep5pt{}\n"
-      "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"
-      "\\edef\\wide{{\\ifdim.8\\wd0>\\columnwidth*\\fi}}%\n"
-      "\\csname table\\wide\\endcsname\n\\centering\n\\caption{{\\textnormal{{{}}}}}\\label{{tab:{}}}\\smallskip\n"
-      "\\ifdim.7\\wd0>\\linewidth\\scalebox{{.7}}{{\\usebox0}}\\else\n"
-      "\\ifdim\\wd0>\\linewidth\\resizebox{{\\linewidth}}{{!}}{{\\usebox0}}\\else\\usebox0\\fi\\fi\n{}{}\n"
-      "\\csname endtable\\wide\\endcsname\n\\endgroup\n",
-      table.rows.size() > 45   ? "\\scriptsize"
-      : table.rows.size() > 30 ? "\\footnotesize"
-                               : "",
-      letters, text, latex_text(table.caption), table.name, notes.empty() ? "" : "\\par\\smallskip\\footnotesize ",
-      notes);
+  std::string text = "% Needs \\usepackage{booktabs,graphicx}\n";
+  for (std::size_t part = 0; part < parts; ++part)
+    text += fmt::format(
+        "\\begingroup\\tabcolsep5pt{}\n"
+        "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"
+        "\\edef\\wide{{\\ifdim.8\\wd0>\\columnwidth*\\fi}}%\n"
+        "\\csname table\\wide\\endcsname\n\\centering\n{}\\smallskip\n"
+        "\\ifdim.7\\wd0>\\linewidth\\scalebox{{.7}}{{\\usebox0}}\\else\n"
+        "\\ifdim\\wd0>\\linewidth\\resizebox{{\\linewidth}}{{!}}{{\\usebox0}}\\else\\usebox0\\fi\\fi\n{}\n"
+        "\\csname endtable\\wide\\endcsname\n\\endgroup\n",
+        table.rows.size() > 45   ? "\\scriptsize"
+        : table.rows.size() > 30 ? "\\footnotesize"
+                                 : "",
+        letters, head_row + rows[part],
+        part == 0
+            ? fmt::format("\\caption{{\\textnormal{{{}}}}}\\label{{tab:{}}}", latex_text(table.caption), table.name)
+            : "\\addtocounter{table}{-1}\\caption{\\textnormal{Continued.}}",
+        notes.empty() || part + 1 < parts ? "" : "\\par\\smallskip\\footnotesize " + notes);
+  return text;
 }
 
 std::string to_html(const Table& whole) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <regex>
 #include <span>
 #include <utility>
 
@@ -84,7 +85,12 @@ std::string latex_text(std::string_view text) {
                                                     {'[', "{[}"},
                                                     {']', "{]}"},
                                                     {'*', "{*}"}}};  // after \\ it would be an argument
-  return replaced(text, substitutes, "{}$&#_%");
+  // What TeX would set as closing quotes and as hyphens.
+  static const std::regex quote("(^|[ (])'(?=[^ ])"), power("(^|[ (])(-?[0-9.]+)e[+]?(-?)0*([0-9]+)(?=$|[ ),;])"),
+      sign("(^|[ (])-(?=[0-9])");
+  std::string result = std::regex_replace(replaced(text, substitutes, "{}$&#_%"), quote, "$1`");
+  result = std::regex_replace(result, power, "$1$$$2 \\times 10^{$3$4}$$");
+  return std::regex_replace(result, sign, "$1$$-$$");
 }
 
 std::string with_blanks(std::string_view name) {
@@ -127,9 +133,12 @@ std::string p_text(double p, const Ends& from) {
 std::string p_sentence(double p, const Ends& from) { return (p < 0.0001 ? "p " : "p = ") + p_text(p, from); }
 
 std::string listed(const std::vector<std::string>& names, std::string_view last) {
+  const bool has_comma =
+      std::ranges::any_of(names, [](const std::string& name) { return name.find(',') != std::string::npos; });
+  const std::string_view comma = has_comma ? "; " : ", ";
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? last : ", ";
+    if (i > 0) text += i + 1 == names.size() && last != ", " ? last : comma;
     text += names[i];
   }
   return text;

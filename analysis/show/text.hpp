@@ -24,7 +24,8 @@ using Ends = std::vector<double>;
 int digits_apart(double value, const Ends& from, int least = 3);
 std::string p_text(double p, const Ends& from);      // "0.0005", "< 0.0001"
 std::string p_sentence(double p, const Ends& from);  // "p = 0.0005", "p < 0.0001"
-std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");  // "A, B and C"
+// "A, B and C"; "A; B, C and D" where one is "B, C"
+std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");
 
 // The words of a text in lines of at most that width; longer words stay whole.
 std::vector<std::string> broken(std::string_view text, std::size_t first, std::size_t others);

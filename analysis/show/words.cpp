@@ -158,19 +158,15 @@ std::string against_control(const Answer& answer) {
   return fmt::format("Against {}: {}", with_number(answer, judged.plan.control, control), listed(parts, ", "));
 }
 
-// Of all pairs the reason, where they have one alike.
-Sentence not_tested(const Answer& answer) {
-  const JudgedMetric& judged = answer.decisive();
-  const auto& open = std::get<Open>(judged.findings.front().what);
-  const bool is_for_all = std::ranges::all_of(judged.findings, [&](const Finding& finding) {
-    const auto& other = std::get<Open>(finding.what);
-    return other.why == Open::Why::too_few && other.n == open.n && other.needed == open.needed;
-  });
-  const std::string so_few = open.is_of_differences ? fmt::format("{} of the {} differ", open.n, answer.noun)
-                                                    : base::counted(open.n, answer.noun) + " cannot decide it";
-  const std::string why = fmt::format(", since {} and it takes at least {}", so_few, open.needed);
-  const bool is_told = is_for_all && (open.n > 0 || open.is_of_differences);
-  return {"Not tested" + (is_told ? why : ""), ": " + numbers_of(answer, true)};
+// ", since 8 runs are too few, 10 are needed", where the pairs of these are not tested for one reason.
+std::string since(const Answer& answer, const std::vector<std::string>& who) {
+  std::set<std::string> reasons;
+  for (const Finding& finding : answer.decisive().findings) {
+    const auto* const open = std::get_if<Open>(&finding.what);
+    const auto is_one = [&](const std::string& name) { return std::ranges::count(who, name) > 0; };
+    if (open && (is_one(finding.first) || is_one(finding.second))) reasons.insert(reason_of(*open, answer.noun));
+  }
+  return reasons.size() == 1 ? ", since " + *reasons.begin() : "";
 }
 
 // What is said of several is so of each pair of them.
@@ -191,19 +187,16 @@ Sentence unbeaten(const Answer& answer) {
     }
     return others;
   };
-  std::vector<std::string> rest, apart, losers, winners;
+  std::vector<std::string> rest, losers, winners;
+  const std::vector<std::string> apart = not_compared(answer);
+  const auto is_apart = [&](const std::string& name) { return std::ranges::count(apart, name) > 0; };
   const auto beaten = [&](const std::string& solver) { return against(solver, Verdict::better).size(); };
   for (const std::size_t i : answer.order) {
     const std::string& name = solver_name(judged, i);
-    const auto is_test = [&](const Finding& finding) {
-      return (finding.first == name || finding.second == name) && verdict_of(finding) != Verdict::not_tested;
-    };
-    if (std::ranges::none_of(judged.findings, is_test))
-      apart.push_back(name);
-    else if (against(name, Verdict::worse).empty())
-      rest.push_back(name);
+    if (!is_apart(name) && against(name, Verdict::worse).empty()) rest.push_back(name);
   }
-  if (apart.size() == answer.order.size()) return not_tested(answer);
+  if (apart.size() == answer.order.size())
+    return {"Not tested" + since(answer, apart), ": " + numbers_of(answer, true)};
   const bool do_untested_lead = !apart.empty() && apart.front() == solver_name(judged, answer.order.front());
   const std::size_t first =
       do_untested_lead || rest.empty() ? answer.order.front() : place_of(judged.observations, rest.front());
@@ -252,7 +245,7 @@ Sentence unbeaten(const Answer& answer) {
   for (const std::size_t i : answer.order) {
     const std::string& name = solver_name(judged, i);
     const std::vector<std::string> better = against(name, Verdict::worse);
-    if (better.empty() || are_losers_told) continue;
+    if (better.empty() || are_losers_told || is_apart(name)) continue;
     losers.push_back(are_numbers_told ? name : with_number(answer, name, first));
     const std::string& winner =
         leader != rest.end() && std::ranges::count(better, *leader) > 0 ? *leader : better.front();
@@ -262,11 +255,18 @@ Sentence unbeaten(const Answer& answer) {
   for (const auto& [winner, names] : by_word(winners, losers))
     sentence.rest +=
         fmt::format("; {} {} worse than {}", names, std::ranges::count(winners, winner) == 1 ? "is" : "are", winner);
+  const auto is_join = [&](const Finding& finding) {  // of one apart and another, tested
+    return is_apart(finding.first) != is_apart(finding.second) && verdict_of(finding) != Verdict::not_tested;
+  };
+  const std::string against_whom =
+      std::ranges::any_of(judged.findings, is_join) && !rest.empty() ? rest.front() : "the others";
   if (do_untested_lead) {
     const std::string of_others = sentence.subject + sentence.rest;
-    return {"Not tested: " + told(apart), of_others.empty() ? "" : ". Of the others: " + of_others};
+    return {fmt::format("Not tested against {}{}: {}", against_whom, since(answer, apart), told(apart)),
+            of_others.empty() ? "" : ". Of the others: " + of_others};
   }
-  if (!apart.empty()) sentence.rest += "; not tested: " + names_of(apart);
+  if (!apart.empty())
+    sentence.rest += fmt::format("; not tested against {}{}: {}", against_whom, since(answer, apart), names_of(apart));
   return sentence;
 }
 
@@ -400,6 +400,41 @@ std::vector<std::string> best_of(const JudgedMetric& judged) {
   return are_all(judged, judged.headline.best, is_alike) ? judged.headline.best : std::vector<std::string>();
 }
 
+std::vector<std::string> not_compared(const Answer& answer) {
+  const JudgedMetric& judged = answer.decisive();
+  const auto is_in = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::count(names, name) > 0;
+  };
+  std::vector<std::vector<std::string>> fields;  // whom tests join
+  for (const std::size_t i : answer.order) {
+    const std::string& name = solver_name(judged, i);
+    if (std::ranges::any_of(fields, [&](const auto& field) { return is_in(field, name); })) continue;
+    std::vector<std::string>& field = fields.emplace_back(1, name);
+    for (std::size_t k = 0; k < field.size() && field.size() < answer.order.size(); ++k) {
+      for (const Finding& finding : judged.findings) {
+        if (verdict_of(finding) == Verdict::not_tested || (finding.first != field[k] && finding.second != field[k]))
+          continue;
+        const std::string& other = finding.first == field[k] ? finding.second : finding.first;
+        if (!is_in(field, other)) field.push_back(other);
+      }
+    }
+  }
+  const std::vector<std::string>& largest = *std::ranges::max_element(fields, {}, &std::vector<std::string>::size);
+  const std::set<std::string> losers = losers_of(judged.findings);
+  std::string leader;
+  std::vector<std::string> apart;
+  for (const std::size_t i : answer.order) {
+    const std::string& name = solver_name(judged, i);
+    const bool is_first = leader.empty() && !losers.contains(name) && is_in(largest, name);
+    if (is_first) leader = name;
+    const Finding* const pair = leader.empty() || is_first ? nullptr : finding_of(judged, leader, name);
+    if (largest.size() == 1 || !is_in(largest, name) ||
+        (pair && !losers.contains(name) && verdict_of(*pair) == Verdict::not_tested))
+      apart.push_back(name);
+  }
+  return apart;
+}
+
 Sentence headline_of(const Answer& whole) {
   if (!whole.verdict.empty()) return {whole.verdict};
   Sentence sentence = sentence_of(with_short_names(whole, 40));
@@ -453,6 +488,14 @@ ReasonWords words_of(Open::Why why) {
        {"too_few", "no values", "too few to compare"},
        {"few_decide", "few values decide the mean", "too few to compare"}}};
   return all[static_cast<std::size_t>(why)];
+}
+
+std::string reason_of(const Open& open, std::string_view noun) {
+  if (open.why != Open::Why::too_few || (open.n == 0 && !open.is_of_differences))
+    return std::string(words_of(open.why).of_pair);
+  if (open.is_of_differences) return fmt::format("{} of the {} differ, {} are needed", open.n, noun, open.needed);
+  return fmt::format("{} {} too few, {} are needed", base::counted(open.n, noun), open.n == 1 ? "is" : "are",
+                     open.needed);
 }
 
 std::string enough_words(const Finding& finding) {

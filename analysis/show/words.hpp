@@ -19,6 +19,9 @@ std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::
                                                          const std::vector<std::string>& names);
 // Those that are best and alike; empty if there is none.
 std::vector<std::string> best_of(const judge::JudgedMetric& judged);
+// Of the deciding metric, those that no test joins to most others, or who are unbeaten and not tested against the first
+// such one: nobody knows whether they are better than these. In the order of the table.
+std::vector<std::string> not_compared(const Answer& answer);
 // One sentence, without its end: "DLS is best" and ": it solved 100 of 100 targets; PSO 88, mine 54".
 struct Sentence {
   std::string subject, rest = {};
@@ -33,6 +36,7 @@ struct ReasonWords {
   std::string_view key, of_pair, of_solver;
 };
 ReasonWords words_of(judge::Open::Why why);
+std::string reason_of(const judge::Open& open, std::string_view noun);  // "8 runs are too few, 10 are needed"
 std::string enough_words(const judge::Finding& finding);  // "about 340 could decide it"; empty if nobody knows
 std::string effect_words(const judge::Finding& finding);  // "better in 43 %, worse in 3 % of comparisons"
 std::string warning_of(const judge::Doubt& doubt);        // a sentence

@@ -6,6 +6,13 @@ succeeds "${loop[@]}" --figures path --out loop
 succeeds robot franka_panda --urdf
 cp .out panda.urdf
 succeeds "${loop[@]}" --set robot=panda.urdf --figures none --out of_urdf
+has "$out" 'late in a row'
+for joints in 0, ''; do  # of the first joint, then of all
+  sed "${joints}/velocity=\"[^\"]*\"/s//velocity=\"1e-320\"/" panda.urdf >slow.urdf
+  succeeds "${loop[@]}" --set robot=slow.urdf --set runs=1 --set path.points=20 --figures none --out slow
+  equal "columns that know what is too fast ($joints)" "$(head -n 1 slow/tables/loop.md | grep -c 'too fast')" $((${#joints} / 2))
+  [ -z "$joints" ] || has "$(<slow/tables/loop.md)" "joint 1"
+done
 for folder in loop of_urdf; do
   python3 - $folder >said <<'END' || fail "$folder: $(<said)"
 import csv, itertools, math, sys

@@ -119,6 +119,37 @@ TEST_CASE("times decide nothing, and those of other stores and of solves that ar
   CHECK(exit_code({one}, true) == 0);
 }
 
+// Turns, as cli/gate.sh makes them; `lag` seconds between the two of one.
+StudyResults in_turns(int turns, int lag, double seconds) {
+  const Asked asked{.start = "initial", .runs = turns, .points = 5, .tolerance_cm = 0.1};
+  std::vector<results::Session> sessions;
+  for (int turn = 1; turn <= turns; ++turn) sessions.push_back({.id = turn, .environment = {{"cpu", "one"}}});
+  const auto change = [=](SolveRecord& solve) {
+    solve.status = Status::ok, solve.session = solve.run;
+    solve.seconds = solve.cpu_seconds = seconds * (100 + solve.run);
+  };
+  StudyResults all = study(asked, change, {"mine"}, sessions);
+  int turn = 0;
+  for (results::Session& session : all.sessions) session.began = fmt::format("{:04}", 10 * ++turn + lag);
+  return all;
+}
+
+TEST_CASE("times of two that solved in turn decide; too few turns and other sessions are no pass") {
+  const auto gates_of = [](int turns, int lag, double factor, std::size_t labels = 1) {
+    std::vector<Gate> gates(labels, gate(in_turns(turns, 0, 1e-5), in_turns(turns, lag, factor * 1e-5), 0.1));
+    decide(gates);
+    return gates;
+  };
+  CHECK(exit_code(gates_of(6, 1, 1), true) == 0);
+  CHECK(gates_of(6, 1, 1.3).front().worse == Names{"time"});
+  const std::vector<Gate> two = gates_of(6, 1, 1.01, 2);
+  CHECK(two.front().not_tested == Names{"time"});
+  CHECK(exit_code(two, false) == 1);
+  CHECK(exit_code(gates_of(7, 1, 1.01, 2), true) == 0);
+  CHECK_THROWS_AS(gates_of(6, 11, 1), std::invalid_argument);  // one had begun its next turn
+  CHECK_THROWS_AS(gates_of(1, 1, 1), std::invalid_argument);
+}
+
 TEST_CASE("a metric that vanished is refused, one that another solver lacks is not tested") {
   const auto uncounted = [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; };
   CHECK_THROWS_WITH(gate_of(version(1), version(1, of_100, uncounted)),

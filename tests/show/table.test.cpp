@@ -110,6 +110,27 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
   CHECK(contains(to_latex(table), "\\caption{\\textnormal{Results}}"));
 }
 
+TEST_CASE("LaTeX has quotes that open, minus signs and powers, and no table longer than a page", "[show]") {
+  CHECK(latex_text("'a' of TRAC-IK's (-3.5 to 2e-06), a-1") == "`a' of TRAC-IK's ($-$3.5 to $2 \\times 10^{-6}$), a-1");
+  Table table{.name = "pairs", .caption = "Pairs", .columns = {{"n"}}};
+  for (std::int64_t row = 0; row < 102; ++row) table.rows.push_back({row});
+  const std::string text = to_latex(table);
+  const auto count = [&](const std::string& what) {
+    std::size_t n = 0;
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; ++at) ++n;
+    return n;
+  };
+  CHECK(count("\\begin{tabular}") == 3);
+  CHECK(count("\\label{tab:pairs}") == 1);
+  for (const std::size_t row : {0, 33, 34, 101}) CHECK(count(fmt::format("\n{} \\\\\n", row)) == 1);
+}
+
+TEST_CASE("a name with a comma stands between semicolons", "[show]") {
+  CHECK(listed({"A", "B", "C"}) == "A, B and C");
+  CHECK(listed({"A", "B, b", "C"}) == "A; B, b and C");
+  CHECK(listed({"A", "B, b", "C"}, ", ") == "A; B, b; C");
+}
+
 TEST_CASE("short names stay different, and lose what they share", "[show]") {
   const std::vector<std::string> swept{"DLS", "BFGS (ours) h=1e-07 stall=5", "BFGS (ours) h=0.001 stall=20"};
   CHECK(base::short_names(swept, 24)[swept[0]] == "DLS");

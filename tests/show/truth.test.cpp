@@ -127,19 +127,26 @@ std::string too_much(const Answer& answer) {
       }
     }
   }
-  for (const std::string& name : named_in(between(text, "Nobody is shown to beat ", ";."))) {
+  const std::vector<std::string> unbeaten = named_in(between(text, "Nobody is shown to beat ", ";."));
+  for (const std::string& name : unbeaten) {
     for (const std::string& other : all) {
       if (verdict(name, other) == Verdict::worse) return "nobody beats";
     }
-  }
-  for (const char* const begin : {"Not tested: ", "not tested: "}) {
-    for (const std::string& name : named_in(between(text, begin, rest.starts_with(": ") ? ":;." : ";."))) {
-      for (const std::string& other : all) {
-        if (other != name && verdict(name, other) != Verdict::not_tested) return "not tested";
-      }
-    }
+    if (name != unbeaten.front() && verdict(name, unbeaten.front()) == Verdict::not_tested) return "beside the first";
   }
   std::smatch found;
+  if (std::regex_search(text, found, std::regex("ot tested against (the others|[A-J])[^:]*: ([^;.]*)"))) {
+    const std::vector<std::string> apart = named_in(found.str(2));
+    const bool is_of_one = found.str(1).size() == 1;
+    for (const std::string& name : apart) {
+      if (text.find(" more") != std::string::npos) break;
+      for (const std::string& other : is_of_one ? std::vector{found.str(1)} : all) {
+        if (std::ranges::count(apart, other) == 0 && verdict(name, other) != Verdict::not_tested) return "not tested";
+      }
+    }
+  } else if (text.starts_with("Not tested") && !each_pair(all, Verdict::not_tested)) {
+    return "none is tested";
+  }
   for (std::string left = text;
        std::regex_search(left, found, std::regex("([^;:.]*) (?:is|are) worse than ([A-J])\\b"));
        left = found.suffix()) {
@@ -197,7 +204,9 @@ std::string wrong_in_tables(const Answer& answer) {
     if (cell == nullptr) return "a number that is known is not shown";
     const std::string& name = std::get<std::string>(row[0]);
     if (judged.plan.control.empty() && (cell->mark == "*") != losers.contains(name)) return "a star";
-    if (cell->is_best && losers.contains(name)) return "bold";
+    const Finding* const pair = finding_of(judged, name, reference_of(answer));
+    const bool is_untested = pair && !losers.contains(reference_of(answer)) && verdict_of(*pair) == Verdict::not_tested;
+    if (cell->is_best && (losers.contains(name) || is_untested)) return "bold";
   }
   const auto count = [](const Table& table, auto is_so) { return std::ranges::count_if(table.rows, is_so); };
   const auto is_decided = [](const std::vector<Cell>& row) {
