@@ -191,7 +191,8 @@ bool is_comment(std::string_view text) { return text.starts_with('#') || text.st
 
 bool is_rule(std::string_view text) {
   return text.find_first_not_of("-=:+| \t\r\n") == std::string_view::npos &&
-         (text.find("---") != std::string_view::npos || text.find("===") != std::string_view::npos);
+         (text.find("---") != std::string_view::npos || text.find("===") != std::string_view::npos ||
+          text.find("-:") != std::string_view::npos || text.find(":-") != std::string_view::npos);
 }
 
 void append_csv_row(std::string& text, const std::vector<std::string>& cells) {

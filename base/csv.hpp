@@ -56,7 +56,7 @@ CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm
 
 // Begins with the mark of a comment.
 bool is_comment(std::string_view text);
-// "---+---", as around tables.
+// "---+---" or "|--:|", as in and around tables; a dash or two are a missing value.
 bool is_rule(std::string_view text);
 
 // Appends a cell, or one line of CSV, to `text`.
