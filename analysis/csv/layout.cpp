@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -93,7 +93,7 @@ class Finder {
     std::vector<Options> answers;
     for (Way& way : ways) {
       more_.clear();
-      find_values(way);
+      if (!find_values(way) && &way != ways.data()) continue;
       find_rows(way);
       answers.push_back(way.options);
       answers.insert(answers.end(), more_.begin(), more_.end());
@@ -162,24 +162,17 @@ class Finder {
     return std::ranges::none_of(texts, [](const auto& text) { return text.second == 1; });
   }
 
-  // Numbers as settings and labels have them: whole, in order, or repeated.
+  // Numbers as settings, labels and times have them: whole, repeated, or in order but where a run begins.
   bool is_setting(std::size_t column) {
-    std::vector<double> values;
-    for (const Index row : sheet_.rows()) values.push_back(sheet_.number(row, column));
-    std::erase_if(values, [](double value) { return std::isnan(value); });
-    return is_whole(column) || repeats(column) || std::ranges::is_sorted(values) ||
-           std::ranges::is_sorted(values, std::greater());
-  }
-
-  // As an index of rows that were chosen or sorted, or a time that begins anew with each run.
-  bool may_name_rows(std::size_t column) {
-    const auto falls = [&](Index before, Index after) {
-      return sheet_.number(before, column) > sheet_.number(after, column);
-    };
-    std::size_t all = 0;
-    for (std::size_t i = 1; i < sheet_.rows().size(); ++i) all += falls(sheet_.rows()[i - 1], sheet_.rows()[i]);
-    return (is_whole(column) && count(sheet_.rows(), {column}) == sheet_.rows().size()) ||
-           8 * all < sheet_.rows().size();
+    std::array<std::size_t, 2> changes{};  // falls, rises
+    double before = std::numeric_limits<double>::quiet_NaN();
+    for (const Index row : sheet_.rows()) {
+      const double value = sheet_.number(row, column);
+      changes[0] += value<before, changes[1] += value> before;
+      if (!std::isnan(value)) before = value;
+    }
+    return is_whole(column) || repeats(column) ||
+           (sheet_.rows().size() > 2 && 8 * std::ranges::min(changes) < sheet_.rows().size());
   }
 
   // Whether a column tells rows of a class apart as problems, runs and metrics do: by text, not everywhere another, or
@@ -275,6 +268,13 @@ class Finder {
     return way;
   }
 
+  // Of the text that this row has in the column alone.
+  Way with_one(Way way, std::size_t column, Index row) const {
+    std::erase_if(way.rows, [&](Index other) { return sheet_.cell(other, column) != sheet_.cell(row, column); });
+    way.options.insert(way.options.end(), {"--where", fmt::format("{}={}", title(column), sheet_.cell(row, column))});
+    return way;
+  }
+
   // One for each column that may name the groups, and one where each column may be a group.
   std::vector<Way> by_groups() {
     const Way& way = asked_;
@@ -328,16 +328,28 @@ class Finder {
     std::vector<Way> ways;
     for (std::size_t i = 0; i < std::min(labels.size(), most_ways); ++i)
       ways.push_back(with(way, "--label", {labels[i]}));
-    if (may_be_wide) {
+    const bool are_numbers = !is_text && !labels.empty();  // labels, for want of text
+    const Columns groups = are_numbers ? groups_in(values) : values;
+    if (may_be_wide && groups.size() > 1) {
       Way wide = way;
-      if (!labels.empty()) wide = together.empty() ? with(way, "--value", values) : with(way, "--block", together);
+      if (!labels.empty()) wide = together.empty() ? with(way, "--value", groups) : with(way, "--block", together);
       wide.is_wide = true;
+      if (together.size() > 1 && std::ranges::all_of(together, [&](std::size_t each) { return has(texts_, each); })) {
+        const std::size_t one =
+            *std::ranges::min_element(together, {}, [&](auto each) { return count(way.rows, {each}); });
+        Columns others = together;
+        std::erase(others, one);
+        ways.push_back(with_one(with(way, "--block", others), one, way.rows.front()));
+        ways.back().is_wide = true;
+      }
       ways.insert(labels == names ? ways.begin() : ways.end(), wide);
     }
-    if (ways.size() == 1) ways.front().options.clear();
-    if (ways.size() > 1)
-      ways.front().asked.push_back(fmt::format("{} may name the groups{}, which --label says", titles_of(labels),
-                                               may_be_wide ? ", or each column may be one" : ""));
+    if (ways.size() == 1 && !are_numbers)
+      ways.front().options.clear();
+    else
+      ways.front().asked.push_back(fmt::format(
+          "{} may name the groups{}, which --label says", titles_of(labels),
+          may_be_wide ? ", or each column may be one, but of runs and steps, which stand below each other" : ""));
     return ways;
   }
 
@@ -345,11 +357,8 @@ class Finder {
   Columns values_of(const Way& way) {
     if (!way.values.empty()) return way.values;
     if (numbers_.empty())
-      sheet_.refuse(
-          way.counting.empty()
-              ? "no column of numbers; name that of the values with --value"
-              : fmt::format("no column of numbers but {}, which counts the rows; --value takes it all the same",
-                            titles_of({way.counting.front()})));
+      sheet_.refuse(fmt::format("no column of numbers{}; name that of the values with --value",
+                                way.counting.empty() ? "" : " but " + titles_of(way.counting) + ", which counts rows"));
     Columns values = numbers_;
     const std::size_t groups = count(way.rows, {*way.label});
     std::erase_if(values, [&](std::size_t column) {
@@ -365,7 +374,9 @@ class Finder {
   Columns groups_in(const Columns& all) {
     Columns columns = all, others;
     std::erase_if(columns, [&](auto column) { return column == all.front() ? is_setting(column) : is_whole(column); });
-    if (columns.empty()) columns = all;
+    const bool is_name =
+        all.size() > 2 && is_whole(all.front()) && count(sheet_.rows(), {all.front()}) == sheet_.rows().size();
+    if (columns.empty()) columns.assign(all.begin() + is_name, all.end());
     std::vector<std::vector<Printed>> lists;
     for (int end = 0; end < 2; ++end) {
       constexpr std::size_t most_rows = 1000;  // that need be seen
@@ -373,7 +384,10 @@ class Finder {
       Columns kept;
       for (const std::size_t column : columns) {
         for (std::size_t i = 0; i < lists.size(); ++i) lists[i].push_back(printed(sheet_, sheet_.rows()[i], column));
-        if (kept.size() < 2 || !are_computed(lists, static_cast<double>(columns.size())))
+        bool is_again = false;  // one that is kept
+        for (std::size_t at = 0; at < kept.size() && !is_again && !is_whole(column); ++at)
+          is_again = std::ranges::all_of(lists, [&](const auto& list) { return list[at].value == list.back().value; });
+        if (!is_again && (kept.size() < 2 || !are_computed(lists, static_cast<double>(columns.size()))))
           kept.push_back(column);
         else
           for (std::vector<Printed>& list : lists) list.pop_back();
@@ -420,35 +434,25 @@ class Finder {
     return !seconds.contains("") && unlike(by_first) < unlike(by_second) ? by_first : by_second;
   }
 
-  // Columns of one name and different numbers, such as those of runs.
-  Columns numbered_in(const Columns& columns) {
-    std::map<std::string, Columns> stems;
-    for (const std::size_t column : columns) {
-      std::string stem = title(column);
-      std::erase_if(stem, [](char c) { return c >= '0' && c <= '9'; });
-      if (stems[stem].push_back(column); stems[stem].size() > 2 && stem != title(column)) return stems[stem];
-    }
-    return {};
-  }
-
-  void find_values(Way& way) {
-    if (!way.values.empty()) return;
+  // Whether there is more than one that may be a group.
+  bool find_values(Way& way) {
+    if (!way.values.empty()) return true;
     Columns values = way.is_wide ? numbers_ : values_of(way), likely = values;
     for (Columns* columns : {&values, &likely}) std::erase_if(*columns, [&](auto column) { return has(way, column); });
-    const bool are_numbered = !numbered_in(values).empty();
-    if (way.is_wide && !are_numbered && !values.empty()) likely = groups_in(values);
+    if (way.is_wide && !values.empty()) likely = groups_in(values);
     if (!way.is_wide && !values.empty()) {
-      const auto measured = std::ranges::find_if(values, [&](std::size_t column) { return !may_name_rows(column); });
+      const auto measured = std::ranges::find_if(values, [&](std::size_t column) { return !is_setting(column); });
       likely = {measured == values.end() ? values.front() : *measured};
     }
-    if (likely == values && !are_numbered) {
+    if (likely == values) {
       way.values = values;
-      return;
+      return true;
     }
-    way = with(way, "--value", way.is_wide && likely.size() == 1 ? values : likely);
-    way.asked.push_back(fmt::format("of the numbers in {} --value names {}{}", titles_of(values),
-                                    way.is_wide ? "those of the groups" : "one",
-                                    are_numbered ? ", but runs and steps are read below each other alone" : ""));
+    const bool is_lone = way.is_wide && likely.size() == 1;
+    way = with(way, "--value", is_lone ? values : likely);
+    way.asked.push_back(fmt::format("of the numbers in {} --value names {}", titles_of(values),
+                                    way.is_wide ? "those of the groups" : "one"));
+    return !is_lone;
   }
 
   // Whether some of a few texts have values ten times those of all others, as metrics do.
@@ -543,10 +547,7 @@ class Finder {
     if (!are_blocks && is_first && are_shared(needed))  // three numbers are rather of problems
       ways.insert(needed.size() > 2 ? ways.begin() : ways.end(), with(way, "--block", {needed.front()}));
     if (one && is_first && (is_mixed || texts.size() > 1)) {
-      Way of_one = way;
-      std::erase_if(of_one.rows, [&](Index row) { return sheet_.cell(row, *one) != sheet_.cell(taken, *one); });
-      of_one.options.insert(of_one.options.end(), {"--where", where});
-      ways.insert(is_mixed ? ways.begin() : ways.end(), of_one);
+      ways.insert(is_mixed ? ways.begin() : ways.end(), with_one(way, *one, taken));
     }
     for (Way& each : ways) {
       find_rows(each);
@@ -562,13 +563,10 @@ class Finder {
     way.asked.push_back(titles_of(way.values) +
                         " are groups; rows are problems that all had (--block row, or the column "
                         "that names them) or unrelated (--run row)");
-    const bool takes_all = way.options.empty() && way.values.size() > 2 && way.counting.empty();
     const auto names_rows = [&](std::size_t column) {
-      return count(way.rows, {column}) == way.rows.size() &&
-             (!has(way, column) || (takes_all && column == way.values.front() && is_setting(column)));
+      return !has(way, column) && is_setting(column) && count(way.rows, {column}) == way.rows.size();
     };
     const auto names = std::ranges::find_if(numbers_, names_rows);
-    if (names != numbers_.end()) std::erase(way.values, *names);
     const std::size_t name = names != numbers_.end() ? *names : sheet_.column("row");
     const Way of_blocks = with(way, "--block", {name});
     const auto follows = [&](std::size_t value) { return is_curve(way.rows, {}, name, value); };

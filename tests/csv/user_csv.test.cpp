@@ -413,7 +413,7 @@ TEST_CASE("the first command compares groups alone, of one metric, at one step")
       {long_curve, "* --where iteration=110"},
       {metrics, "* --label algo --where metric=error --block problem --run seed"},
       {coco, "* --block function --run dimension"},
-      {"solver,s1,s2,s3\nA,1.5,2.5,2\nB,3,1.2,4.1\n", "* --block solver --value s1 --value s2 --value s3"},
+      {"solver,s1,s2,s3\nA,1.5,2.5,2\nB,3,1.2,4.1\n", "* --block solver"},
       {"solver,n,mean,sd\nA,20,1.5,.2\nB,20,2.5,.3\n", "* --summaries"},
       {"command,mean,stddev,min\nA,1.5,.2,1.1\nB,2.5,.3,2\n", "* --value mean"},
   };
@@ -421,6 +421,12 @@ TEST_CASE("the first command compares groups alone, of one metric, at one step")
     CAPTURE(text);
     CHECK(first_of(text) == first);
   }
+  CHECK(first_of("id,group,score\n1,1,1.5\n2,1,1.2\n3,2,2.1\n4,2,1.9\n") == "* --label group");  // and no other
+  CHECK(first_of("step,A,A__MIN,B,B__MIN\n1,1.5,1.5,2.5,2.5\n2,1.2,1.2,2.1,2.1\n3,1.9,1.9,2.2,2.2\n") ==
+        "* --value A --value B --block row");
+  const std::string statistics =
+      "f,stat,A,B\nx,best,1.5,1.7\nx,mean,1.9,2.2\ny,best,2.5,2.1\ny,mean,3.1,2.8\nz,best,1.1,1.3\nz,mean,1.4,1.9\n";
+  CHECK(std::ranges::count(asked_of(statistics), csv::Options{"--block", "f", "--where", "stat=best"}) == 1);
   const std::string both = "data,method,n,mean,sd\nx,A,9,1.5,.2\nx,B,9,1.7,.3\ny,A,9,2.5,.2\ny,B,9,2.9,.3\n";
   CHECK(std::ranges::count(asked_of(both), csv::Options{"--summaries", "--label", "method", "--where", "data=x"}) == 1);
   std::string many = "s";  // columns
@@ -433,7 +439,7 @@ TEST_CASE("the first command compares groups alone, of one metric, at one step")
     many += fmt::format(",{}\n", row * 37 % 101 + 0.5);
   }
   CHECK(asked_of(many).size() > 1);
-  CHECK(contains(said_of(tables[16].first), "runs and steps are read below each other alone"));
+  CHECK(contains(said_of(tables[16].first), "but of runs and steps, which stand below each other"));
   CHECK(contains(said_of("solver,time,unit\nA,850,ms\nA,1.1,s\nB,990,ms\nB,1.3,s\n"), "'unit' has ms and s"));
 }
 
