@@ -183,6 +183,7 @@ TEST_CASE("which way is better is said, or asked for where it is open") {
   CHECK(finding(rates, {.better = {"smaller", "success_rate=larger"}}).verdict == Verdict::better);
   CHECK(finding(outcomes, {.better = {"larger"}}).verdict == Verdict::worse);
   CHECK(observations(outcomes, {.better = {"smaller"}}).scale == Scale::share);
+  CHECK(observations("s,a=b\nA,1.5\nB,2\n", {.better = {"a=b=larger"}}).better == Better::larger);
   CHECK(observations(rates).better == Better::smaller);  // as the line below the table says
   CHECK(contains(said_of(rates, {.better = {"rate=larger"}}), "success_rate"));
   CHECK(contains(said_of(rates, {.better = {"bigger"}}), "expected smaller"));
@@ -643,6 +644,7 @@ TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
   Observations of = observations("s,v\nA,1\nA,1\nA,0\nB,0\nB,0\nB,1\n", {.better = better});
   CHECK(of.scale == Scale::share);
   CHECK(of.trials == 1);
+  CHECK(observations("s,v\nA,1\nA,NA\nA,0\nB,0\nB,0\nB,1\n", {.better = better}).scale == Scale::share);
   CHECK_THROWS_AS(csv::with_margin({}, "0.1", of), std::invalid_argument);
   const Observations several = observations("s,p,r,v\nA,1,1,1\nA,1,2,0\nB,1,1,1\nB,1,2,1\n",
                                             {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});

@@ -1,0 +1,19 @@
+#include "base/child_process.hpp"
+
+#include "tests/common.hpp"
+
+using namespace ikbench::base;
+
+TEST_CASE("of a flood of a program's standard error only the end is kept") {
+  const auto ran = ChildProcess::run({"sh", "-c", "head -c 1000000 /dev/zero >&2; echo said"}, {}, {});
+  CHECK(ran.succeeded);
+  CHECK(ran.output.starts_with("said\n"));
+  CHECK(ran.output.size() < 100'000);  // a pipe's contents come at the end
+}
+
+TEST_CASE("a line ends as Unix or Windows ends it") {
+  ChildProcess child({"printf", "a\\r\\nb\\n"}, {}, {});
+  const auto deadline = Clock::now() + std::chrono::minutes(1);
+  CHECK(child.read_line(deadline) == "a");
+  CHECK(child.read_line(deadline) == "b");
+}
