@@ -192,6 +192,11 @@ TEST_CASE("one recursion reaches a thousand blocks", "[tests_of_two]") {
   CHECK(signed_rank_test(half, 0.05).p == Approx(std::erfc(z / std::sqrt(2.0))).epsilon(1e-12));
 }
 
+TEST_CASE("a spread of the last bit alone is none") {
+  CHECK(summarise(std::vector{0.3, 0.1 + 0.2}).sd == 0);
+  CHECK(summarise(std::vector{0.3, 0.3 + 1e-14}).sd > 0);
+}
+
 TEST_CASE("Welch's and the paired t are those of R", "[tests_of_two]") {
   // R's help page of t.test, sleep: p 0.07939, -3.3654832 to 0.2054832; paired 0.002833, -2.4598858 to -0.7001142.
   const Outcome unpaired = welch(summarise(drug_1), summarise(drug_2), 0.05);
