@@ -51,6 +51,14 @@ TEST_CASE("A better solver is named, and its findings are those of the table") {
   CHECK(of.doubts.empty());
 }
 
+TEST_CASE("Of equal solvers the one with fewer evaluations comes first") {
+  const JudgedStudy of = judge::judge(study({.runs = 8}, [](SolveRecord& solve) {
+    solve.position_error_cm = 0.01 * solve.run;
+    solve.evaluations = solve.label == "A" ? 200 : 100;
+  }));
+  CHECK(best_first(metric(of, "error"), of.metrics) == std::vector<std::size_t>{1, 0});
+}
+
 TEST_CASE("The plan's test, level, margin and control reach the comparison") {
   const auto errors = [](SolveRecord& solve) {
     solve.position_error_cm = (solve.label == "A" ? 1 : 1.5) + 0.01 * solve.run;
