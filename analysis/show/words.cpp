@@ -102,7 +102,8 @@ std::string numbers_of(const Answer& answer, bool is_named) {
   std::string text = is_solved  ? fmt::format("{} solved {}", who, number)
                      : is_named ? fmt::format("{} {} {}", quantity_of(answer), who, number)
                                 : fmt::format("{} {}", quantity_of(answer), number);
-  if (!others.empty()) text += (is_named ? ", " : "; ") + names_of(others, ", ");
+  const std::string them = names_of(others, ", ");
+  if (!others.empty()) text += (is_named && them.find(';') == std::string::npos ? ", " : "; ") + them;
   return text;
 }
 
