@@ -175,8 +175,8 @@ show::Answer answer_of(const Gate& gate) {
   return answer;
 }
 
-// "These 100 targets show a loss of 14 points or more (mine); 5 points take 700 (mine)." Of solves that are the same
-// nothing is left to show.
+// "mine: these 100 targets show a loss of 14 points or more; 5 points take 700", of one label without its name. Of
+// solves that are the same nothing is left to show.
 std::string sights_of(const std::vector<Gate>& all) {
   std::vector<std::string> shown, labels;
   for (const Gate& gate : all) {
