@@ -2,8 +2,8 @@
 # dependencies = ["ssik[urdf]==8.2.0"]
 # ///
 """ssik: closed forms and eliminations, with its compiled backend: its prebuilt arm where one has, up to the tool, the same
-kinematics, else one derived from the URDF file. The answer that is nearest to the start; where the prebuilt arm has other
-limits, the nearest inside those of the study of all that it finds."""
+kinematics, preferably one with the same limits, else one derived from the URDF file. The answer that is nearest to the start;
+where the prebuilt arm has other limits, the nearest inside those of the study of all that it finds."""
 import ssik
 
 import ikbench
@@ -22,13 +22,19 @@ def prepare(robot):
         return np.linalg.inv(arm.fk(q)) @ whole
 
     limits, some = [*zip(robot.lower, robot.upper)], np.random.default_rng(1).uniform(-1, 1, (3, len(axes)))
+    alike = None
     for its in ssik.list_arms():
         if its.dof == len(axes):
             arm = ssik.Manipulator.from_prebuilt(its.name)
             its_limits, tools = [of or (None, None) for of in arm.joint_limits], [tool_of(arm, q) for q in some]
             if max(np.abs(each - tools[0]).max() for each in tools) < 1e-9:
-                same = np.allclose(np.array(its_limits, float), np.array(limits, float), atol=1e-3, equal_nan=True)
-                return arm, np.linalg.inv(tools[0]), same
+                has_limits = np.allclose(np.array(its_limits, float), np.array(limits, float), atol=1e-3, equal_nan=True)
+                if alike is None or has_limits:
+                    alike = arm, np.linalg.inv(tools[0]), has_limits
+                if has_limits:
+                    break
+    if alike:
+        return alike
     try:
         arm = ssik.Manipulator.from_urdf(robot.file, base=robot.base_link, ee=robot.tip_link)
         arm.prepare()
