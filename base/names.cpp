@@ -111,6 +111,11 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return longer == candidates.end() ? "" : *longer;
 }
 
+std::string_view separator_of(const std::vector<std::string>& names) {
+  const auto has_comma = [](const std::string& name) { return name.find(',') != std::string::npos; };
+  return std::ranges::any_of(names, has_comma) ? "; " : ", ";
+}
+
 std::string counted(std::int64_t count, std::string_view nouns) {
   return fmt::format("{} {}", count, nouns.substr(0, nouns.size() - (count == 1 ? 1 : 0)));
 }

@@ -18,6 +18,9 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
 // `; did you mean "ik_bat"?`; empty if no candidate is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
+// What parts these names in a list: "; " where one of them has a comma.
+std::string_view separator_of(const std::vector<std::string>& names);
+
 // "1 run" and "20 runs", of the plural.
 std::string counted(std::int64_t count, std::string_view nouns);
 

@@ -22,10 +22,9 @@ namespace {
 
 std::string names_of(const std::vector<std::string>& who) {
   constexpr std::size_t most = 4;
-  const bool has_comma = std::ranges::any_of(who, [](const auto& name) { return name.find(',') != std::string::npos; });
   const std::size_t told = who.size() > most ? 3 : who.size();
   const auto end = who.begin() + static_cast<std::ptrdiff_t>(told);
-  const std::string names = fmt::format("{}", fmt::join(who.begin(), end, has_comma ? "; " : ", "));
+  const std::string names = fmt::format("{}", fmt::join(who.begin(), end, separator_of(who)));
   return told < who.size() ? fmt::format("{} and {} more", names, who.size() - told) : names;
 }
 

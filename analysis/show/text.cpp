@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "base/names.hpp"
 #include "base/number.hpp"
 
 namespace ikbench::show {
@@ -133,9 +134,7 @@ std::string p_text(double p, const Ends& from) {
 std::string p_sentence(double p, const Ends& from) { return (p < 0.0001 ? "p " : "p = ") + p_text(p, from); }
 
 std::string listed(const std::vector<std::string>& names, std::string_view last) {
-  const bool has_comma =
-      std::ranges::any_of(names, [](const std::string& name) { return name.find(',') != std::string::npos; });
-  const std::string_view comma = has_comma ? "; " : ", ";
+  const std::string_view comma = base::separator_of(names);
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) text += i + 1 == names.size() && last != ", " ? last : comma;
