@@ -106,20 +106,19 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
   return all;
 }
 
-std::string why_open(const Gate& gate, const JudgedMetric& judged) {
-  const auto noun = show::noun_of(show::answer_of(gate.judged), judged);
-  return show::reason_of(std::get<Open>(judged.findings.front().what), noun);
+std::string why_open(const show::Answer& answer, const JudgedMetric& judged) {
+  const auto* const open = std::get_if<Open>(&judged.findings.front().what);
+  return open ? show::reason_of(*open, show::noun_of(answer, judged)) : "the warnings say why";
 }
 
 // "mine is worse than PSO: in solved and error. Not decided: joint motion."
-std::string verdict_of(const Gate& gate) {
+std::string verdict_of(const Gate& gate, const show::Answer& answer) {
   const std::vector<std::string>& solvers = gate.judged.study.labels;
   const std::string candidate = gate.label.empty() ? solvers.front() : gate.label,
                     baseline = gate.label.empty() ? solvers.back() : "before";
-  if (!gate.is_compared) {
+  if (!gate.is_compared)
     return fmt::format("{} is not compared with {}: {}.", candidate, baseline,
-                       why_open(gate, gate.judged.metrics[gate.judged.deciding]));
-  }
+                       why_open(answer, gate.judged.metrics[gate.judged.deciding]));
   const bool is_worse = !gate.worse.empty(), is_open = !gate.not_decided.empty() || !gate.not_tested.empty(),
              is_within = !gate.worse_by_little.empty();
   std::vector<std::string> parts;
@@ -139,7 +138,7 @@ std::string verdict_of(const Gate& gate) {
   for (const std::string& quantity : gate.not_tested) {
     const JudgedMetric& judged = *std::ranges::find_if(
         gate.judged.metrics, [&](const JudgedMetric& its) { return its.observations.quantity == quantity; });
-    untested.push_back(fmt::format("{} ({})", quantity, why_open(gate, judged)));
+    untested.push_back(fmt::format("{} ({})", quantity, why_open(answer, judged)));
   }
   if (!untested.empty()) text += fmt::format(" Not tested: {}.", show::listed(untested));
   return text;
@@ -171,7 +170,7 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
 
 show::Answer answer_of(const Gate& gate) {
   show::Answer answer = show::answer_of(gate.judged);
-  answer.verdict = verdict_of(gate);
+  answer.verdict = verdict_of(gate, answer);
   return answer;
 }
 
@@ -225,13 +224,14 @@ base::OrderedJson json_of(const std::vector<Gate>& all, int code) {
   std::vector<std::string> sentences;
   for (const Gate& gate : all) {
     const std::string& label = gate.label.empty() ? gate.judged.study.labels.front() : gate.label;
-    base::OrderedJson report = show::to_json(answer_of(gate));
+    const show::Answer answer = answer_of(gate);
+    base::OrderedJson report = show::to_json(answer);
     report["tests"] = base::OrderedJson::array();  // of all solvers at once: a gate has two
     for (const char* rows : {"groups", "findings"}) {
       for (auto& row : report[rows]) row["label"] = label;
     }
     for (auto& doubt : report["doubts"]) doubt = label + ": " + doubt.get<std::string>();
-    if (is_told(gate)) sentences.push_back(verdict_of(gate));
+    if (is_told(gate)) sentences.push_back(answer.verdict);
     report["metric"] = {{label, report["metric"]}};
     for (const auto& [member, value] : report.items()) {
       if (value.is_array() && json.contains(member))
@@ -260,7 +260,7 @@ std::string markdown_of(const std::vector<Gate>& all) {
     const show::Answer answer = answer_of(gate);
     std::vector<std::string> sentences = show::results_of(answer);
     sentences.front().clear();
-    text += fmt::format("**{}**\n\n{}\n{}\n{}\n\n", show::markdown_text(verdict_of(gate)),
+    text += fmt::format("**{}**\n\n{}\n{}\n{}\n\n", show::markdown_text(answer.verdict),
                         show::to_markdown(show::results_table(answer)), show::to_markdown(show::pairs_table(answer)),
                         show::markdown_text(fmt::format("{}", fmt::join(sentences, " "))));
   }
