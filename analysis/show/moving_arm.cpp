@@ -48,21 +48,34 @@ Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
   return list;
 }
 
+judge::Solves first_solves(const StudyResults& study, const std::string& solver) {
+  return study.of(solver).first(study.first_run_of(solver).size());
+}
+
+// What a control loop must not have, the worst by this amount.
+struct Worst {
+  bool judge::Solve::*is_so;
+  double judge::Solve::*amount;
+  const char* words;
+};
+constexpr std::array<Worst, 2> all_worst{
+    {{&judge::Solve::is_late, &judge::Solve::seconds, "late solves"},
+     {&judge::Solve::is_too_fast, &judge::Solve::largest_move_deg, "steps that are too fast"}}};
+
 // The places in a first run that the page shows: all, or of a long one the worst steps of each solver in turn, up to
 // half of what it shows, and others evenly.
 std::set<std::size_t> shown_places(const StudyResults& study, const std::vector<std::string>& order) {
   std::size_t n = 0;
   std::vector<std::vector<std::size_t>> all_bad;  // late solves, and steps that are too fast; the longest first
   for (const std::string& solver : order) {
-    const judge::Solves run = study.of(solver).first(study.first_run_of(solver).size());
+    const judge::Solves run = first_solves(study, solver);
     n = std::max(n, run.size());
-    for (const auto& [is_bad, by] : {std::pair(&judge::Solve::is_late, &judge::Solve::seconds),
-                                     std::pair(&judge::Solve::is_too_fast, &judge::Solve::largest_move_deg)}) {
+    for (const Worst& worst : all_worst) {
       std::vector<std::size_t>& bad = all_bad.emplace_back();
       for (std::size_t i = 0; i < run.size(); ++i) {
-        if (run[i].*is_bad) bad.push_back(i);
+        if (run[i].*worst.is_so) bad.push_back(i);
       }
-      std::ranges::stable_sort(bad, std::ranges::greater(), [&, amount = by](std::size_t i) { return run[i].*amount; });
+      std::ranges::stable_sort(bad, std::ranges::greater(), [&](std::size_t i) { return run[i].*worst.amount; });
     }
   }
   std::set<std::size_t> places;
@@ -143,12 +156,11 @@ std::optional<std::string> moving_arm(const StudyResults& study, const std::vect
   if (solvers.empty()) return std::nullopt;
   const bool is_path = !study.definition.draws_targets, are_all = *places.rbegin() + 1 == places.size();
   std::vector<std::string> worst;
-  for (const auto& [is_bad, words] : {std::pair(&judge::Solve::is_late, "late solves"),
-                                      std::pair(&judge::Solve::is_too_fast, "steps that are too fast")}) {
-    if (std::ranges::any_of(shown, [&, is_bad = is_bad](const std::string& solver) {
-          return std::ranges::any_of(study.of(solver).first(study.first_run_of(solver).size()), is_bad);
-        }))
-      worst.emplace_back(words);
+  for (const Worst& each : all_worst) {
+    const auto has_it = [&](const std::string& solver) {
+      return std::ranges::any_of(first_solves(study, solver), each.is_so);
+    };
+    if (std::ranges::any_of(shown, has_it)) worst.emplace_back(each.words);
   }
   const std::string which =
       are_all         ? ""
