@@ -171,22 +171,19 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   if (form.has_header && number != titles_.end())
     refuse(fmt::format("{} in the header; expected names of columns in the first line{}", in_quotes(*number),
                        is_number(titles_.front()) ? "" : "; runs and steps of a curve stand below each other"));
-  std::size_t marked = 0;
+  std::vector<std::uint32_t> marked;  // rows
   for (std::uint32_t row = 0; row < table_.rows(); ++row) {
     std::size_t filled = 0, last = 0;
     for (std::size_t i = 0; i < titles_.size(); ++i) {
       if (!cell(row, i).empty()) ++filled, last = i;
     }
-    marked += is_comment(table_.cell(row, 0));
+    if (is_comment(table_.cell(row, 0))) marked.push_back(row);
     if (filled == 1 && titles_.size() > 2 && !is_number(cell(row, last)))
       refuse(row, last, "stands alone in its row: leave it out, or write NA where values are missing");
     if (filled > 0) rows_.push_back(row);
   }
-  if (marked > 0 && marked < table_.rows()) {
-    std::uint32_t row = 0;
-    while (!is_comment(table_.cell(row, 0))) ++row;
-    refuse(row, 0, "begins as a comment does: take its row out, or rename what it is");
-  }
+  if (!marked.empty() && marked.size() < table_.rows())
+    refuse(marked.front(), 0, "begins as a comment does: take its row out, or rename what it is");
   if (titles_.size() == 1)
     refuse(
         "one column, but names of groups and values take two; cells are parted by a comma, semicolon, tab, bar or blanks");

@@ -168,7 +168,8 @@ class Finder {
     double before = std::numeric_limits<double>::quiet_NaN();
     for (const Index row : sheet_.rows()) {
       const double value = sheet_.number(row, column);
-      changes[0] += value<before, changes[1] += value> before;
+      changes[0] += value < before;
+      changes[1] += before < value;
       if (!std::isnan(value)) before = value;
     }
     return is_whole(column) || repeats(column) ||

@@ -261,10 +261,6 @@ Means means_in(const Sheet& sheet) {
           .sd = sheet.column_like({"sd", "std", "stddev", "std_dev"})};
 }
 
-}  // namespace
-
-namespace {
-
 Quantities values_in(std::string_view text, std::string_view source, const Request& request) {
   Sheet sheet(text, source, request.decimal);
   if (sheet.column_like({"stop_reason"}) && sheet.column_like({"series"}))

@@ -40,10 +40,10 @@ bool were_in_turn(const std::vector<Session>& ours, const std::vector<Session>& 
     return all;
   };
   const std::vector<std::string> one = begins(ours), other = begins(theirs);
-  bool are_apart = one.size() != other.size() || one.size() < 2;
-  for (std::size_t i = 1; i < one.size() && !are_apart; ++i)
-    are_apart = std::max(one[i - 1], other[i - 1]) > std::min(one[i], other[i]);
-  return !are_apart;
+  if (one.size() != other.size() || one.size() < 2) return false;
+  for (std::size_t i = 1; i < one.size(); ++i)
+    if (std::max(one[i - 1], other[i - 1]) > std::min(one[i], other[i])) return false;
+  return true;
 }
 
 // Of both stores, as solvers of one study. Takes their solves.
