@@ -180,12 +180,12 @@ std::string sights_of(const std::vector<Gate>& all) {
   std::vector<std::string> shown, labels;
   for (const Gate& gate : all) {
     if (!gate.sight || gate.are_same) continue;
-    const auto& [smallest, targets, of_margin] = *gate.sight;
+    const auto& [smallest, n, of_margin] = *gate.sight;
     shown.push_back(fmt::format(
-        "these {} show a loss of {:.2g} points or more{}", base::counted(targets, "targets"), std::ceil(100 * smallest),
-        of_margin > targets
-            ? fmt::format("; {:.2g} points take {}", 100 * gate.judged.metrics.front().plan.margin, of_margin)
-            : ""));
+        "these {} show a loss of {:.2g} points or more{}", base::counted(n, answer_of(gate).noun),
+        std::ceil(100 * smallest),
+        of_margin > n ? fmt::format("; {:.2g} points take {}", 100 * gate.judged.metrics.front().plan.margin, of_margin)
+                      : ""));
     labels.push_back(gate.label);
   }
   std::string text;
@@ -300,8 +300,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
-      "Exit codes: 0 nothing is worse, 3 something is worse, perhaps by more than the margin, 4 with --strict something "
-      "is not decided or not tested, 1 not compared: a mistake, A and B differ in more than solvers, or nothing could "
+      "Exit codes: 0 nothing is shown to be worse, or only by less than the margin, 3 something is, 4 with --strict "
+      "something is not decided or not tested, 1 not compared: a mistake, A and B differ in more than solvers, or nothing could "
       "be compared, or not the times that --time-margin asks for.\n"
       "Times are shown and decide nothing without --time-margin.");
   command->callback([arguments, &invocation] {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -93,28 +95,35 @@ bool lost_answers_for_sure(const JudgedMetric& judged) {
   return is_of_answers(judged) && candidate.mean < baseline.mean && (baseline.mean == 1 || candidate.mean == 0);
 }
 
-// By McNemar's test of n targets of which this share differs: the root of n d^2 = (z_alpha sqrt(s) + z_beta sqrt(s -
-// d^2))^2, where at least d differ (Connor, Biometrics 43 (1987) 207).
-double targets_for(double loss, double differing, double alpha) {
-  const double s = std::max(loss, differing);
+// The observations that show this loss: the root of n d^2 = (z_alpha sqrt(s) + z_beta sqrt(s - d^2))^2, where s is the
+// mean square of a difference. It holds for McNemar's test (Connor, Biometrics 43 (1987) 207) and in large samples for
+// t. A difference is at least one trial, so a loss makes s at least its share of that.
+double needed_for(double loss, double square, int trials, double alpha) {
+  const double s = std::max(loss / trials, square);
   return std::pow(
       (critical_z(alpha) * std::sqrt(s) + critical_z(0.4) * std::sqrt(std::max(0.0, s - loss * loss))) / loss, 2);
+}
+
+double square_of_differences(const Observations& observed) {
+  const auto ours = values_of(observed.groups.front()), theirs = values_of(observed.groups.back());
+  if (!observed.is_paired) return std::pow(summarise(ours).sd, 2) + std::pow(summarise(theirs).sd, 2);
+  return std::transform_reduce(ours.begin(), ours.end(), theirs.begin(), 0.0, std::plus{},
+                               [](double a, double b) { return (a - b) * (a - b); }) /
+         static_cast<double>(ours.size());
 }
 
 std::optional<Sight> sight_of(const JudgedMetric& judged, double tests) {
   const Observations& observed = judged.observations;
   const auto* const tested = std::get_if<Tested>(&judged.findings.front().what);
-  if (observed.scale != Scale::share || !observed.is_paired || observed.trials > 1 || !tested || !tested->effect)
-    return {};
-  const double differing = tested->effect->ahead + tested->effect->behind, alpha = judged.plan.significance / tests;
+  if (observed.scale != Scale::share || !tested || tested->n < 2) return {};
+  const double square = square_of_differences(observed), alpha = judged.plan.significance / tests;
+  const auto needed = [&](double loss) { return needed_for(loss, square, observed.trials, alpha); };
   double low = 0, high = 1;
   while (high - low > 1e-4) {
     const double middle = (low + high) / 2;
-    (targets_for(middle, differing, alpha) > tested->n ? low : high) = middle;
+    (needed(middle) > tested->n ? low : high) = middle;
   }
-  return Sight{
-      high, tested->n,
-      judged.plan.margin > 0 ? static_cast<int>(std::ceil(targets_for(judged.plan.margin, differing, alpha))) : 0};
+  return Sight{high, tested->n, judged.plan.margin > 0 ? static_cast<int>(std::ceil(needed(judged.plan.margin))) : 0};
 }
 
 // A metric of which all values vanished, though there are answers.

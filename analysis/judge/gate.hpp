@@ -9,11 +9,11 @@
 
 namespace ikbench::judge {
 
-// Of solved targets, what these could show with a chance of 0.8.
+// Of the share that is solved, what these observations could show, by a chance of about three in four.
 struct Sight {
   double smallest = 0;  // loss, a share
-  int targets = 0;      // these
-  int of_margin = 0;    // targets that would show a loss of the margin
+  int n = 0;            // these observations
+  int of_margin = 0;    // that would show a loss of the margin
 };
 
 struct Gate {
@@ -23,7 +23,7 @@ struct Gate {
   JudgedStudy judged;
   // Quantities; time only if the two were solved in turn. worse_by_little: by less than the margin, which is no loss.
   std::vector<std::string> worse, better, worse_by_little, not_decided, not_tested;
-  std::optional<Sight> sight = {};  // none where shares are not compared target by target
+  std::optional<Sight> sight = {};  // none where shares are not tested
   bool are_same = false;            // all solves, bit for bit: then nothing is left to decide but time
   bool are_times_missing = false;   // though the two solved in turn, so that times decide
   bool is_compared = true;          // some quantity besides the share of answers was compared, or something is worse

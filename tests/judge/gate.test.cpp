@@ -173,6 +173,33 @@ TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
   CHECK(red <= compares / 20);
 }
 
+TEST_CASE("of losses as large as its sight says, a gate finds about three of four") {
+  for (const Asked& asked :
+       {of_100, drawn_100, Asked{.start = "initial", .runs = 20, .points = 40, .tolerance_cm = 0.1},
+        Asked{.runs = 60, .points = 5, .tolerance_cm = 0.1}, Asked{.runs = 100, .points = 1, .tolerance_cm = 0.1}}) {
+    std::mt19937 random(7);
+    const auto solves = [&](double loss) {
+      return [&, loss](SolveRecord& solve) {
+        const double share = 0.6 + 0.3 * (solve.point % 7) / 6 - loss;
+        solve.status = std::bernoulli_distribution(share)(random) ? Status::ok : Status::tolerance_missed;
+      };
+    };
+    double loss = 0;
+    std::ptrdiff_t found = 0;
+    for (int i = 0; i < 20; ++i) {
+      const std::optional<Sight> sight = gate_of(version(1, asked, solves(0)), version(2, asked, solves(0))).sight;
+      REQUIRE(sight);
+      loss += sight->smallest / 20;
+    }
+    for (int i = 0; i < 100; ++i)
+      found +=
+          std::ranges::count(gate_of(version(1, asked, solves(0)), version(2, asked, solves(loss))).worse, "solved");
+    INFO(asked.runs << " runs of " << asked.points << ": " << loss);
+    CHECK(found >= 60);
+    CHECK(found <= 85);
+  }
+}
+
 TEST_CASE("labels and metrics that are compared share the significance") {
   int missed = 0;
   const auto miss_eight = [&](SolveRecord& solve) {
