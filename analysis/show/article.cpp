@@ -102,9 +102,7 @@ std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
   for (const Finding& finding : findings) parts.push_back(told(finding, judged));
   std::string text = fmt::format("{}{}: {}.", judged.observations.quantity, tests.empty() ? "" : ", by " + tests,
                                  fmt::join(parts, "; "));
-  if (answer.direction.empty())  // else its name is the user's
-    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text;
+  return answer.direction.empty() ? as_sentence(text) : text;  // else its name is the user's
 }
 
 }  // namespace

@@ -211,13 +211,14 @@ Table results_table(const Answer& answer) {
       return judged.observations.is_of_solved && judged.observations.is_paired;
     });
     sentences.push_back(
-        fmt::format("{}{}: {}s; the other{}: {}, {}", has_averages ? listed(ratios) + " of " : "", reference, average,
-                    answer.order.size() == 2 ? "" : "s", fmt::join(kinds, " or "),
+        fmt::format("{} of {}: {}{}; of the other{}: {}, {}",
+                    answer.direction.empty() ? as_sentence(listed(ratios)) : listed(ratios), reference, average,
+                    ratios.size() == 1 ? "" : "s", answer.order.size() == 2 ? "" : "s", fmt::join(kinds, " or "),
                     are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun));
   }
   const auto are_spent = [](const JudgedMetric& judged) { return judged.observations.are_logs; };
   if (std::ranges::any_of(answer.metrics, are_spent))
-    sentences.back() += fmt::format("{}per solved: all that was spent, divided by the number of {} solved",
+    sentences.back() += fmt::format("{}per solved: all that was spent, divided by the {} solved",
                                     sentences.back().empty() ? "" : "; ", answer.noun);
   const auto has_facts = [](const JudgedMetric& judged) {
     return std::ranges::any_of(judged.findings, [](const Finding& finding) {
@@ -440,7 +441,7 @@ Table pairs_table(const Answer& answer) {
   std::vector<std::string> notes{
       what_decides(answer),
       answer.verdict.empty() && has_p
-          ? "p is multiplied by the number of pairs tested of a metric, and intervals hold for all pairs at once."
+          ? "p is multiplied by the number of pairs tested of its metric, and intervals hold for all."
           : "",
       of_pairs(answer), has_effect ? "A12: share of comparisons in which the first is better, equal ones half." : ""};
   std::erase(notes, "");
@@ -733,8 +734,9 @@ Table study_table(const StudyResults& study) {
 
 std::string stops_of(const StudyResults& study) {
   const numerics::StopRule& stop = study.definition.stop;
-  std::vector<std::string> stops{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg"),
-                                 limit(static_cast<double>(stop.iterations), " iterations"),
+  std::vector<std::string> tolerances{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg")};
+  std::erase(tolerances, "");
+  std::vector<std::string> stops{listed(tolerances), limit(static_cast<double>(stop.iterations), " iterations"),
                                  limit(static_cast<double>(stop.evaluations), " evaluations"),
                                  limit(1000 * stop.seconds, " ms")};
   std::erase(stops, "");
@@ -748,8 +750,10 @@ std::string ends_of_unsolved(const StudyResults& study) {
     std::set<std::string> of_label;
     for (const Solve& solve : study.of(label)) {
       if (solve.status != results::Status::ok)
-        of_label.insert(with_blanks(results::is_in_order(solve.status) ? results::name_of(solve.stop_reason)
-                                                                       : results::name_of(solve.status)));
+        of_label.insert(!results::is_in_order(solve.status) ? with_blanks(results::name_of(solve.status))
+                        : solve.stop_reason == results::StopReason::finished
+                            ? "the solver itself"
+                            : with_blanks(results::name_of(solve.stop_reason)));
     }
     if (of_label.empty()) continue;
     reasons.push_back(listed({of_label.begin(), of_label.end()}, " or "));
@@ -766,8 +770,10 @@ const std::string& title_of(const StudyResults& study) {
 
 std::string what_is_solved(const StudyResults& study) {
   const results::Definition& definition = study.definition;
-  return fmt::format("{}, {} of {} ({})", std::filesystem::path(definition.robot).stem().string(),
-                     base::counted(definition.runs, "runs"), base::counted(definition.points, "targets"),
+  const bool is_one_each = definition.draws_targets && definition.points == 1;
+  return fmt::format("{}, {}{} ({})", std::filesystem::path(definition.robot).stem().string(),
+                     is_one_each ? "" : base::counted(definition.runs, "runs") + " of ",
+                     base::counted(is_one_each ? definition.runs : definition.points, "targets"),
                      with_blanks(definition.path));
 }
 

@@ -133,6 +133,11 @@ std::string p_text(double p, const Ends& from) {
 
 std::string p_sentence(double p, const Ends& from) { return (p < 0.0001 ? "p " : "p = ") + p_text(p, from); }
 
+std::string as_sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
 std::string listed(const std::vector<std::string>& names, std::string_view last) {
   const std::string_view comma = base::separator_of(names);
   std::string text;

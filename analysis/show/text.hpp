@@ -15,6 +15,7 @@ std::string html_text(std::string_view text);
 std::string markdown_text(std::string_view text);
 std::string latex_text(std::string_view text);
 std::string with_blanks(std::string_view name);  // for _
+std::string as_sentence(std::string text);       // begun by a capital letter
 std::string id_of(std::string_view name);        // letters, digits and "-": an anchor, a link, a label of LaTeX
 
 // 2430, not 2.4e+03: all digits before the point. "-" for a number that is not finite.

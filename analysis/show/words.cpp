@@ -505,9 +505,8 @@ std::string enough_words(const Finding& finding) {
 }
 
 std::string warning_of(const Doubt& doubt) {
-  std::string text = words_of(doubt) + '.';
-  if (doubt.who.empty() || !text.starts_with(doubt.who[0])) text[0] = static_cast<char>(std::toupper(text[0]));
-  return text;
+  const std::string text = words_of(doubt) + '.';
+  return doubt.who.empty() || !text.starts_with(doubt.who[0]) ? as_sentence(text) : text;
 }
 
 std::string unit_of(const Finding& finding, const JudgedMetric& judged) {

@@ -328,8 +328,8 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
         "B        100 % (84-100)   3 deg\n"
         "A        30 % (15-52) *   0.33 times +\n"
         "C        30 % (15-52) *   1.01 times\n"
-        "B: medians; the others: ratios to it, on values that both solved. * worse and + better than B\n"
-        "(adjusted p < 0.05). Brackets: 95 % intervals.\n");
+        "Motion of B: median; of the others: ratios to it, on values that both solved. * worse and + better\n"
+        "than B (adjusted p < 0.05). Brackets: 95 % intervals.\n");
   std::vector<double> near = b;
   for (double& value : near) value *= 1.02;
   CHECK(contains(text(numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", near}})),
@@ -339,14 +339,14 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
         "B        100 % (84-100) +   3 times *\n"
         "A        30 % (15-52)       1 deg\n"
         "C        30 % (15-52)       3 times *\n"
-        "A: medians; the others: ratios to it, on values that both solved. * worse and + better than A\n"
-        "(adjusted p < 0.05). Brackets: 95 % intervals.\n");
+        "Motion of A: median; of the others: ratios to it, on values that both solved. * worse and + better\n"
+        "than A (adjusted p < 0.05). Brackets: 95 % intervals.\n");
   text(costs, {}, 20);
   CHECK(contains(text(costs, {.control = "B"}), "A        30 % (15-52) *   0.33 times +\n"));
   const std::string by_means = text(costs, {.test = results::Plan::Test::means, .control = "A"});
   INFO(by_means);
   CHECK(contains(by_means, "B        100 % (84-100) +   +2.08 deg *"));
-  CHECK(contains(by_means, "A: means; the others: differences from it, on values that both solved."));
+  CHECK(contains(by_means, "Motion of A: mean; of the others: differences from it, on values that both solved."));
   costs.groups[2].sample = judge::Untold{.why = judge::Untold::Why::apart,
                                          .values = std::get<judge::Measured>(costs.groups[2].sample).values};
   costs.groups[0].sample = judge::Measured{};
