@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/names.hpp"
 #include "base/number.hpp"
 
 namespace ikbench::base {
@@ -148,20 +149,21 @@ double CsvTable::number(std::size_t row, std::string_view column_name) const {
 }
 
 void expect_text(std::string_view text, std::string_view source) {
-  const std::size_t nul = text.find('\0');
-  if (nul == std::string_view::npos) return;
-  throw std::invalid_argument(fmt::format("{}:{}: a NUL byte; expected text in UTF-8", source,
-                                          1 + std::ranges::count(text.substr(0, nul), '\n')));
+  const std::size_t broken = first_broken(text);
+  if (broken == std::string_view::npos) return;
+  throw std::invalid_argument(fmt::format("{}:{}: {}; expected text in UTF-8", source,
+                                          1 + std::ranges::count(text.substr(0, broken), '\n'),
+                                          text[broken] == 0 ? "a NUL byte" : "letters in another code"));
 }
 
-std::string csv_text(std::istream& stream, std::string_view source) {
+std::string csv_text(std::istream& stream) {
   std::string text;
   std::array<char, 1 << 16> buffer{};
   while (text.size() <= max_csv_bytes && stream) {
     stream.read(buffer.data(), buffer.size());
     const std::string_view part(buffer.data(), static_cast<std::size_t>(stream.gcount()));
     text += part;
-    if (part.find('\0') != std::string_view::npos) expect_text(text, source);
+    if (part.find('\0') != std::string_view::npos) break;  // no text, perhaps without an end
   }
   return text;
 }

@@ -46,10 +46,10 @@ class CsvTable {
   std::vector<std::unique_ptr<const std::string>> unquoted_;
 };
 
-// Refuses a NUL byte.
+// Refuses what is no UTF-8, and a NUL byte.
 void expect_text(std::string_view text, std::string_view source);
-// Reads the whole text, or just more than the readers below take: a stream may have no end. Refuses what is no text.
-std::string csv_text(std::istream& stream, std::string_view source);
+// Reads the whole text, as far as it is one and not longer than the readers below take: a stream may have no end.
+std::string csv_text(std::istream& stream);
 // `source` is the text's name in messages ("data.csv"). Malformed text throws
 // std::invalid_argument with source:line.
 CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm& form = {});

@@ -56,6 +56,14 @@ std::string one_line(std::string_view text) {
   return result;
 }
 
+std::size_t first_broken(std::string_view text) {
+  for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
+    length = static_cast<signed char>(text[at]) > 0 ? 1 : text[at] == 0 ? 0 : length_of_first(text.substr(at));
+    if (length == 0) return at;
+  }
+  return std::string_view::npos;
+}
+
 std::size_t character_count(std::string_view utf8) {
   return utf8.size() - static_cast<std::size_t>(std::ranges::count_if(utf8, is_continuation));
 }

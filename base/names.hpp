@@ -54,6 +54,8 @@ const auto& find_named(std::string_view kind, std::string_view name, const All& 
 
 // One line of valid UTF-8: control characters become blanks, bytes that are none U+FFFD.
 std::string one_line(std::string_view text);
+// The first byte that is of no character; npos: all are.
+std::size_t first_broken(std::string_view text);
 std::size_t character_count(std::string_view utf8);
 // One line of at most so many characters; an ellipsis stands for its middle, because variants differ at their ends.
 std::string shortened(std::string_view text, std::size_t length);

@@ -167,6 +167,8 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   decimals_.assign(titles_.size(), 0);
   if (const auto empty = std::ranges::count(titles_, ""); empty > 1 && empty + 1 == std::ssize(titles_))
     refuse(fmt::format("{} stands alone in the header; begin a title above it with #", in_quotes(titles_.front())));
+  for (std::size_t i = 0; i < titles_.size(); ++i)
+    if (titles_[i].empty()) titles_[i] = fmt::format("column {}", i + 1);  // as an index of pandas
   const auto number = std::ranges::find_if(titles_, is_number);
   if (form.has_header && number != titles_.end())
     refuse(fmt::format("{} in the header; expected names of columns in the first line{}", in_quotes(*number),
@@ -191,8 +193,10 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
 }
 
 void Sheet::choose(std::string_view condition) {
-  const std::size_t equals = condition.find('=');
+  std::size_t equals = condition.find('=');
   if (equals == std::string_view::npos) refuse(fmt::format("--where {}; expected COLUMN=VALUE", in_quotes(condition)));
+  for (std::size_t at = equals; at != std::string_view::npos; at = condition.find('=', at + 1))  // a title may have it
+    if (std::ranges::count(titles_, trimmed(condition.substr(0, at))) > 0) equals = at;
   const std::size_t chosen = column(trimmed(condition.substr(0, equals)));
   const std::string_view value = trimmed(condition.substr(equals + 1));
   const std::string first(cell(rows_.front(), chosen));
@@ -219,10 +223,13 @@ std::size_t Sheet::column(std::string_view name) {
     decimals_.push_back('.');
     return titles_.size() - 1;
   }
+  const auto first = static_cast<std::size_t>(std::ranges::find(titles_, name) - titles_.begin());
+  if (name == "row" && first < table_.header.size() && !counts_rows(first))
+    refuse("a column 'row', which is the name of the number of each row; rename it");
   if (number > 1) refuse(fmt::format("{} columns {}; give them different names", number, in_quotes(name)));
   if (number == 0)
     refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), did_you_mean(name, titles_), listed(titles_)));
-  return static_cast<std::size_t>(std::ranges::find(titles_, name) - titles_.begin());
+  return first;
 }
 
 constexpr std::string_view joint = " / ";

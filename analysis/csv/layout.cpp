@@ -373,6 +373,7 @@ class Finder {
   // Those of columns that may be groups: no settings, computed from others, bounds of all, or shares of any size where
   // others are none; and of one kind, where titles have two parts: "A mean", "A sd", "B mean", "B sd".
   Columns groups_in(const Columns& all) {
+    if (all.size() > 2 * most_groups) return all;  // nobody has so many
     Columns columns = all, others;
     std::erase_if(columns, [&](auto column) { return column == all.front() ? is_setting(column) : is_whole(column); });
     const bool is_name =
@@ -662,7 +663,7 @@ bool are_computed(const Lists& lists, double tried, const Lists& of, std::size_t
     }
   }
   for (std::size_t i = 0; i < chances.size(); ++i) {
-    const double share = i < 2 ? 0.5 : 1.0 / static_cast<double>(chances.size());  // means and sums are usual
+    const double share = i < 3 ? 0.5 : 1.0 / static_cast<double>(chances.size());  // means, sums and medians are usual
     if (chances[i] < 2e-3 * share / tried) return true;
   }
   return false;

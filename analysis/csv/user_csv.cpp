@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -45,6 +46,10 @@ Index number_of(std::string_view text, std::unordered_map<std::string_view, Inde
 
 Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
   const Column unit = layout.block ? layout.block : layout.run;
+  const auto has_digit = [&](Index row) {
+    return sheet.cell(row, *unit).find_first_of("0123456789") != std::string_view::npos;
+  };
+  const bool are_numbers = unit && sheet.has_numbers(*unit) && std::ranges::any_of(sheet.rows(), has_digit);
   std::unordered_map<std::string_view, Index> groups, units;
   Items items;
   items.values.reserve(columns.size() * sheet.rows().size());
@@ -55,6 +60,8 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
       if (name.empty()) continue;
       if (unit && sheet.cell(row, *unit).empty())
         sheet.refuse(row, *unit, "is no name; write merged cells in each of their rows");
+      if (are_numbers && !has_digit(row))
+        sheet.refuse(row, *unit, "is no number, as the others are; leave rows that sum up others out of the file");
       const Index group = number_of(name, groups);
       if (group == items.groups.size()) items.groups.emplace_back(name);
       if (group == most_groups)
@@ -66,6 +73,10 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
     }
   }
   if (items.values.empty()) sheet.refuse("no row has a label");
+  std::set<std::string> shown;
+  for (const std::string& name : items.groups)
+    if (!shown.insert(base::one_line(name)).second)
+      sheet.refuse(fmt::format("two groups look alike, both as {}; rename one", in_quotes(name)));
   items.units = static_cast<Index>(units.size());
   std::ranges::stable_sort(items.values, {}, [](const Value& item) { return std::tuple(item.group, item.unit); });
   for (const Value& item : items.values) {

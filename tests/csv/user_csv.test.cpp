@@ -203,7 +203,7 @@ TEST_CASE("values of 0 are what they are, and differences are compared") {
   CHECK(*of_means.estimate == Approx(-4.96));
   std::string three = "s,p,v\n";
   for (int i = 0; i < 14; ++i) three += fmt::format("A,{0},{1}\nB,{0},{2}\nC,{0},1\n", i, i % 4, i % 5 + 1);
-  const std::string other = three + "A,x,1\nB,x,1\nC,x,1\n", tiny = three + "A,x,1\nB,x,1\nC,x,1e-12\n";
+  const std::string other = three + "A,99,1\nB,99,1\nC,99,1\n", tiny = three + "A,99,1\nB,99,1\nC,99,1e-12\n";
   const Request request{.values = {"v"}, .block = {"p"}};
   CHECK(*finding(other, request).p == *finding(tiny, request).p);
 }
@@ -513,6 +513,26 @@ TEST_CASE("runs may have numbers of their own, metrics stand below each other, p
       "[--where problem=x"));
   CHECK(contains(said_of("sep=;\nsolver;size;time\nA;10;1.5\nA;20;2.5\nA;30;4.5\nB;10;1.25\nB;20;2.125\nB;30;5.5\n"),
                  "[--run size] [--block size]"));
+}
+
+TEST_CASE("names are taken as they are, and none looks like another") {
+  // An index that pandas left without a name.
+  CHECK(contains(said_of(",solver,error\n0,a,1.5\n1,a,2.25\n0,b,3.5\n1,b,4.25\n"), "[--run column 1]"));
+  CHECK(observations("so=lver,s,v\na=b,x,1.5\na=b,y,2.5\nc,x,9\n",
+                     {.values = {"v"}, .label = {"s"}, .where = {"so=lver=a=b"}})
+            .groups.size() == 2);
+  const std::string rows = "solver,row,v\na,1,1.5\na,2,2.5\na,1,2\na,2,3\nb,1,3.5\nb,2,3.25\nb,1,4\n";
+  CHECK(contains(said_of(rows), "rename it"));
+  CHECK(contains(said_of("s,v\n\xe4,1.5\n\xe4,2.5\n\xf6,3.5\n\xf6,4.5\n"), "data.csv:2: letters in another code"));
+  CHECK(contains(said_of("s,v\n\"a\nb\",1.5\n\"a\nb\",2.5\na b,3.5\na b,4.5\n"), "two groups look alike"));
+}
+
+TEST_CASE("a run without a number among numbers is none") {
+  std::string text = "run,a,b\n";
+  for (int i = 1; i < 9; ++i) text += fmt::format("{},{},{}\n", i, 1 + i * 3 % 7 * 0.11, 2 + i * 5 % 7 * 0.13);
+  CHECK(said_of(text, {.values = {"a", "b"}, .run = "run"}).empty());
+  CHECK(
+      contains(said_of(text + "typical,1.3,2.4\n", {.values = {"a", "b"}, .run = "run"}), "data.csv:10:1: 'typical'"));
 }
 
 TEST_CASE("True and False are 1 and 0") {
