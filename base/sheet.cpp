@@ -115,7 +115,15 @@ std::size_t take_comments(std::string_view& text) {
       return std::ranges::count(row, separator);
     };
     if (names.starts_with(separator)) break;  // the mark is a name itself
+    const auto has_number = [&](std::string_view row) {
+      for (std::size_t at = 0, end = 0; at <= row.size(); at = end + 1) {
+        end = std::min(row.find(separator, at), row.size());
+        if (is_number(trimmed(row.substr(at, end - at)))) return true;
+      }
+      return false;
+    };
     const bool is_header = !is_comment(after) && cells(names) > 0 && cells(names) == cells(after) &&
+                           has_number(after.substr(0, after.find('\n'))) &&
                            !is_number(names.substr(0, names.find(separator)));  // a row that was taken out
     text.remove_prefix(is_header ? static_cast<std::size_t>(names.data() - text.data()) : text.size() - after.size());
     if (is_header) break;

@@ -81,7 +81,10 @@ class Finder {
     }
     for (const std::size_t column : texts_) {
       std::set<std::string> units;
-      for (const Index row : sheet.rows()) units.insert(base::Title(fmt::format("v_{}", sheet.cell(row, column))).unit);
+      for (const Index row : sheet.rows()) {
+        const std::string_view cell = sheet.cell(row, column);
+        units.insert(base::Title(fmt::format("v_{}", cell)).unit == cell ? std::string(cell) : "");
+      }
       if (units.size() > 1 && !units.contains(""))
         sheet.refuse(fmt::format("{} has {}: convert its values to one unit, or take some with --where",
                                  titles_of({column}), fmt::join(units, " and ")));
@@ -282,6 +285,9 @@ class Finder {
     if (way.label) return {way};
     Columns labels, names;  // names: another text in each row
     for (const std::size_t column : texts_) {
+      const auto is_empty = [&](Index row) { return sheet_.cell(row, column).empty(); };
+      if (texts_.size() > 1 && 2 * std::ranges::count_if(way.rows, is_empty) > std::ssize(way.rows))
+        continue;  // remarks
       const std::size_t texts = count(way.rows, {column});
       if (texts == way.rows.size()) names.push_back(column);
       if (texts < way.rows.size() && texts <= most_groups) labels.push_back(column);
@@ -313,7 +319,9 @@ class Finder {
                      : way.values.empty() ? numbers_
                                           : way.values;
     std::erase_if(values, [&](std::size_t column) { return has(together, column); });
-    const bool may_be_wide = values.size() > 1 && (!is_text || !together.empty());
+    std::set<std::string> units;
+    for (const std::size_t column : values) units.insert(base::Title(title(column)).unit);
+    const bool may_be_wide = values.size() > 1 && (!is_text || (!together.empty() && units.size() == 1));
     for (const std::size_t column : numbers_) {  // groups may have numbers, or be True and False
       const std::size_t different = count(way.rows, {column});
       const bool may_be_label =
@@ -473,25 +481,25 @@ class Finder {
            });
   }
 
-  // Whether values of each class follow a column that rises in equal steps: they turn half as often as by chance.
+  // Whether values of each class follow each other along a column that rises in equal steps.
   bool is_curve(Rows rows, const Columns& of_class, std::size_t step, std::size_t value) {
     std::ranges::stable_sort(rows, {}, [&](Index row) { return sheet_.number(row, step); });
     std::map<Index, Rows> curves;
     const Rows classes = classes_of(rows, of_class);
     for (std::size_t i = 0; i < rows.size(); ++i) curves[classes[i]].push_back(rows[i]);
-    std::size_t inner = 0, turns = 0;
+    std::vector<std::vector<double>> values;
     for (const auto& [of, curve] : curves) {
-      for (std::size_t i = 2; i < curve.size(); ++i) {
-        const auto change = [&](std::size_t column, std::size_t at) {
-          return sheet_.number(curve[at], column) - sheet_.number(curve[at - 1], column);
+      values.emplace_back();
+      for (std::size_t i = 0; i < curve.size(); ++i) {
+        const auto rise = [&](std::size_t at) {
+          return sheet_.number(curve[at], step) - sheet_.number(curve[at - 1], step);
         };
-        const double even = change(step, 1);
-        if (!(even > 0 && std::abs(change(step, i) - even) <= 1e-6 * even)) return false;
-        const double product = change(value, i) * change(value, i - 1);
-        inner += std::abs(product) > 0, turns += product < 0;
+        if (i > 0 && !(rise(1) > 0 && std::abs(rise(i) - rise(1)) <= 1e-6 * rise(1))) return false;
+        values.back().push_back(sheet_.number(curve[i], value));
       }
     }
-    return inner >= 6 * curves.size() && 3 * turns <= inner;
+    constexpr std::size_t fewest = 8;
+    return rows.size() >= fewest * curves.size() && following(values) > 2.5;
   }
 
   // Gives blocks and runs to what tells rows apart.
@@ -548,9 +556,7 @@ class Finder {
     std::vector<Way> ways{are_blocks ? with(way, "--block", texts) : with(way, "--run", {needed.front()})};
     if (!are_blocks && is_first && are_shared(needed))  // three numbers are rather of problems
       ways.insert(needed.size() > 2 ? ways.begin() : ways.end(), with(way, "--block", {needed.front()}));
-    if (one && is_first && (is_mixed || texts.size() > 1)) {
-      ways.insert(is_mixed ? ways.begin() : ways.end(), with_one(way, *one, taken));
-    }
+    if (one && is_first) ways.insert(is_mixed ? ways.begin() : ways.end(), with_one(way, *one, taken));
     for (Way& each : ways) {
       find_rows(each);
       if (&each != ways.data()) more_.push_back(each.options);
@@ -614,21 +620,22 @@ double chance_of(const Printed& last, const std::vector<double>& sorted, double 
   return std::clamp(chance, is_equal ? equal / static_cast<double>(sorted.size()) : 0, 1.0);
 }
 
-std::vector<double> statistics_of(const std::vector<double>& values, const std::vector<double>& sorted) {
+// Each with what rounding of the values, by `half`, adds to it.
+std::vector<std::pair<double, double>> statistics_of(const std::vector<double>& values, double half) {
   const judge::Description of = judge::described(values);
   double logarithms = 0;
   for (const double value : values) logarithms += std::log(value);
-  std::vector<double> computed{of.mean,     of.mean * of.n, of.median, std::exp(logarithms / of.n),
-                               of.smallest, of.largest,     of.sd,     of.sd * std::sqrt(1 - 1.0 / of.n)};
-  for (const double share : {0.1, 0.25, 0.75, 0.9}) {  // as NumPy, R and spreadsheets have it
-    const double place = share * (of.n - 1);
-    const auto low = static_cast<std::size_t>(place);
-    computed.push_back(std::lerp(sorted[low], sorted[std::min(low + 1, sorted.size() - 1)], place - std::floor(place)));
-  }
+  std::vector<std::pair<double, double>> computed;
+  for (const double each : {of.mean, of.mean * of.n, of.median, std::exp(logarithms / of.n), of.smallest, of.largest,
+                            of.sd, of.sd * std::sqrt(1 - 1.0 / of.n)})
+    computed.emplace_back(each, half / 2);
   for (const bool is_turned : {false, true}) {
-    const double a = values[is_turned], b = values[!is_turned], ratio = a / b;
-    for (const double each : {a - b, ratio, 100 * ratio, ratio - 1, 1 - ratio, 100 * (ratio - 1), 100 * (1 - ratio)})
-      if (values.size() == 2) computed.push_back(each);
+    const double a = values[is_turned], b = values[!is_turned], ratio = a / b,
+                 of_ratio = std::abs(ratio) * half * (1 / std::abs(a) + 1 / std::abs(b));
+    if (values.size() > 2) continue;
+    computed.emplace_back(a - b, 2 * half);
+    for (const double each : {ratio, ratio - 1, 1 - ratio})
+      computed.insert(computed.end(), {{each, of_ratio}, {100 * each, 100 * of_ratio}});
   }
   return computed;
 }
@@ -653,13 +660,17 @@ bool are_computed(const Lists& lists, double tried, const Lists& of, std::size_t
     std::vector<double> sorted = values;
     std::ranges::sort(sorted);
     const double sum = std::accumulate(from.begin(), from.end(), 0.0), chance = chance_of(last, sorted, half, coarsest);
-    const std::vector<double> computed = of.empty()
-                                             ? statistics_of(values, sorted)
-                                             : std::vector{one == 0 ? sum / static_cast<double>(from.size()) : sum};
+    const auto computed = of.empty()
+                              ? statistics_of(values, half)
+                              : std::vector{std::pair(one == 0 ? sum / static_cast<double>(from.size()) : sum, 0.0)};
     chances.resize(computed.size(), 1);
     for (std::size_t i = 0; i < computed.size(); ++i) {
-      const double slack = last.half + std::min(of.empty() ? half / 2 : 0, last.half) + 1e-9 * std::abs(last.value);
-      chances[i] *= std::abs(last.value - computed[i]) <= slack ? chance : judge::unknown;
+      const auto [expected, rounded] = computed[i];
+      const bool is_of_two = i >= 8;
+      const double slack =
+          last.half + (is_of_two ? rounded : std::min(rounded, last.half)) + 1e-9 * std::abs(last.value);
+      const bool is_near = std::abs(last.value - expected) <= slack;
+      chances[i] *= !is_near ? judge::unknown : is_of_two ? std::min(1.0, chance * slack / last.half) : chance;
     }
   }
   for (std::size_t i = 0; i < chances.size(); ++i) {
@@ -667,6 +678,23 @@ bool are_computed(const Lists& lists, double tried, const Lists& of, std::size_t
     if (chances[i] < 2e-3 * share / tried) return true;
   }
   return false;
+}
+
+double following(const std::vector<std::vector<double>>& lists) {
+  double sum = 0, count = 0;
+  for (const std::vector<double>& list : lists) {
+    const std::vector<double> ranks = judge::midranks(list).ranks;
+    const auto n = static_cast<double>(ranks.size());
+    double steps = 0, spread = 0;
+    for (std::size_t i = 0; i < ranks.size(); ++i) {
+      spread += std::pow(ranks[i] - (n + 1) / 2, 2);
+      steps += i > 0 ? std::pow(ranks[i] - ranks[i - 1], 2) : 0;
+    }
+    if (spread == 0) continue;
+    sum += (2 - steps / spread) / std::sqrt(20 / (5 * n + 7));
+    ++count;
+  }
+  return count > 0 ? sum / std::sqrt(count) : 0;
 }
 
 Request with(Request request, const Options& options) {

@@ -51,10 +51,13 @@ struct Printed {
   double value, half;
 };
 Printed printed(Sheet& sheet, std::size_t row, std::size_t column);
+// How far values follow those before them, in standard deviations of what any order would give: by von Neumann's ratio
+// of ranks (Bartels, JASA 77 (1982) 40), of all lists together.
+double following(const std::vector<std::vector<double>>& lists);
 // Whether the last number of each list is to its last digit one statistic of the others, and not by chance: mean, sum,
-// median, geometric mean, smallest, largest, standard deviation, a quartile or tenth; of two also a difference or
-// ratio; or of the numbers `of` in place of the others, as of their ranks, only the mean, 0, or the sum, 1. `tried`: of
-// how many such lists of a file these are.
+// median, geometric mean, smallest, largest, standard deviation; of two also a difference or ratio; or of the numbers
+// `of` in place of the others, as of their ranks, only the mean, 0, or the sum, 1. `tried`: of how many such lists of a
+// file these are.
 using Lists = std::vector<std::vector<Printed>>;
 bool are_computed(const Lists& lists, double tried, const Lists& of = {}, std::size_t one = 0);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -20,6 +21,8 @@ namespace {
 using namespace judge;
 using base::lower_case;
 using Index = std::uint32_t;
+
+constexpr std::size_t most_last = 4;  // rows that sum up others
 
 struct Value {
   Index group, unit, row;  // unit: block, run or row
@@ -44,12 +47,24 @@ Index number_of(std::string_view text, std::unordered_map<std::string_view, Inde
   return known.try_emplace(text, static_cast<Index>(known.size())).first->second;
 }
 
+// Without what nobody sees.
+std::string as_seen(std::string_view name) {
+  std::string text = base::one_line(name);
+  for (const auto& [mark, seen] : {std::pair("\u00a0", " "),
+                                   {"\u2007", " "},
+                                   {"\u202f", " "},
+                                   {"\u2010", "-"},
+                                   {"\u2011", "-"},
+                                   {"\u2212", "-"},
+                                   {"  ", " "}}) {
+    for (std::size_t at = 0; (at = text.find(mark)) != std::string::npos;)
+      text.replace(at, std::string_view(mark).size(), seen);
+  }
+  return std::string(base::trimmed(text));
+}
+
 Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
   const Column unit = layout.block ? layout.block : layout.run;
-  const auto has_digit = [&](Index row) {
-    return sheet.cell(row, *unit).find_first_of("0123456789") != std::string_view::npos;
-  };
-  const bool are_numbers = unit && sheet.has_numbers(*unit) && std::ranges::any_of(sheet.rows(), has_digit);
   std::unordered_map<std::string_view, Index> groups, units;
   Items items;
   items.values.reserve(columns.size() * sheet.rows().size());
@@ -60,8 +75,6 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
       if (name.empty()) continue;
       if (unit && sheet.cell(row, *unit).empty())
         sheet.refuse(row, *unit, "is no name; write merged cells in each of their rows");
-      if (are_numbers && !has_digit(row))
-        sheet.refuse(row, *unit, "is no number, as the others are; leave rows that sum up others out of the file");
       const Index group = number_of(name, groups);
       if (group == items.groups.size()) items.groups.emplace_back(name);
       if (group == most_groups)
@@ -75,7 +88,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
   if (items.values.empty()) sheet.refuse("no row has a label");
   std::set<std::string> shown;
   for (const std::string& name : items.groups)
-    if (!shown.insert(base::one_line(name)).second)
+    if (!shown.insert(as_seen(name)).second)
       sheet.refuse(fmt::format("two groups look alike, both as {}; rename one", in_quotes(name)));
   items.units = static_cast<Index>(units.size());
   std::ranges::stable_sort(items.values, {}, [](const Value& item) { return std::tuple(item.group, item.unit); });
@@ -190,7 +203,7 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
 // Refuses a row that is the first of each group, or one of the last, or so in each unit of a group, and has a statistic
 // of the others there, or of ranks or wins of the groups, where each row has a value of all.
 void refuse_totals(Sheet& sheet, const Layout& layout, const Columns& columns, const Items& items) {
-  constexpr std::size_t most_values = 100'000, most_last = 4, fewest = 3;  // nobody adds such rows to more
+  constexpr std::size_t most_values = 100'000, fewest = 3;  // nobody adds such rows to more
   if (items.groups.size() < 2 || items.values.size() > most_values) return;
   for (const bool by_unit : {false, true}) {
     std::vector<Lists> kinds(1);  // values, then from either end their ranks and who is first
@@ -248,6 +261,37 @@ void refuse_totals(Sheet& sheet, const Layout& layout, const Columns& columns, c
   }
 }
 
+// Refuses a few blocks or runs without a number where the others have one.
+void refuse_unnumbered(const Sheet& sheet, std::size_t unit) {
+  const auto has_digit = [](std::string_view text) {
+    return text.find_first_of("0123456789") != std::string_view::npos;
+  };
+  std::set<std::string_view> numbered, others;
+  Index last = 0;
+  for (const Index row : sheet.rows()) {
+    const std::string_view name = sheet.cell(row, unit);
+    (has_digit(name) ? numbered : others).insert(name);
+    if (!has_digit(name)) last = row;
+  }
+  if (!others.empty() && others.size() <= most_last && 4 * others.size() < numbered.size())
+    sheet.refuse(last, unit,
+                 "has no number, as the others have: leave rows that sum up others out of the file, or rename it");
+}
+
+// Asks where rows are no observations of their own, as steps of one run.
+void ask_of_steps(const Sheet& sheet, const Items& items) {
+  std::vector<std::vector<double>> groups(items.groups.size());
+  for (const Value& item : items.values)
+    if (!std::isnan(item.value)) groups[item.group].push_back(item.value);
+  std::erase_if(groups, [](const auto& group) {  // somebody sorted it
+    return std::ranges::is_sorted(group) || std::ranges::is_sorted(group, std::greater());
+  });
+  if (following(groups) > 4)
+    throw Question(sheet.said("values follow those above them, as steps of a run do, and then each run has one value; "
+                              "or rows are unrelated (--run row)"),
+                   {{"--run", "row"}});
+}
+
 // What the rows were taken for.
 std::string how_read(const Sheet& sheet, const Layout& layout, const Items& items) {
   const auto title_of = [&](std::size_t column) { return in_quotes(sheet.titles()[column]); };
@@ -297,6 +341,10 @@ Quantities values_in(std::string_view text, std::string_view source, const Reque
     if (std::ranges::count(titles, observed.quantity, name_of) > 1)
       observed.quantity = titles[i], observed.unit.clear();
     refuse_totals(sheet, layout, layout.label ? Columns{layout.values[i]} : layout.values, items);
+    if (const Column unit = layout.block ? layout.block : layout.run; unit)
+      refuse_unnumbered(sheet, *unit);
+    else if (request.run.empty())
+      ask_of_steps(sheet, items);
     if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items));
     settle(items, observed, quantities.notes);
     observed.better = better_of(sheet, request, titles, titles[i], observed.scale == Scale::share);
