@@ -131,17 +131,20 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const 
                     .with(static_cast<std::uint64_t>(run))
                     .with(static_cast<std::uint64_t>(point)));
   auto* const program = conversations_ ? static_cast<ForeignSolver*>(&solver) : nullptr;
+  const auto asked = std::chrono::steady_clock::now();
   if (program != nullptr) program->prepare(problem, objective);
   Timed timed;
   const Place place(entry_.label, run, point);
   try {
-    const auto started = std::chrono::steady_clock::now();
+    const bool has_failed = program != nullptr && program->account().failure;  // in a warm-up
+    const auto started = has_failed ? asked : std::chrono::steady_clock::now();
     timed.solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
     if (timed.solution.best.q.size() != problem.joints())
       throw std::runtime_error(fmt::format("the solver's answer has {}; expected {}, one for each joint",
                                            counted(timed.solution.best.q.size(), "numbers"), problem.joints()));
     timed.answer = task_.completed(timed.solution.best.q, target, start);
     timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    if (program != nullptr && program->is_given_up()) timed.seconds = std::numeric_limits<double>::quiet_NaN();
     timed.extras = objective.notes();
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(place(error.what()));

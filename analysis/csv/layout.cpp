@@ -455,7 +455,7 @@ class Finder {
       likely = {measured == values.end() ? values.front() : *measured};
     }
     if (likely == values) {
-      way.values = values;
+      way.values = values.empty() ? numbers_ : values;
       return true;
     }
     const bool is_lone = way.is_wide && likely.size() == 1;

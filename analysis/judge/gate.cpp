@@ -194,7 +194,10 @@ Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> t
     else
       metric.observations.doubts = {};  // of two sessions times are never comparable
   }
-  std::ranges::move(doubts_of_limits(baseline, both.judged.study), std::back_inserter(both.judged.doubts));
+  std::vector<Doubt> limits = doubts_of_limits(baseline, both.judged.study);
+  if (!limits.empty())  // the stricter of what is said of budgets
+    std::erase_if(both.judged.doubts, [](const Doubt& doubt) { return doubt.kind == DoubtKind::budgets_differ; });
+  std::ranges::move(limits, std::back_inserter(both.judged.doubts));
   return both;
 }
 

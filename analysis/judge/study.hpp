@@ -31,7 +31,7 @@ struct Solve {
   bool is_outside_limits = false;
   bool was_disturbed = false;  // took more than 10 % longer than its processor time; of solves at once not known
   // Of a program: whether it told its own time, and whether its processor time, messages included, is too long for it.
-  bool is_told = false, is_told_short = false;
+  bool is_told = false, is_told_short = false, is_told_alone = false;  // by less than, without processor time
   // Of a control loop: longer than its period, where times count; further than a joint can move in one.
   bool is_late = false, is_too_fast = false;
   bool had_enough_time = false;  // whatever the clock says: as many evaluations as another version needed

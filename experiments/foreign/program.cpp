@@ -109,8 +109,8 @@ std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const fs::pat
   } catch (const Trouble& trouble) {
     const std::string told = child->end_after(trouble.kind);
     if (trouble.kind != Trouble::Kind::timed_out) throw Trouble{trouble.kind, trouble.why + told};
-    throw Trouble{trouble.kind, fmt::format("it says no hello within {:g} s; a larger patience_s waits longer{}",
-                                            patience.count(), told)};
+    throw Trouble{trouble.kind, fmt::format("it says no hello within {:g} s ({}); a larger patience_s waits longer{}",
+                                            patience.count(), trouble.why, told)};
   }
   return child;
 }

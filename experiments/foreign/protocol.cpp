@@ -107,6 +107,8 @@ HelloOption Message::option(const Json& object) const {
   option.preset = number_in(object, "default", not_a_number);
   if (!(option.low <= option.preset && option.preset <= option.high))
     fail(fmt::format("a number as \"default\" of {}, from \"low\" to \"high\"", option.name));
+  for (const double each : {option.low, option.high, option.preset})
+    if (option.is_whole && each != std::floor(each)) fail(fmt::format("whole numbers of the integer {}", option.name));
   return option;
 }
 

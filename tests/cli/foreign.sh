@@ -56,6 +56,10 @@ json '"answered" in of["worse"]["declines"]'
 
 # Ends: one that is edited while it runs is another; one that is stuck, in a group of its own, is ended.
 sed '/solves += 1/a\        if solves == 6: open(__file__, "a").write("#"); os._exit(3)' faulty.py >changing.py
+sed '/solves += 1/a\        os._exit(3)' faulty.py >falls.py
+study falls '[[solvers]]' 'label = "falls"' 'process = ["python3", "falls.py"]'
+succeeds run falls.toml --no-report --out falls
+equal "solves without a time, after the third" "$(column falls/store.sqlite seconds falls | grep -c NaN)" 13
 study changing '[[solvers]]' 'label = "changing"' 'process = ["python3", "changing.py"]'
 ends 2 run changing.toml --no-report --out changing
 has "$err" "changed while it ran"

@@ -55,7 +55,7 @@ printf 'solver,my problem,error\n' >asked.csv
 for problem in x y z; do for run in 1 2 3; do printf 'A,%s,1.%d\nB,%s,2.%d\n' $problem $run $problem $run; done; done >>asked.csv
 refused "--label" stats asked.csv --better smaller
 grep '^    ikbench ' .err | sed 's/^    ikbench/"$program"/' >commands
-equal "commands" "$(wc -l <commands)" 2
+equal "commands" "$(wc -l <commands)" 4
 grep -qF -- "stats asked.csv --better smaller --label solver --block 'my problem' --run row" commands || fail "no command: $err"
 while read -r command; do eval "$command" >.out || fail "$command: exit code $?"; done <commands
 printf 'id,solver,solved\n' >index.csv

@@ -527,6 +527,33 @@ TEST_CASE("names are taken as they are, and none looks like another") {
   CHECK(contains(said_of("s,v\n\"a\nb\",1.5\n\"a\nb\",2.5\na b,3.5\na b,4.5\n"), "two groups look alike"));
 }
 
+TEST_CASE("values of a run follow each other, and are no rows of their own") {
+  std::mt19937 random(11);
+  std::normal_distribution<> normal;
+  int asked = 0, asked_of_noise = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    std::string runs = "controller,error\n", noise = runs, sorted = runs;
+    for (const char* controller : {"A", "B"}) {
+      double state = 0;
+      for (int i = 0; i < 60; ++i) {
+        state = 0.9 * state + normal(random);
+        runs += fmt::format("{},{:.4f}\n", controller, std::exp(state));
+        noise += fmt::format("{},{:.4f}\n", controller, std::exp(normal(random)));
+        sorted += fmt::format("{},{:.4f}\n", controller, i + 0.37);
+      }
+    }
+    asked += contains(said_of(runs), "[--run row]"), asked_of_noise += !said_of(noise).empty();
+    CHECK(said_of(sorted).empty());
+    CHECK(said_of(runs, {.run = "row"}).empty());
+  }
+  CHECK(asked == 100);
+  CHECK(asked_of_noise == 0);
+}
+
+TEST_CASE("fewer different values than groups may be labels, too") {
+  CHECK(contains(said_of("solver,iterations\nA,3\nA,4\nB,4\nB,5\nC,3\nC,5\nD,4\nD,3\n"), "[--label solver]"));
+}
+
 TEST_CASE("a run without a number among numbers is none") {
   std::string text = "run,a,b\n";
   for (int i = 1; i < 9; ++i) text += fmt::format("{},{},{}\n", i, 1 + i * 3 % 7 * 0.11, 2 + i * 5 % 7 * 0.13);
