@@ -75,6 +75,7 @@ show::Report judged(const StatsArguments& arguments, Style& style) {
   const std::string direction = direction_of(metrics);
   reported.answer = show::answer_of(std::move(metrics));
   reported.answer.direction = direction;
+  if (reported.answer.decisive().observations.is_paired) reported.answer.noun = "blocks";
   reported.study.entry.name = std::filesystem::path(source).filename().string();
   reported.answer.notes = std::move(quantities.notes);
   return reported;

@@ -293,7 +293,8 @@ void ask_of_steps(const Sheet& sheet, const Items& items) {
 }
 
 // What the rows were taken for.
-std::string how_read(const Sheet& sheet, const Layout& layout, const Items& items) {
+std::string how_read(const Sheet& sheet, const Layout& layout, const Items& items,
+                     const std::vector<std::string>& where) {
   const auto title_of = [&](std::size_t column) { return in_quotes(sheet.titles()[column]); };
   std::string text =
       fmt::format("Read as {} {}", items.groups.size(), layout.label ? "of " + title_of(*layout.label) : "columns");
@@ -304,6 +305,7 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   if (!layout.block && !layout.run) text += ", rows unrelated";
   for (const std::size_t column : layout.counting)
     text += fmt::format("; {} counts rows and is left out", title_of(column));
+  for (const std::string& condition : where) text += fmt::format("; only rows with {}", in_quotes(condition));
   return text + '.';
 }
 
@@ -345,7 +347,7 @@ Quantities values_in(std::string_view text, std::string_view source, const Reque
       refuse_unnumbered(sheet, *unit);
     else if (request.run.empty())
       ask_of_steps(sheet, items);
-    if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items));
+    if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items, request.where));
     settle(items, observed, quantities.notes);
     observed.better = better_of(sheet, request, titles, titles[i], observed.scale == Scale::share);
     for (const Value& item : items.values) {

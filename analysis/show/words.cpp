@@ -475,7 +475,7 @@ std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
     return verdict + (are_equal(finding) || is_difference(verdict_of(finding)) ? "" : " within " + margin) +
            ", for certain";
   const auto& open = std::get<Open>(finding.what);
-  if (open.why == Open::Why::too_few && open.n > 0) return fmt::format("{}: it takes {} values", verdict, open.needed);
+  if (open.why == Open::Why::too_few && open.n > 0) return fmt::format("{}: it takes {}", verdict, open.needed);
   return fmt::format("{}: {}", verdict, words_of(open.why).of_pair);
 }
 
