@@ -91,7 +91,7 @@ void add_multiverse(CLI::App& app, Invocation&) {
       ->excludes(small);
   CLI::Option* explain = command->add_flag(
       "--explain", arguments->explain,
-      "instead of claims: for each printed mean that is not the default's, the fewest departures that have it");
+      "instead of claims: for each printed number that is not the default's, the fewest departures that have it");
   explain->excludes("--list");
   command
       ->add_option("--departures", arguments->departures, "of --explain, at most: 1 take seconds, 2 minutes, 3 hours")

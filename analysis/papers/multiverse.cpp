@@ -314,7 +314,7 @@ Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse) {
                     together = fmt::format("of all {}", numbers_of_row * printed[0].size());
   Explanation result{
       .numbers = {.name = "explained",
-                  .caption = "Printed means that are not the default's, and the fewest departures that have them",
+                  .caption = "Printed numbers that are not the default's, and the fewest departures that have them",
                   .columns = show::columns_of(
                       {"solver", "printed", "departures", "sets", "best set", own, foreign, together})},
       .rows = {.name = "rows",
