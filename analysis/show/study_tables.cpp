@@ -636,15 +636,15 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
                           is_timed ? Cell(most) : Cell(), largest,
                           unlimited.size() == all_steps.size() ? Cell() : percent(too_fast, steps)});
   }
-  table.notes = {
-      fmt::format("{}. Steps are of one joint that turns, between two targets{}.",
-                  is_all_timed ? "Late: longer than the period"
-                               : fmt::format("{}of solves at once and of a debug build it is not known who is late",
-                                             is_any_timed ? "Late: longer than the period; " : ""),
-                  unlimited.size() == all_steps.size()
-                      ? "; which are too fast is not known, since no velocity limit of this arm is"
-                      : fmt::format("; too fast: further than the velocity limit of a joint allows in a period{}",
-                                    unlimited.empty() ? "" : ", of which none is known of " + listed(unlimited)))};
+  table.notes = {fmt::format(
+      "{}. Steps are of one joint that turns, between two targets{}.",
+      is_all_timed ? "Late: longer than the period, or without an answer"
+                   : fmt::format("{}of solves at once and of a debug build it is not known who is late",
+                                 is_any_timed ? "Late: longer than the period, or without an answer; " : ""),
+      unlimited.size() == all_steps.size()
+          ? "; which are too fast is not known, since no velocity limit of this arm is"
+          : fmt::format("; too fast: further than the velocity limit of a joint allows in a period{}",
+                        unlimited.empty() ? "" : ", of which none is known of " + listed(unlimited)))};
   return table;
 }
 
