@@ -130,11 +130,11 @@ void write_file(const fs::path& file, const Contents& contents) { write_whole(fi
 
 void write_through(const fs::path& file, const Contents& contents) {
   std::error_code none;
-  const fs::path place = fs::exists(file, none) ? fs::canonical(file, none) : file;
-  if (fs::exists(place, none) && !fs::is_regular_file(place, none))
+  const bool is_there = fs::exists(file, none);
+  if (is_there && !fs::is_regular_file(file, none))  // before its name is resolved, which a pipe has not
     throw std::invalid_argument(
         fmt::format("'{}' is no regular file; choose one, or redirect the output", file.string()));
-  write_whole(place, contents, true);
+  write_whole(is_there ? fs::canonical(file, none) : file, contents, true);
 }
 
 void refuse_links(const fs::path& folder) {
