@@ -201,7 +201,7 @@ std::string note_of(const std::vector<Gate>& all) {
   const JudgedStudy& judged = all.front().judged;
   const auto time =
       std::ranges::find_if(judged.metrics, [](const JudgedMetric& its) { return its.observations.unit == "s"; });
-  const std::string times = !judged.study.are_in_turn ? "decide nothing"
+  const std::string times = !judged.study.are_in_turn ? "count neither in the headline nor in the exit code"
                             : time == judged.metrics.end()
                                 ? "are not known"
                                 : fmt::format("decide by a margin of {}", show::margin_words(*time));

@@ -179,6 +179,14 @@ class Finder {
            (sheet_.rows().size() > 2 && 8 * std::ranges::min(changes) < sheet_.rows().size());
   }
 
+  // Whether a text stands in several rows; else these are remarks, and where there is none nothing is said.
+  bool is_said_again(const Rows& rows, std::size_t column) {
+    std::set<std::string_view> texts;
+    return std::ranges::any_of(rows, [&](Index row) {
+      return !sheet_.is_missing(row, column) && !texts.insert(sheet_.cell(row, column)).second;
+    });
+  }
+
   // Whether a column tells rows of a class apart as problems, runs and metrics do: by text, not everywhere another, or
   // by numbers too regular for measurements.
   bool tells_apart(Rows rows, const Columns& of_class, std::size_t column) {
@@ -189,7 +197,8 @@ class Finder {
       Index classes = 0, most = 0;  // rows in one class
       auto operator<=>(const Text&) const = default;
     };
-    std::erase_if(rows, [&](Index row) { return sheet_.is_missing(row, column); });
+    const auto is_missing = [&](Index row) { return sheet_.is_missing(row, column); };
+    if (sheet_.has_numbers(column) || !is_said_again(rows, column)) std::erase_if(rows, is_missing);
     const Rows by_class = classes_of(rows, of_class), by_text = classes_of(rows, {column}),
                by_both = classes_of(rows, of_class + Columns{column});
     std::vector<Class> classes(number_of(by_class));
@@ -459,6 +468,11 @@ class Finder {
       return true;
     }
     const bool is_lone = way.is_wide && likely.size() == 1;
+    if (way.is_wide && !is_lone) {  // as where a file is sorted by one of them
+      Way all = with(way, "--value", values);
+      find_rows(all);
+      more_.push_back(all.options);
+    }
     way = with(way, "--value", is_lone ? values : likely);
     way.asked.push_back(fmt::format("of the numbers in {} --value names {}", titles_of(values),
                                     way.is_wide ? "those of the groups" : "one"));
@@ -495,7 +509,7 @@ class Finder {
           return sheet_.number(curve[at], step) - sheet_.number(curve[at - 1], step);
         };
         if (i > 0 && !(rise(1) > 0 && std::abs(rise(i) - rise(1)) <= 1e-6 * rise(1))) return false;
-        values.back().push_back(sheet_.number(curve[i], value));
+        if (const double number = sheet_.number(curve[i], value); !std::isnan(number)) values.back().push_back(number);
       }
     }
     constexpr std::size_t fewest = 8;
@@ -552,6 +566,13 @@ class Finder {
     const auto are_shared = [&](const Columns& columns) {
       return count(way.rows, groups_of(way) + columns) > count(way.rows, way.blocks + columns);
     };
+    const auto has_gaps = [&](std::size_t column) {
+      return std::ranges::any_of(way.rows, [&](Index row) { return sheet_.cell(row, column).empty(); });
+    };
+    if (std::ranges::any_of(needed, has_gaps) && !way.run) {  // which name no problem
+      way = with(way, "--run", {sheet_.column("row")});
+      return;
+    }
     const bool are_blocks = !texts.empty() && (!way.label || way.run || are_shared(texts));
     std::vector<Way> ways{are_blocks ? with(way, "--block", texts) : with(way, "--run", {needed.front()})};
     if (!are_blocks && is_first && are_shared(needed))  // three numbers are rather of problems

@@ -550,6 +550,18 @@ TEST_CASE("values of a run follow each other, and are no rows of their own") {
   CHECK(asked_of_noise == 0);
 }
 
+TEST_CASE("a missing value, or a text, is no end of a question") {
+  std::string text = "s,t,v\n", cached = "solver,cache,ms\n";
+  for (const char* solver : {"a", "b"})
+    for (int i = 1; i < 9; ++i) {
+      text += fmt::format("{},{},{}\n", solver, i,
+                          solver[0] == 'b' && i == 2 ? "NA" : fmt::format("{:.2f}", 1 + i * 5 % 7 * 0.37));
+      cached += fmt::format("{},{},{:.2f}\n", solver, i % 4 == 0 ? "cold" : "", 1 + i * 3 % 8 * 0.1);
+    }
+  CHECK(contains(said_of(text), "[--value v --run t]"));
+  CHECK(contains(said_of(cached), "[--run row]"));
+}
+
 TEST_CASE("fewer different values than groups may be labels, too") {
   CHECK(contains(said_of("solver,iterations\nA,3\nA,4\nB,4\nB,5\nC,3\nC,5\nD,4\nD,3\n"), "[--label solver]"));
 }
