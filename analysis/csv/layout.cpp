@@ -463,11 +463,12 @@ class Finder {
       const auto measured = std::ranges::find_if(values, [&](std::size_t column) { return !is_setting(column); });
       likely = {measured == values.end() ? values.front() : *measured};
     }
-    if (likely == values) {
+    const bool is_lone = way.is_wide && likely.size() == 1;
+    const auto is_measured = [&](std::size_t column) { return !is_whole(column); };
+    if (likely == values || (is_lone && !asked_.blocks.empty() && std::ranges::all_of(values, is_measured))) {
       way.values = values.empty() ? numbers_ : values;
       return true;
     }
-    const bool is_lone = way.is_wide && likely.size() == 1;
     if (way.is_wide && !is_lone) {  // as where a file is sorted by one of them
       Way all = with(way, "--value", values);
       find_rows(all);
