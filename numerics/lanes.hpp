@@ -10,6 +10,8 @@
 #include <stdint.h>
 #if defined(__AVX512F__) || defined(__AVX2__)
 #include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
 #endif
 
 #define IKBENCH_INLINE __attribute__((always_inline))
@@ -57,6 +59,23 @@ IKBENCH_LANES __m256i first(ptrdiff_t count) {
 }
 IKBENCH_LANES Reals load_first(ptrdiff_t count, const double* from) { return _mm256_maskload_pd(from, first(count)); }
 IKBENCH_LANES void store_first(ptrdiff_t count, double* to, Reals x) { _mm256_maskstore_pd(to, first(count), x); }
+
+#elif defined(__aarch64__)
+
+constexpr int width = 2;
+typedef double Reals __attribute__((vector_size(16)));
+typedef uint64_t Bits __attribute__((vector_size(16)));
+IKBENCH_LANES Reals all(double x) { return vdupq_n_f64(x); }
+IKBENCH_LANES Reals fused(Reals a, Reals b, Reals c) { return vfmaq_f64(c, a, b); }
+IKBENCH_LANES Reals fused_less(Reals a, Reals b, Reals c) { return vfmaq_f64(-c, a, b); }
+IKBENCH_LANES Reals less_fused(Reals a, Reals b, Reals c) { return vfmsq_f64(c, a, b); }
+IKBENCH_LANES Reals root(Reals x) { return vsqrtq_f64(x); }
+IKBENCH_LANES Reals larger(Reals a, Reals b) { return vbslq_f64(vcgtq_f64(a, b), a, b); }
+IKBENCH_LANES Reals smaller(Reals a, Reals b) { return vbslq_f64(vcltq_f64(a, b), a, b); }
+IKBENCH_LANES Bits where_any(Bits x, uint64_t of) { return (Bits)((x & of) != 0); }
+IKBENCH_LANES Bits where_less(Reals a, Reals b) { return (Bits)(a < b); }
+IKBENCH_LANES Reals load_first(ptrdiff_t, const double* from) { return Reals{*from, 0}; }
+IKBENCH_LANES void store_first(ptrdiff_t, double* to, Reals x) { *to = x[0]; }
 
 #else
 
