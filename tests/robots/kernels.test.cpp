@@ -254,8 +254,13 @@ TEST_CASE("a target that is none, or a link beyond all squares, gives no finite 
 TEST_CASE("a logarithm is within 2.5 ulp of long double from 2^-52 to 1", "[kernels]") {
   Dice dice;
   double worst = 0;
+  const auto logarithm_of = [](double x) {
+    std::array<double, numerics::width> all{};
+    numerics::store(all.data(), logarithm(numerics::all(x)));
+    return all.front();
+  };
   const auto check = [&](double x) {
-    worst = std::max(worst, last_places(logarithm(x), std::log(static_cast<long double>(x))));
+    worst = std::max(worst, last_places(logarithm_of(x), std::log(static_cast<long double>(x))));
   };
   for (int i = 0; i < 1'000'000; ++i) {
     check(1 - std::floor(dice.between(0, 1) * 0x1p52) * 0x1p-52);  // as for a radius of normal numbers
@@ -264,7 +269,7 @@ TEST_CASE("a logarithm is within 2.5 ulp of long double from 2^-52 to 1", "[kern
   }
   for (int e = 0; e <= 52; ++e) check(std::ldexp(1.0, -e));
   CHECK(worst < 2.5);  // two roundings before the last, of numbers of up to two units
-  CHECK(logarithm(1.0) == 0);
+  CHECK(logarithm_of(1.0) == 0);
 }
 
 TEST_CASE("an instruction set can be named, and an unknown one is refused with those there are", "[kernels]") {
