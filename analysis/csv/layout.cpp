@@ -149,6 +149,15 @@ class Finder {
   }
   static std::size_t number_of(const Rows& classes) { return classes.empty() ? 0 : std::ranges::max(classes) + 1; }
   std::size_t count(const Rows& rows, const Columns& columns) { return number_of(classes_of(rows, columns)); }
+  std::size_t empty_in(const Rows& rows, std::size_t column) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(rows, [&](Index row) { return sheet_.cell(row, column).empty(); }));
+  }
+  std::set<std::string> units_of(const Columns& columns) const {
+    std::set<std::string> units;
+    for (const std::size_t column : columns) units.insert(base::Title(title(column)).unit);
+    return units;
+  }
   static Columns groups_of(const Way& way) { return way.blocks + (way.label ? Columns{*way.label} : Columns()); }
 
   bool is_whole(std::size_t column) {  // but where it is missing
@@ -179,14 +188,6 @@ class Finder {
            (sheet_.rows().size() > 2 && 8 * std::ranges::min(changes) < sheet_.rows().size());
   }
 
-  // Whether a text stands in several rows; else these are remarks, and where there is none nothing is said.
-  bool is_said_again(const Rows& rows, std::size_t column) {
-    std::set<std::string_view> texts;
-    return std::ranges::any_of(rows, [&](Index row) {
-      return !sheet_.is_missing(row, column) && !texts.insert(sheet_.cell(row, column)).second;
-    });
-  }
-
   // Whether a column tells rows of a class apart as problems, runs and metrics do: by text, not everywhere another, or
   // by numbers too regular for measurements.
   bool tells_apart(Rows rows, const Columns& of_class, std::size_t column) {
@@ -197,8 +198,10 @@ class Finder {
       Index classes = 0, most = 0;  // rows in one class
       auto operator<=>(const Text&) const = default;
     };
-    const auto is_missing = [&](Index row) { return sheet_.is_missing(row, column); };
-    if (sheet_.has_numbers(column) || !is_said_again(rows, column)) std::erase_if(rows, is_missing);
+    Rows said = rows;
+    std::erase_if(said, [&](Index row) { return sheet_.is_missing(row, column); });
+    const bool are_remarks = count(said, {column}) == said.size();  // where there is none nothing is said
+    if (sheet_.has_numbers(column) || are_remarks) rows = std::move(said);
     const Rows by_class = classes_of(rows, of_class), by_text = classes_of(rows, {column}),
                by_both = classes_of(rows, of_class + Columns{column});
     std::vector<Class> classes(number_of(by_class));
@@ -243,13 +246,14 @@ class Finder {
 
   // Refuses groups of one name or of different units.
   void refuse_groups(const Way& way) const {
-    std::set<std::string> titles, units;
-    for (const std::size_t column : way.label ? Columns() : way.values) {
+    if (way.label) return;
+    std::set<std::string> titles;
+    for (const std::size_t column : way.values) {
       if (!titles.insert(title(column)).second)
         sheet_.refuse(fmt::format("two columns {}; give them different names", titles_of({column})));
-      units.insert(base::Title(title(column)).unit);
     }
-    if (units.size() > 1) sheet_.refuse(fmt::format("{} have different units; convert them", titles_of(way.values)));
+    if (units_of(way.values).size() > 1)
+      sheet_.refuse(fmt::format("{} have different units; convert them", titles_of(way.values)));
   }
 
   // Asks about a column of text that was measured, where another was taken for the values.
@@ -294,9 +298,7 @@ class Finder {
     if (way.label) return {way};
     Columns labels, names;  // names: another text in each row
     for (const std::size_t column : texts_) {
-      const auto is_empty = [&](Index row) { return sheet_.cell(row, column).empty(); };
-      if (texts_.size() > 1 && 2 * std::ranges::count_if(way.rows, is_empty) > std::ssize(way.rows))
-        continue;  // remarks
+      if (texts_.size() > 1 && 2 * empty_in(way.rows, column) > way.rows.size()) continue;  // remarks
       const std::size_t texts = count(way.rows, {column});
       if (texts == way.rows.size()) names.push_back(column);
       if (texts < way.rows.size() && texts <= most_groups) labels.push_back(column);
@@ -328,9 +330,7 @@ class Finder {
                      : way.values.empty() ? numbers_
                                           : way.values;
     std::erase_if(values, [&](std::size_t column) { return has(together, column); });
-    std::set<std::string> units;
-    for (const std::size_t column : values) units.insert(base::Title(title(column)).unit);
-    const bool may_be_wide = values.size() > 1 && (!is_text || (!together.empty() && units.size() == 1));
+    const bool may_be_wide = values.size() > 1 && (!is_text || (!together.empty() && units_of(values).size() == 1));
     for (const std::size_t column : numbers_) {  // groups may have numbers, or be True and False
       const std::size_t different = count(way.rows, {column});
       const bool may_be_label =
@@ -567,9 +567,7 @@ class Finder {
     const auto are_shared = [&](const Columns& columns) {
       return count(way.rows, groups_of(way) + columns) > count(way.rows, way.blocks + columns);
     };
-    const auto has_gaps = [&](std::size_t column) {
-      return std::ranges::any_of(way.rows, [&](Index row) { return sheet_.cell(row, column).empty(); });
-    };
+    const auto has_gaps = [&](std::size_t column) { return empty_in(way.rows, column) > 0; };
     if (std::ranges::any_of(needed, has_gaps) && !way.run) {  // which name no problem
       way = with(way, "--run", {sheet_.column("row")});
       return;
@@ -642,22 +640,28 @@ double chance_of(const Printed& last, const std::vector<double>& sorted, double 
   return std::clamp(chance, is_equal ? equal / static_cast<double>(sorted.size()) : 0, 1.0);
 }
 
-// Each with what rounding of the values, by `half`, adds to it.
-std::vector<std::pair<double, double>> statistics_of(const std::vector<double>& values, double half) {
+struct Statistic {
+  double value = 0, rounding = 0;  // what that of the values adds
+  bool is_of_two = false, is_usual = false;
+};
+std::vector<Statistic> statistics_of(const std::vector<double>& values, double half) {
   const judge::Description of = judge::described(values);
   double logarithms = 0;
   for (const double value : values) logarithms += std::log(value);
-  std::vector<std::pair<double, double>> computed;
-  for (const double each : {of.mean, of.mean * of.n, of.median, std::exp(logarithms / of.n), of.smallest, of.largest,
-                            of.sd, of.sd * std::sqrt(1 - 1.0 / of.n)})
-    computed.emplace_back(each, half / 2);
+  std::vector<Statistic> computed;
+  for (const double each : {of.mean, of.mean * of.n, of.median})
+    computed.push_back({.value = each, .rounding = half / 2, .is_usual = true});
+  for (const double each :
+       {std::exp(logarithms / of.n), of.smallest, of.largest, of.sd, of.sd * std::sqrt(1 - 1.0 / of.n)})
+    computed.push_back({.value = each, .rounding = half / 2});
   for (const bool is_turned : {false, true}) {
     const double a = values[is_turned], b = values[!is_turned], ratio = a / b,
                  of_ratio = std::abs(ratio) * half * (1 / std::abs(a) + 1 / std::abs(b));
     if (values.size() > 2) continue;
-    computed.emplace_back(a - b, 2 * half);
+    computed.push_back({.value = a - b, .rounding = 2 * half, .is_of_two = true});
     for (const double each : {ratio, ratio - 1, 1 - ratio})
-      computed.insert(computed.end(), {{each, of_ratio}, {100 * each, 100 * of_ratio}});
+      for (const double scale : {1.0, 100.0})
+        computed.push_back({.value = scale * each, .rounding = scale * of_ratio, .is_of_two = true});
   }
   return computed;
 }
@@ -666,6 +670,7 @@ std::vector<std::pair<double, double>> statistics_of(const std::vector<double>& 
 
 bool are_computed(const Lists& lists, double tried, const Lists& of, std::size_t one) {
   std::vector<double> chances;  // of each statistic
+  std::vector<Statistic> computed;
   for (std::size_t at = 0; at < lists.size(); ++at) {
     const Printed& last = lists[at].back();
     std::vector<double> values, from;
@@ -682,21 +687,20 @@ bool are_computed(const Lists& lists, double tried, const Lists& of, std::size_t
     std::vector<double> sorted = values;
     std::ranges::sort(sorted);
     const double sum = std::accumulate(from.begin(), from.end(), 0.0), chance = chance_of(last, sorted, half, coarsest);
-    const auto computed = of.empty()
-                              ? statistics_of(values, half)
-                              : std::vector{std::pair(one == 0 ? sum / static_cast<double>(from.size()) : sum, 0.0)};
+    computed = of.empty() ? statistics_of(values, half)
+                          : std::vector{Statistic{.value = one == 0 ? sum / static_cast<double>(from.size()) : sum,
+                                                  .is_usual = true}};
     chances.resize(computed.size(), 1);
     for (std::size_t i = 0; i < computed.size(); ++i) {
-      const auto [expected, rounded] = computed[i];
-      const bool is_of_two = i >= 8;
+      const Statistic& its = computed[i];
       const double slack =
-          last.half + (is_of_two ? rounded : std::min(rounded, last.half)) + 1e-9 * std::abs(last.value);
-      const bool is_near = std::abs(last.value - expected) <= slack;
-      chances[i] *= !is_near ? judge::unknown : is_of_two ? std::min(1.0, chance * slack / last.half) : chance;
+          last.half + (its.is_of_two ? its.rounding : std::min(its.rounding, last.half)) + 1e-9 * std::abs(last.value);
+      const bool is_near = std::abs(last.value - its.value) <= slack;
+      chances[i] *= !is_near ? judge::unknown : its.is_of_two ? std::min(1.0, chance * slack / last.half) : chance;
     }
   }
   for (std::size_t i = 0; i < chances.size(); ++i) {
-    const double share = i < 3 ? 0.5 : 1.0 / static_cast<double>(chances.size());  // means, sums and medians are usual
+    const double share = computed[i].is_usual ? 0.5 : 1.0 / static_cast<double>(chances.size());
     if (chances[i] < 2e-3 * share / tried) return true;
   }
   return false;

@@ -343,10 +343,9 @@ Quantities values_in(std::string_view text, std::string_view source, const Reque
     if (std::ranges::count(titles, observed.quantity, name_of) > 1)
       observed.quantity = titles[i], observed.unit.clear();
     refuse_totals(sheet, layout, layout.label ? Columns{layout.values[i]} : layout.values, items);
-    if (const Column unit = layout.block ? layout.block : layout.run; unit)
-      refuse_unnumbered(sheet, *unit);
-    else if (request.run.empty())
-      ask_of_steps(sheet, items);
+    const Column unit = layout.block ? layout.block : layout.run;
+    if (unit && i == 0) refuse_unnumbered(sheet, *unit);
+    if (!unit && request.run.empty()) ask_of_steps(sheet, items);
     if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items, request.where));
     settle(items, observed, quantities.notes);
     observed.better = better_of(sheet, request, titles, titles[i], observed.scale == Scale::share);

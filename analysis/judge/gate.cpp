@@ -106,7 +106,10 @@ double needed_for(double loss, double square, int trials, double alpha) {
 
 double square_of_differences(const Observations& observed) {
   const auto ours = values_of(observed.groups.front()), theirs = values_of(observed.groups.back());
-  if (!observed.is_paired) return std::pow(summarise(ours).sd, 2) + std::pow(summarise(theirs).sd, 2);
+  const auto variance = [](std::span<const double> values) {  // none of a solver that repeats itself
+    return values.size() > 1 ? std::pow(summarise(values).sd, 2) : 0;
+  };
+  if (!observed.is_paired) return variance(ours) + variance(theirs);
   return std::transform_reduce(ours.begin(), ours.end(), theirs.begin(), 0.0, std::plus{},
                                [](double a, double b) { return (a - b) * (a - b); }) /
          static_cast<double>(ours.size());

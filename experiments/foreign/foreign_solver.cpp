@@ -140,7 +140,6 @@ void ForeignSolver::count_failure() {
 void ForeignSolver::prepare(const Problem& problem, const Objective& objective) {
   account_ = {};
   failure_.reset();
-  is_given_up_ = own_.refusal.has_value();
   guarded([&] {
     const bool is_new = ensure_running();
     for (std::uint32_t i = 0; is_new && i < warm_ups; ++i) {

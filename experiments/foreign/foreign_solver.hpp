@@ -82,7 +82,7 @@ class ForeignSolver final : public solvers::Solver {
   const solvers::Best& best() const override { return best_; }
   bool finished() const override { return true; }
   const Account& account() const { return account_; }
-  bool is_given_up() const { return is_given_up_; }  // before this solve
+  bool is_given_up() const { return own_.refusal.has_value(); }
   // Call it after a solve that counts: its failure becomes the last one of all, and the third in a row gives the
   // program up.
   void count_failure();
@@ -102,7 +102,6 @@ class ForeignSolver final : public solvers::Solver {
   solvers::Best best_;
   Account account_;
   std::optional<Trouble> failure_;  // the last one of this solve, with how the process ended
-  bool is_given_up_ = false;
 };
 
 }  // namespace ikbench::experiments
