@@ -146,9 +146,13 @@ double Axis::share_of(double value) const {
 
 Axis linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins) {
   const std::vector<double> drawn = drawable(values);
-  const double least = drawn.empty() ? 0 : std::ranges::min(drawn),
-               largest = drawn.empty() ? 1 : std::ranges::max(drawn);
-  const double span = largest - least, room = span > 0 ? 0.06 * span : largest == 0 ? 1 : 0.1 * std::abs(largest);
+  const double least = drawn.empty() ? 0 : std::ranges::min(drawn), most = drawn.empty() ? 1 : std::ranges::max(drawn),
+               size = std::max(std::abs(least), std::abs(most));
+  // Below this span all labels are the same, and a step may be none.
+  const double largest = most - least > 1e-6 * size ? most : least, span = largest - least,
+               room = span > 0   ? 0.06 * span
+                      : size > 0 ? 0.1 * std::abs(least)
+                                 : 1;
   const bool is_first = begins == Begins::at_first && span > 0;
   Axis axis{.settings = "", .low = is_first ? least : least - room, .high = is_first ? largest : largest + room};
   if (begins == Begins::at_zero) axis.low = std::min(0.0, 1.05 * least), axis.high = largest > 0 ? 1.05 * largest : 1;

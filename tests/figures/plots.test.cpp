@@ -156,6 +156,16 @@ TEST_CASE("a box has its five numbers, what is printed, and all values", "[plots
   CHECK(contains(thinned.data, "\n999 "));
 }
 
+TEST_CASE("an axis is as wide for values that differ in their last digit as for equal ones", "[plots]") {
+  for (const double value : {1.0, 8.3e-4, 1e300, 5e-324}) {
+    CAPTURE(value);
+    const auto drawn = [&](double other) { return boxes(error_in("b"), {{.label = "A", .values = {value, other}}}); };
+    CHECK(contains(drawn(std::nextafter(value, 2 * value))->settings, "set xrange ["));
+    if (std::abs(value) > 1e-300)  // no next one is near the smallest number
+      CHECK(drawn(std::nextafter(value, 2 * value))->settings == drawn(value)->settings);
+  }
+}
+
 TEST_CASE("curves have a row for each x", "[plots]") {
   const Figure figure = *curves(error_in("c"), "point", {{"A", 1, {{1, 0.5, 0.25, 1}, {2, 0.125}}}});
   CHECK(figure.data == "# point; error [cm]; low, high\n# A\n1 0.5 0.25 1\n2 0.125 NaN NaN\n");
