@@ -61,9 +61,11 @@ Settings effective_options(const Study& study, const SolverEntry& entry) {
   if (entry.program) return options_with(entry, entry.options);
   const SolverInfo& info = info_of(entry);
   Settings settings;
-  const bool is_clamped = study.bounds == StudyBounds::clamp || study.limits == Limits::enforced;
-  if ((is_clamped || study.bounds == StudyBounds::initial) && info.options({}).contains("bounds")) {
-    settings["bounds"] = is_clamped ? "clamp" : "initial";
+  const Settings presets = info.options({});
+  if (const auto preset = presets.find("bounds"); preset != presets.end()) {
+    if (study.bounds == StudyBounds::initial) settings["bounds"] = "initial";
+    if (study.bounds == StudyBounds::clamp || (study.limits == Limits::enforced && preset->second == "initial"))
+      settings["bounds"] = "clamp";
   }
   for (const auto& [name, value] : entry.options) settings[name] = value;
   return info.options(settings);

@@ -204,6 +204,8 @@ Study read_study(const toml::table& table, std::string_view source) {
     if (std::ranges::find(names, name) == names.end()) throw at.mistake(key, unknown_name(kind, name, names));
   };
   list_fields(reader, study);
+  // As controllers do: else whole turns decide whose joint motion is least. Stored definitions say what they had.
+  if (study.search == Search::pose && !table.contains("wrap")) study.wrap = Wrap::nearest;
   if (study.name.empty()) reader.fail("name", *table.get("name"), "a non-empty name");
   const auto papers = published::papers();
   if (!study.published.empty())

@@ -49,7 +49,8 @@ void list_fields(base::Fields& io, StudyData& study) {
   io.choice(
       "wrap", study.wrap, {"no", "into_limits", "nearest"},
       "into_limits: after a solve, joints outside their limits are turned back inside by whole turns where that is "
-      "possible, for every solver; nearest: all joints, to where they are nearest to the start; the pose stays");
+      "possible, for every solver; nearest, the default with search = \"pose\": all joints, to where they are nearest to "
+      "the start; the pose stays");
   io.whole("motion_joints", study.motion_joints, {0, 64},
            "joint motion [deg], but no largest move, is that of so many joints, from the first; 0: of all");
   io.choice("start", study.start, names_of(study.start),

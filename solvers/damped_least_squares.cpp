@@ -22,7 +22,7 @@ class DampedLeastSquares final : public Solver {
     double damping = 1e-3;
     int patience = 5;
     double small_error = 1e-9;
-    Bounds bounds = Bounds::clamp;
+    Bounds bounds = Bounds::free;
 
     void list(OptionList& list) {
       list.number("damping", damping, {1e-12, 1}, "initial damping, relative to the largest diagonal element of J^T J");

@@ -20,11 +20,11 @@ class LevenbergMarquardt final : public Solver {
   enum class Rule { chan, sugihara, wampler };
   struct Options {
     Rule rule = Rule::chan;
-    double damping = 1;
+    double damping = 0.1;
     int search_iterations = 30;
     double small_move = 1e-9;
     double small_error = 1e-9;
-    Bounds bounds = Bounds::clamp;
+    Bounds bounds = Bounds::free;
 
     void list(OptionList& list) {
       list.choice("rule", rule, {{"chan", Rule::chan}, {"sugihara", Rule::sugihara}, {"wampler", Rule::wampler}},

@@ -8,9 +8,9 @@ using ParsedJson = nlohmann::json;
 constexpr double without_end = std::numeric_limits<double>::infinity(), half = std::numbers::pi;
 
 Study study_of_gen3(const std::string& more) {
-  return parse_study(
-      "robot = \"kinova_gen3\"\nsearch = \"pose\"\nruns = 60\n" + more + "[path]\nkind = \"random\"\npoints = 1\n",
-      "my.toml");
+  return parse_study("robot = \"kinova_gen3\"\nsearch = \"pose\"\nwrap = \"no\"\nruns = 60\n" + more +
+                         "[path]\nkind = \"random\"\npoints = 1\n",
+                     "my.toml");
 }
 
 std::string an_entry(const std::string& label, const std::string& solver, const std::string& options) {

@@ -426,7 +426,7 @@ TEST_CASE("a refused answer leaves the arm where it was, and the record tells of
 
 TEST_CASE("where limits are enforced the wrist takes the branch inside, whichever was asked for", "[runner]") {
   Study study = small_study();
-  study.solvers = {{"DLS", "damped_least_squares", {}}};
+  study.solvers = {{"DLS", "damped_least_squares", {{"bounds", "clamp"}}}};
   study.stop = {.iterations = 200, .tolerance = 1e-6};
   const Robot arm = robot(study.robot);
   const auto status = [&](const Pose& target, Limits limits, WristBranch branch) {

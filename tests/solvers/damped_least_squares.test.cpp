@@ -42,7 +42,7 @@ TEST_CASE("a step that makes it worse is undone, and damped by 2, 4, 8 and so on
   const Task task = planar_task(1);
   RecordingObjective objective(task.chain, std::vector<double>{0.5});  // every later candidate is worse
   Random random{Key(1)};
-  const auto descent = solver("damped_least_squares").make({{"damping", "1"}});
+  const auto descent = solver("damped_least_squares").make({{"damping", "1"}, {"bounds", "clamp"}});
   descent->start(task.problem, objective, random);
   const Eigen::VectorXd start = task.problem.start;
   Eigen::Matrix3Xd J(3, 2);
@@ -75,7 +75,8 @@ TEST_CASE("damped least squares restarts at random where it is stuck, and only t
     if (!reachable) task.target = {2, 0, 0};
     RecordingObjective objective(task.chain, task.target);
     Random random{Key(1)}, untouched{Key(1)};
-    solve(*solver("damped_least_squares").make({}), task.problem, objective, random, {.iterations = 200});
+    solve(*solver("damped_least_squares").make({{"bounds", "clamp"}}), task.problem, objective, random,
+          {.iterations = 200});
     CHECK((random.uniform() == untouched.uniform()) == reachable);
     for (const Eigen::VectorXd& q : objective.candidates) REQUIRE(limits.violation(q) == 0);
   }
