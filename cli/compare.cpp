@@ -300,9 +300,9 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
-      "Exit codes: 0 nothing is shown to be worse, or only by less than the margin, 3 something is, 4 with --strict "
-      "something is not decided or not tested, 1 not compared: a mistake, A and B differ in more than solvers, or nothing could "
-      "be compared, or not the times that --time-margin asks for.\n"
+      "The exit code is 3 if something is shown to be worse, and not shown to be so by less than the margin; else 1 "
+      "after a mistake, or if A and B, or the times that --time-margin asks for, could not be compared; else 4 with "
+      "--strict, if something is not decided or not tested; else 0.\n"
       "Times are shown and decide nothing without --time-margin.");
   command->callback([arguments, &invocation] {
     const std::vector<Gate> all = compare_all(*arguments);
