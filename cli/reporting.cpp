@@ -125,8 +125,7 @@ Style styled(Style style, const std::vector<std::string>& labels, const ReportAr
 }
 
 Style styled(const StoredStudy& entry, const ReportArguments& arguments) {
-  const Definition definition = definition_of(entry.definition);
-  return styled({definition.figures, definition.tables}, labels_of(entry), arguments);
+  return styled({entry.definition.figures, entry.definition.tables}, labels_of(entry), arguments);
 }
 
 std::vector<std::string> labels_of(const StoredStudy& stored) {
@@ -152,7 +151,7 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
               const Style& style, const std::string& screen) {
   if (!arguments.figures.empty() && are_drawn(arguments.figures)) choose_figures(reported, arguments.figures);
   std::set<std::string> names, keys;
-  for (const Series& series : reported.study.entry.series)
+  for (const Series& series : reported.study.series)
     names.insert({series.algorithm, reported.study.definition.robot, reported.study.definition.published});
   names.erase("");
   for (const std::string& name : names) std::ranges::copy(references_of(name), std::inserter(keys, keys.end()));

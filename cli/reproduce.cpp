@@ -68,7 +68,7 @@ std::string fingerprints_of(const Store& store, const std::vector<judge::JudgedS
   std::vector<std::string> different;
   std::size_t compared = 0;
   for (std::size_t i = 0; i < studies.size(); ++i) {
-    StoredStudy study = studies[i].study.entry;
+    StoredStudy study = studies[i].study;
     const bool is_built_in =
         studies[i].study.definition.runs == as_built_in[i].runs &&
         std::ranges::equal(study.series, series_of(as_built_in[i]), {}, &Series::key, &Series::key);
@@ -105,7 +105,7 @@ papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper
 // The first of the studies is the paper's own.
 void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
             const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
-  const Style style = styled(all.front().study.entry, arguments.report);
+  const Style style = styled(all.front().study, arguments.report);
   const std::filesystem::path anew = folder / "programs.csv";  // solved on this machine
   std::error_code none;
   const bool is_anew = !paper.rates.programs.empty() && std::filesystem::exists(anew, none);
@@ -123,7 +123,7 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   if (means.rows.empty()) means = papers::rates_table(repeated);
 
   const bool is_slim2023 = paper.name == "slim2023", has_arms = !paper.rates.rows.empty();
-  const figures::Look look = is_slim2023 ? figures::look_of(all.front().study.entry.series, style.figures)
+  const figures::Look look = is_slim2023 ? figures::look_of(all.front().study.series, style.figures)
                                          : figures::look_of(all.front(), style.figures);
   show::Report reported = show::report_of(all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look)
                                                        : has_arms  ? std::vector<figures::Figure>()
@@ -134,7 +134,7 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
     for (const judge::Doubt& doubt : show::answer_of(companion).all_doubts()) {
       if (std::ranges::count(own, words_of(doubt), [](const auto& each) { return words_of(each); }) > 0) continue;
       doubts.push_back(words_of(doubt));
-      whose.push_back(companion.study.entry.name);
+      whose.push_back(companion.study.name);
     }
   }
   for (const auto& [doubt, names] : show::by_word(doubts, whose))
@@ -143,7 +143,7 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   std::vector<std::string> sentences;
   if (is_slim2023) {
     if (const judge::JudgedStudy* const dobot = repeated.part("dobot"))
-      of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style.figures));
+      of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.series, style.figures));
     std::vector<papers::Explained> numbers;
     show::Blocks by_other;
     for (const papers::Repeated& reading : repeated.readings()) {

@@ -90,7 +90,7 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
   Store store(store_in(folder), mode);
   for (const StoredStudy& earlier : store.studies()) {
     if (earlier.name != study.name) continue;
-    const std::string difference = difference_in_solves(earlier.definition, stored.definition);
+    const std::string difference = difference_in_solves(earlier.definition.json, stored.definition.json);
     if (!difference.empty())
       warn(
           fmt::format("{} has a different study named {} ({}); its solves stay there, but its {}; use another name or "

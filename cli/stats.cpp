@@ -76,7 +76,7 @@ show::Report judged(const StatsArguments& arguments, Style& style) {
   reported.answer = show::answer_of(std::move(metrics));
   reported.answer.direction = direction;
   if (reported.answer.decisive().observations.is_paired) reported.answer.noun = "blocks";
-  reported.study.entry.name = std::filesystem::path(source).filename().string();
+  reported.study.name = std::filesystem::path(source).filename().string();
   reported.answer.notes = std::move(quantities.notes);
   return reported;
 }

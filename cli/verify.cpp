@@ -11,7 +11,6 @@
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/runner.hpp"
-#include "results/study.hpp"
 
 namespace ikbench::cli {
 
@@ -49,7 +48,7 @@ void add_verify(CLI::App& app, Invocation&) {
     };
     leave_out(again.foreign, " (programs and libraries)");
     leave_out(again.of_other_source, " (the source is another in this version)");
-    if (definition_of(study.definition).stop.seconds > 0) leave_out({"all solves"}, ", which a clock may end");
+    if (study.definition.stop.seconds > 0) leave_out({"all solves"}, ", which a clock may end");
     const std::string made =
         again.of == 0 ? "None was made again."
                       : fmt::format("{} of {}, drawn at random, were made again and have the same bits and counts.",

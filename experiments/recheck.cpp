@@ -21,7 +21,6 @@
 #include "experiments/solve_runner.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
-#include "results/study.hpp"
 #include "robots/robot.hpp"
 #include "solvers/registry.hpp"
 
@@ -143,15 +142,14 @@ void check(const Definition& study, const Robot& arm, const Left& before, bool i
 }  // namespace
 
 TakeSolve recheck_of(const StoredStudy& study) {
-  const Definition definition = definition_of(study.definition);
-  std::optional<Robot> stored = stored_arm(definition.arm);
+  std::optional<Robot> stored = stored_arm(study.definition.arm);
   if (!stored)
     throw std::invalid_argument(fmt::format(
         "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", study.name));
   std::set<std::string> ours;
   for (const Series& series : study.series)
     if (built_in(series)) ours.insert(series.label);
-  return [definition, arm = std::make_shared<const Robot>(std::move(*stored)), ours,
+  return [definition = study.definition, arm = std::make_shared<const Robot>(std::move(*stored)), ours,
           before = std::make_shared<Left>()](const SolveRecord& solve) {
     check(definition, *arm, *before, ours.contains(solve.label), solve);
     *before = {solve.label, solve.run, solve.point,
@@ -162,9 +160,8 @@ TakeSolve recheck_of(const StoredStudy& study) {
 SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int64_t most,
                         const std::function<void(const Progress&)>& progress) {
   Study study;
-  const Definition definition = definition_of(stored.definition);
-  static_cast<StudyData&>(study) = definition;
-  study.robot_of_file = std::make_shared<const Robot>(stored_arm(definition.arm).value());
+  static_cast<StudyData&>(study) = stored.definition;
+  study.robot_of_file = std::make_shared<const Robot>(stored_arm(stored.definition.arm).value());
   SolvedAgain found;
   std::map<std::string, SolverEntry> entries;  // by label
   std::map<std::string, SolveRunner> runners;

@@ -234,7 +234,8 @@ void solve_missing(Work& work, Store& store, const RunRequest& request, Progress
 }
 
 void refuse_another(const StoredStudy& ours, const StoredStudy& now) {
-  if (ours.definition == now.definition && std::ranges::equal(ours.series, now.series, {}, &Series::key, &Series::key))
+  if (ours.definition.json == now.definition.json &&
+      std::ranges::equal(ours.series, now.series, {}, &Series::key, &Series::key))
     return;
   throw std::invalid_argument(fmt::format(
       "another ikbench has meanwhile saved a different study named '{}' in this store; no solve is lost; give the other "

@@ -391,7 +391,7 @@ std::vector<Series> series_of(const Study& study) {
 }
 
 StoredStudy stored_study(const Study& study) {
-  return {.name = study.name, .definition = to_json(study), .series = series_of(study)};
+  return {.name = study.name, .definition = definition_of(to_json(study)), .series = series_of(study)};
 }
 
 }  // namespace ikbench::experiments

@@ -13,7 +13,6 @@
 #include "base/json.hpp"
 #include "results/fingerprint.hpp"
 #include "results/store_codec.hpp"
-#include "results/study.hpp"
 
 namespace ikbench::results {
 namespace {
@@ -50,7 +49,7 @@ std::vector<std::string> configurations_of(const StoredStudy& study) {
 // Says why two studies of one name cannot be merged; empty if they can. Different numbers of runs can: the larger
 // counts.
 std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
-  const std::string difference = difference_in_solves(study.definition, other.definition);
+  const std::string difference = difference_in_solves(study.definition.json, other.definition.json);
   if (!difference.empty()) return difference;
   if (configurations_of(study) != configurations_of(other)) return "its solvers or their options are others";
   if (keys_of(study) != keys_of(other))
@@ -172,10 +171,10 @@ Merged merge(const fs::path& out, std::vector<fs::path> stores, const MergeProgr
     });
   }
   for (const StoredStudy& study : all.studies()) {
-    const Definition definition = definition_of(study.definition);
-    const std::int64_t asked = std::int64_t{definition.runs} * definition.points * std::ssize(study.series);
+    const auto& [name, definition, series] = study;
+    const std::int64_t asked = std::int64_t{definition.runs} * definition.points * std::ssize(series);
     const std::int64_t there = all.number_of_solves(study);
-    if (there < asked) merged.lacks.push_back({study.name, asked - there, asked});
+    if (there < asked) merged.lacks.push_back({name, asked - there, asked});
   }
   return merged;
 }

@@ -20,7 +20,6 @@
 #include "base/json.hpp"
 #include "base/names.hpp"
 #include "results/store_codec.hpp"
-#include "results/study.hpp"
 
 namespace ikbench::results {
 namespace {
@@ -347,7 +346,7 @@ void Store::save_study(const StoredStudy& study) {
         database_->sqlite,
         "INSERT INTO studies (name, definition, saved) VALUES (?1, ?2, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) "
         "ON CONFLICT (name) DO UPDATE SET definition = excluded.definition, saved = excluded.saved");
-    execute(save, study.name, study.definition);
+    execute(save, study.name, study.definition.json);
     SQLite::Statement clear(database_->sqlite, "DELETE FROM series WHERE study = ?");
     execute(clear, study.name);
     SQLite::Statement add(
@@ -371,7 +370,9 @@ std::vector<StoredStudy> Store::studies() const {
       return column.getString();
     };
     while (query.executeStep()) {
-      StoredStudy study{.name = query.getColumn(0).getString(), .definition = object(query.getColumn(1)), .series = {}};
+      StoredStudy study{.name = query.getColumn(0).getString(),
+                        .definition = definition_of(object(query.getColumn(1))),
+                        .series = {}};
       for (of_study.bind(1, study.name); of_study.executeStep();)
         study.series.push_back({.key = of_study.getColumn(0).getString(),
                                 .label = of_study.getColumn(1).getString(),
@@ -520,13 +521,12 @@ std::int64_t Store::solves_of_other_sources(std::string_view series) const {
 
 void Store::each_of_study(const StoredStudy& study, const Take& take) const {
   guarded(database_->name, [&] {
-    const Definition definition = definition_of(study.definition);
     SQLite::Statement query(
         database_->sqlite,
         fmt::format("SELECT {} FROM solves WHERE series = ? AND run <= ? AND point <= ? ORDER BY run, point",
                     solve_columns()));
     for (const Series& series : study.series) {
-      SQLite::bind(query, series.key, definition.runs, definition.points);
+      SQLite::bind(query, series.key, study.definition.runs, study.definition.points);
       database_->read_solves(query, [&](SolveRecord& record) {
         if (record.label != series.label)
           throw Damage(fmt::format("the label of {} is another in its solves", excerpt(series.label)));
@@ -546,12 +546,11 @@ std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
 
 std::int64_t Store::number_of_solves(const StoredStudy& study) const {
   return guarded(database_->name, [&] {
-    const Definition definition = definition_of(study.definition);
     SQLite::Statement query(database_->sqlite,
                             "SELECT count(*) FROM solves WHERE series = ? AND run <= ? AND point <= ?");
     std::int64_t solves = 0;
     for (const Series& series : study.series) {
-      SQLite::bind(query, series.key, definition.runs, definition.points);
+      SQLite::bind(query, series.key, study.definition.runs, study.definition.points);
       query.executeStep();
       solves += query.getColumn(0).getInt64();
       query.reset();

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "results/record.hpp"
+#include "results/study.hpp"
 
 namespace SQLite {
 class Database;
@@ -35,7 +36,7 @@ struct Series {
 // A study as defined at its last run.
 struct StoredStudy {
   std::string name;
-  std::string definition;  // JSON object: robot, path, search, bounds, population, stop rule, runs, points, seed, ...
+  Definition definition;
   std::vector<Series> series;  // in the order of the study
 };
 

@@ -79,6 +79,7 @@ Definition definition_of(std::string_view json) {
                    tables = reader.part("tables");
   constexpr std::pair<std::int64_t, std::int64_t> counts{0, std::numeric_limits<int>::max()};
   Definition study;
+  study.json = json;
   list_fields(reader, study);
   list_fields(stop, study.stop);
   list_fields(loop, study.loop);

@@ -158,6 +158,7 @@ struct Definition : StudyData {
   int out_of_reach = 0;  // targets that no configuration reaches
   std::string arm;       // JSON, as robots/robot.hpp reads it
   std::string task;      // JSON: the first configuration, and how targets are drawn
+  std::string json;      // all that was read, as the store has it
 
   // What is compared is a run, else a target.
   bool compares_runs() const {

@@ -253,7 +253,7 @@ Look look_of(std::vector<results::Series> solvers, results::FigureStyle style) {
 
 Look look_of(const JudgedStudy& judged, results::FigureStyle style) {
   const JudgedMetric& deciding = judged.metrics[judged.deciding];
-  std::vector<results::Series> solvers = judged.study.entry.series;
+  std::vector<results::Series> solvers = judged.study.series;
   if (!style.solvers.empty()) return look_of(std::move(solvers), std::move(style));
   std::vector<std::string> order;
   for (const std::size_t i : best_first(deciding, judged.metrics))

@@ -160,7 +160,7 @@ void add_of_near_misses(Doubts& doubts, const StudyResults& study) {
 
 // By the stored plan: a command may judge by another.
 void add_of_plan(Doubts& doubts, const StudyResults& study) {
-  const base::Json plan = base::parsed_json(study.entry.definition)["analysis"];
+  const base::Json plan = base::parsed_json(study.definition.json)["analysis"];
   std::set<std::int64_t> others;  // sessions
   std::set<std::string> fields;
   for (const Session& session : study.sessions) {

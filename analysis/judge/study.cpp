@@ -66,10 +66,10 @@ bool is_too_fast(const Definition& study, const SolveRecord& solve) {
 void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   if (record.run < 1 || record.point < 1)
     throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
-                                            study.entry.name, record.label, record.run, record.point));
+                                            study.name, record.label, record.run, record.point));
   if (!record.trace_cm.empty() && study.drawn.size() >= most_traces)
     throw std::invalid_argument(
-        fmt::format("study '{}' has too many solves with a trace; expected at most {}", study.entry.name, most_traces));
+        fmt::format("study '{}' has too many solves with a trace; expected at most {}", study.name, most_traces));
   const Solves earlier = study.of(record.label);
   const bool is_of_first_run = earlier.empty() || earlier.front().run == record.run;
   if (earlier.empty() || earlier.back().run != record.run) bend = {};
@@ -132,7 +132,7 @@ void refuse_other_targets(const StudyResults& study) {
     throw std::invalid_argument(fmt::format(
         "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
         "another folder",
-        study.entry.name, solve.run, solve.point, label(here), label(solve),
+        study.name, solve.run, solve.point, label(here), label(solve),
         here.target == solve.target ? "starts" : "targets"));
   }
 }
@@ -164,7 +164,7 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
   if (all > most_solves)
     throw std::invalid_argument(
         fmt::format("study '{}' has {} solves; expected at most {}", entry.name, all, most_solves));
-  StudyResults study{.entry = entry, .definition = definition_of(entry.definition)};
+  StudyResults study{entry};
   for (const Series& series : entry.series) {
     if (series.label.empty())
       throw std::invalid_argument(fmt::format("study '{}' has a solver without a label; expected one", entry.name));

@@ -15,7 +15,6 @@
 #include "analysis/judge/observations.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
-#include "results/study.hpp"
 
 namespace ikbench::judge {
 
@@ -44,9 +43,8 @@ struct Solve {
 
 using Solves = std::span<const Solve>;
 
-struct StudyResults {
-  results::StoredStudy entry;               // name, definition as JSON, series
-  results::Definition definition;           // the same, read; a control that is no solver is empty
+// A control that is no solver is empty in its plan.
+struct StudyResults : results::StoredStudy {
   std::vector<std::string> labels;          // of its solvers, in the order of the study
   std::vector<Solve> solves;                // by solver, run and point; only current ones
   std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace

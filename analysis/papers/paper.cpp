@@ -131,21 +131,21 @@ PrintedRows printed_rows(const Paper& paper, const JudgedMetric& judged) {
 }
 
 const JudgedStudy* Repeated::part(std::string_view part) const {
-  const std::string name = fmt::format("{}-{}", study().study.entry.name, part);
-  const auto found = std::ranges::find(studies, name, [](const JudgedStudy& each) { return each.study.entry.name; });
+  const std::string name = fmt::format("{}-{}", study().study.name, part);
+  const auto found = std::ranges::find(studies, name, [](const JudgedStudy& each) { return each.study.name; });
   return found == studies.end() ? nullptr : &*found;
 }
 
 std::vector<Repeated> Repeated::readings() const {
   std::vector<Repeated> all{{paper, studies.first(1)}};
   for (std::size_t i = 1; i < studies.size(); ++i) {
-    if (paper.readings.contains(studies[i].study.entry.name)) all.push_back({paper, studies.subspan(i, 1)});
+    if (paper.readings.contains(studies[i].study.name)) all.push_back({paper, studies.subspan(i, 1)});
   }
   return all;
 }
 
 std::string Repeated::reading() const {
-  const auto words = paper.readings.find(study().study.entry.name);
+  const auto words = paper.readings.find(study().study.name);
   return words == paper.readings.end() ? "" : words->second;
 }
 

@@ -146,7 +146,7 @@ struct Repeated {
   // "20 agents (Sec. 5.3.2)"; empty if the paper's table is of one study.
   std::string reading() const;
   // What its name adds to the paper's, for names of tables and figures: "-50".
-  std::string suffix() const { return study().study.entry.name.substr(paper.name.size()); }
+  std::string suffix() const { return study().study.name.substr(paper.name.size()); }
 };
 
 // By solver, of the arms of all studies that the printed table has, in its order; or of its solvers in the paper's own

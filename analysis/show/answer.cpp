@@ -92,7 +92,7 @@ Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
 Answer answer_of(const JudgedStudy& judged) {
   Answer all = answer_of(judged.metrics, judged.deciding);
   all.doubts = judged.doubts;
-  const std::string solved = what_is_solved(judged.study), &name = judged.study.entry.name;
+  const std::string solved = what_is_solved(judged.study), &name = judged.study.name;
   all.studied = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
                             stops_of(judged.study));
   all.show = judged.study.definition.tables.show;

@@ -113,8 +113,8 @@ Table for_article(const Table& whole, const Report& report) {
     if (table.columns[c].role != Role::remark) continue;
     for (auto& row : table.rows) row[c] = {};
   }
-  const std::string& name = report.study.entry.name;
-  const bool is_of_study = !report.study.entry.series.empty();
+  const std::string& name = report.study.name;
+  const bool is_of_study = !report.study.series.empty();
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
   if (table.is_of_study && !name.empty())
     table.caption += fmt::format("{} {}.", table.caption.ends_with('?') ? "" : ".",
@@ -127,7 +127,7 @@ Table for_article(const Table& whole, const Report& report) {
 std::string methods_of(const Answer& answer, const StudyResults& study, const std::string& program) {
   const results::Definition& definition = study.definition;
   const JudgedMetric& decisive = answer.decisive();
-  const bool is_of_study = !study.entry.series.empty();
+  const bool is_of_study = !study.series.empty();
   std::set<std::string> tests;
   for (const JudgedMetric& judged : answer.metrics) {
     for (const Finding& finding : judged.findings) {
@@ -154,7 +154,7 @@ std::string methods_of(const Answer& answer, const StudyResults& study, const st
         stops_of(study), fact("cpu"));
   else
     text = fmt::format("{} of {} were compared; {}. {}", base::counted(std::ssize(decisive.described), "groups"),
-                       study.entry.name, answer.direction, fmt::join(answer.notes, " "));
+                       study.name, answer.direction, fmt::join(answer.notes, " "));
   if (!tests.empty())
     text += fmt::format(
         " Pairs were tested by {}, p times the number of pairs of a metric that can be tested (Bonferroni), at a "

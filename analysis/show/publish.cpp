@@ -113,7 +113,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
 
   std::vector<std::string>& files = written.files;
   std::ranges::copy(own_files, std::back_inserter(files));
-  const bool is_of_study = !report.study.entry.series.empty();
+  const bool is_of_study = !report.study.series.empty();
   if (!is_of_study || !fs::is_regular_file(folder / own_files[3])) files.pop_back();
   std::vector<std::string> names;
   for (const Table* table : tables) {

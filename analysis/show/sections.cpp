@@ -16,7 +16,7 @@ Report report_of(JudgedStudy judged, std::vector<figures::Figure> figures) {
 
 std::vector<Blocks> sections_of(const Report& report) {
   std::vector<Blocks> sections{report.first};
-  const bool is_of_study = !report.study.entry.series.empty();  // else of a user's file
+  const bool is_of_study = !report.study.series.empty();  // else of a user's file
   if (report.first.empty()) {
     sections[0] = {Heading{headline(report.answer)}};
     if (is_of_study) sections[0].emplace_back(report.answer.studied);

@@ -710,7 +710,7 @@ Table study_table(const StudyResults& study) {
   const results::Definition& definition = study.definition;
   Table table = settings("Study");
   add_setting(table, "study",
-              definition.title.empty() ? study.entry.name : fmt::format("{}: {}", study.entry.name, definition.title));
+              definition.title.empty() ? study.name : fmt::format("{}: {}", study.name, definition.title));
   add_setting(table, "arm",
               definition.tip_link.empty()
                   ? definition.robot
@@ -765,7 +765,7 @@ std::string ends_of_unsolved(const StudyResults& study) {
 }
 
 const std::string& title_of(const StudyResults& study) {
-  return study.definition.title.empty() ? study.entry.name : study.definition.title;
+  return study.definition.title.empty() ? study.name : study.definition.title;
 }
 
 std::string what_is_solved(const StudyResults& study) {
@@ -779,7 +779,7 @@ std::string what_is_solved(const StudyResults& study) {
 
 Table options_table(const StudyResults& study) {
   Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}};
-  for (const results::Series& series : study.entry.series) {
+  for (const results::Series& series : study.series) {
     std::vector<std::string> options;
     const auto json = base::parsed_ordered_json(series.options);
     for (auto option = json.begin(); json.is_object() && option != json.end(); ++option)

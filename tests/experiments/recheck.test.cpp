@@ -4,7 +4,7 @@
 namespace {
 
 StoredStudy entry_of(const Study& study) {
-  StoredStudy entry{.name = study.name, .definition = to_json(study), .series = {}};
+  StoredStudy entry{.name = study.name, .definition = definition_of(to_json(study)), .series = {}};
   for (const SolverEntry& solver : study.solvers)
     entry.series.push_back({.key = series_key(study, solver), .label = solver.label, .algorithm = solver.solver});
   return entry;
@@ -137,7 +137,7 @@ TEST_CASE("an arm that cannot be read is refused", "[recheck]") {
   for (const char* definition : {"{\"robot\": \"none\"}", "{\"arm\": {\"links\": [[[[[[1]]]]]]}}",
                                  R"({"arm": {"links": [{"a = 1\n[links]\nb": 2}]}})"}) {
     INFO(definition);
-    CHECK_THAT(refused_row({.name = "small", .definition = definition, .series = {}}, {}),
+    CHECK_THAT(refused_row({.name = "small", .definition = definition_of(definition), .series = {}}, {}),
                ContainsSubstring("study small: its stored arm cannot be read"));
   }
 }

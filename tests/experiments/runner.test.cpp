@@ -73,7 +73,7 @@ TEST_CASE("a study from the store's point of view: name, series in order, option
   CHECK(entry.series[1].algorithm == "bat");
   CHECK(nlohmann::json::parse(entry.series[1].options)["alpha"] == 0.25);
   CHECK(entry.series[2].key == series_key(study, study.solvers[2]));
-  const nlohmann::json definition = nlohmann::json::parse(entry.definition);
+  const nlohmann::json definition = nlohmann::json::parse(entry.definition.json);
   CHECK(definition["runs"] == 2);
   CHECK(definition["points"] == 4);
 }
@@ -88,7 +88,7 @@ TEST_CASE("every session remembers how the study was to be judged when its solve
   REQUIRE(sessions.size() == 2);
   CHECK(nlohmann::json::parse(sessions[0].environment.at("analysis"))["significance"] == 0.05);
   CHECK(nlohmann::json::parse(sessions[1].environment.at("analysis"))["significance"] == 0.01);
-  CHECK(nlohmann::json::parse(scratch.store.study("small").definition)["analysis"]["significance"] == 0.01);
+  CHECK(nlohmann::json::parse(scratch.store.study("small").definition.json)["analysis"]["significance"] == 0.01);
   CHECK(scratch.store.solves("small").size() == 24);  // the earlier ones are kept
 }
 
@@ -236,7 +236,7 @@ TEST_CASE("solves of other source are left aside, told and solved anew", "[runne
     return fmt::format("{}@0123456789abcdef", configuration_of(key));
   };
   ScratchStore scratch;
-  StoredStudy entry{.name = study.name, .definition = to_json(study), .series = {}};
+  StoredStudy entry{.name = study.name, .definition = definition_of(to_json(study)), .series = {}};
   std::vector<SolveRecord> records = solves_of(study);
   for (SolveRecord& record : records) {
     record.series = of_other_source(record.series);
@@ -277,7 +277,7 @@ TEST_CASE("a run whose study another process replaces is refused, keeps its solv
         complaint<std::invalid_argument>([&] { run(small_study(), store, {.jobs = jobs, .progress = meddle}); });
     CHECK_THAT(said, ContainsSubstring("saved a different study named 'small' in this store"));
     CHECK_THAT(said, ContainsSubstring("run this one again for its report"));
-    CHECK(store.study("small").definition == to_json(other));
+    CHECK(store.study("small").definition.json == to_json(other));
     CHECK(run(small_study(), store, {}).reused == 24);
     CHECK(same_numbers(store.solves("small"), solves_of(small_study())));
   }

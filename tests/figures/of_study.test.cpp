@@ -15,7 +15,7 @@ const std::string planar_arm =
 void differ(SolveRecord& solve) { solve.position_error_cm = 0.1 * solve.run * (solve.label == "A" ? 1 : 10); }
 
 Look look_of_study(const StudyResults& study, results::FigureStyle style = {}) {
-  return look_of(study.entry.series, std::move(style));
+  return look_of(study.series, std::move(style));
 }
 
 Names names_of(const std::vector<Figure>& figures) {

@@ -119,7 +119,8 @@ inline std::vector<SolveRecord> solves_of(const Asked& asked, const std::vector<
 }
 
 inline results::StoredStudy entry_of(const Asked& asked, const std::vector<std::string>& solvers) {
-  results::StoredStudy entry{.name = "hand-made", .definition = definition(asked), .series = {}};
+  results::StoredStudy entry{
+      .name = "hand-made", .definition = results::definition_of(definition(asked)), .series = {}};
   for (const std::string& solver : solvers)
     entry.series.push_back({.key = solver + "@1", .label = solver, .algorithm = solver, .options = "{}"});
   return entry;

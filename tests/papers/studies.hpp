@@ -43,11 +43,11 @@ inline double as_printed(const std::string& solver, const std::string& metric, i
 inline judge::JudgedStudy study_of(const Made& made, const Change& change = {}) {
   results::StoredStudy entry{
       .name = made.name,
-      .definition = fmt::format(
+      .definition = results::definition_of(fmt::format(
           R"({{"published": "{}", "robot": "{}", "search": "wrist", "start": "{}", "runs": {}, "points": {},
               "path": {{"kind": "{}", "targets": "fixed"}}, "stop": {{"tolerance_cm": {}, "iterations": 200}}}})",
           made.paper, made.robot, made.tolerance_cm > 0 ? "initial" : "previous", made.runs, made.points, made.path,
-          made.tolerance_cm),
+          made.tolerance_cm)),
       .series = {}};
   std::vector<SolveRecord> solves;
   for (const std::string& solver : made.solvers) {

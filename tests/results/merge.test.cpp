@@ -126,7 +126,7 @@ TEST_CASE("another study of the same name is refused with the field that differs
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1});
   StoredStudy other = sample_study();
-  other.definition = R"({"robot":"iiwa7","runs":20,"points":20})";
+  other.definition = definition_of(R"({"robot":"iiwa7","runs":20,"points":20})");
   Store(folder.path / "b", Store::Mode::write).save_study(other);
   other = sample_study();
   other.series.front().key += "@another";
@@ -157,13 +157,13 @@ TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged
   make_store(folder.path / "a", "one", {1});
   make_store(folder.path / "b", "two", {30});
   StoredStudy larger = sample_study();
-  larger.definition = R"({"robot":"iiwa14","runs":30,"points":20,"analysis":{"significance":0.01}})";
+  larger.definition = definition_of(R"({"robot":"iiwa14","runs":30,"points":20,"analysis":{"significance":0.01}})");
   Store(folder.path / "b", Store::Mode::write).save_study(larger);
   for (const auto& order : {std::vector{"a", "b"}, std::vector{"b", "a"}}) {
     const fs::path out = folder.path / "out" / order.front();
     merge(out, {folder.path / order[0], folder.path / order[1]});
     const Store store(out, Store::Mode::read);
-    CHECK(store.study("table-3").definition == larger.definition);
+    CHECK(store.study("table-3").definition.json == larger.definition.json);
     CHECK(series_of(store, "key-a").size() == 2);
   }
 }

@@ -102,14 +102,14 @@ TEST_CASE("studies come back with their series, in the order in which they were 
   store.save_study(sample_study("zebra"));
   store.save_study(sample_study("aardvark"));
   StoredStudy changed = sample_study("zebra");
-  changed.definition = R"({"runs":3,"points":1})";
+  changed.definition = definition_of(R"({"runs":3,"points":1})");
   std::swap(changed.series[0], changed.series[1]);
   store.save_study(changed);
 
   const auto studies = store.studies();
   REQUIRE(studies.size() == 2);
   CHECK(studies[0].name == "zebra");
-  CHECK(studies[0].definition == changed.definition);
+  CHECK(studies[0].definition.json == changed.definition.json);
   REQUIRE(studies[0].series.size() == 2);
   CHECK(studies[0].series[0].key == "key-b");
   CHECK(studies[0].series[0].label == "BA");
@@ -134,7 +134,7 @@ TEST_CASE("solves of a study are those of its current series, runs and points, i
   const ScratchFolder folder;
   Store store(folder.path / "a.ikb", Store::Mode::write);
   StoredStudy study = sample_study();
-  study.definition = R"({"runs":2,"points":2})";
+  study.definition = definition_of(R"({"runs":2,"points":2})");
   study.series = {{.key = "z", .label = "IK-BA", .algorithm = "ba", .options = "{}"},
                   {.key = "a", .label = "second", .algorithm = "ba", .options = "{}"}};
   store.save_study(study);
@@ -162,7 +162,7 @@ TEST_CASE("the views have the current solves under the present labels, and the m
   {
     Store store(file, Store::Mode::write);
     StoredStudy study = sample_study();
-    study.definition = R"({"runs":2,"points":2})";
+    study.definition = definition_of(R"({"runs":2,"points":2})");
     study.series = {{.key = "key-a", .label = "now", .algorithm = "ba", .options = "{}"}};
     store.save_study(study);
     std::vector<SolveRecord> solves{sample_record("key-a", 1, 1), sample_record("key-a", 1, 2),

@@ -57,10 +57,10 @@ inline judge::JudgedMetric judged(judge::Observations of, const judge::Plan& pla
 inline judge::JudgedStudy judged_study(const std::string& mine = "mine") {
   judge::JudgedStudy all;
   judge::StudyResults& study = all.study;
-  study.entry = {.name = "mine",
-                 .series = {{"1@a", mine, "python_pso", R"({"w":"0.7"})"},
-                            {"2@a", "PSO", "particle_swarm", R"({"inertia":"0.53514"})"},
-                            {"3@a", "DLS", "damped_least_squares", R"({"damping":"0.001"})"}}};
+  study.name = "mine";
+  study.series = {{"1@a", mine, "python_pso", R"({"w":"0.7"})"},
+                  {"2@a", "PSO", "particle_swarm", R"({"inertia":"0.53514"})"},
+                  {"3@a", "DLS", "damped_least_squares", R"({"damping":"0.001"})"}};
   results::Definition& definition = study.definition;
   definition.robot = "ur5e";
   definition.search = results::Search::all_joints;
