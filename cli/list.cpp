@@ -39,7 +39,7 @@ std::string solver_details(std::string_view name) {
   Rows options{{"OPTION", "DEFAULT", "EXPECTED", "MEANING"}};
   info.describe([&](const OptionList& list) {
     for (const Option& option : list.options())
-      options.push_back({option.name, option.get(), option.expected, option.meaning});
+      options.push_back({option.name, text_of(option.get()), option.expected, option.meaning});
   });
   const std::string library = info.library.empty() ? "" : fmt::format("\nbuilt with {}", info.library);
   return fmt::format("{}\n\n{}",

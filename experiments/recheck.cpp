@@ -80,7 +80,9 @@ std::optional<SolverEntry> built_in(const Series& series) {
             "the population of {} is no whole number from {} to {}; it was changed: solve again into another folder",
             base::one_line(base::front(series.label, 60)), populations.first, populations.second));
       entry.population = value;
-    } else
+    } else if (value.is_number())
+      entry.options[name] = value.get<double>();
+    else
       entry.options[name] = value.is_string() ? value.get<std::string>() : value.dump();
   }
   return entry;

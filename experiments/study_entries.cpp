@@ -83,51 +83,51 @@ void read_kind(TomlReader& reader, SolverEntry& entry) {
 bool is_of_numbers(const SolverEntry& entry, const std::string& option) {
   const Settings defaults = options_with(entry, {});
   const auto by_default = defaults.find(option);
-  return by_default != defaults.end() && number_from(by_default->second);
+  return by_default != defaults.end() && std::holds_alternative<double>(by_default->second);
 }
 
-// A value of a setting, the population or an option, as text. `settings` has the entry's label before its keys.
-std::string value_in(const TomlReader& settings, const SolverEntry& entry, const std::string& setting,
-                     const toml::node& node) {
+// A value of a setting, the population or an option. `settings` has the entry's label before its keys.
+Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std::string& setting,
+                 const toml::node& node) {
   if (setting == population_key) {
     const toml::value<std::int64_t>* value = node.as_integer();
     if (value == nullptr || value->get() < populations.first || value->get() > populations.second) {
       settings.fail_number(setting, node,
                            fmt::format("a whole number from {} to {}", populations.first, populations.second));
     }
-    return fmt::format("{}", value->get());
+    return static_cast<double>(value->get());
   }
-  std::string text;
+  Setting value;
   if (const auto quoted = node.value<std::string>()) {
     if (!is_plain(*quoted)) settings.fail(setting, node, plain_text);
     if (const auto number = number_from(*quoted); number && is_of_numbers(entry, setting))
       settings.fail(setting, node,
                     std::isfinite(*number) ? fmt::format("a number, without quotes: {}", *number) : "a finite number");
-    text = *quoted;
-  } else if (node.is_integer()) {
-    text = fmt::format("{}", *node.value<std::int64_t>());
-  } else if (node.is_floating_point()) {
-    text = fmt::format("{}", *node.value<double>());
+    value = *quoted;
+  } else if (const auto* const whole = node.as_integer()) {
+    value = static_cast<double>(whole->get());
+  } else if (const auto* const number = node.as_floating_point()) {
+    value = number->get();
   } else {
     settings.fail(setting, node, "a number or a quoted string, or a list of them");
   }
   try {
-    options_with(entry, {{setting, text}});
+    options_with(entry, {{setting, value}});
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(settings.where(node.source(), setting) + error.what());
   }
-  return text;
+  return value;
 }
 
-void give(SolverEntry& entry, const std::string& setting, const std::string& value) {
+void give(SolverEntry& entry, const std::string& setting, const Setting& value) {
   if (setting == population_key)
-    entry.population = std::stoi(value);
+    entry.population = static_cast<int>(std::get<double>(value));
   else
     entry.options[setting] = value;
 }
 
 // Swept settings, each with its values.
-using Axes = std::map<std::string, std::vector<std::string>>;
+using Axes = std::map<std::string, std::vector<Setting>>;
 
 // Reads a list of values into `axes`.
 void read_values(const TomlReader& settings, const SolverEntry& entry, Axes& axes, const std::string& setting,
@@ -135,7 +135,7 @@ void read_values(const TomlReader& settings, const SolverEntry& entry, Axes& axe
   const toml::array* list = node.as_array();
   if (list == nullptr || list->empty() || list->size() > most_solvers)
     settings.fail(setting, node, fmt::format("a list of 1 to {} values", most_solvers));
-  std::vector<std::string> values;
+  std::vector<Setting> values;
   for (const toml::node& element : *list) {
     values.push_back(value_in(settings, entry, setting, element));
     if (std::ranges::count(values, values.back()) > 1) settings.fail(setting, element, "each value once");
@@ -167,10 +167,10 @@ std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntr
     refuse_if(entries.size() * values.size() > most_solvers, too_many_solvers);
     std::vector<SolverEntry> longer;
     for (const SolverEntry& shorter : entries) {
-      for (const std::string& value : values) {
+      for (const Setting& value : values) {
         SolverEntry& one = longer.emplace_back(shorter);
         give(one, setting, value);
-        one.label += fmt::format(" {}={}", setting, value);
+        one.label += fmt::format(" {}={}", setting, text_of(value));
       }
     }
     entries = std::move(longer);
@@ -198,7 +198,7 @@ void check_entry(const TomlReader& reader, const TomlReader& at_entry, const Sol
                                              info.least_population));
   }
   const auto bounds = entry.options.find("bounds");
-  if (study.limits == Limits::enforced && bounds != entry.options.end() && bounds->second == "initial") {
+  if (study.limits == Limits::enforced && bounds != entry.options.end() && bounds->second == Setting("initial")) {
     const toml::table* const options = at_entry.table()["options"].as_table();
     throw(options == nullptr ? at_entry : at_entry.nested(*options, at_entry.prefix())).mistake("bounds", not_enforced);
   }

@@ -227,7 +227,9 @@ std::string lines_of(const FieldsWritten& fields) {
   return text;
 }
 
-std::string toml_value(const std::string& setting) { return number_from(setting) ? setting : toml_string(setting); }
+std::string toml_value(const Setting& setting) {
+  return std::holds_alternative<double>(setting) ? text_of(setting) : toml_string(text_of(setting));
+}
 
 // ---- keys ---------------------------------------------------------------------------------------------------------
 
@@ -350,7 +352,7 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
       });
     });
   }
-  for (const auto& [name, value] : in_effect) text += fmt::format("\n{} = {}", name, value);
+  for (const auto& [name, value] : in_effect) text += fmt::format("\n{} = {}", name, text_of(value));
   return fmt::format("{:016x}", Key(0).with(text).value());
 }
 
@@ -376,9 +378,10 @@ std::vector<Series> series_of(const Study& study) {
   for (const SolverEntry& entry : study.solvers) {
     Settings options = effective_options(study, entry);
     if (entry.program) options["process"] = fmt::format("{}", fmt::join(entry.program->choice.process, " "));
-    if (entry.population > 0) options["population"] = std::to_string(entry.population);  // its own
+    if (entry.population > 0) options["population"] = static_cast<double>(entry.population);  // its own
     Json values = Json::object();
-    for (const auto& [name, text] : options) {
+    for (const auto& [name, value] : options) {
+      const std::string text = text_of(value);
       const Json number = Json::parse(text, nullptr, false);
       values[name] = number.is_number() ? number : Json(text);
     }

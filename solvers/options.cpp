@@ -1,12 +1,10 @@
 #include "solvers/options.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <stdexcept>
 
 #include "base/names.hpp"
-#include "base/number.hpp"
 
 namespace ikbench::solvers {
 
@@ -14,54 +12,47 @@ using namespace base;
 
 namespace {
 
-// Parses the whole text as a number, in no locale.
 template <class Number>
-bool parse(std::string_view text, Number& value) {
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = read_number(text.data(), end, value);
-  return error == std::errc() && rest == end;
-}
-
-template <class Number>
-Option ranged(std::string name, Number& field, std::pair<Number, Number> range, std::string expected,
+Option ranged(std::string name, Number& field, std::pair<Number, Number> range, std::string_view kind,
               std::string meaning) {
   return {.name = std::move(name),
-          .expected = std::move(expected),
+          .expected = fmt::format("a {} from {} to {}", kind, range.first, range.second),
           .meaning = std::move(meaning),
-          .choices = {},
-          .bounds = {fmt::format("{}", range.first), fmt::format("{}", range.second)},
-          .is_later = false,
-          .get = [&field] { return fmt::format("{}", field); },
+          .extremes = {static_cast<double>(range.first), static_cast<double>(range.second)},
+          .get = [&field] { return static_cast<double>(field); },
           .set =
-              [&field, range](std::string_view text) {
-                Number value{};
-                if (!parse(text, value) || !(value >= range.first && value <= range.second)) return false;
-                field = value;
+              [&field, range](const Setting& value) {
+                const double* const number = std::get_if<double>(&value);
+                if (number == nullptr || !(*number >= range.first && *number <= range.second)) return false;
+                if (static_cast<Number>(*number) != *number) return false;
+                field = static_cast<Number>(*number);
                 return true;
               }};
 }
 
 }  // namespace
 
+std::string text_of(const Setting& setting) {
+  const double* const number = std::get_if<double>(&setting);
+  return number == nullptr ? std::get<std::string>(setting) : fmt::format("{}", *number);
+}
+
 void OptionList::number(std::string name, double& field, std::pair<double, double> range, std::string meaning) {
-  add(ranged(std::move(name), field, range, fmt::format("a number from {} to {}", range.first, range.second),
-             std::move(meaning)));
+  add(ranged(std::move(name), field, range, "number", std::move(meaning)));
 }
 
 void OptionList::count(std::string name, int& field, std::pair<int, int> range, std::string meaning) {
-  add(ranged(std::move(name), field, range, fmt::format("a whole number from {} to {}", range.first, range.second),
-             std::move(meaning)));
+  add(ranged(std::move(name), field, range, "whole number", std::move(meaning)));
 }
 
-void OptionList::add_choice(std::string name, std::vector<std::string> names, std::string meaning,
-                            std::function<std::string()> get, std::function<bool(std::string_view)> set) {
-  std::string expected = fmt::format("one of {}", fmt::join(names, ", "));
+void OptionList::add_choice(std::string name, std::vector<Setting> names, std::string meaning,
+                            std::function<Setting()> get, std::function<bool(const Setting&)> set) {
+  std::string expected = "one of ";
+  for (const Setting& each : names) expected += (&each == &names.front() ? "" : ", ") + text_of(each);
   add({.name = std::move(name),
        .expected = std::move(expected),
        .meaning = std::move(meaning),
-       .choices = std::move(names),
-       .bounds = {},
-       .is_later = false,
+       .extremes = std::move(names),
        .get = std::move(get),
        .set = std::move(set)});
 }
@@ -71,7 +62,7 @@ void OptionList::add(Option option) {
   options_.push_back(std::move(option));
 }
 
-void OptionList::set(std::string_view name, std::string_view value) {
+void OptionList::set(std::string_view name, const Setting& value) {
   std::vector<std::string> names;
   for (const Option& option : options_) {
     if (option.name != name) {
@@ -80,7 +71,7 @@ void OptionList::set(std::string_view name, std::string_view value) {
     }
     if (option.set(value)) return;
     throw std::invalid_argument(
-        fmt::format("option {} is \"{}\"; expected {}", name, value.substr(0, 100), option.expected));
+        fmt::format("option {} is \"{}\"; expected {}", name, front(text_of(value), 100), option.expected));
   }
   throw std::invalid_argument(unknown_name("option", name, names));
 }

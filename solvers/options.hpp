@@ -8,22 +8,24 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace ikbench::solvers {
 
-// Option name -> value as text.
-using Settings = std::map<std::string, std::string, std::less<>>;
+// The value of an option: a number, or the name of a choice.
+using Setting = std::variant<double, std::string>;
+std::string text_of(const Setting& setting);
+using Settings = std::map<std::string, Setting, std::less<>>;  // by the options' names
 
 struct Option {
   std::string name;
   std::string expected;  // "a number from 0 to 1", "one of greedy, loudness"
   std::string meaning;
-  std::vector<std::string> choices;  // of a choice; else empty
-  std::vector<std::string> bounds;   // smallest and largest value of a number; else empty
-  bool is_later = false;             // it was added after solves had been stored
-  std::function<std::string()> get;
-  std::function<bool(std::string_view)> set;  // false if the text is not as expected
+  std::vector<Setting> extremes;  // all choices, or the smallest and the largest number
+  bool is_later = false;          // it was added after solves had been stored
+  std::function<Setting()> get;
+  std::function<bool(const Setting&)> set;  // false if the value is not as expected
 };
 
 class OptionList {
@@ -37,13 +39,13 @@ class OptionList {
   template <class Enum>
   void choice(std::string name, Enum& field, std::vector<std::pair<std::string, Enum>> values, std::string meaning) {
     using Value = std::pair<std::string, Enum>;
-    std::vector<std::string> names;
-    for (const Value& value : values) names.push_back(value.first);
+    std::vector<Setting> names;
+    for (const Value& value : values) names.emplace_back(value.first);
     add_choice(
         std::move(name), std::move(names), std::move(meaning),
         [&field, values] { return std::ranges::find(values, field, &Value::second)->first; },
-        [&field, values](std::string_view wanted) {
-          const auto found = std::ranges::find(values, wanted, &Value::first);
+        [&field, values](const Setting& wanted) {
+          const auto found = std::ranges::find(values, text_of(wanted), &Value::first);
           if (found != values.end()) field = found->second;
           return found != values.end();
         });
@@ -52,13 +54,13 @@ class OptionList {
   const std::vector<Option>& options() const { return options_; }
 
   // Throws std::invalid_argument, which names an unknown option (and the nearest known one) or a wrong value.
-  void set(std::string_view name, std::string_view value);
+  void set(std::string_view name, const Setting& value);
   void set(const Settings& settings);
   Settings values() const;
 
  private:
-  void add_choice(std::string name, std::vector<std::string> names, std::string meaning,
-                  std::function<std::string()> get, std::function<bool(std::string_view)> set);
+  void add_choice(std::string name, std::vector<Setting> names, std::string meaning, std::function<Setting()> get,
+                  std::function<bool(const Setting&)> set);
 
   void add(Option option);
 

@@ -201,7 +201,7 @@ std::string robot_message(const Robot& arm, const Chain& searched, const Goal& g
                           const Hello& hello, const Settings& options) {
   OrderedJson values = OrderedJson::object(), joints = OrderedJson::array();
   for (const HelloOption& option : hello.options) {
-    const std::string& text = options.at(option.name);
+    const std::string text = text_of(options.at(option.name));
     values[option.name] = option.choices.empty() ? base::parsed_ordered_json(text) : OrderedJson(text);
   }
   const std::vector<std::string> names = joint_names(arm);

@@ -286,7 +286,7 @@ TEXTBOOK(levenberg_marquardt, {}, 0);
 TEXTBOOK(damped_least_squares, {}, 0);
 TEXTBOOK(newton, {}, 0);
 #ifdef IKBENCH_HAS_KDL
-TEXTBOOK(kdl_newton, {{"accuracy", "1e-300"}, {"iterations", "100"}}, 100);
+TEXTBOOK(kdl_newton, {{"accuracy", 1e-300}, {"iterations", 100.0}}, 100);
 #endif
 
 // ---- the whole helix study, slim2023-50: six solvers, 2400 solves, with timing and verifier, without store and

@@ -92,7 +92,7 @@ TEST_CASE("the series of a universe are solved with what its choices say, defaul
       if (own.chosen.empty()) continue;
       const results::Choice& choice = own.chosen.front();
       CHECK(plan.dimensions[choice.dimension].alternatives[choice.alternative].set.ends_with(
-          "bounds=" + effective_options(part, part.solvers.front()).at("bounds")));
+          "bounds=" + text_of(effective_options(part, part.solvers.front()).at("bounds"))));
       ++checked;
     }
   }

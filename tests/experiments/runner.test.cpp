@@ -65,7 +65,7 @@ TEST_CASE("a study from the store's point of view: name, series in order, option
           "[runner]") {
   ScratchStore scratch;
   Study study = small_study();
-  study.solvers[1].options["alpha"] = "0.25";
+  study.solvers[1].options["alpha"] = 0.25;
   run(study, scratch.store, {});
   const StoredStudy entry = scratch.store.study("small");
   REQUIRE(entry.series.size() == 3);

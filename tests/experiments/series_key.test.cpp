@@ -145,7 +145,7 @@ TEST_CASE("every option of every solver decides the series", "[series]") {
       for (const Option& option : list.options()) {
         INFO(info.name << "." << option.name);
         std::set<std::string> keys;
-        for (const std::string& value : option.choices.empty() ? option.bounds : option.choices) {
+        for (const Setting& value : option.extremes) {
           Study study = plain;
           study.solvers[0].options[option.name] = value;
           keys.insert(key_of(study));
@@ -158,7 +158,7 @@ TEST_CASE("every option of every solver decides the series", "[series]") {
 }
 
 TEST_CASE("a default that is written down is the same series", "[series]") {
-  const Study written = changed([](Study& study) { study.solvers[0].options["alpha"] = "0.97"; });  // Table 1
+  const Study written = changed([](Study& study) { study.solvers[0].options["alpha"] = 0.97; });  // Table 1
   CHECK(key_of(written) == key_of(small_study()));
   CHECK(key_of(changed([](Study& study) { study.solvers[0].population = study.population; })) == key_of(small_study()));
   // The same for the solver's own default of bounds.
@@ -211,7 +211,7 @@ TEST_CASE("the study's bounds reach every solver that has bounds, and trouble no
     for (const SolverInfo& info : all_solvers()) {
       INFO(info.name);
       const Settings options = effective_options(study, {"A", info.name, {}});
-      if (options.contains("bounds")) CHECK(options.at("bounds") == name);
+      if (options.contains("bounds")) CHECK(text_of(options.at("bounds")) == name);
       CHECK(options.size() == info.options({}).size());
     }
   }
@@ -219,7 +219,8 @@ TEST_CASE("the study's bounds reach every solver that has bounds, and trouble no
   study.limits = Limits::enforced;
   for (const SolverInfo& info : all_solvers()) {
     const Settings options = effective_options(study, {"A", info.name, {}});
-    if (options.contains("bounds")) CHECK(options.at("bounds") != "initial");  // it would end outside
+    if (options.contains("bounds")) CHECK(text_of(options.at("bounds")) != "initial");  // it would end outside
   }
-  CHECK(effective_options(study, {"A", "differential_evolution", {{"bounds", "reflect"}}}).at("bounds") == "reflect");
+  CHECK(text_of(effective_options(study, {"A", "differential_evolution", {{"bounds", "reflect"}}}).at("bounds")) ==
+        "reflect");
 }

@@ -86,9 +86,8 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   study.trace = Trace::best_error;
   study.path = path_of({"centre_cm=[50, -25, 1]", "radius_cm=30", "length_cm=-10", "turns=1.5", "start_deg=90",
                         "points=9", "phase=cos_sin", "spacing=k_over_n_minus_1", "tool=eq27"});
-  study.solvers = {
-      {"a \"label\" with 'quotes' = [x] . # \\", "ik_bat", {{"acceptance", "yang2020"}, {"alpha", "0.25"}}},
-      {"плечо", "bat", {}, 12}};
+  study.solvers = {{"a \"label\" with 'quotes' = [x] . # \\", "ik_bat", {{"acceptance", "yang2020"}, {"alpha", 0.25}}},
+                   {"плечо", "bat", {}, 12}};
   study.plan = {.test = Plan::Test::means,
                 .metric = "seconds",
                 .control = "плечо",
@@ -214,10 +213,10 @@ TEST_CASE("a file that names only a solver is the path and the numbers of Sec. 5
 TEST_CASE("options are numbers, or words in quotes", "[study]") {
   const Study study = read(solver_entry + "options = { alpha = 0.5, loudness = 2, f_max = 1.5, bounds = \"clamp\" }\n");
   const Settings options = effective_options(study, study.solvers[0]);
-  CHECK(options.at("alpha") == "0.5");
-  CHECK(options.at("loudness") == "2");
-  CHECK(options.at("f_max") == "1.5");
-  CHECK(options.at("bounds") == "clamp");
+  CHECK(text_of(options.at("alpha")) == "0.5");
+  CHECK(text_of(options.at("loudness")) == "2");
+  CHECK(text_of(options.at("f_max")) == "1.5");
+  CHECK(text_of(options.at("bounds")) == "clamp");
   CHECK_THROWS_WITH(read(solver_entry + "options = { f_max = \"1.5\" }\n"),
                     ContainsSubstring("f_max is \"1.5\"; expected a number, without quotes: 1.5"));
 }
@@ -458,13 +457,13 @@ TEST_CASE("an override sets an option of the solvers with that label or that sol
   const std::string two =
       solver_entry + "label = \"A\"\n" + solver_entry + "label = \"B v1.0\"\noptions = { gamma = 0.5 }\n";
   Study study = read(two, {"A.alpha=0.25"});
-  CHECK(study.solvers[0].options == Settings{{"alpha", "0.25"}});
-  CHECK(study.solvers[1].options == Settings{{"gamma", "0.5"}});
+  CHECK(study.solvers[0].options == Settings{{"alpha", 0.25}});
+  CHECK(study.solvers[1].options == Settings{{"gamma", 0.5}});
   study = read(two, {"ik_bat.alpha=0.25"});
-  CHECK(study.solvers[0].options == Settings{{"alpha", "0.25"}});
-  CHECK(study.solvers[1].options == Settings{{"alpha", "0.25"}, {"gamma", "0.5"}});
+  CHECK(study.solvers[0].options == Settings{{"alpha", 0.25}});
+  CHECK(study.solvers[1].options == Settings{{"alpha", 0.25}, {"gamma", 0.5}});
   study = read(two, {"B v1.0.gamma=0.75"});  // a label with a dot and a space
-  CHECK(study.solvers[1].options == Settings{{"gamma", "0.75"}});
+  CHECK(study.solvers[1].options == Settings{{"gamma", 0.75}});
 }
 
 TEST_CASE("an override sets a solver's own population, by its label or its solver's name", "[study][set]") {

@@ -12,7 +12,7 @@ void read_study(const std::string& text) {
 
 std::string sample_file() {
   Study study = small_study();
-  study.solvers[1].options = {{"alpha", "0.25"}, {"bounds", "clamp"}};
+  study.solvers[1].options = {{"alpha", 0.25}, {"bounds", "clamp"}};
   return to_toml(study) + "\n[[solvers]]\nsolver = \"particle_swarm\"\n";
 }
 

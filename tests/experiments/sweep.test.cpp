@@ -27,7 +27,7 @@ TEST_CASE("an entry with lists becomes one entry per combination", "[sweep]") {
   const SolverEntry& third = study.solvers[2];
   CHECK(third.family == "IK-BA");
   CHECK(third.population == 20);
-  CHECK(third.options == solvers::Settings{{"alpha", "0.97"}, {"bounds", "clamp"}});
+  CHECK(third.options == solvers::Settings{{"alpha", 0.97}, {"bounds", "clamp"}});
   CHECK(study.solvers[4].family.empty());
 }
 

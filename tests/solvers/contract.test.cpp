@@ -30,11 +30,10 @@ std::vector<Settings> corners(const SolverInfo& info) {
   Settings low, high;
   info.describe([&](const OptionList& list) {
     for (const Option& option : list.options()) {
-      for (const std::string& choice : option.choices) corners.push_back({{option.name, choice}});
-      for (const std::string& bound : option.bounds) corners.push_back({{option.name, bound}});
-      if (option.bounds.empty()) continue;
-      low[option.name] = option.bounds.front();
-      high[option.name] = option.bounds.back();
+      for (const Setting& value : option.extremes) corners.push_back({{option.name, value}});
+      if (!std::holds_alternative<double>(option.get())) continue;
+      low[option.name] = option.extremes.front();
+      high[option.name] = option.extremes.back();
     }
   });
   corners.push_back(low);
@@ -44,7 +43,7 @@ std::vector<Settings> corners(const SolverInfo& info) {
 
 std::string text(const Settings& settings) {
   std::string text;
-  for (const auto& [name, value] : settings) text += name + " = " + value + "; ";
+  for (const auto& [name, value] : settings) text += name + " = " + text_of(value) + "; ";
   return text;
 }
 
@@ -63,7 +62,7 @@ bool has_choice(const SolverInfo& info, std::string_view name, std::string_view 
   info.describe([&](const OptionList& list) {
     for (const Option& option : list.options()) {
       if (option.name != name) continue;
-      for (const std::string& each : option.choices) found = found || each == choice;
+      for (const Setting& each : option.extremes) found = found || text_of(each) == choice;
     }
   });
   return found;

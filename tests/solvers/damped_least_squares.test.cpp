@@ -9,7 +9,7 @@ TEST_CASE("a damped step is (J^T J + mu I)^-1 J^T e, and the gain ratio sets the
   task.target = {0.68, 0.70, 0};  // near (0.6, 0.4) rad
   RecordingObjective objective(task.chain, task.target);
   Random random{Key(1)};
-  const auto descent = solver("damped_least_squares").make({{"damping", "0.1"}});
+  const auto descent = solver("damped_least_squares").make({{"damping", 0.1}});
   descent->start(task.problem, objective, random);
 
   Eigen::Vector2d q = task.problem.start;
@@ -42,7 +42,7 @@ TEST_CASE("a step that makes it worse is undone, and damped by 2, 4, 8 and so on
   const Task task = planar_task(1);
   RecordingObjective objective(task.chain, std::vector<double>{0.5});  // every later candidate is worse
   Random random{Key(1)};
-  const auto descent = solver("damped_least_squares").make({{"damping", "1"}, {"bounds", "clamp"}});
+  const auto descent = solver("damped_least_squares").make({{"damping", 1.0}, {"bounds", "clamp"}});
   descent->start(task.problem, objective, random);
   const Eigen::VectorXd start = task.problem.start;
   Eigen::Matrix3Xd J(3, 2);

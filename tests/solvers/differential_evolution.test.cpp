@@ -22,7 +22,7 @@ struct Started {
 
 TEST_CASE("DE brings a joint outside back to the limit, mirrors it there, or draws it anew",
           "[differential_evolution]") {
-  const Settings wide{{"crossover", "1"}, {"weight", "2"}};
+  const Settings wide{{"crossover", 1.0}, {"weight", 2.0}};
   const std::vector<double> flat{1, 1, 1, 1};
   const auto with = [&](const std::string& bounds) {
     Settings settings = wide;

@@ -15,7 +15,7 @@ TEST_CASE("a step is (J^T J + W)^-1 J^T e with the damping of each rule, in metr
       RecordingObjective recorded(task.arm.chain, task.goal);
       Random random{Key(1)};
       const auto descent =
-          solver("levenberg_marquardt").make({{"rule", rule}, {"damping", "0.1"}, {"bounds", "initial"}});
+          solver("levenberg_marquardt").make({{"rule", rule}, {"damping", 0.1}, {"bounds", "initial"}});
       descent->start(task.problem, recorded, random);
       for (int iteration = 0; iteration < 4; ++iteration) {
         const Eigen::VectorXd q = recorded.candidates.back();
@@ -40,7 +40,7 @@ TEST_CASE("Levenberg and Marquardt's method takes a step that makes it worse, wi
   RecordingObjective objective(task.chain, std::vector<double>{0.5});  // every later candidate is worse
   Random random{Key(1)};
   const auto descent =
-      solver("levenberg_marquardt").make({{"rule", "wampler"}, {"damping", "1e-6"}, {"bounds", "clamp"}});
+      solver("levenberg_marquardt").make({{"rule", "wampler"}, {"damping", 1e-6}, {"bounds", "clamp"}});
   descent->start(task.problem, objective, random);
   for (int iteration = 0; iteration < 3; ++iteration) {
     descent->step(objective, random);
@@ -55,7 +55,7 @@ TEST_CASE("a search of Levenberg and Marquardt's method begins again at random a
   task.target = {2, 0, 0};  // out of reach
   RecordingObjective objective(task.chain, task.target);
   Random random{Key(1)}, drawn{Key(1)};
-  const auto descent = solver("levenberg_marquardt").make({{"search_iterations", "3"}});
+  const auto descent = solver("levenberg_marquardt").make({{"search_iterations", 3.0}});
   solve(*descent, task.problem, objective, random, {.iterations = 9});
   REQUIRE(objective.candidates.size() == 10);
   for (const std::size_t start : {4u, 8u}) {
@@ -66,12 +66,12 @@ TEST_CASE("a search of Levenberg and Marquardt's method begins again at random a
 
 TEST_CASE("a search of Levenberg and Marquardt's method begins again where no joint moves any more", "[lm]") {
   Task task = planar_task(1);
-  task.target = {-0.9, -0.1, 0};  // both joints go to their limits
-  for (const auto& [small_move, restarts] : {std::pair("1e-9", true), {"0", false}}) {  // 0: never
+  task.target = {-0.9, -0.1, 0};                                                      // both joints go to their limits
+  for (const auto& [small_move, restarts] : {std::pair(1e-9, true), {0.0, false}}) {  // 0: never
     Objective objective(task.chain, task.target);
     Random random{Key(1)};
     const auto descent = solver("levenberg_marquardt")
-                             .make({{"search_iterations", "1000000"}, {"small_move", small_move}, {"bounds", "clamp"}});
+                             .make({{"search_iterations", 1e6}, {"small_move", small_move}, {"bounds", "clamp"}});
     solve(*descent, task.problem, objective, random, {.iterations = 100});
     CHECK((descent->restarts() > 0) == restarts);
   }
@@ -79,8 +79,8 @@ TEST_CASE("a search of Levenberg and Marquardt's method begins again where no jo
 
 TEST_CASE("Levenberg and Marquardt's method solves most reachable poses within the limits, by each rule", "[lm]") {
   for (const Settings& settings :
-       {Settings{}, Settings{{"bounds", "clamp"}}, Settings{{"rule", "sugihara"}, {"damping", "1e-4"}},
-        Settings{{"rule", "wampler"}, {"damping", "1e-4"}}}) {
+       {Settings{}, Settings{{"bounds", "clamp"}}, Settings{{"rule", "sugihara"}, {"damping", 1e-4}},
+        Settings{{"rule", "wampler"}, {"damping", 1e-4}}}) {
     int solved = 0;
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
       const ReachablePose task("abb_irb120", seed);

@@ -132,7 +132,8 @@ TEST_CASE("a search of Newton's method begins again at random after its iteratio
   for (const int search : {0, 3}) {
     RecordingObjective objective(task.chain, task.target);
     Random random{Key(1)}, drawn{Key(1)};
-    const auto newton = solver("newton").make({{"search_iterations", std::to_string(search)}, {"small_move", "0"}});
+    const auto newton =
+        solver("newton").make({{"search_iterations", static_cast<double>(search)}, {"small_move", 0.0}});
     const Solution solution = solve(*newton, task.problem, objective, random, {.iterations = 9});
     REQUIRE(objective.candidates.size() == 10);
     for (const std::size_t start : search == 0 ? std::vector<std::size_t>{} : std::vector<std::size_t>{4, 8}) {

@@ -33,8 +33,8 @@ struct Loop {
   Vector errors;
   Best best;
 
-  double number(const char* name) const { return std::stod(settings.at(name)); }
-  bool is(const char* name, const char* value) const { return settings.at(name) == value; }
+  double number(const char* name) const { return std::get<double>(settings.at(name)); }
+  bool is(const char* name, const char* value) const { return text_of(settings.at(name)) == value; }
   double start(std::size_t j) const { return problem.start[static_cast<Eigen::Index>(j)]; }
   double lower(std::size_t j) const { return problem.lower[static_cast<Eigen::Index>(j)]; }
   double upper(std::size_t j) const { return problem.upper[static_cast<Eigen::Index>(j)]; }
@@ -360,7 +360,7 @@ void check_against(const std::string& name, void (*run)(Loop&), const std::vecto
     for (const int joints : {4, 7}) {
       for (std::uint64_t key = 0; key < keys; ++key) {
         CAPTURE(name, joints, key);
-        for (const auto& [option, value] : variant) UNSCOPED_INFO(option << " = " << value);
+        for (const auto& [option, value] : variant) UNSCOPED_INFO(option << " = " << text_of(value));
         const Task task = task_of(joints, key);
         Objective ahead(task.chain, task.target), by_itself(task.chain, task.target);
         Random random{Key(key)};
@@ -384,31 +384,31 @@ TEST_CASE("IK-BA is its pseudo-code bit for bit, one bat after another", "[one_b
   check_against("ik_bat", ik_bat,
                 {{},
                  {{"bounds", "clamp"}, {"acceptance", "loudness"}},
-                 {{"epsilon", "truncated"}, {"step_factor", "1"}, {"f_max", "0"}},
-                 {{"acceptance", "yang2020"}, {"bounds", "clamp"}, {"alpha", "0.9"}},
-                 {{"epsilon", "uniform"}, {"first_iteration", "1"}, {"seeded", "no"}},
-                 {{"spread_deg", "40"}, {"pulse", "constant"}, {"seeded", "no"}, {"bounds", "clamp"}}});
+                 {{"epsilon", "truncated"}, {"step_factor", 1.0}, {"f_max", 0.0}},
+                 {{"acceptance", "yang2020"}, {"bounds", "clamp"}, {"alpha", 0.9}},
+                 {{"epsilon", "uniform"}, {"first_iteration", 1.0}, {"seeded", "no"}},
+                 {{"spread_deg", 40.0}, {"pulse", "constant"}, {"seeded", "no"}, {"bounds", "clamp"}}});
 }
 
 TEST_CASE("BA is its pseudo-code bit for bit, one bat after another", "[one_by_one][bat]") {
   check_against("bat", bat,
                 {{},
-                 {{"bounds", "initial"}, {"pulse_rate", "0.5"}},
-                 {{"best_of", "evaluated"}, {"pulse_rate", "0.9"}, {"gamma", "0.1"}},
-                 {{"alpha", "0.99"}, {"f_max", "0.5"}, {"pulse_rate", "1"}},
+                 {{"bounds", "initial"}, {"pulse_rate", 0.5}},
+                 {{"best_of", "evaluated"}, {"pulse_rate", 0.9}, {"gamma", 0.1}},
+                 {{"alpha", 0.99}, {"f_max", 0.5}, {"pulse_rate", 1.0}},
                  {{"acceptance", "best"}, {"loudness", "own"}, {"flight", "moves"}},
-                 {{"acceptance", "best"}, {"best_of", "evaluated"}, {"pulse_rate", "0.9"}},
-                 {{"loudness", "own"}, {"pulse_rate", "0.5"}, {"alpha", "0.9"}},
-                 {{"flight", "moves"}, {"bounds", "initial"}, {"pulse_rate", "0.5"}}});
+                 {{"acceptance", "best"}, {"best_of", "evaluated"}, {"pulse_rate", 0.9}},
+                 {{"loudness", "own"}, {"pulse_rate", 0.5}, {"alpha", 0.9}},
+                 {{"flight", "moves"}, {"bounds", "initial"}, {"pulse_rate", 0.5}}});
 }
 
 TEST_CASE("BA of many bats is its pseudo-code bit for bit: the mean loudness is added up in order",
           "[one_by_one][bat]") {
   const SolverInfo info = solver("bat");
   for (const int bats : {256, 257, 513}) {
-    for (const char* alpha : {"0", "0.5", "0.99"}) {
+    for (const double alpha : {0.0, 0.5, 0.99}) {
       CAPTURE(bats, alpha);
-      const Settings variant{{"alpha", alpha}, {"step_factor", "1"}, {"pulse_rate", "0.5"}};
+      const Settings variant{{"alpha", alpha}, {"step_factor", 1.0}, {"pulse_rate", 0.5}};
       const Settings settings = info.options(variant);
       Task task = task_of(4, 1);
       task.problem.population = bats;
@@ -426,33 +426,33 @@ TEST_CASE("PSO is its pseudo-code bit for bit, one particle after another", "[on
   check_against("particle_swarm", particle_swarm,
                 {{},
                  {{"bounds", "initial"}},
-                 {{"inertia", "0.9"}, {"social", "0.3"}},
+                 {{"inertia", 0.9}, {"social", 0.3}},
                  {{"coefficients", "as_printed"}},
-                 {{"coefficients", "as_printed"}, {"inertia", "0.1"}, {"cognitive", "0.2"}, {"social", "0.3"}},
-                 {{"damping", "0.9"}, {"velocity_limit", "0.1"}},
+                 {{"coefficients", "as_printed"}, {"inertia", 0.1}, {"cognitive", 0.2}, {"social", 0.3}},
+                 {{"damping", 0.9}, {"velocity_limit", 0.1}},
                  {{"coefficients", "exchanged"}, {"random", "per_particle"}},
                  {{"best_update", "generation"}, {"random", "per_particle"}, {"bounds", "initial"}},
-                 {{"cognitive", "0"}, {"inertia", "0.7"}, {"bounds", "initial"}}});
+                 {{"cognitive", 0.0}, {"inertia", 0.7}, {"bounds", "initial"}}});
 }
 
 TEST_CASE("DE is its pseudo-code bit for bit, one trial after another", "[one_by_one][de]") {
   check_against("differential_evolution", differential_evolution,
                 {{},
-                 {{"crossover", "0.9"}, {"bounds", "initial"}},
+                 {{"crossover", 0.9}, {"bounds", "initial"}},
                  {{"replacement", "at_once"}},
                  {{"replacement", "at_once"}, {"bounds", "initial"}},
                  {{"weight_drawn", "per_joint"}},
                  {{"weight_drawn", "per_trial"}, {"replacement", "at_once"}},
-                 {{"replacement", "at_once"}, {"crossover", "0.3"}, {"weight", "0.9"}},
-                 {{"replacement", "at_once"}, {"crossover", "0"}, {"bounds", "initial"}}});
+                 {{"replacement", "at_once"}, {"crossover", 0.3}, {"weight", 0.9}},
+                 {{"replacement", "at_once"}, {"crossover", 0.0}, {"bounds", "initial"}}});
 }
 
 TEST_CASE("K-ABC is its pseudo-code bit for bit, one bee after another", "[one_by_one][k_abc]") {
   check_against("k_artificial_bee_colony", k_artificial_bee_colony,
                 {{},
-                 {{"neighbour", "random"}, {"limit", "5"}},
+                 {{"neighbour", "random"}, {"limit", 5.0}},
                  {{"colony", "half"}, {"bounds", "initial"}, {"fitness_unit", "m"}},
-                 {{"limit", "3"}, {"bounds", "initial"}},
-                 {{"best_neighbour", "random"}, {"best_source", "spared"}, {"limit", "3"}},
-                 {{"best_neighbour", "itself"}, {"limit", "3"}}});
+                 {{"limit", 3.0}, {"bounds", "initial"}},
+                 {{"best_neighbour", "random"}, {"best_source", "spared"}, {"limit", 3.0}},
+                 {{"best_neighbour", "itself"}, {"limit", 3.0}}});
 }

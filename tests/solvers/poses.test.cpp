@@ -164,7 +164,7 @@ TEST_CASE("a damped step towards a pose reduces the norm of the residual that it
   task.goal = moved(here, {0.05, -0.04, 0.03}, 0.5, Eigen::Vector3d(1, -2, 0.5).normalized());
   RecordingObjective objective(task.arm.chain, task.goal);
   Random random{Key(1)};
-  const auto descent = solver("damped_least_squares").make({{"damping", "0.1"}});
+  const auto descent = solver("damped_least_squares").make({{"damping", 0.1}});
   descent->start(task.problem, objective, random);
   Eigen::VectorXd q = objective.candidates.front();
   Objective by_hand(task.arm.chain, task.goal);

@@ -61,7 +61,7 @@ TEST_CASE("MO-PSO's mutation draws 0 of 17, 9 of 17 and fewer and fewer of 16 pa
   task.problem.iterations = 10;
   RecordingObjective objective(task.chain, task.target);
   Random random{Key(1)};
-  const Settings at_rest{{"inertia", "0"}, {"cognitive", "0"}, {"social", "0"}};  // only mutation moves a particle
+  const Settings at_rest{{"inertia", 0.0}, {"cognitive", 0.0}, {"social", 0.0}};  // only mutation moves a particle
   const auto swarm = solver("multi_objective_swarm").make(at_rest);
   swarm->start(task.problem, objective, random);
   for (std::size_t generation = 1; generation <= 12; ++generation) {
@@ -82,8 +82,7 @@ TEST_CASE("MO-PSO's velocity is used whole, kept within 5 % of the range, and tu
   const Task task = planar_task(2);
   std::vector<double> script;
   for (int i = 0; i < 42; ++i) script.push_back(0.1 + (i * 7) % 41);
-  const Settings settings{
-      {"inertia", "0.9"}, {"grid", "1"}, {"mutation", "0"}};  // one cell: all members weigh the same
+  const Settings settings{{"inertia", 0.9}, {"grid", 1.0}, {"mutation", 0.0}};  // one cell: all members weigh the same
   int limited = 0, turned = 0, dominating = 0, tossed = 0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     RecordingObjective objective(task.chain, script);
@@ -137,8 +136,8 @@ TEST_CASE("MO-PSO's velocity is used whole, kept within 5 % of the range, and tu
 TEST_CASE("MO-PSO's leaders are the non-dominated and least crowded of all it has seen", "[mo_pso]") {
   const Task task = iiwa_task(40);
   // Only the leader moves a particle: x + U (leader - x), so that the log shows each particle's leader.
-  const Settings settings{{"inertia", "0"},  {"cognitive", "0"}, {"social", "1"},
-                          {"mutation", "0"}, {"archive", "5"},   {"leader", "per_particle"}};
+  const Settings settings{{"inertia", 0.0},  {"cognitive", 0.0}, {"social", 1.0},
+                          {"mutation", 0.0}, {"archive", 5.0},   {"leader", "per_particle"}};
   RecordingObjective objective(task.chain, task.target);
   Random random{Key(6)}, replay{Key(6)};
   const auto swarm = solver("multi_objective_swarm").make(settings);
@@ -180,12 +179,12 @@ TEST_CASE("MO-PSO's roulette gives each occupied cell 10 / (its members), whoeve
   Problem problem = task.problem;
   problem.iterations = 1;
   const auto swarm = solver("multi_objective_swarm")
-                         .make({{"inertia", "0"},
-                                {"cognitive", "0"},
-                                {"social", "1"},
-                                {"mutation", "0"},
+                         .make({{"inertia", 0.0},
+                                {"cognitive", 0.0},
+                                {"social", 1.0},
+                                {"mutation", 0.0},
                                 {"leader", "per_particle"},
-                                {"grid", "3"}});
+                                {"grid", 3.0}});
   swarm->start(problem, objective, random);
   const std::vector<Point> archive = reference_archive(seen_points(objective, task.problem.start), 50);
   swarm->step(objective, random);
@@ -230,7 +229,7 @@ TEST_CASE("MO-PSO's answer is the smallest error it has seen", "[mo_pso]") {
   const Task task = iiwa_task(20);
   RecordingObjective objective(task.chain, task.target);
   Random random{Key(1)};
-  const Solution solution = solve(*solver("multi_objective_swarm").make({{"archive", "3"}}), task.problem, objective,
+  const Solution solution = solve(*solver("multi_objective_swarm").make({{"archive", 3.0}}), task.problem, objective,
                                   random, {.iterations = 50});
   CHECK(solution.best.error == *std::min_element(objective.given.begin(), objective.given.end()));
 }

@@ -10,7 +10,7 @@ TEST_CASE("newton without restarts solves the poses that KDL solves, from the mi
   constexpr int poses = 300, most_iterations = 100;
   constexpr double tolerance = 1e-5;  // [m], [rad]; KDL's of each coordinate
   const auto newton = solver("newton").make({{"restarts", "none"}});
-  const auto kdl = solver("kdl_newton").make({{"accuracy", "1e-5"}});
+  const auto kdl = solver("kdl_newton").make({{"accuracy", 1e-5}});
   for (const auto& [name, printed] : {std::pair("abb_irb120", 0.3941), std::pair("franka_panda", 0.6177)}) {
     const Robot arm = robot(name);
     const Eigen::VectorXd middle = (arm.limits.lower + arm.limits.upper) / 2;

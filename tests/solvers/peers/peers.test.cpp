@@ -79,7 +79,8 @@ TEST_CASE("a library that evaluates our objective keeps the study's number of ev
       std::vector<Settings> all(list.options().empty() ? 1 : 0);
       for (const Option& option : list.options()) {
         if (!all.empty()) break;  // the choices of the first
-        for (const std::string& choice : option.choices) all.push_back({{option.name, choice}});
+        if (std::holds_alternative<std::string>(option.get()))
+          for (const Setting& choice : option.extremes) all.push_back({{option.name, choice}});
       }
       for (const Settings& settings : all) {
         CAPTURE(info.name);
