@@ -173,7 +173,7 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
             problem = Problem(told, ask)
             q = solve(prepared, problem)
             seconds = problem.clock.seconds()
-            answer = {"message": "solved"}
+            answer = {"message": "solved", "seed": problem.seed}
             if not problem.evaluated:  # else ikbench's time is in it
                 answer["seconds"] = seconds
                 problem.extras["setup_s"] = setup

@@ -255,7 +255,8 @@ void run(const std::string& name, const std::string& options, Prepare prepare, S
       const Values q = solve(*prepared, problem);
       const double seconds = timer.seconds();
       if (!problem.has_asked) problem.extra("setup_s", setup);
-      say(R"({"message":"solved")" + (problem.has_asked ? "" : ",\"seconds\":" + json_of(seconds)) +
+      say(R"({"message":"solved","seed":)" + json_of(told["seed"].number) +
+          (problem.has_asked ? "" : ",\"seconds\":" + json_of(seconds)) +
           (problem.extras.empty() ? "" : ",\"extras\":{" + problem.extras + '}') +
           (q.empty() ? "" : ",\"q\":" + json_of(q)) + '}');
     } catch (const Declined& declined) {

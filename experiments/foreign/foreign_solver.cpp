@@ -212,8 +212,11 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
     message = exchange(*own_.child, errors_message(errors, is_over), deadline);
   }
   account_.cpu_seconds = std::max(0.0, own_.child->cpu_seconds() - cpu_before);  // 0: it ended at once
+  const std::chrono::duration<double> passed = Clock::now() - began;
   if (message.name() == "declined") throw Trouble{Trouble::Kind::declined, message.why()};
   if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
+  if (message.has("seed") && message.number("seed") != seed)
+    message.fail(fmt::format("\"seed\" {}, as this answers another solve", seed));
 
   for (const auto& [name, value] : message.extras()) {
     if (own_.extras.size() < most_extras) own_.extras.insert(name);
@@ -227,7 +230,9 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   best_.error = uncounted.error(best_.q);
   account_.claimed_error = message.number("error");
   account_.claimed_seconds = message.number("seconds");
-  if (account_.claimed_seconds < 0) message.fail("\"seconds\" from 0");
+  const double most = 1.1 * passed.count() + 1e-3;  // clocks differ, and some are coarse
+  if (account_.claimed_seconds < 0 || account_.claimed_seconds > most)
+    message.fail(fmt::format("\"seconds\" from 0 to {:.2g}, which passed", passed.count()));
   if (account_.claimed_seconds == 0) account_.claimed_seconds = std::nan("");  // no clock tells so little
   const std::int64_t steps = message.count("iterations");  // else its questions; the first is the start of the search
   account_.iterations = steps >= 0 ? steps : std::max<std::int64_t>(0, account_.iterations - 1);

@@ -28,20 +28,24 @@ alone=$(column plain/store.sqlite position_error_cm DLS)
 # Each fault is a status of its own solves, and changes nothing of the others'.
 runs faults "$(entry good fine)" "$(entry hangs hangs "" 2)" "$(entry dies dies)" "$(entry noise noise)" "$(entry lies lies)" \
   "$(entry nonsense nonsense)" "$(entry declines declines)" "$(entry deep deep)" "$(entry json "not JSON")" "$(entry twice twice)" \
-  "$(entry eats eats "memory_mb = 400")" "$(entry names "new names")" "$(entry null "no extras")"
+  "$(entry eats eats "memory_mb = 400")" "$(entry names "new names")" "$(entry null "no extras")" \
+  "$(entry years "takes years")" "$(entry again "late twice")"
 has "$err" "no more"                          # the last words of what died
 has "$err" '"q", a list of 7 numbers'         # what was expected of what made no sense
 has "$err" "a number that is not finite is null"
 has "$(tr -s '\n ' ' ' <.err)" 'at most 50 names of "extras" in all'
 has "$err" "its last words: MemoryError"
+has "$err" '"seconds" from 0 to '
+has "$err" "this answers another solve"
 store=faults/store.sqlite
 for label in good noise null; do is faults $label "$any"; done
 is faults hangs ".*1 timed_out"
 is faults dies "1 crashed $any"
 is faults eats "[12] crashed $any"
 is faults lies "16 claimed_but_wrong"
-for label in nonsense deep json twice names; do is faults $label ".*[0-9]+ broke_protocol.*"; done
+for label in nonsense deep json twice again names; do is faults $label ".*[0-9]+ broke_protocol.*"; done
 is faults declines "16 declined"
+is faults years "16 broke_protocol"
 equal "errors beside noise" "$(column $store position_error_cm noise)" "$(column $store position_error_cm good)"
 equal "counted by" "$(column $store counted_by good | counted)" "16 nobody"
 equal "evaluations that nobody counted" "$(column $store evaluations good | tr -d '\n')" ""
@@ -49,7 +53,7 @@ equal "evaluations that nobody counted" "$(column $store evaluations good | tr -
 equal "moves of solves without an answer" "$(sqlite3 $store "SELECT count(*) FROM solves WHERE
   status IN ('crashed', 'timed_out', 'broke_protocol', 'declined') AND start_rad <> answer_rad")" 0
 succeeds run faults.toml --figures none --out faults --json
-equal "solves of a second run" "$(solves $store)" 224
+equal "solves of a second run" "$(solves $store)" 256
 json 'any("lies" in doubt and "claimed" in doubt for doubt in of["doubts"])'
 ends 3 compare good declines --store $store --json
 json '"answered" in of["worse"]["declines"]'

@@ -30,7 +30,7 @@ def solve(problem):
                 if found < error: q, error = other, found
         step *= 0.8
     if FAULT == "late": time.sleep(2 * problem["budget"]["seconds"])
-    counted = {"boasts": {"evaluations": 1}, "spends": {"evaluations": 1000}, "no extras": {"extras": None},
+    counted = {"boasts": {"evaluations": 1}, "spends": {"evaluations": 1000}, "takes years": {"seconds": 1e8}, "no extras": {"extras": None},
                "new names": {"extras": {f"{solves}.{i}": i for i in range(10)}}}.get(FAULT, {})
     if FAULT == "eats" and solves == 11: bytearray(10**9)
     if FAULT == "asks once": ask([q])
@@ -41,7 +41,7 @@ def solve(problem):
     if FAULT == "several":
         far = [x + 0.3 for x in q]
         return say(message="solved", answers=[[9] * len(q), far, q, problem["start"]], extras={"restarts": 3, "nothing": None})
-    say(message="solved", q=q, error=error + (0.01 if FAULT == "lies" else 0), **counted)
+    say(message="solved", seed=problem["seed"], q=q, error=error + (0.01 if FAULT == "lies" else 0), **counted)
 
 say(message="hello", ikbench=2, name="faulty", version="1", options=[
     {"name": "w", "type": "number", "default": 0.5, "low": 0, "high": 1, "meaning": "nothing"}])
@@ -68,3 +68,4 @@ for line in sys.stdin:
         elif FAULT == "not JSON" and solves == 10: print('{"message":"solved","q":[NaN]}', flush=True)
         else: solve(told)
         if FAULT == "twice": time.sleep(0.02), solve(told)
+        if FAULT == "late twice" and solves == 10: time.sleep(0.2), solve(told)
