@@ -30,7 +30,7 @@ CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range) {
 }
 
 CLI::Validator not_empty() {
-  return {[](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, ""};
+  return {[](const std::string& text) { return text.empty() ? "it is empty" : ""; }, ""};
 }
 
 void add_json_option(CLI::App& command, bool& is_json) {

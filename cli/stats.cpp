@@ -117,15 +117,17 @@ void add_stats(CLI::App& app, Invocation& invocation) {
   add_several("--block", csv.block,
               "column of targets that all groups had, or several: compares within them; row: each row is one");
   add("--run", csv.run,
-      "column of runs: averages the rows of a run (within a block), which are no repetitions; row: each row is one");
+      "column of runs: averages the rows of a run (within a block), which are no repetitions; row: each row is one")
+      ->check(not_empty());
   add_several("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
   add_several("--better", csv.better, "smaller or larger is better; COLUMN=larger: of this column [smaller]");
   command->add_flag("--summaries", csv.are_summaries,
                     "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
   add("--decimal", arguments->decimal, "mark in numbers [found]")->check(CLI::IsMember({".", ","}));
   add("--test", arguments->test, "of ranks or means [ranks]")->check(CLI::IsMember({"ranks", "means"}));
-  add("--control", arguments->plan.control, "compares with this group alone");
-  add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]");
+  add("--control", arguments->plan.control, "compares with this group alone")->check(not_empty());
+  add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]")
+      ->check(not_empty());
   add("--significance", arguments->plan.significance, "of all pairs together [0.05]")->check(number_in({0.0001, 0.2}));
   auto* const out = add("--out", arguments->out, "folder for a report")->check(not_empty());
   add_report_options(*command, arguments->report);

@@ -104,7 +104,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
 // Of one of the titles. Asks where the values are shares.
 Better better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles,
                  const std::string& title, bool are_shares) {
-  std::string_view said;
+  std::string_view said, of_all;
   for (const std::string_view option : request.better) {
     const std::size_t equals = option.rfind('=');
     const bool is_of_all = equals == std::string_view::npos;
@@ -114,8 +114,13 @@ Better better_of(const Sheet& sheet, const Request& request, const std::vector<s
     if (!is_of_all && std::ranges::count(titles, column) == 0)
       sheet.refuse(
           fmt::format("--better {}: {}", in_quotes(option), base::unknown_name("column of values", column, titles)));
-    if (is_of_all ? said.empty() : column == title) said = way;
+    if (!is_of_all && column != title) continue;
+    std::string_view& before = is_of_all ? of_all : said;
+    if (!before.empty() && before != way)
+      sheet.refuse(fmt::format("--better {} contradicts an earlier --better; expected one of them", in_quotes(option)));
+    before = way;
   }
+  if (said.empty()) said = of_all;
   if (said.empty() && are_shares)
     throw Question(sheet.said(fmt::format("all values of {} are 0 or 1; say which is better", in_quotes(title))),
                    {{"--better", title + "=larger"}, {"--better", title + "=smaller"}});

@@ -61,6 +61,7 @@ while read -r command; do eval "$command" >.out || fail "$command: exit code $?"
 printf 'id,solver,solved\n' >index.csv
 for id in $(seq 9); do printf '%d,A,1\n%d,B,0\n' $id $((id + 9)); done | sort -n >>index.csv
 refused "--better solved=larger" stats index.csv
+for option in run control margin; do refused "--$option: it is empty" stats comma.csv --$option ''; done
 succeeds stats index.csv --better larger
 has "$out" "'id' counts rows and is left out"
 

@@ -187,6 +187,8 @@ TEST_CASE("which way is better is said, or asked for where it is open") {
   CHECK(observations(rates).better == Better::smaller);  // as the line below the table says
   CHECK(contains(said_of(rates, {.better = {"rate=larger"}}), "success_rate"));
   CHECK(contains(said_of(rates, {.better = {"bigger"}}), "expected smaller"));
+  for (const std::string column : {"", "success_rate="})
+    CHECK(contains(said_of(rates, {.better = {column + "smaller", column + "larger"}}), "contradicts"));
 }
 
 TEST_CASE("values of 0 are what they are, and differences are compared") {
