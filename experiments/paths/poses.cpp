@@ -110,6 +110,7 @@ class PoseColumns {
   Sheet& sheet_;
   std::vector<ColumnName> names_;
   Group position_, quaternion_, rpy_, matrix_;
+  Group not_matrix_;  // row and first column of as many numbers as a matrix has, which are none
 
   double number(std::size_t row, std::size_t column) {
     const double value = sheet_.number(row, column);
@@ -167,11 +168,14 @@ class PoseColumns {
     for (std::size_t column = first; column < names_.size(); ++column) {
       if (!sheet_.has_numbers(column)) return false;
     }
-    return std::ranges::all_of(sheet_.rows(), [&](auto row) {
+    const auto other = std::ranges::find_if_not(sheet_.rows(), [&](auto row) {
       const Eigen::Matrix4d T = matrix_in(row, first);
       const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
       return R.isUnitary(0.01) && R.determinant() > 0 && T.row(3) == Eigen::RowVector4d(0, 0, 0, 1);
     });
+    if (other == sheet_.rows().end()) return true;
+    not_matrix_ = {*other, first};
+    return false;
   }
 
   // As times and numbers of rows do, and names of frames, which are one.
@@ -216,6 +220,11 @@ class PoseColumns {
 
   // Of the other columns, those before the pose may be a time, a number and the name of a frame.
   void refuse_others() {
+    if (position_.empty() && !not_matrix_.empty())
+      sheet_.refuse(
+          not_matrix_[0], not_matrix_[1],
+          "begins a matrix that is no pose; expected the rows of a rotation, each with its part of the position "
+          "behind it, then 0 0 0 1 or nothing");
     bool is_before = !position_.empty();
     int numbers = 0;
     for (std::size_t column = 0; column < names_.size(); ++column) {
