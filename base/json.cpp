@@ -1,5 +1,9 @@
 #include "base/json.hpp"
 
+#include <cmath>
+
+#include "base/number.hpp"
+
 namespace ikbench::base {
 
 namespace {
@@ -29,6 +33,10 @@ Value parsed(std::string_view text) {
 Json parsed_json(std::string_view text) { return parsed<Json>(text); }
 
 OrderedJson parsed_ordered_json(std::string_view text) { return parsed<OrderedJson>(text); }
+
+OrderedJson json_of(double value) {
+  return std::isfinite(value) ? OrderedJson(value) : std::isnan(value) ? OrderedJson() : OrderedJson(text_of(value));
+}
 
 std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);

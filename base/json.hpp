@@ -15,6 +15,9 @@ constexpr int deepest_json = 100;  // levels; copies of deeper values would over
 Json parsed_json(std::string_view text);
 OrderedJson parsed_ordered_json(std::string_view text);
 
+// What results say of a number: null of NaN, and the text Inf or -Inf, since JSON has no such numbers.
+OrderedJson json_of(double value);
+
 // Writes one line, or a member a line with `indent` spaces a level. Replaces bytes that are not UTF-8 by U+FFFD. What
 // keeps its order is for others, so it is ASCII with escapes.
 std::string text_of(const Json& json, int indent = -1);

@@ -253,6 +253,11 @@ std::optional<Open::Why> why_not(const Method& method, const Group& a, const Gro
       first = std::min(Open::Why::infinite, first.value_or(Open::Why::infinite));
     if (const Untold* const its = untold(*group)) first = std::min(its->why, first.value_or(its->why));
   }
+  const auto has_none = [](const Group& group) {  // no answer at all
+    const std::span values = values_of(group);
+    return !values.empty() && std::ranges::all_of(values, [](double value) { return std::isinf(value); });
+  };
+  if (!first && has_none(a) && has_none(b)) return Open::Why::none;
   return first;
 }
 

@@ -657,11 +657,11 @@ base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
                              "n", "n_that_could_decide", "verdict", "size", "reason"})
     json[member] = nullptr;
   if (const Amount* const amount = amount_of(finding)) {
-    json["estimate"] = amount->value;
+    json["estimate"] = base::json_of(amount->value);
     json["unit"] = unit_of(finding, judged);
     if (const auto& ends = amount->interval) {
-      json["low"] = ends->low;
-      json["high"] = ends->high;
+      json["low"] = base::json_of(ends->low);
+      json["high"] = base::json_of(ends->high);
       if (ends->excludes_low || ends->excludes_high) json["excluded"] = ends->excludes_low ? "low" : "high";
     }
   }

@@ -153,31 +153,30 @@ constexpr std::string_view times = "times", mark = "mark";  // have no unit
 
 // The members of a cell in files of numbers, with the words that follow the name of its column.
 std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const Cell& cell) {
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
   const auto* const printed = std::get_if<Printed>(&cell);
   const auto* const marked = std::get_if<Marked>(&cell);
   const auto* const interval = std::get_if<judge::Interval>(&cell);
   const auto* const spread = interval ? interval : marked && marked->interval ? &*marked->interval : nullptr;
   const auto to_reference = [&](judge::Scale scale) {
-    return marked && marked->to_reference == scale ? number(marked->value) : Json();
+    return marked && marked->to_reference == scale ? base::json_of(marked->value) : Json();
   };
   Json value;
   if (const auto* text = std::get_if<std::string>(&cell)) value = *text;
   if (const auto* judgement = std::get_if<Judgement>(&cell)) value = judgement->words;
   if (const auto* count = std::get_if<std::int64_t>(&cell)) value = *count;
-  if (const auto* plain = std::get_if<double>(&cell)) value = number(*plain);
-  if (printed) value = number(printed->ours);
-  if (marked && !marked->to_reference) value = number(marked->value);
+  if (const auto* plain = std::get_if<double>(&cell)) value = base::json_of(*plain);
+  if (printed) value = base::json_of(printed->ours);
+  if (marked && !marked->to_reference) value = base::json_of(marked->value);
   std::vector<std::pair<std::string_view, Json>> all;
   if (!kinds.intervals) all.emplace_back("", value);
   if (kinds.printed) all.emplace_back("printed", printed ? Json(printed->printed) : Json());
   if (kinds.ratios) all.emplace_back(times, to_reference(judge::Scale::ratio));
   if (kinds.differences) all.emplace_back("difference", to_reference(judge::Scale::difference));
   if (kinds.intervals || kinds.spreads) {
-    all.emplace_back("low", spread ? number(spread->low) : Json());
-    all.emplace_back("high", spread ? number(spread->high) : Json());
+    all.emplace_back("low", spread ? base::json_of(spread->low) : Json());
+    all.emplace_back("high", spread ? base::json_of(spread->high) : Json());
   }
-  if (kinds.deviations) all.emplace_back("sd", marked && marked->sd ? number(*marked->sd) : Json());
+  if (kinds.deviations) all.emplace_back("sd", marked && marked->sd ? base::json_of(*marked->sd) : Json());
   if (kinds.excluded)
     all.emplace_back("excluded", !excludes_end(cell) ? Json() : interval->excludes_low ? "low" : "high");
   if (kinds.marks) all.emplace_back(mark, marked && !marked->mark.empty() ? Json(marked->mark) : Json());

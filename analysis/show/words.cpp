@@ -485,7 +485,7 @@ ReasonWords words_of(Open::Why why) {
        {"infinite", "infinite values have no mean", "infinite values have no mean"},
        {"apart", "not comparable", "not comparable (!)"},
        {"no_spread", "one has no spread", "not comparable (!)"},
-       {"none", "one solved nothing", "nothing was solved"},
+       {"none", "one or both solved nothing", "nothing was solved"},
        {"too_few", "no values", "too few to compare"},
        {"few_decide", "few values decide the mean", "too few to compare"}}};
   return all[static_cast<std::size_t>(why)];

@@ -42,6 +42,11 @@ TEST_CASE("a table of numbers has every digit, and any label as it is", "[show]"
   CHECK(json[0]["high"] == 2.0);
   CHECK(json[1]["error_printed"] == "0.0000");
   CHECK(json[1]["low"].is_null());
+
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const Table ends{.columns = {{"a"}, {"b"}, {"c"}}, .rows = {{-infinite, infinite, std::nan("")}}};
+  CHECK(to_json(ends).dump() == R"([{"a":"-Inf","b":"Inf","c":null}])");
+  CHECK(to_csv(ends) == "a,b,c\n-Inf,Inf,\n");
 }
 
 TEST_CASE("an end that an interval excludes says so in every format, and none is rounded onto what decides", "[show]") {
