@@ -101,6 +101,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     std::filesystem::path folder = folder_for(study.name, arguments->run.out);
     if (arguments->run.out.empty() && is_part)
       folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
+    if (!arguments->without_report && !is_part) show::refuse_others(folder);
     const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
     const StoredStudy stored = stored_study(study);
     const std::string solved =

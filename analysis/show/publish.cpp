@@ -30,21 +30,23 @@ bool is_own(const fs::path& folder, std::string_view name) {
   return folder == "figures" && (name == "style" || std::ranges::any_of(all_figures(), is_of_kind));
 }
 
-// Of what the report of a folder says that it has written what a report may have written.
+// What the report of a folder says that it has written.
 std::vector<std::string> files_of_earlier(const fs::path& folder) {
   const auto text = base::read_file(folder / own_files[2]);
   const Json json = text ? base::parsed_ordered_json(*text) : Json();
   std::vector<std::string> files;
   if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) return files;
   for (const Json& entry : json["files"]) {
-    if (!entry.is_string()) continue;
-    const fs::path file(entry.get<std::string>());
-    const std::string stem = file.stem();
-    const std::string_view name(stem.data(), stem.find_last_not_of("0123456789") + 1);
-    if (is_own(file.parent_path(), name) && std::ranges::count(types_of_files, file.extension().string()) > 0)
-      files.push_back(file);
+    if (entry.is_string()) files.push_back(entry);
   }
   return files;
+}
+
+// Whether a report can have written it, in a folder of its own.
+bool may_be_of_report(const fs::path& file) {
+  const std::string stem = file.stem();
+  const std::string_view name(stem.data(), stem.find_last_not_of("0123456789") + 1);
+  return is_own(file.parent_path(), name) && std::ranges::count(types_of_files, file.extension().string()) > 0;
 }
 
 // Files of these figures. Throws std::system_error where it cannot be told whether one is there.
@@ -98,11 +100,24 @@ void write_table(const Table& table, const Table& article, const fs::path& folde
   base::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
 }
 
+void refuse_others(const fs::path& folder) {
+  const std::vector<std::string> earlier = files_of_earlier(folder);
+  for (const char* name : {own_files[0], own_files[1], own_files[2]}) {  // solves are there before the list
+    std::error_code none;
+    if (std::ranges::count(earlier, name) == 0 &&
+        fs::symlink_status(folder / name, none).type() == fs::file_type::regular)
+      throw std::invalid_argument(fmt::format("'{}' is of no report of ikbench; remove it, or choose another folder",
+                                              (folder / name).string()));
+  }
+}
+
 Written publish(const Report& report, const fs::path& folder, const figures::RenderOptions& options,
                 const std::string& program) {
   base::refuse_links(folder);
   for (const char* name : own_files) base::refuse_input(folder / name);
-  const std::vector<std::string> earlier = files_of_earlier(folder);
+  refuse_others(folder);
+  std::vector<std::string> earlier = files_of_earlier(folder);
+  std::erase_if(earlier, [](const std::string& file) { return !may_be_of_report(file); });
   for (const std::string& file : earlier) base::refuse_input(folder / file);
   std::vector<Blocks> sections = sections_of(report);
   const std::vector<Table*> tables = all_in<Table>(sections);

@@ -61,6 +61,8 @@ struct Written {
   std::vector<std::string> files;     // all, from the folder
   std::vector<std::string> warnings;  // figures that were not drawn
 };
+// Throws std::invalid_argument if the folder has a file of their names that no report wrote, as its results.json says.
+void refuse_others(const std::filesystem::path& folder);
 // Writes report.html, report.md, results.json, tables/ and figures/ beside the study's solves.csv, which whoever reads
 // its solves has written (results/export.hpp); removes what an earlier report wrote, and this one does not. `program`
 // made it, with its version. Throws std::invalid_argument if the folder cannot be written.

@@ -75,6 +75,11 @@ grep -q '^A & .*1.3.* & 11.3 ' names/tables/results.tex || fail "no numbers: $(c
 mkdir in && cp comma.csv in/report.md
 refused "in/report.md" stats in/report.md --out in
 cmp comma.csv in/report.md || fail "an input was replaced"
+# Nor is a file that nobody but the user can have written replaced; of a study before it is solved.
+mkdir notes && echo mine >notes/report.md
+refused "notes/report.md" stats comma.csv --out notes
+refused "notes/report.md" run slim2023 "${small[@]}" --out notes
+equal "files beside notes" "$(ls notes; cat notes/report.md)" $'report.md\nmine'
 # An export of ours is for its report.
 succeeds run slim2023 "${small[@]}" --set runs=4 --no-report --out mine
 "$program" export mine/store.sqlite >solves.csv

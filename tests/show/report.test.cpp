@@ -232,7 +232,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   CHECK(text.find("<script>") == std::string::npos);
 }
 
-TEST_CASE("only files that a report can have written are removed", "[show]") {
+TEST_CASE("only files that a report has written are replaced or removed", "[show]") {
   const ScratchFolder folder;
   for (const char* name : {"table-8.csv", "mine.csv", "results.xlsx"})
     base::write_file(folder.path / "out" / "tables" / name, "");
@@ -240,13 +240,18 @@ TEST_CASE("only files that a report can have written are removed", "[show]") {
   base::write_file(folder.path / "precious", "");
   base::write_file(
       folder.path / "out" / "results.json",
-      R"({"files": ["tables/table-8.csv", "tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious",
+      R"({"files": ["results.json", "tables/table-8.csv", "tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious",
                                      "tables/../../precious", 7]})");
   publish(report_of(), folder.path / "out", {.render = false});
   CHECK_FALSE(fs::exists(folder.path / "out" / "tables" / "table-8.csv"));
   for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite"})
     CHECK(fs::exists(folder.path / "out" / file));
   CHECK(fs::exists(folder.path / "precious"));
+  for (const char* name : {"report.html", "report.md", "results.json"}) {
+    base::write_file(folder.path / name / name, "not ours");
+    CHECK_THROWS_WITH(publish(report_of(), folder.path / name, {.render = false}), ContainsSubstring(name));
+    CHECK(*base::read_file(folder.path / name / name) == "not ours");
+  }
 }
 
 TEST_CASE("a report of three solvers is short", "[show]") {
