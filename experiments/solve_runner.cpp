@@ -202,8 +202,10 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
     verified = verify(arm_, target, start, answer, turns_freely, study_.motion_joints);
   }
   constexpr int one_in = 10;  // solves of a program is asked twice
-  if (conversations_ && !is_without_answer(status) && (run + point) % one_in == 0)
-    conversations_->note_repeat(same_bits(timed(solver, target, start, run, point).answer, median.answer));
+  if (conversations_ && !is_without_answer(status) && (run + point) % one_in == 0) {
+    const Timed again = timed(solver, target, start, run, point);
+    if (!again.account->failure) conversations_->note_repeat(same_bits(again.answer, median.answer));
+  }
   const Account* const account = median.account ? &*median.account : nullptr;
   SolveRecord record{
       .study = study_.name,

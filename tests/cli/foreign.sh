@@ -139,10 +139,13 @@ for wrong in "option w|options = { w = 2 }" 'missing.py|files = ["missing.py"]';
 done
 
 # Some solves are asked twice, and it is told who answers otherwise then.
-study forgets "$(entry good fine)" "$(printf '[[solvers]]\nlabel = "other"\nprocess = ["env", "FAULT=remembers", "python3", "planted.py"]\n')"
+study forgets "$(entry good fine)" "$(printf '[[solvers]]\nlabel = "other"\nprocess = ["env", "FAULT=remembers", "python3", "planted.py"]\n
+[[solvers]]\nlabel = "gone"\nprocess = ["env", "FAULT=dies-again", "python3", "planted.py"]\n')"
 succeeds run forgets.toml --no-report --out forgets
 has "$err" "other: it answers otherwise when it is asked again, 1 of 1 times"
 has_no "$err" "good: it answers"
+has "$err" "gone: last failure: crashed"
+has_no "$err" "gone: it answers"
 
 # Of several answers the nearest one inside the limits counts. They are counted, as a program's own numbers are kept.
 study several "$(entry several several)" "$(entry text "a text")"

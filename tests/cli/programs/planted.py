@@ -15,13 +15,15 @@ def position(q):  # from the tip to the base
     return x, y, z
 
 def answer(problem):
-    global solves
+    global solves, last
     solves += 1
     target, draw, began = problem["target"]["position"], random.Random(problem["seed"]), time.monotonic()
     timed = problem["budget"]["seconds"] > 0
     if "hangs" == FAULT and target[0] > 5: time.sleep(1000)
     if "late" == FAULT and timed: time.sleep(0.1)
     best = list(problem["start"])
+    if "dies-again" == FAULT and solves > 5 and target == last: os._exit(3)  # behind the warm-ups
+    last = target
     if "remembers" == FAULT: best[0] += 1e-6 * solves
     if "of-process" == FAULT: best[0] += 1e-9 * os.getpid()
     error = math.dist(position(best), target)
@@ -36,7 +38,7 @@ def answer(problem):
     if "null" == FAULT: return {"q": None, "error": claim}
     return {"q": [None if x != x else x for x in best], "error": claim}
 
-solves = 0
+solves, last = 0, None
 if "silent" == FAULT: sys.exit(3)
 say(message="hello", ikbench=2, name="planted", version="1", options=[
     {"name": "w", "type": "number", "default": 3 if "option" == FAULT else 0.5, "low": 0, "high": 1, "meaning": "nothing"}])
