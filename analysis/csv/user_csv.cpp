@@ -206,10 +206,24 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
 }
 
 // Refuses a row that is the first of each group, or one of the last, or so in each unit of a group, and has a statistic
-// of the others there, or of ranks or wins of the groups, where each row has a value of all.
+// of the others there, or of ranks or wins of the groups, where each row has a value of all; and a group of one row, at
+// an end of the file, that has one of all others.
 void refuse_totals(Sheet& sheet, const Layout& layout, const Columns& columns, const Items& items) {
   constexpr std::size_t most_values = 100'000, fewest = 3;  // nobody adds such rows to more
   if (items.groups.size() < 2 || items.values.size() > most_values) return;
+  for (const Index row : {sheet.rows().front(), sheet.rows().back()}) {  // a group of one row, at an end
+    const auto its = std::ranges::find(items.values, row, &Value::row);
+    if (!layout.label || its == items.values.end() || items.values.size() <= fewest * (items.groups.size() - 1) ||
+        std::ranges::count(items.values, its->group, &Value::group) > 1)
+      continue;
+    std::vector<Printed> list;
+    for (const Value& item : items.values)
+      if (item.row != row) list.push_back(printed(sheet, item.row, columns.front()));
+    list.push_back(printed(sheet, row, columns.front()));
+    constexpr double tried = 0.3;  // its name makes a sum likely
+    if (are_computed({list}, tried))
+      sheet.refuse(row, columns.front(), "sums up all others, and has a name of its own; leave it out of the file");
+  }
   for (const bool by_unit : {false, true}) {
     std::vector<Lists> kinds(1);  // values, then from either end their ranks and who is first
     std::vector<std::vector<Value>> rows;

@@ -607,6 +607,14 @@ TEST_CASE("last rows with statistics of those above are refused") {
   CHECK(said_of(whole, blocks).empty());
   CHECK(
       contains(said_of(rows + "rank,1.43,1.91\n", blocks), "data.csv:14:1"));  // of more solvers or runs than there are
+  // A sum as a group of its own, of one row.
+  std::string named = "solver,error\n";
+  for (const char* row : {"a,1.035", "b,1.361", "a,1.002", "b,1.540", "a,0.919", "b,1.357", "a,0.979", "b,1.350"})
+    named += fmt::format("{}\n", row);
+  for (const char* last : {"x,1.193", "x,1.193\n", "x,9.543", "x,1.540"})
+    CHECK(contains(said_of(named + last), "data.csv:10:2"));
+  CHECK(contains(said_of("solver,error\nx,1.193" + named.substr(12)), "data.csv:2:2"));
+  for (const char* other : {"x,1.201", "x,1.193\nx,1.201", "x,1.193\na,1.001"}) CHECK(said_of(named + other).empty());
   // Small counts and infinite values are data, whatever they add up to.
   CHECK(said_of("judge,A,B\n1,2,5\n2,4,4\n3,2,3\n4,3,1\n5,4,3\n6,3,3.2\n", {.values = {"A", "B"}, .block = {"judge"}})
             .empty());
