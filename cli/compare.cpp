@@ -177,20 +177,18 @@ show::Answer answer_of(const Gate& gate) {
 // "mine: these 100 targets show a loss of 14 points or more; 5 points take 700", of one label without its name. Of
 // solves that are the same nothing is left to show.
 std::string sights_of(const std::vector<Gate>& all) {
-  std::vector<std::string> shown, labels;
+  show::ByWord shown;
   for (const Gate& gate : all) {
     if (!gate.sight || gate.are_same) continue;
     const auto& [smallest, n, of_margin] = *gate.sight;
-    shown.push_back(fmt::format(
-        "these {} show a loss of {:.2g} points or more{}", base::counted(n, answer_of(gate).noun),
-        std::ceil(100 * smallest),
-        of_margin > n ? fmt::format("; {:.2g} points take {}", 100 * gate.judged.metrics.front().plan.margin, of_margin)
-                      : ""));
-    labels.push_back(gate.label);
+    shown.add(fmt::format("these {} show a loss of {:.2g} points or more{}", base::counted(n, answer_of(gate).noun),
+                          std::ceil(100 * smallest),
+                          of_margin > n ? fmt::format("; {:.2g} points take {}",
+                                                      100 * gate.judged.metrics.front().plan.margin, of_margin)
+                                        : ""),
+              gate.label);
   }
-  std::string text;
-  for (const auto& [what, who] : show::by_word(shown, labels))
-    text += fmt::format("{}{}{}.", text.empty() ? "" : " ", all.size() == 1 ? "" : who + ": ", what);
+  std::string text = fmt::format("{}", fmt::join(shown.told(all.size() == 1 ? "{0}." : "{1}: {0}."), " "));
   if (all.size() == 1 && !text.empty()) text.front() = 'T';
   return text;
 }

@@ -129,16 +129,14 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
                                                        : has_arms  ? std::vector<figures::Figure>()
                                                                    : figures::of_study(all.front(), look));
   const std::vector<judge::Doubt> own = reported.answer.all_doubts();
-  std::vector<std::string> doubts, whose;
+  show::ByWord doubts;
   for (const judge::JudgedStudy& companion : repeated.studies.subspan(1)) {
     for (const judge::Doubt& doubt : show::answer_of(companion).all_doubts()) {
       if (std::ranges::count(own, words_of(doubt), [](const auto& each) { return words_of(each); }) > 0) continue;
-      doubts.push_back(words_of(doubt));
-      whose.push_back(companion.study.name);
+      doubts.add(words_of(doubt), companion.study.name);
     }
   }
-  for (const auto& [doubt, names] : show::by_word(doubts, whose))
-    reported.warnings.push_back(fmt::format("{}: {}.", names, doubt));
+  reported.warnings = doubts.told("{1}: {0}.");
   std::vector<figures::Figure> of_circle;
   std::vector<std::string> sentences;
   if (is_slim2023) {

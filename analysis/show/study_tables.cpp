@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -154,9 +155,8 @@ Table results_table(const Answer& answer) {
   bool has_numbers = false, has_averages = false, has_quartiles = false, has_shares = false, has_words = false,
        has_sd = false;
   std::set<std::string> kinds, marks;
-  std::vector<std::string> reasons, without;  // of "-", and the metric that has it
-  std::vector<std::string> counts, counted;   // what numbers are of that each solver has for itself, and the metric
-  std::vector<std::string> ratios, own;       // metrics of ratios to the reference, and those where some have none
+  ByWord reasons, counts;                // metrics by why they have a "-"; by what each solver's own numbers are of
+  std::vector<std::string> ratios, own;  // metrics of ratios to the reference, and those where some have none
   for (const JudgedMetric& judged : answer.metrics) {
     const Observations& observed = judged.observations;
     const bool is_average = &judged == &decisive && !is_share(judged) && !observed.is_of_solved && !observed.are_logs;
@@ -186,7 +186,7 @@ Table results_table(const Answer& answer) {
     }
     if (are_ratios_here) ratios.push_back(observed.quantity);
     if (has_own) own.push_back(observed.quantity);
-    for (const std::string& reason : here) reasons.push_back(reason), without.push_back(observed.quantity);
+    for (const std::string& reason : here) reasons.add(reason, observed.quantity);
     if (!are_counted) continue;
     std::vector<std::string> solved;
     for (const std::size_t i : answer.order) {
@@ -194,8 +194,8 @@ Table results_table(const Answer& answer) {
       const std::size_t place = place_of(observed, solver);
       if (place < judged.described.size()) solved.push_back(fmt::format("{} {}", solver, judged.described[place].n));
     }
-    counts.push_back(fmt::format("{}s of the {} that each solved ({})", average, answer.noun, listed(solved, ", ")));
-    counted.push_back(observed.quantity);
+    counts.add(fmt::format("{}s of the {} that each solved ({})", average, answer.noun, listed(solved, ", ")),
+               observed.quantity);
   }
   std::string key = !has_averages ? "" : are_means ? "Means" : "Medians";
   if (has_quartiles) key += " (quartiles)";
@@ -235,12 +235,10 @@ Table results_table(const Answer& answer) {
   if (has_shares)
     sentences.push_back(fmt::format("Brackets{}: {:.3g} % intervals", has_quartiles ? " of shares" : "",
                                     100 * (1 - decisive.plan.significance)));
-  std::vector<std::string> dashes;
-  for (const auto& [reason, where] : by_word(reasons, without)) dashes.push_back(fmt::format("{} ({})", reason, where));
-  if (!dashes.empty()) sentences.push_back(fmt::format("-: {}", fmt::join(dashes, "; ")));
+  if (!reasons.all.empty()) sentences.push_back(fmt::format("-: {}", fmt::join(reasons.told("{} ({})"), "; ")));
   std::erase(sentences, "");
   if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
-  for (const auto& [what, where] : by_word(counts, counted)) table.notes.push_back(fmt::format("{}: {}.", where, what));
+  std::ranges::move(counts.told("{1}: {0}."), std::back_inserter(table.notes));
   table.notes.insert(table.notes.end(), answer.notes.begin(), answer.notes.end());
   return table;
 }
@@ -253,14 +251,14 @@ Table warned_results(const Answer& answer) {
 
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
   Table table{.name = "studies", .columns = {{"solver"}}, .is_of_study = false};
-  std::vector<std::string> quantities, references, referring, shown, told;
+  ByWord quantities, references;  // studies by them
   std::set<std::string> all_marks, levels;
   for (std::size_t s = 0; s < studies.size(); ++s) {
     const Table of_study = results_table(studies[s]);
     levels.insert(fmt::format("{:.3g}", 100 * (1 - studies[s].decisive().plan.significance)));
     std::set<std::string> marks;
     table.columns.push_back({.name = names[s], .unit = of_study.columns[1].unit});
-    quantities.push_back(of_study.columns[1].name);
+    quantities.add(of_study.columns[1].name, names[s]);
     for (const std::vector<Cell>& of_solver : of_study.rows) {
       const auto name_of = [](const std::vector<Cell>& cells) { return std::get<std::string>(cells[0]); };
       auto row = std::ranges::find(table.rows, name_of(of_solver), name_of);
@@ -269,11 +267,10 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
       row->push_back(of_solver[1]);
       if (const auto* const marked = std::get_if<Marked>(&of_solver[1])) marks.insert(marked->mark);
     }
-    if (marks.contains(star) || marks.contains(plus)) {
-      referring.push_back(names[s]);
-      references.push_back((studies[s].decisive().plan.control.empty() ? "" : "the control ") +
-                           of_whom(studies[s], reference_of(studies[s])));
-    }
+    if (marks.contains(star) || marks.contains(plus))
+      references.add((studies[s].decisive().plan.control.empty() ? "" : "the control ") +
+                         of_whom(studies[s], reference_of(studies[s])),
+                     names[s]);
     all_marks.merge(marks);
   }
   std::set<std::string> reasons;
@@ -287,12 +284,11 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
   const bool are_shares =
       std::ranges::all_of(studies, [](const Answer& answer) { return is_share(answer.decisive()); });
   table.caption = are_shares ? "Share of targets solved" : "What decides each study";
-  for (const auto& [quantity, where] : by_word(quantities, names)) shown.push_back(quantity + " (" + where + ")");
-  for (const auto& [reference, where] : by_word(references, referring)) told.push_back(reference + " (" + where + ")");
-  std::vector<std::string> sentences{
-      are_shares ? "" : "Shown: " + listed(shown), "In the order of the first study that has the solver",
-      meaning_of(all_marks, listed(told, " or ")),
-      reasons.empty() ? "" : fmt::format("-: {}", fmt::join(reasons, " or ")), "Each study is judged alone"};
+  std::vector<std::string> sentences{are_shares ? "" : "Shown: " + listed(quantities.told("{} ({})")),
+                                     "In the order of the first study that has the solver",
+                                     meaning_of(all_marks, listed(references.told("{} ({})"), " or ")),
+                                     reasons.empty() ? "" : fmt::format("-: {}", fmt::join(reasons, " or ")),
+                                     "Each study is judged alone"};
   std::erase(sentences, "");
   table.notes = {fmt::format("{}.", fmt::join(sentences, ". ")),
                  are_shares ? fmt::format("Brackets: {} % intervals.", fmt::join(levels, " and "))
@@ -301,15 +297,15 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
 }
 
 std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
-  std::vector<std::string> verdicts, parts;
-  for (const Answer& answer : studies) {
-    const JudgedMetric& judged = answer.decisive();
+  ByWord verdicts;
+  for (std::size_t s = 0; s < studies.size(); ++s) {
+    const JudgedMetric& judged = studies[s].decisive();
     const std::string& control = judged.plan.control;
     const auto count = [&](Verdict verdict) {
       return std::ranges::count_if(judged.findings, [=](const Finding& its) { return verdict_of(its) == verdict; });
     };
     if (control.empty() || !best_of(judged).empty()) {
-      verdicts.push_back(headline_of(answer).subject);
+      verdicts.add(headline_of(studies[s]).subject, names[s]);
       continue;
     }
     std::vector<std::string> counts;
@@ -317,10 +313,9 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
          {Verdict::better, Verdict::worse, Verdict::same, Verdict::equal, Verdict::undecided, Verdict::not_tested}) {
       if (count(verdict) > 0) counts.push_back(fmt::format("{} {}", count(verdict), name_of(verdict)));
     }
-    verdicts.push_back(fmt::format("against the control {}, {}", control, listed(counts)));
+    verdicts.add(fmt::format("against the control {}, {}", control, listed(counts)), names[s]);
   }
-  for (const auto& [what, where] : by_word(verdicts, names)) parts.push_back(fmt::format("{}: {}", where, what));
-  return fmt::format("{}.", fmt::join(parts, ".\n"));
+  return fmt::format("{}.", fmt::join(verdicts.told("{1}: {0}"), ".\n"));
 }
 
 std::optional<figures::Figure> studies_figure(const Table& studies, const std::vector<Answer>& answers) {
@@ -521,7 +516,7 @@ Table anova_table(const Answer& answer) {
               .caption = "Do the solvers differ at all?",
               .columns = columns_of({"metric", "test", "source", "SS", "df", "MS", "statistic", "p", "eta squared"})};
   table.columns[7].role = Role::p;
-  std::vector<std::string> left_out, where;
+  ByWord left_out;
   for (const JudgedMetric& judged : answer.metrics) {
     const auto [tests, without] = tests_of_all(judged.observations);
     const std::string& quantity = judged.observations.quantity;
@@ -536,11 +531,11 @@ Table anova_table(const Answer& answer) {
                               test.ss_within / test.df_within, Cell(), Cell(), Cell()});
     }
     if (without.empty() || tests.empty()) continue;
-    left_out.push_back(names_of(without)), where.push_back(quantity);
+    left_out.add(names_of(without), quantity);
   }
   table.notes = {"Statistics: F of ANOVA, chi-squared of ranks. The pairs decide, whatever these say."};
-  for (const auto& [who, metrics] : by_word(left_out, where))
-    table.notes.push_back(fmt::format("Without {}: no chance in the values, or not compared ({}).", who, metrics));
+  std::ranges::move(left_out.told("Without {}: no chance in the values, or not compared ({})."),
+                    std::back_inserter(table.notes));
   return table;
 }
 
@@ -745,7 +740,7 @@ std::string stops_of(const StudyResults& study) {
 
 std::string ends_of_unsolved(const StudyResults& study) {
   if (!study.definition.has_tolerance()) return "";  // nothing is solved or not
-  std::vector<std::string> reasons, labels;
+  ByWord reasons;
   for (const std::string& label : study.labels) {
     std::set<std::string> of_label;
     for (const Solve& solve : study.of(label)) {
@@ -755,13 +750,10 @@ std::string ends_of_unsolved(const StudyResults& study) {
                             ? "the solver itself"
                             : with_blanks(results::name_of(solve.stop_reason)));
     }
-    if (of_label.empty()) continue;
-    reasons.push_back(listed({of_label.begin(), of_label.end()}, " or "));
-    labels.push_back(label);
+    if (!of_label.empty()) reasons.add(listed({of_label.begin(), of_label.end()}, " or "), label);
   }
-  std::vector<std::string> told;
-  for (const auto& [reason, who] : by_word(reasons, labels)) told.push_back(fmt::format("{} ({})", reason, who));
-  return told.empty() ? "" : fmt::format("What ended unsolved solves: {}.", fmt::join(told, "; "));
+  return reasons.all.empty() ? ""
+                             : fmt::format("What ended unsolved solves: {}.", fmt::join(reasons.told("{} ({})"), "; "));
 }
 
 const std::string& title_of(const StudyResults& study) {

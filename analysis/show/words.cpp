@@ -149,14 +149,11 @@ std::string usual(const JudgedMetric& judged) {
 std::string against_control(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const std::size_t control = place_of(judged.observations, judged.plan.control);
-  std::vector<std::string> verdicts, names;  // in the order of the table
-  for (const Finding& finding : judged.findings) {
-    verdicts.push_back(verdict_words(finding, judged));
-    names.push_back(with_number(answer, finding.first, control));
-  }
-  std::vector<std::string> parts;
-  for (const auto& [verdict, who] : by_word(verdicts, names)) parts.push_back(fmt::format("{} {}", who, verdict));
-  return fmt::format("Against {}: {}", with_number(answer, judged.plan.control, control), listed(parts, ", "));
+  ByWord verdicts;  // in the order of the table
+  for (const Finding& finding : judged.findings)
+    verdicts.add(verdict_words(finding, judged), with_number(answer, finding.first, control));
+  return fmt::format("Against {}: {}", with_number(answer, judged.plan.control, control),
+                     listed(verdicts.told("{1} {0}"), ", "));
 }
 
 // ", since 8 runs are too few, 10 are needed", where the pairs of these are not tested for one reason.
@@ -188,7 +185,7 @@ Sentence unbeaten(const Answer& answer) {
     }
     return others;
   };
-  std::vector<std::string> rest, losers, winners;
+  std::vector<std::string> rest;
   const std::vector<std::string> apart = not_compared(answer);
   const auto is_apart = [&](const std::string& name) { return std::ranges::count(apart, name) > 0; };
   const auto beaten = [&](const std::string& solver) { return against(solver, Verdict::better).size(); };
@@ -243,19 +240,19 @@ Sentence unbeaten(const Answer& answer) {
     sentence.subject = "Nobody is shown to beat " + told(rest);
   }
   const auto leader = std::ranges::max_element(rest, {}, beaten);
+  ByWord losers;  // by who beats them
   for (const std::size_t i : answer.order) {
     const std::string& name = solver_name(judged, i);
     const std::vector<std::string> better = against(name, Verdict::worse);
     if (better.empty() || are_losers_told || is_apart(name)) continue;
-    losers.push_back(are_numbers_told ? name : with_number(answer, name, first));
     const std::string& winner =
         leader != rest.end() && std::ranges::count(better, *leader) > 0 ? *leader : better.front();
     const Finding* const pair = finding_of(judged, winner, name);
-    winners.push_back(winner + (is_by_little(*pair) ? ", by less than " + margin_words(judged) : ""));
+    losers.add(winner + (is_by_little(*pair) ? ", by less than " + margin_words(judged) : ""),
+               are_numbers_told ? name : with_number(answer, name, first));
   }
-  for (const auto& [winner, names] : by_word(winners, losers))
-    sentence.rest +=
-        fmt::format("; {} {} worse than {}", names, std::ranges::count(winners, winner) == 1 ? "is" : "are", winner);
+  for (const auto& [winner, names] : losers.all)
+    sentence.rest += fmt::format("; {} {} worse than {}", names_of(names), names.size() == 1 ? "is" : "are", winner);
   const auto is_join = [&](const Finding& finding) {  // of one apart and another, tested
     return is_apart(finding.first) != is_apart(finding.second) && verdict_of(finding) != Verdict::not_tested;
   };
@@ -383,16 +380,15 @@ std::string names_of(const std::vector<std::string>& names, std::string_view las
   return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
 }
 
-std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::string>& words,
-                                                         const std::vector<std::string>& names) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> all;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    auto entry = std::ranges::find(all, words[i], [](const auto& pair) { return pair.first; });
-    if (entry == all.end()) entry = all.insert(entry, {words[i], {}});
-    entry->second.push_back(names[i]);
-  }
-  std::vector<std::pair<std::string, std::string>> told;
-  for (const auto& [word, where] : all) told.emplace_back(word, names_of(where));
+void ByWord::add(const std::string& word, const std::string& name) {
+  auto entry = std::ranges::find(all, word, [](const auto& pair) { return pair.first; });
+  if (entry == all.end()) entry = all.insert(entry, {word, {}});
+  entry->second.push_back(name);
+}
+
+std::vector<std::string> ByWord::told(const char* form) const {
+  std::vector<std::string> told;
+  for (const auto& [word, names] : all) told.push_back(fmt::format(fmt::runtime(form), word, names_of(names)));
   return told;
 }
 

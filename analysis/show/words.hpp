@@ -15,8 +15,12 @@ constexpr std::size_t most_pairs = 6;  // that a screen lists; of more the headl
 // "A, B and C", "A, B, C and 5 more"
 std::string names_of(const std::vector<std::string>& names, std::string_view last = " and ");
 // Each word once, with the names that have it.
-std::vector<std::pair<std::string, std::string>> by_word(const std::vector<std::string>& words,
-                                                         const std::vector<std::string>& names);
+struct ByWord {
+  std::vector<std::pair<std::string, std::vector<std::string>>> all = {};
+
+  void add(const std::string& word, const std::string& name);
+  std::vector<std::string> told(const char* form) const;  // by fmt: {0} is the word, {1} its names
+};
 // Those that are best and alike; empty if there is none.
 std::vector<std::string> best_of(const judge::JudgedMetric& judged);
 // Of the deciding metric, those that no test joins to most others, or who are unbeaten and not tested against the first
