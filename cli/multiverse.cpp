@@ -61,16 +61,19 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
       paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .departures = departures},
       arguments.jobs);
   refuse_links(folder);
-  const auto tell = [&](const show::Table& table, bool is_short) {
+  const auto tell = [&](const show::Table& table, const show::Table& on_screen) {
     show::write_table(table, table, folder / "tables", program_name());
-    fmt::print("{}Table: {}\n", is_short ? printable(show::to_text(table)) : "",
+    fmt::print("{}Table: {}\n", on_screen.rows.empty() ? "" : printable(show::to_text(on_screen)),
                printable((folder / "tables" / (table.name + ".csv")).string()));
   };
-  if (!arguments.explain) return tell(papers::judged(paper, multiverse, plan).table, true);
+  if (!arguments.explain) {
+    const papers::JudgedMultiverse judged = papers::judged(paper, multiverse, plan);
+    return tell(judged.table, judged.on_screen);
+  }
   const papers::Explanation explanation = papers::explained(paper, multiverse);
-  tell(explanation.numbers, true);
-  tell(explanation.rows, true);
-  tell(explanation.readings, false);
+  tell(explanation.numbers, explanation.numbers);
+  tell(explanation.rows, explanation.rows);
+  tell(explanation.readings, {});
 }
 
 }  // namespace

@@ -142,20 +142,25 @@ Readings count(const Part& part, const Chosen& without) {
 
 // Conditions.
 
+std::size_t number_of_seeds(const SolvedMultiverse& multiverse) {
+  return multiverse.studies[0].solvers[0][0].parts.size();
+}
+
 using Outcome = double Readings::*;
 bool happens(const std::vector<Part>& parts, Outcome outcome, const Chosen& without) {
   return std::ranges::any_of(parts, [&](const Part& part) { return count(part, without).*outcome > 0; });
 }
 
-// "only where no solver is clamped": the smallest sets of one or two answers, other than defaults, without which it
-// never happens.
+// "only where (a is 1 or b is 1) and (a is 1 or c is 1)": the smallest sets of one or two answers, other than defaults,
+// without which it never happens.
 std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
   if (!happens(parts, outcome, {})) return "nowhere";
   Chosen answers;  // all but the defaults
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     for (std::size_t a = 1; a < multiverse.dimensions[d].alternatives.size(); ++a) answers.push_back({d, a});
   }
-  if (happens(parts, outcome, answers)) return "in some seeds of the default, too";
+  if (happens(parts, outcome, answers))
+    return number_of_seeds(multiverse) > 1 ? "in some seeds of the default, too" : "in the default, too";
   const auto name_of = [&](const Choice& answer) {
     return multiverse.dimensions[answer.dimension].alternatives[answer.alternative].where;
   };
@@ -166,11 +171,11 @@ std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& p
   for (std::size_t i = 0; i < answers.size() && ones.empty(); ++i) {
     for (std::size_t j = i + 1; j < answers.size(); ++j) {
       if (!happens(parts, outcome, {answers[i], answers[j]}))
-        twos.push_back(fmt::format("{} or {}", name_of(answers[i]), name_of(answers[j])));
+        twos.push_back(fmt::format("({} or {})", name_of(answers[i]), name_of(answers[j])));
     }
   }
-  if (!ones.empty()) return fmt::format("only where {}", fmt::join(ones, " and "));
-  return twos.empty() ? "" : fmt::format("only where {}", fmt::join(twos, ", and only where "));
+  const Names& sets = ones.empty() ? twos : ones;
+  return sets.empty() ? "" : fmt::format("only where {}", fmt::join(sets, " and "));
 }
 
 }  // namespace
@@ -188,6 +193,8 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
                 .caption = "The claims in every reading",
                 .columns = {{"claim"}, {"holds"}, {"fails"}, {"not decided"}, {"it fails"}, {"it is not decided"}},
                 .is_of_study = false}};
+  const std::size_t seeds = number_of_seeds(multiverse);
+  std::vector<std::string> sentences;
   for (const Claim& claim : paper.claims) {
     if (!hangs_on_reading(claim)) continue;
     const std::vector<Part> parts = parts_of(multiverse, claim, plan);
@@ -198,15 +205,22 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
       return static_cast<std::int64_t>(sum);
     };
     const std::int64_t hold = all(&Readings::holds), fail = all(&Readings::fails), open = all(&Readings::undecided);
-    const std::string fails = where(multiverse, parts, &Readings::fails);
+    const std::string fails = where(multiverse, parts, &Readings::fails),
+                      undecided = where(multiverse, parts, &Readings::undecided);
     result.in_readings[claim.id] = fmt::format("fails {}{}", fails.empty() ? "in some" : fails,
                                                open == 0 ? "" : "; in some others it is not decided");
-    result.table.rows.push_back(
-        {claim.sentence, hold, fail, open, fails, where(multiverse, parts, &Readings::undecided)});
+    result.table.rows.push_back({claim.sentence, hold, fail, open, fails, undecided});
+    result.on_screen.rows.push_back({claim.sentence, hold, fail, open});
+    sentences.push_back(fmt::format("{}: fails {}; is not decided {}.", claim.sentence,
+                                    fails.empty() ? "in some" : fails, undecided.empty() ? "in some" : undecided));
   }
-  result.table.notes = {
-      fmt::format("{:.0f} readings, each with seeds 1 to {}. Each pair is judged alone, at significance / pairs.",
-                  multiverse.readings(), multiverse.studies[0].solvers[0][0].parts.size())};
+  result.table.notes = {fmt::format(
+      "{:.0f} readings, each with {}. A claim holds where its solvers are better than each rival, and fails "
+      "where a rival is better. Each pair is tested alone, at {:g} / pairs.",
+      multiverse.readings(), seeds > 1 ? fmt::format("seeds 1 to {}", seeds) : "seed 1", plan.significance)};
+  result.on_screen.columns.assign(result.table.columns.begin(), result.table.columns.begin() + 4);
+  result.on_screen.notes = result.table.notes;
+  std::ranges::move(sentences, std::back_inserter(result.on_screen.notes));
   show::Table on_page = result.table;  // without counts
   for (std::vector<show::Cell>& row : on_page.rows) row.erase(row.begin() + 1, row.begin() + 4);
   on_page.columns.erase(on_page.columns.begin() + 1, on_page.columns.begin() + 4);
