@@ -31,21 +31,34 @@ bool is_grouped(std::string_view whole, char mark) {
   return true;
 }
 
-constexpr char of_truth = 't';                        // in place of a mark of decimals
-constexpr std::string_view thousands = "' \xE2\xC2";  // first bytes
+constexpr char of_truth = 't';  // in place of a mark of decimals
 
 bool has_mark(std::string_view text) { return text.find_first_of(".,") != std::string_view::npos; }
 
-// Of a text with this mark of decimals; the other one marks thousands, as do ' and blanks: 1'234.5.
+// Of a text with this mark of decimals; the other one marks thousands, as do ' and blanks: 1'234.5. A minus may be as
+// it is printed, and an exponent as in Fortran: 1D-01.
 std::optional<double> parsed(std::string_view text, char decimal) {
-  if (const std::size_t first = text.find_first_of(thousands); first != std::string_view::npos && first > 0) {
+  if (text.find_first_of("' \xE2\xC2") != std::string_view::npos) {
     std::string plain(text);
-    for (const std::string_view mark : {"\u2019", "\u00a0", "\u202f", " "}) {
-      for (std::size_t at = 0; (at = plain.find(mark)) != std::string::npos;) plain.replace(at, mark.size(), "'");
+    for (const auto& [mark, seen] : {std::pair("\u2212", "-"),
+                                     {"\u2019", "'"},
+                                     {"\u00a0", "'"},
+                                     {"\u2007", "'"},
+                                     {"\u2009", "'"},
+                                     {"\u202f", "'"},
+                                     {" ", "'"}}) {
+      for (std::size_t at = 0; (at = plain.find(mark)) != std::string::npos;)
+        plain.replace(at, std::string_view(mark).size(), seen);
     }
-    if (!is_grouped(std::string_view(plain).substr(0, plain.find(decimal)), '\'')) return std::nullopt;
+    if (plain.find('\'') != std::string::npos &&
+        !is_grouped(std::string_view(plain).substr(0, plain.find(decimal)), '\''))
+      return std::nullopt;
     std::erase(plain, '\'');
-    return parsed(plain, decimal);
+    if (plain != text) return parsed(plain, decimal);  // else it has another letter of these bytes
+  }
+  if (const std::size_t at = text.find_first_of("dD"); at != std::string_view::npos && at + 1 < text.size()) {
+    const bool is_exponent = at > 0 && (text[at + 1] == '-' || text[at + 1] == '+');
+    return is_exponent ? parsed(std::string(text).replace(at, 1, "e"), decimal) : std::nullopt;
   }
   if (!has_mark(text)) return number_from(text);
   const char thousand = decimal == '.' ? ',' : '.';

@@ -73,7 +73,13 @@ class Finder {
     for (const std::size_t column : asked_.values.empty() ? texts_ + constant : Columns()) {
       const auto row = sheet.broken_number(column);
       if (row && (are_few || 2 * count(sheet.rows(), {column}) > sheet.rows().size()))
-        sheet.refuse(*row, column, "is no number: write it alone, its unit in the header, or name others with --value");
+        sheet.refuse(
+            *row, column,
+            sheet.cell(*row, column).find_first_of("0123456789", sheet.cell(*row, column).find_first_of(" (\xC2")) !=
+                    std::string_view::npos
+                ? "is no number but several: write a mean and its deviation in columns of their own, name, n, mean and "
+                  "sd, for --summaries"
+                : "is no number: write it alone, its unit in the header, or name others with --value");
     }
     for (const std::size_t column : constant) {  // of one group, or of equal values
       Columns& others = sheet.has_numbers(column) ? numbers_ : texts_;
@@ -694,9 +700,11 @@ bool are_computed(const Lists& lists, double tried, const Lists& of, std::size_t
     for (std::size_t i = 0; i < computed.size(); ++i) {
       const Statistic& its = computed[i];
       const double slack =
-          last.half + (its.is_of_two ? its.rounding : std::min(its.rounding, last.half)) + 1e-9 * std::abs(last.value);
+          last.half + (its.is_of_two ? its.rounding : std::min(its.rounding, last.half)) + 1e-14 * std::abs(last.value);
       const bool is_near = std::abs(last.value - its.value) <= slack;
-      chances[i] *= !is_near ? judge::unknown : its.is_of_two ? std::min(1.0, chance * slack / last.half) : chance;
+      chances[i] *= !is_near                                 ? judge::unknown
+                    : its.is_of_two || slack > 3 * last.half ? std::min(1.0, chance * slack / last.half)
+                                                             : chance;
     }
   }
   for (std::size_t i = 0; i < chances.size(); ++i) {

@@ -450,7 +450,8 @@ TEST_CASE("tables of Markdown, org and MySQL, and thousands of the Swiss, are re
   for (const std::string text :
        {"| s | v |\n|---|--:|\n| A | 1000.5 |\n| B | 2 |\n", "| s | v |\n|---+---|\n| A | 1000.5 |\n| B | 2 |\n",
         "+---+---+\n| s | v |\n+---+---+\n| A | 1000.5 |\n| B | 2 |\n+---+---+\n", "\"sep=;\"\r\ns;v\nA;1'000.5\nB;2\n",
-        "s;v\nA;1\u2019000.5\nB;2\n", "s;v\nA;1\u00a0000,5\nB;2\n"}) {
+        "s;v\nA;1\u2019000.5\nB;2\n", "s;v\nA;1\u00a0000,5\nB;2\n", "s;v\nA;1\u2009000,5\nB;2\n",
+        "s;v\nA;1.0005D+03\nB;\u22122\n"}) {
     CAPTURE(text);
     CHECK(list_of(observations(text).groups[0]) == std::vector{1000.5});
   }
@@ -461,6 +462,7 @@ TEST_CASE("tables of Markdown, org and MySQL, and thousands of the Swiss, are re
     CHECK(list_of(observations(text).groups[0]) == std::vector{7.0});
   CHECK(lost_in(observations("A|B\n-|-\n1.5|2\n1.2|3\n", {.run = "row"}).groups[0]) == 1);
   CHECK(contains(said_of("p,A,B\nx,1.5,2\n#y,1.2,3\nz,1,4\n", {.block = {"p"}}), "data.csv:3:1: '#y'"));
+  CHECK(contains(said_of("p,A,B\nx,1.5 ± 0.2,2\ny,1.6 ± 0.3,3\n"), "--summaries"));
   for (const char* cell : {"<0.001", "**<0.001**"})
     CHECK(contains(said_of(fmt::format("|p|A|B|\n|---|---|---|\n|x|1.5|{0}|\n|y|1.7|{0}|\n|z|1.8|{0}|\n", cell)),
                    "data.csv:3:4: '<0.001'"));
@@ -483,8 +485,7 @@ TEST_CASE("columns that do not matter are not asked about") {
 }
 
 TEST_CASE("a column that was measured is not passed over") {
-  for (const char* cell :
-       {"01:12.5", "0 days 00:01:12", "$12.50", "1.25D-03", "1.25 ± 0.1", "\xE2\x88\x92 3.5", "[0.1, 0.2]"}) {
+  for (const char* cell : {"01:12.5", "0 days 00:01:12", "$12.50", "1.25 ± 0.1", "\xE2\x88\x92 3.5", "[0.1, 0.2]"}) {
     CAPTURE(cell);
     std::string rows = "solver;elapsed;steps\n";
     for (int i = 0; i < 4; ++i) rows += fmt::format("{};{}{};{}\n", i < 2 ? "A" : "B", cell, i, 17 - i * i);
@@ -526,6 +527,7 @@ TEST_CASE("names are taken as they are, and none looks like another") {
   const std::string rows = "solver,row,v\na,1,1.5\na,2,2.5\na,1,2\na,2,3\nb,1,3.5\nb,2,3.25\nb,1,4\n";
   CHECK(contains(said_of(rows), "rename it"));
   CHECK(contains(said_of("s,v\n\xe4,1.5\n\xe4,2.5\n\xf6,3.5\n\xf6,4.5\n"), "data.csv:2: letters in another code"));
+  CHECK(contains(said_of("s,v\na,1\na\u200b,2\n"), "two groups look alike"));
   CHECK(contains(said_of("s,v\n\"a\nb\",1.5\n\"a\nb\",2.5\na b,3.5\na b,4.5\n"), "two groups look alike"));
 }
 
@@ -615,6 +617,9 @@ TEST_CASE("last rows with statistics of those above are refused") {
     CHECK(contains(said_of(named + last), "data.csv:10:2"));
   CHECK(contains(said_of("solver,error\nx,1.193" + named.substr(12)), "data.csv:2:2"));
   for (const char* other : {"x,1.201", "x,1.193\nx,1.201", "x,1.193\na,1.001"}) CHECK(said_of(named + other).empty());
+  std::string stamps = "s,v\n";                                                // near each other by their size
+  for (int i = 0; i < 20; ++i) stamps += fmt::format("{},{}\n", i < 10 ? "A" : "B", 1.7e9 + i * i * 37 % 101 * 0.971);
+  CHECK(said_of(stamps).empty());
   // Small counts and infinite values are data, whatever they add up to.
   CHECK(said_of("judge,A,B\n1,2,5\n2,4,4\n3,2,3\n4,3,1\n5,4,3\n6,3,3.2\n", {.values = {"A", "B"}, .block = {"judge"}})
             .empty());
