@@ -41,6 +41,14 @@ Columns operator+(Columns columns, const Columns& more) {
   return columns;
 }
 
+// "run1", "run2"
+bool is_next(std::string_view title, std::string_view next) {
+  const auto end_of = [](std::string_view text) { return text.find_last_not_of("0123456789") + 1; };
+  const auto number = base::number_from(title.substr(end_of(title))),
+             other = base::number_from(next.substr(end_of(next)));
+  return number && other && *number + 1 == *other && title.substr(0, end_of(title)) == next.substr(0, end_of(next));
+}
+
 bool has(const Columns& columns, std::size_t column) { return std::ranges::count(columns, column) > 0; }
 bool has(const Way& way, std::size_t column) {
   return column == way.label || column == way.run || has(way.values + way.blocks, column);
@@ -85,6 +93,9 @@ class Finder {
       Columns& others = sheet.has_numbers(column) ? numbers_ : texts_;
       if (others.empty() && (&others == &numbers_ || numbers_.size() < 2)) others.push_back(column);
     }
+    for (std::size_t i = numbers_.size(); i-- > 0 && (runs_.empty() || is_next(title(numbers_[i]), title(runs_[0])));)
+      runs_.insert(runs_.begin(), numbers_[i]);
+    if (runs_.size() < 3 || !asked_.values.empty()) runs_.clear();
     for (const std::size_t column : texts_) {
       std::set<std::string> units;
       for (const Index row : sheet.rows()) {
@@ -124,6 +135,7 @@ class Finder {
   Sheet& sheet_;
   Way asked_;                             // as far as the request says
   Columns texts_, numbers_;               // that may be labels and values
+  Columns runs_;                          // of numbers, one column for each: "run1", "run2", "run3"
   std::map<std::size_t, Rows> texts_of_;  // as numbers, of each row of the file
   std::vector<Options> more_;             // of a way, which is less likely
 
@@ -178,6 +190,38 @@ class Finder {
     std::map<Index, std::size_t> texts;
     for (const Index text : classes_of(sheet_.rows(), {column})) ++texts[text];
     return std::ranges::none_of(texts, [](const auto& text) { return text.second == 1; });
+  }
+
+  // Texts that have numbers and begin with none but these, as dates and times do.
+  bool is_measured(std::size_t column) const {
+    const auto is_so = [&](Index row) {
+      const std::string_view cell = sheet_.cell(row, column);
+      return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell.front())) == 0 &&
+             cell.find_first_of("0123456789") != std::string_view::npos;
+    };
+    return 2 * std::ranges::count_if(sheet_.rows(), is_so) > std::ssize(sheet_.rows());
+  }
+
+  // Numbers that first come in order, and count nothing.
+  bool are_sizes(std::size_t column) {
+    std::set<double> sizes;
+    bool counts = true;
+    for (const Index row : sheet_.rows()) {
+      const double size = sheet_.has_numbers(column) ? sheet_.number(row, column) : 0;
+      if (std::isnan(size) || !sizes.insert(size).second) continue;
+      if (size < *sizes.rbegin()) return false;
+      counts = counts && (sizes.size() == 1 || size == *std::next(sizes.rbegin()) + 1);
+    }
+    return !counts;
+  }
+
+  // The first row with the text that most rows have.
+  Index commonest(const Rows& rows, std::size_t column) {
+    const Rows classes = classes_of(rows, {column});
+    std::vector<std::size_t> counts(number_of(classes));
+    for (const Index each : classes) ++counts[each];
+    const auto most = std::ranges::max_element(counts) - counts.begin();
+    return rows[static_cast<std::size_t>(std::ranges::find(classes, static_cast<Index>(most)) - classes.begin())];
   }
 
   // Numbers as settings, labels and times have them: whole, repeated, or in order but where a run begins.
@@ -264,15 +308,10 @@ class Finder {
 
   // Asks about a column of text that was measured, where another was taken for the values.
   void ask_of_measured(const Way& way) {
-    const auto is_measured = [](std::string_view cell) {
-      return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell.front())) == 0 &&
-             cell.find_first_of("0123456789") != std::string_view::npos;
-    };
     for (const std::size_t column : asked_.values.empty() && way.label && way.asked.empty() ? texts_ : Columns()) {
       constexpr std::size_t by_chance = 8;  // rows that are in order by chance in one of 40 000 files, not by a clock
       const auto cell_of = [&](Index row) { return sheet_.cell(row, column); };
-      if (has(way, column) || 2 * count(way.rows, {column}) <= way.rows.size() ||
-          2 * std::ranges::count_if(way.rows, is_measured, cell_of) <= std::ssize(way.rows) ||
+      if (has(way, column) || 2 * count(way.rows, {column}) <= way.rows.size() || !is_measured(column) ||
           (way.rows.size() >= by_chance && std::ranges::is_sorted(way.rows, {}, cell_of)))
         continue;
       throw Question(sheet_.said(fmt::format("{} of {} in line {} is no number, so it was left out; write numbers "
@@ -287,7 +326,7 @@ class Finder {
     if (option == "--label") name_groups(way, columns.front());
     if (option == "--value") way.values = columns;
     if (option == "--block") way.blocks = way.blocks + columns;
-    if (option == "--run") way.run = columns.front();
+    if (option == "--run" && !columns.empty()) way.run = columns.front();
     return way;
   }
 
@@ -313,6 +352,7 @@ class Finder {
     std::size_t fewest = way.rows.size();  // solvers are few; problems and dates are many
     for (const std::size_t column : labels) fewest = std::min(fewest, count(way.rows, {column}));
     std::ranges::stable_partition(labels, [&](std::size_t column) { return count(way.rows, {column}) <= 2 * fewest; });
+    std::ranges::stable_partition(labels, [&](std::size_t column) { return !is_measured(column); });
     if (labels.size() > 1 && asked_.values.size() + numbers_.size() > 0) {  // the first in the file is none of metrics
       const Columns values = values_of(with(way, "--label", {labels.front()}));
       std::ranges::stable_partition(labels, [&](std::size_t column) {
@@ -363,17 +403,16 @@ class Finder {
             *std::ranges::min_element(together, {}, [&](auto each) { return count(way.rows, {each}); });
         Columns others = together;
         std::erase(others, one);
-        ways.push_back(with_one(with(way, "--block", others), one, way.rows.front()));
+        ways.push_back(with_one(with(way, "--block", others), one, commonest(way.rows, one)));
         ways.back().is_wide = true;
       }
-      ways.insert(labels == names ? ways.begin() : ways.end(), wide);
+      ways.insert(labels == names && runs_.empty() ? ways.begin() : ways.end(), wide);
     }
     if (ways.size() == 1 && !are_numbers)
       ways.front().options.clear();
     else
-      ways.front().asked.push_back(fmt::format(
-          "{} may name the groups{}, which --label says", titles_of(labels),
-          may_be_wide ? ", or each column may be one, but of runs and steps, which stand below each other" : ""));
+      ways.front().asked.push_back(fmt::format("{} may name the groups{}, which --label says", titles_of(labels),
+                                               may_be_wide ? ", or each column may be one" : ""));
     return ways;
   }
 
@@ -462,6 +501,9 @@ class Finder {
   // Whether there is more than one that may be a group.
   bool find_values(Way& way) {
     if (!way.values.empty()) return true;
+    way.are_runs = !way.is_wide && !runs_.empty();
+    if (way.are_runs) way.values = runs_;
+    if (way.are_runs) return true;
     Columns values = way.is_wide ? numbers_ : values_of(way), likely = values;
     for (Columns* columns : {&values, &likely}) std::erase_if(*columns, [&](auto column) { return has(way, column); });
     if (way.is_wide && !values.empty()) likely = groups_in(values);
@@ -520,7 +562,8 @@ class Finder {
       }
     }
     constexpr std::size_t fewest = 8;
-    return rows.size() >= fewest * curves.size() && following(values) > 2.5;
+    return rows.size() >= fewest * curves.size() &&
+           following(values) > 2.5 * std::sqrt(static_cast<double>(values.size()));
   }
 
   // Gives blocks and runs to what tells rows apart.
@@ -542,32 +585,37 @@ class Finder {
       if (is_first) way.asked.push_back(rows + " have the same --block, as repetitions (--run row)");
       return;
     }
-    Columns needed = open, texts;  // the rest follows from them, as how a row ended
+    Columns needed = open, texts, numbers;  // the rest follows from them, as how a row ended; numbers: or dates
     for (std::size_t i = open.size(); i-- > 0;) {
       Columns others = needed;
       std::erase(others, open[i]);
       if (count(way.rows, known + others) == count(way.rows, known + needed)) needed = others;
     }
-    std::ranges::copy_if(needed, std::back_inserter(texts), [&](auto column) { return !sheet_.has_numbers(column); });
-    Column one;  // of which one text is taken: metrics, or the steps of a curve
+    for (const std::size_t column : needed)
+      (sheet_.has_numbers(column) || is_measured(column) ? numbers : texts).push_back(column);
+    Columns one;  // of which one text is taken: metrics, or the steps of a curve
     const std::size_t value = way.values.front();
     for (const std::size_t column : needed) {
       Columns others = known + needed;
       std::erase(others, column);
-      if (sheet_.has_numbers(column) ? is_curve(way.rows, others, column, value) : names_metrics(column, value))
-        one = column;
+      if (sheet_.has_numbers(column) ? is_curve(way.rows, others, column, value)
+                                     : has(texts, column) && names_metrics(column, value))
+        one = {column};
     }
-    const bool is_mixed = one.has_value(), is_of_steps = one && sheet_.has_numbers(*one);
-    if (!one && !texts.empty())
-      one = *std::ranges::min_element(texts, {}, [&](auto text) { return count(way.rows, {text}); });
-    const Index taken = is_of_steps ? way.rows.back() : way.rows.front();
-    const std::string where = one ? fmt::format("{}={}", title(*one), sheet_.cell(taken, *one)) : "";
+    const bool is_mixed = !one.empty(), is_of_steps = is_mixed && sheet_.has_numbers(one.front());
+    if (!is_mixed && !texts.empty())
+      one = {*std::ranges::min_element(texts, {}, [&](auto text) { return count(way.rows, {text}); })};
+    if (std::ranges::count(way.options, "--where") > 0) one.clear();
+    const Index taken = is_of_steps ? way.rows.back() : one.empty() ? 0 : commonest(way.rows, one.front());
+    const std::string where =
+        one.empty() ? "" : fmt::format("{}={}", title(one.front()), sheet_.cell(taken, one.front()));
     if (is_first)
       way.asked.push_back(fmt::format(
           "{} differ in {}: runs, whose rows are averaged (--run), problems that all had "
           "(--block){}, or nothing that matters (--run row)",
           rows, titles_of(open),
-          one ? fmt::format(", {}, of which --where {} takes one", is_of_steps ? "steps of a curve" : "metrics",
+          !one.empty()
+              ? fmt::format(", {}, of which --where {} takes one", is_of_steps ? "steps of a curve" : "metrics",
                             base::one_line(base::front(where, 60)))
               : ""));
     const auto are_shared = [&](const Columns& columns) {
@@ -578,14 +626,24 @@ class Finder {
       way = with(way, "--run", {sheet_.column("row")});
       return;
     }
-    const bool are_blocks = !texts.empty() && (!way.label || way.run || are_shared(texts));
-    std::vector<Way> ways{are_blocks ? with(way, "--block", texts) : with(way, "--run", {needed.front()})};
-    if (!are_blocks && is_first && are_shared(needed))  // three numbers are rather of problems
-      ways.insert(needed.size() > 2 ? ways.begin() : ways.end(), with(way, "--block", {needed.front()}));
-    if (one && is_first) ways.insert(is_mixed ? ways.begin() : ways.end(), with_one(way, *one, taken));
+    // Problems have names, or numbers that grow by more than 1; the last of several numbers is that of runs.
+    Columns blocks = needed, run_of;
+    if (!way.run && (numbers.size() > 1 || (!numbers.empty() && !are_sizes(numbers.front())))) {
+      run_of = {numbers.back()};
+      std::erase(blocks, numbers.back());
+    }
+    const bool are_blocks =
+        way.run || (texts.empty() && is_first ? are_shared(needed) && (needed.size() > 2 || are_sizes(needed.front()))
+                                              : texts.empty() || !way.label || are_shared(texts));
+    const Way of_runs = with(way, "--run", {needed.front()});
+    std::vector<Way> ways{are_blocks ? with(with(way, "--block", blocks), "--run", run_of) : of_runs};
+    if (texts.empty() && is_first && are_shared(needed))
+      ways.push_back(are_blocks ? of_runs : with(way, "--block", {needed.front()}));
+    if (!one.empty() && is_first) ways.insert(is_mixed ? ways.begin() : ways.end(), with_one(way, one.front(), taken));
     for (Way& each : ways) {
+      const auto place = std::ssize(more_);
       find_rows(each);
-      if (&each != ways.data()) more_.push_back(each.options);
+      if (&each != ways.data()) more_.insert(more_.begin() + place, each.options);
     }
     const std::vector<std::string> asked = way.asked;
     way = ways.front();

@@ -34,7 +34,8 @@ struct Request {
 struct Layout {
   Column label, block, run;  // a run has several rows
   Columns values;
-  Columns counting;  // columns that number the rows, and are left out
+  bool are_runs = false;  // the values are one quantity, of runs in columns
+  Columns counting;       // columns that number the rows, and are left out
 };
 
 using Options = std::vector<std::string>;  // "--run", "seed"

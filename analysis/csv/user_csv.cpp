@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <tuple>
@@ -25,7 +26,7 @@ using Index = std::uint32_t;
 constexpr std::size_t most_last = 4;  // rows that sum up others
 
 struct Value {
-  Index group, unit, row;  // unit: block, run or row
+  Index group, unit, row, column;  // unit: block, run or the value itself
   double value;
 };
 
@@ -79,10 +80,12 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
       if (group == items.groups.size()) items.groups.emplace_back(name);
       if (group == most_groups)
         sheet.refuse(fmt::format("more than {} groups, the last {}; is --label right?", most_groups, in_quotes(name)));
-      items.values.push_back({.group = group,
-                              .unit = unit ? number_of(sheet.cell(row, *unit), units) : row,
-                              .row = row,
-                              .value = sheet.number(row, column)});
+      items.values.push_back(
+          {.group = group,
+           .unit = unit ? number_of(sheet.cell(row, *unit), units) : static_cast<Index>(items.values.size()),
+           .row = row,
+           .column = static_cast<Index>(column),
+           .value = sheet.number(row, column)});
     }
   }
   if (items.values.empty()) sheet.refuse("no row has a label");
@@ -231,7 +234,7 @@ void refuse_totals(Sheet& sheet, const Layout& layout, const Columns& columns, c
       if (rows.empty() || rows.back().back().group != item.group || (by_unit && rows.back().back().unit != item.unit))
         rows.emplace_back(), kinds[0].emplace_back();
       rows.back().push_back(item);
-      kinds[0].back().push_back(printed(sheet, item.row, columns[layout.label ? 0 : item.group]));
+      kinds[0].back().push_back(printed(sheet, item.row, item.column));
     }
     const std::size_t least = std::ranges::min(rows, {}, &std::vector<Value>::size).size();
     const auto is_complete = [&](const std::vector<Value>& of) {
@@ -271,13 +274,31 @@ void refuse_totals(Sheet& sheet, const Layout& layout, const Columns& columns, c
             (k == 0 ? are_computed(lists, tried)
                     : are_computed(lists, 4 * tried, of, k % 2 == 0)))  // mean rank, sum of firsts
           sheet.refuse(
-              rows.front()[is_first ? 0 : rows.front().size() - 1 - after].row, columns.front(),
+              rows.front()[is_first ? 0 : rows.front().size() - 1 - after].row, rows.front()[0].column,
               fmt::format("sums up those {} it, as those of the other groups do; leave such rows out of the file",
                           is_first ? "below" : "above"));
       }
     }
     if (items.means.size() == items.values.size()) return;
   }
+}
+
+// Refuses groups of one value that is a statistic of another's, whose name theirs begins with: "A", "A_mean".
+void refuse_aggregates(Sheet& sheet, const Items& items, std::size_t label) {
+  std::vector<std::vector<const Value*>> groups(items.groups.size());
+  for (const Value& item : items.values) groups[item.group].push_back(&item);
+  std::map<std::string, Lists> ends;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (std::size_t of = 0; of < groups.size() && groups[g].size() == 1; ++of) {
+      if (groups[of].size() < 3 || !items.groups[g].starts_with(items.groups[of])) continue;
+      Lists& lists = ends[items.groups[g].substr(items.groups[of].size())];
+      lists.emplace_back();
+      for (const Value* each : groups[of]) lists.back().push_back(printed(sheet, each->row, each->column));
+      lists.back().push_back(printed(sheet, groups[g][0]->row, groups[g][0]->column));
+      if (are_computed(lists, static_cast<double>(groups.size())))
+        sheet.refuse(groups[g][0]->row, label,
+                     fmt::format("sums up {}; leave such rows out of the file", in_quotes(items.groups[of])));
+    }
 }
 
 // Refuses a few blocks or runs without a number where the others have one.
@@ -317,6 +338,7 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   const auto title_of = [&](std::size_t column) { return in_quotes(sheet.titles()[column]); };
   std::string text =
       fmt::format("Read as {} {}", items.groups.size(), layout.label ? "of " + title_of(*layout.label) : "columns");
+  if (layout.are_runs) text += fmt::format(", {} columns of runs", layout.values.size());
   const Column unit = layout.block ? layout.block : layout.run;
   if (unit) text += fmt::format(" x {} of {}", items.units, title_of(*unit));
   const Index most = std::ranges::max(items.means, {}, &Mean::rows).rows;
@@ -354,14 +376,16 @@ Quantities values_in(std::string_view text, std::string_view source, const Reque
   Quantities quantities;
   std::vector<std::string> titles;
   for (const std::size_t column : layout.values) titles.push_back(sheet.titles()[column]);
-  if (!layout.label) titles = {"value"};
+  if (!layout.label || layout.are_runs) titles = {"value"};
   for (std::size_t i = 0; i < titles.size(); ++i) {
-    const Items items = items_of(sheet, layout, layout.label ? std::vector{layout.values[i]} : layout.values);
+    const bool is_one = layout.label && !layout.are_runs;  // column
+    const Items items = items_of(sheet, layout, is_one ? Columns{layout.values[i]} : layout.values);
     Observations observed = quantity_of(titles[i]);
     const auto name_of = [](const std::string& title) { return quantity_of(title).quantity; };
     if (std::ranges::count(titles, observed.quantity, name_of) > 1)
       observed.quantity = titles[i], observed.unit.clear();
-    refuse_totals(sheet, layout, layout.label ? Columns{layout.values[i]} : layout.values, items);
+    refuse_totals(sheet, layout, items);
+    if (layout.label) refuse_aggregates(sheet, items, *layout.label);
     const Column unit = layout.block ? layout.block : layout.run;
     if (unit && i == 0) refuse_unnumbered(sheet, *unit);
     if (!unit && request.run.empty()) ask_of_steps(sheet, items);
@@ -370,7 +394,7 @@ Quantities values_in(std::string_view text, std::string_view source, const Reque
     observed.better = better_of(sheet, request, titles, titles[i], observed.scale == Scale::share);
     for (const Value& item : items.values) {
       if (std::isinf(item.value) && (item.value < 0 || observed.better == Better::larger))
-        sheet.refuse(item.row, layout.values[layout.label ? i : item.group],
+        sheet.refuse(item.row, item.column,
                      "is no worst value: inf stands for no answer where smaller is better; else write NA");
     }
     fill(layout, items, observed);

@@ -415,8 +415,12 @@ TEST_CASE("the first command compares groups alone, of one metric, at one step")
       {"epoch,A_mean,A_sd,B_mean,B_sd\n" + bands, "* --value A_mean --value B_mean --where epoch=55 --run row"},
       {long_curve, "* --where iteration=110"},
       {metrics, "* --label algo --where metric=error --block problem --run seed"},
-      {coco, "* --block function --run dimension"},
-      {"solver,s1,s2,s3\nA,1.5,2.5,2\nB,3,1.2,4.1\n", "* --block solver"},
+      {coco, "* --block function --block dimension --run instance"},
+      {"solver,s1,s2,s3\nA,1.5,2.5,2\nB,3,1.2,4.1\n", "* --label solver"},
+      {crossed("solver,robot,target,restart,ms", {{"A", "B"}, {"u", "v"}, {"1", "2", "3", "4"}, {"0", "1", "2"}}),
+       "* --label solver --block robot --block target --run restart"},
+      {crossed("date,planner,ms", {{"2026-05-01", "2026-05-04", "2026-05-05"}, {"A", "B"}}, 4),
+       "* --label planner --run date"},
       {"solver,n,mean,sd\nA,20,1.5,.2\nB,20,2.5,.3\n", "* --summaries"},
       {"command,mean,stddev,min\nA,1.5,.2,1.1\nB,2.5,.3,2\n", "* --value mean"},
   };
@@ -442,7 +446,14 @@ TEST_CASE("the first command compares groups alone, of one metric, at one step")
     many += fmt::format(",{}\n", row * 37 % 101 + 0.5);
   }
   CHECK(asked_of(many).size() > 1);
-  CHECK(contains(said_of(tables[16].first), "but of runs and steps, which stand below each other"));
+  std::string trials = "sampler,state,value\nA,cut,1.5\nB,cut,2.5\n";
+  for (int i = 0; i < 12; ++i)
+    trials += fmt::format("{},{},{}\n", "AB"[i / 2 % 2], i % 2 ? "done" : "cut", i * i % 7 + 0.5);
+  for (const char* sampler : {"A", "B", "A", "B"}) trials += fmt::format("{},done,3.{}\n", sampler, trials.size() % 10);
+  CHECK(contains(said_of(trials), "--where state=done"));
+  CHECK(contains(said_of("name,ms\nk/7,101.6062\nk/7,99.5726\nk/7,111.3763\nk/7_mean,104.1850\nj,9.5\nj,8.25\n"),
+                 "data.csv:5:1: 'k/7_mean' in column 'name' sums up 'k/7'"));
+  CHECK(list_of(observations(tables[16].first, {.label = {"solver"}}).groups[1]) == std::vector{3.0, 1.2, 4.1});
   CHECK(contains(said_of("solver,time,unit\nA,850,ms\nA,1.1,s\nB,990,ms\nB,1.3,s\n"), "'unit' has ms and s"));
 }
 
@@ -515,7 +526,7 @@ TEST_CASE("runs may have numbers of their own, metrics stand below each other, p
               {.label = {"algo"}}),
       "[--where problem=x"));
   CHECK(contains(said_of("sep=;\nsolver;size;time\nA;10;1.5\nA;20;2.5\nA;30;4.5\nB;10;1.25\nB;20;2.125\nB;30;5.5\n"),
-                 "[--run size] [--block size]"));
+                 "[--block size] [--run size]"));
 }
 
 TEST_CASE("names are taken as they are, and none looks like another") {
