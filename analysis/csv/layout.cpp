@@ -12,6 +12,7 @@
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -49,6 +50,11 @@ bool is_next(std::string_view title, std::string_view next) {
   return number && other && *number + 1 == *other && title.substr(0, end_of(title)) == next.substr(0, end_of(next));
 }
 
+Columns without(Columns columns, std::size_t column) {
+  std::erase(columns, column);
+  return columns;
+}
+
 bool has(const Columns& columns, std::size_t column) { return std::ranges::count(columns, column) > 0; }
 bool has(const Way& way, std::size_t column) {
   return column == way.label || column == way.run || has(way.values + way.blocks, column);
@@ -60,10 +66,8 @@ class Finder {
     const std::size_t columns = sheet.titles().size();  // those of the file
     asked_.rows = sheet.rows();
     for (const std::string& name : request.block) asked_.blocks.push_back(sheet.column(name));
-    for (const std::string& name : request.values) {
-      const std::size_t column = sheet.column(name);
-      if (!has(asked_.values, column)) asked_.values.push_back(column);
-    }
+    for (const std::string& name : request.values)
+      asked_.values = without(asked_.values, sheet.column(name)) + Columns{sheet.column(name)};
     if (!request.run.empty()) asked_.run = sheet.column(request.run);
     if (!request.label.empty()) name_groups(asked_, sheet.joined(request.label));
     Columns constant;
@@ -140,6 +144,9 @@ class Finder {
   std::vector<Options> more_;             // of a way, which is less likely
 
   const std::string& title(std::size_t column) const { return sheet_.titles()[column]; }
+  std::string where_of(std::size_t column, Index row) const {
+    return fmt::format("{}={}", title(column), sheet_.cell(row, column));
+  }
   std::string titles_of(const Columns& columns) const {
     std::vector<std::string> titles;
     for (const std::size_t column : columns) titles.push_back(in_quotes(title(column)));
@@ -167,6 +174,9 @@ class Finder {
   }
   static std::size_t number_of(const Rows& classes) { return classes.empty() ? 0 : std::ranges::max(classes) + 1; }
   std::size_t count(const Rows& rows, const Columns& columns) { return number_of(classes_of(rows, columns)); }
+  std::size_t fewest_of(const Rows& rows, const Columns& columns) {  // texts
+    return *std::ranges::min_element(columns, {}, [&](auto column) { return count(rows, {column}); });
+  }
   std::size_t empty_in(const Rows& rows, std::size_t column) const {
     return static_cast<std::size_t>(
         std::ranges::count_if(rows, [&](Index row) { return sheet_.cell(row, column).empty(); }));
@@ -297,11 +307,7 @@ class Finder {
   // Refuses groups of one name or of different units.
   void refuse_groups(const Way& way) const {
     if (way.label) return;
-    std::set<std::string> titles;
-    for (const std::size_t column : way.values) {
-      if (!titles.insert(title(column)).second)
-        sheet_.refuse(fmt::format("two columns {}; give them different names", titles_of({column})));
-    }
+    for (const std::size_t column : way.values) sheet_.column(title(column));
     if (units_of(way.values).size() > 1)
       sheet_.refuse(fmt::format("{} have different units; convert them", titles_of(way.values)));
   }
@@ -333,7 +339,7 @@ class Finder {
   // Of the text that this row has in the column alone.
   Way with_one(Way way, std::size_t column, Index row) const {
     std::erase_if(way.rows, [&](Index other) { return sheet_.cell(other, column) != sheet_.cell(row, column); });
-    way.options.insert(way.options.end(), {"--where", fmt::format("{}={}", title(column), sheet_.cell(row, column))});
+    way.options.insert(way.options.end(), {"--where", where_of(column, row)});
     return way;
   }
 
@@ -349,16 +355,13 @@ class Finder {
       if (texts < way.rows.size() && texts <= most_groups) labels.push_back(column);
     }
     if (labels.empty()) labels = texts_;
-    std::size_t fewest = way.rows.size();  // solvers are few; problems and dates are many
-    for (const std::size_t column : labels) fewest = std::min(fewest, count(way.rows, {column}));
-    std::ranges::stable_partition(labels, [&](std::size_t column) { return count(way.rows, {column}) <= 2 * fewest; });
-    std::ranges::stable_partition(labels, [&](std::size_t column) { return !is_measured(column); });
-    if (labels.size() > 1 && asked_.values.size() + numbers_.size() > 0) {  // the first in the file is none of metrics
-      const Columns values = values_of(with(way, "--label", {labels.front()}));
-      std::ranges::stable_partition(labels, [&](std::size_t column) {
-        return column == texts_.front() || !names_metrics(column, values.front());
-      });
-    }
+    const std::size_t fewest = labels.empty() ? 0 : count(way.rows, {fewest_of(way.rows, labels)});
+    const bool has_values = labels.size() > 1 && asked_.values.size() + numbers_.size() > 0;
+    const Columns first = has_values ? values_of(with(way, "--label", {fewest_of(way.rows, labels)})) : Columns();
+    std::ranges::stable_sort(labels, {}, [&](std::size_t column) {  // the first in the file is none of metrics
+      return std::tuple(!first.empty() && column != texts_.front() && names_metrics(column, first.front()),
+                        is_measured(column), count(way.rows, {column}) > 2 * fewest);  // solvers are few
+    });
     Columns together;  // what names the rows
     if (!way.blocks.empty() && count(way.rows, way.blocks) == way.rows.size())
       labels = names = {};  // a row has the values of all groups
@@ -399,11 +402,8 @@ class Finder {
       if (!labels.empty()) wide = together.empty() ? with(way, "--value", groups) : with(way, "--block", together);
       wide.is_wide = true;
       if (together.size() > 1 && std::ranges::all_of(together, [&](std::size_t each) { return has(texts_, each); })) {
-        const std::size_t one =
-            *std::ranges::min_element(together, {}, [&](auto each) { return count(way.rows, {each}); });
-        Columns others = together;
-        std::erase(others, one);
-        ways.push_back(with_one(with(way, "--block", others), one, commonest(way.rows, one)));
+        const std::size_t one = fewest_of(way.rows, together);
+        ways.push_back(with_one(with(way, "--block", without(together, one)), one, commonest(way.rows, one)));
         ways.back().is_wide = true;
       }
       ways.insert(labels == names && runs_.empty() ? ways.begin() : ways.end(), wide);
@@ -479,23 +479,23 @@ class Finder {
     }
     if (narrowest < 10 * widest) others = others + shares;  // those of p have any size
     if (others.size() > 1) std::erase_if(columns, [&](std::size_t column) { return !has(others, column); });
-    std::map<std::string, Columns> seconds, firsts;  // by that part
     const auto end_of = [&](std::size_t column) {
       return std::min(title(column).find_last_of(" _.-/"), title(column).size());
     };
+    const std::size_t first = columns.front(), end = end_of(first);
+    Columns by_first, by_second;  // those that have that part as the first one has
     for (const std::size_t column : columns) {
-      seconds[title(column).substr(end_of(column))].push_back(column);
-      firsts[title(column).substr(0, end_of(column))].push_back(column);
+      if (title(column).substr(0, end_of(column)) == title(first).substr(0, end)) by_first.push_back(column);
+      if (title(column).substr(end_of(column)) == title(first).substr(end)) by_second.push_back(column);
     }
-    if (seconds.size() < 2 || firsts.size() < 2 || seconds.size() * firsts.size() != columns.size()) return columns;
+    if (std::min(by_first.size(), by_second.size()) < 2 || by_first.size() * by_second.size() != columns.size())
+      return columns;
     const auto unlike = [&](const Columns& of_kind) {
       const auto size_of = [&](std::size_t column) { return sizes[column]; };
       const auto [least, most] = std::ranges::minmax(of_kind, {}, size_of);
       return sizes[most] / sizes[least];
     };
-    const std::size_t first = columns.front(), end = end_of(first);
-    const Columns &by_second = seconds[title(first).substr(end)], &by_first = firsts[title(first).substr(0, end)];
-    return !seconds.contains("") && unlike(by_first) < unlike(by_second) ? by_first : by_second;
+    return end < title(first).size() && unlike(by_first) < unlike(by_second) ? by_first : by_second;
   }
 
   // Whether there is more than one that may be a group.
@@ -587,8 +587,7 @@ class Finder {
     }
     Columns needed = open, texts, numbers;  // the rest follows from them, as how a row ended; numbers: or dates
     for (std::size_t i = open.size(); i-- > 0;) {
-      Columns others = needed;
-      std::erase(others, open[i]);
+      const Columns others = without(needed, open[i]);
       if (count(way.rows, known + others) == count(way.rows, known + needed)) needed = others;
     }
     for (const std::size_t column : needed)
@@ -596,19 +595,15 @@ class Finder {
     Columns one;  // of which one text is taken: metrics, or the steps of a curve
     const std::size_t value = way.values.front();
     for (const std::size_t column : needed) {
-      Columns others = known + needed;
-      std::erase(others, column);
-      if (sheet_.has_numbers(column) ? is_curve(way.rows, others, column, value)
+      if (sheet_.has_numbers(column) ? is_curve(way.rows, known + without(needed, column), column, value)
                                      : has(texts, column) && names_metrics(column, value))
         one = {column};
     }
     const bool is_mixed = !one.empty(), is_of_steps = is_mixed && sheet_.has_numbers(one.front());
-    if (!is_mixed && !texts.empty())
-      one = {*std::ranges::min_element(texts, {}, [&](auto text) { return count(way.rows, {text}); })};
+    if (!is_mixed && !texts.empty()) one = {fewest_of(way.rows, texts)};
     if (std::ranges::count(way.options, "--where") > 0) one.clear();
     const Index taken = is_of_steps ? way.rows.back() : one.empty() ? 0 : commonest(way.rows, one.front());
-    const std::string where =
-        one.empty() ? "" : fmt::format("{}={}", title(one.front()), sheet_.cell(taken, one.front()));
+    const std::string where = one.empty() ? "" : where_of(one.front(), taken);
     if (is_first)
       way.asked.push_back(fmt::format(
           "{} differ in {}: runs, whose rows are averaged (--run), problems that all had "
@@ -628,10 +623,8 @@ class Finder {
     }
     // Problems have names, or numbers that grow by more than 1; the last of several numbers is that of runs.
     Columns blocks = needed, run_of;
-    if (!way.run && (numbers.size() > 1 || (!numbers.empty() && !are_sizes(numbers.front())))) {
-      run_of = {numbers.back()};
-      std::erase(blocks, numbers.back());
-    }
+    if (!way.run && (numbers.size() > 1 || (!numbers.empty() && !are_sizes(numbers.front()))))
+      run_of = {numbers.back()}, blocks = without(needed, numbers.back());
     const bool are_blocks =
         way.run || (texts.empty() && is_first ? are_shared(needed) && (needed.size() > 2 || are_sizes(needed.front()))
                                               : texts.empty() || !way.label || are_shared(texts));
@@ -663,7 +656,7 @@ class Finder {
     const Way of_blocks = with(way, "--block", {name});
     const auto follows = [&](std::size_t value) { return is_curve(way.rows, {}, name, value); };
     if (std::ranges::all_of(way.values, follows)) {
-      const std::string where = fmt::format("{}={}", title(name), sheet_.cell(way.rows.back(), name));
+      const std::string where = where_of(name, way.rows.back());
       way.asked.back() += fmt::format(" or steps of a curve, of which --where {} takes one", where);
       way.options.insert(way.options.end(), {"--where", where, "--run", "row"});
       more_.push_back(of_blocks.options);
@@ -677,7 +670,7 @@ class Finder {
 
 Printed printed(Sheet& sheet, std::size_t row, std::size_t column) {
   const std::string_view text = sheet.cell(row, column);
-  const std::size_t mark = text.find_last_of(".,"), exponent = std::min(text.find_first_of("eE"), text.size());
+  const std::size_t mark = text.find_last_of(".,"), exponent = std::min(text.find_first_of("eEdD"), text.size());
   const double shift = exponent < text.size() ? base::number_from(text.substr(exponent + 1)).value_or(0) : 0;
   const double value = sheet.number(row, column);
   return {value, std::pow(10, shift - (mark < exponent ? static_cast<double>(exponent - mark - 1) : 0)) / 2};

@@ -504,7 +504,7 @@ TEST_CASE("a column that was measured is not passed over") {
   }
   CHECK(contains(said_of("case,ours [ms],theirs [us]\na,1.5,2300\nb,2.25,3100\n", {.block = {"case"}}),
                  "different units"));
-  CHECK(contains(said_of("case,GA,GA\na,1.5,2.5\nb,2.25,3.5\n", {.block = {"case"}}), "two columns 'GA'"));
+  CHECK(contains(said_of("case,GA,GA\na,1.5,2.5\nb,2.25,3.5\n", {.block = {"case"}}), "2 columns 'GA'"));
 }
 
 TEST_CASE("merged cells are refused with their column") {
