@@ -84,14 +84,12 @@ class Finder {
     const bool are_few = numbers_.empty() || std::ranges::any_of(texts_, names_rows);  // rows with values of all groups
     for (const std::size_t column : asked_.values.empty() ? texts_ + constant : Columns()) {
       const auto row = sheet.broken_number(column);
-      if (row && (are_few || 2 * count(sheet.rows(), {column}) > sheet.rows().size()))
-        sheet.refuse(
-            *row, column,
-            sheet.cell(*row, column).find_first_of("0123456789", sheet.cell(*row, column).find_first_of(" (\xC2")) !=
-                    std::string_view::npos
-                ? "is no number but several: write a mean and its deviation in columns of their own, name, n, mean and "
-                  "sd, for --summaries"
-                : "is no number: write it alone, its unit in the header, or name others with --value");
+      if (!row || !(are_few || 2 * count(sheet.rows(), {column}) > sheet.rows().size())) continue;
+      const std::string_view cell = sheet.cell(*row, column);
+      const bool is_one = cell.find_first_of("0123456789", cell.find_first_of(" (\xC2")) == std::string_view::npos;
+      sheet.refuse(*row, column,
+                   is_one ? "is no number: write it alone, its unit in the header, or name others with --value"
+                          : "is no number but several: --summaries takes columns name, n, mean and sd");
     }
     for (const std::size_t column : constant) {  // of one group, or of equal values
       Columns& others = sheet.has_numbers(column) ? numbers_ : texts_;
@@ -500,10 +498,8 @@ class Finder {
 
   // Whether there is more than one that may be a group.
   bool find_values(Way& way) {
+    if (way.values.empty() && !way.is_wide) way.values = runs_, way.are_runs = !runs_.empty();
     if (!way.values.empty()) return true;
-    way.are_runs = !way.is_wide && !runs_.empty();
-    if (way.are_runs) way.values = runs_;
-    if (way.are_runs) return true;
     Columns values = way.is_wide ? numbers_ : values_of(way), likely = values;
     for (Columns* columns : {&values, &likely}) std::erase_if(*columns, [&](auto column) { return has(way, column); });
     if (way.is_wide && !values.empty()) likely = groups_in(values);
@@ -512,8 +508,8 @@ class Finder {
       likely = {measured == values.end() ? values.front() : *measured};
     }
     const bool is_lone = way.is_wide && likely.size() == 1;
-    const auto is_measured = [&](std::size_t column) { return !is_whole(column); };
-    if (likely == values || (is_lone && !asked_.blocks.empty() && std::ranges::all_of(values, is_measured))) {
+    const auto has_whole = std::ranges::any_of(values, [&](std::size_t column) { return is_whole(column); });
+    if (likely == values || (is_lone && !asked_.blocks.empty() && !has_whole)) {
       way.values = values.empty() ? numbers_ : values;
       return true;
     }

@@ -23,7 +23,8 @@ using namespace judge;
 using base::lower_case;
 using Index = std::uint32_t;
 
-constexpr std::size_t most_last = 4;  // rows that sum up others
+constexpr std::size_t most_last = 4;          // rows that sum up others
+constexpr std::size_t most_values = 100'000;  // nobody adds such rows to more
 
 struct Value {
   Index group, unit, row, column;  // unit: block, run or the value itself
@@ -211,8 +212,8 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
 // Refuses a row that is the first of each group, or one of the last, or so in each unit of a group, and has a statistic
 // of the others there, or of ranks or wins of the groups, where each row has a value of all; and a group of one row, at
 // an end of the file, that has one of all others.
-void refuse_totals(Sheet& sheet, const Layout& layout, const Columns& columns, const Items& items) {
-  constexpr std::size_t most_values = 100'000, fewest = 3;  // nobody adds such rows to more
+void refuse_totals(Sheet& sheet, const Layout& layout, const Items& items) {
+  constexpr std::size_t fewest = 3;
   if (items.groups.size() < 2 || items.values.size() > most_values) return;
   for (const Index row : {sheet.rows().front(), sheet.rows().back()}) {  // a group of one row, at an end
     const auto its = std::ranges::find(items.values, row, &Value::row);
@@ -221,11 +222,11 @@ void refuse_totals(Sheet& sheet, const Layout& layout, const Columns& columns, c
       continue;
     std::vector<Printed> list;
     for (const Value& item : items.values)
-      if (item.row != row) list.push_back(printed(sheet, item.row, columns.front()));
-    list.push_back(printed(sheet, row, columns.front()));
+      if (item.row != row) list.push_back(printed(sheet, item.row, item.column));
+    list.push_back(printed(sheet, row, its->column));
     constexpr double tried = 0.3;  // its name makes a sum likely
     if (are_computed({list}, tried))
-      sheet.refuse(row, columns.front(), "sums up all others, and has a name of its own; leave it out of the file");
+      sheet.refuse(row, its->column, "sums up all others, and has a name of its own; leave it out of the file");
   }
   for (const bool by_unit : {false, true}) {
     std::vector<Lists> kinds(1);  // values, then from either end their ranks and who is first
@@ -285,33 +286,35 @@ void refuse_totals(Sheet& sheet, const Layout& layout, const Columns& columns, c
 
 // Refuses groups of one value that is a statistic of another's, whose name theirs begins with: "A", "A_mean".
 void refuse_aggregates(Sheet& sheet, const Items& items, std::size_t label) {
-  std::vector<std::vector<const Value*>> groups(items.groups.size());
-  for (const Value& item : items.values) groups[item.group].push_back(&item);
+  if (items.values.size() > most_values) return;
+  Lists groups(items.groups.size());
+  std::vector<Index> rows(groups.size());
+  for (const Value& item : items.values) {
+    groups[item.group].push_back(printed(sheet, item.row, item.column));
+    rows[item.group] = item.row;
+  }
   std::map<std::string, Lists> ends;
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    for (std::size_t of = 0; of < groups.size() && groups[g].size() == 1; ++of) {
-      if (groups[of].size() < 3 || !items.groups[g].starts_with(items.groups[of])) continue;
-      Lists& lists = ends[items.groups[g].substr(items.groups[of].size())];
-      lists.emplace_back();
-      for (const Value* each : groups[of]) lists.back().push_back(printed(sheet, each->row, each->column));
-      lists.back().push_back(printed(sheet, groups[g][0]->row, groups[g][0]->column));
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    for (std::size_t of = 0; of < groups.size() && groups[i].size() == 1; ++of) {
+      if (groups[of].size() < 3 || !items.groups[i].starts_with(items.groups[of])) continue;
+      Lists& lists = ends[items.groups[i].substr(items.groups[of].size())];
+      lists.push_back(groups[of]);
+      lists.back().push_back(groups[i].front());
       if (are_computed(lists, static_cast<double>(groups.size())))
-        sheet.refuse(groups[g][0]->row, label,
+        sheet.refuse(rows[i], label,
                      fmt::format("sums up {}; leave such rows out of the file", in_quotes(items.groups[of])));
     }
 }
 
 // Refuses a few blocks or runs without a number where the others have one.
 void refuse_unnumbered(const Sheet& sheet, std::size_t unit) {
-  const auto has_digit = [](std::string_view text) {
-    return text.find_first_of("0123456789") != std::string_view::npos;
-  };
   std::set<std::string_view> numbered, others;
   Index last = 0;
   for (const Index row : sheet.rows()) {
     const std::string_view name = sheet.cell(row, unit);
-    (has_digit(name) ? numbered : others).insert(name);
-    if (!has_digit(name)) last = row;
+    const bool has_digit = name.find_first_of("0123456789") != std::string_view::npos;
+    (has_digit ? numbered : others).insert(name);
+    if (!has_digit) last = row;
   }
   if (!others.empty() && others.size() <= most_last && 4 * others.size() < numbered.size())
     sheet.refuse(last, unit,
