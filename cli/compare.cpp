@@ -298,8 +298,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
-      "The exit code is 3 if something is shown to be worse, and not shown to be so by less than the margin; else 1 "
-      "after a mistake, or if A and B, or the times that --time-margin asks for, could not be compared; else 4 with "
+      "The exit code is 3 if something is shown to be worse, and not shown to be so by less than the margin; 1 after a "
+      "mistake, or else if A and B, or the times that --time-margin asks for, could not be compared; else 4 with "
       "--strict, if something is not decided or not tested; else 0.\n"
       "Times are shown and decide nothing without --time-margin.");
   command->callback([arguments, &invocation] {

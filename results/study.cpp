@@ -44,8 +44,9 @@ void list_fields(base::Fields& io, StudyData& study) {
       "the wrist's angles lie within half a turn of 0, or they are turned by whole turns to where they move least");
   io.choice(
       "limits", study.limits, names_of(study.limits),
-      "recorded: answers outside the joint limits are kept and reported; enforced: candidates are clamped, the wrist "
-      "takes a branch inside the limits, and an answer outside is refused, so the arm stays where it was");
+      "recorded: answers outside the joint limits are kept and reported; enforced: an answer outside is refused, so "
+      "the arm stays where it was; solvers with bounds = \"initial\" by default clamp candidates; the wrist takes a "
+      "branch inside the limits");
   io.choice(
       "wrap", study.wrap, {"no", "into_limits", "nearest"},
       "into_limits: after a solve, joints outside their limits are turned back inside by whole turns where that is "
