@@ -88,8 +88,7 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
   // A transaction for each solve would cost more than many a solve; in a shared store each waits for the disk.
   request.patience = std::chrono::milliseconds(mode == Store::Mode::write_shared ? 1000 : 20);
   Store store(store_in(folder), mode);
-  for (const StoredStudy& earlier : store.studies()) {
-    if (earlier.name != study.name) continue;
+  for (const StoredStudy& earlier : store.studies(study.name)) {
     const std::string difference = difference_in_solves(earlier.definition.json, stored.definition.json);
     if (!difference.empty())
       warn(

@@ -358,9 +358,10 @@ void Store::save_study(const StoredStudy& study) {
   });
 }
 
-std::vector<StoredStudy> Store::studies() const {
+std::vector<StoredStudy> Store::studies(const std::string& name) const {
   return guarded(database_->name, [&] {
-    SQLite::Statement query(database_->sqlite, "SELECT name, definition FROM studies ORDER BY position");
+    SQLite::Statement query(database_->sqlite,
+                            "SELECT name, definition FROM studies WHERE ? IN ('', name) ORDER BY position");
     SQLite::Statement of_study(database_->sqlite,
                                "SELECT key, label, algorithm, options FROM series WHERE study = ? ORDER BY position");
     std::vector<StoredStudy> list;
@@ -369,7 +370,7 @@ std::vector<StoredStudy> Store::studies() const {
         throw Damage(fmt::format("{} {} is no JSON object", column.getName(), excerpt(column.getString())));
       return column.getString();
     };
-    while (query.executeStep()) {
+    for (query.bind(1, name); query.executeStep();) {
       StoredStudy study{.name = query.getColumn(0).getString(),
                         .definition = definition_of(object(query.getColumn(1))),
                         .series = {}};
@@ -388,11 +389,9 @@ std::vector<StoredStudy> Store::studies() const {
 }
 
 StoredStudy Store::study(const std::string& name) const {
+  if (std::vector<StoredStudy> found = studies(name); !found.empty()) return std::move(found.front());
   std::string names;
-  for (StoredStudy& study : studies()) {
-    if (name.empty() || study.name == name) return std::move(study);
-    names += (names.empty() ? "" : ", ") + study.name;
-  }
+  for (const StoredStudy& study : studies()) names += (names.empty() ? "" : ", ") + study.name;
   throw std::invalid_argument(
       names.empty() ? fmt::format("'{}' has no study; expected a store that `ikbench run` wrote", database_->name)
                     : fmt::format("no study '{}' in '{}'; expected one of: {}", name, database_->name, names));

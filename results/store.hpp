@@ -64,7 +64,8 @@ class Store {
 
   // Writes the study and replaces one of the same name (its solves stay; only those of the new series are current).
   void save_study(const StoredStudy& study);
-  std::vector<StoredStudy> studies() const;          // in the order of their first save
+  // Those of this name, one or none; "": all, in the order of their first save. No other's definition is read.
+  std::vector<StoredStudy> studies(const std::string& name = "") const;
   StoredStudy study(const std::string& name) const;  // "": the first. std::invalid_argument if there is none
 
   std::int64_t begin_session(const std::map<std::string, std::string>& environment);

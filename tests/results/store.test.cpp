@@ -130,6 +130,18 @@ TEST_CASE("a study that is not there is told which are", "[store]") {
   CHECK(store.study("").name == "helix");
 }
 
+TEST_CASE("a definition that cannot be is refused with its study, and other studies of its store are read", "[store]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "a.ikb", Store::Mode::write);
+  store.save_study(sample_study("helix"));
+  StoredStudy changed = sample_study("circle");
+  changed.definition.json = R"({"name":"circle","runs":"many"})";
+  store.save_study(changed);
+  CHECK_THAT(complaint<std::invalid_argument>([&] { store.study("circle"); }),
+             StartsWith("study circle: runs is \"many\"; expected"));
+  CHECK(store.study("helix").definition.runs == 20);
+}
+
 TEST_CASE("solves of a study are those of its current series, runs and points, in its order", "[store]") {
   const ScratchFolder folder;
   Store store(folder.path / "a.ikb", Store::Mode::write);
