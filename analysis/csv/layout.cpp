@@ -280,10 +280,12 @@ class Finder {
     const std::size_t single = regular[{1, 1}];
     if (!sheet_.has_numbers(column)) return texts.size() > single;
     regular.erase({1, 1});
-    const bool are_in_all =
-        std::ranges::all_of(texts, [&](const Text& text) { return text.classes == classes.size(); });
+    std::map<Index, std::size_t> sizes;  // of a text in a class, as often: most are of one in all classes, as planned
+    for (const Index size : alike) ++sizes[size];
+    const bool are_even = number_of(by_both) == texts.size() * classes.size() &&
+                          std::ranges::any_of(sizes, [&](auto& each) { return 2 * each.second > alike.size(); });
     const auto repeats = [&](const Class& each) {
-      return 2 * each.different <= each.rows && (each.changes == each.different || (are_in_all && each.different > 2));
+      return 2 * each.different <= each.rows && (each.changes == each.different || (are_even && each.different > 2));
     };
     const auto in_one = [](const Text& text) { return text.classes == 1; };
     const bool is_of_one =  // each repeats, in one class alone, as a run's own number

@@ -451,6 +451,10 @@ TEST_CASE("the first command compares groups alone, of one metric, at one step")
     trials += fmt::format("{},{},{}\n", "AB"[i / 2 % 2], i % 2 ? "done" : "cut", i * i % 7 + 0.5);
   for (const char* sampler : {"A", "B", "A", "B"}) trials += fmt::format("{},done,3.{}\n", sampler, trials.size() % 10);
   CHECK(contains(said_of(trials), "--where state=done"));
+  std::string drawn = "sampler,layers,value\n";  // by each trial, not planned for all
+  for (const char layers : std::string("2323232131231321333311"))
+    drawn += fmt::format("{},{},{}.5\n", drawn.size() < 115 ? "A" : "B", layers, drawn.size() * 37 % 101);
+  CHECK(said_of(drawn, {.values = {"value"}}).empty());
   CHECK(contains(said_of("name,ms\nk/7,101.6062\nk/7,99.5726\nk/7,111.3763\nk/7_mean,104.1850\nj,9.5\nj,8.25\n"),
                  "data.csv:5:1: 'k/7_mean' in column 'name' sums up 'k/7'"));
   CHECK(list_of(observations(tables[16].first, {.label = {"solver"}}).groups[1]) == std::vector{3.0, 1.2, 4.1});
