@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "analysis/judge/gate.hpp"
-#include "analysis/show/report.hpp"
+#include "analysis/show/screen.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "base/files.hpp"

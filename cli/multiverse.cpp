@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "analysis/show/publish.hpp"
 #include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"

@@ -11,6 +11,8 @@
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/judge/judge.hpp"
+#include "analysis/show/publish.hpp"
+#include "analysis/show/screen.hpp"
 #include "base/embedded_file.hpp"
 #include "base/inputs.hpp"
 #include "base/names.hpp"

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "analysis/show/publish.hpp"
 #include "base/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"

@@ -10,7 +10,9 @@
 
 #include "analysis/csv/user_csv.hpp"
 #include "analysis/figures/of_study.hpp"
+#include "analysis/show/publish.hpp"
 #include "analysis/show/report.hpp"
+#include "analysis/show/screen.hpp"
 #include "analysis/show/words.hpp"
 #include "base/csv.hpp"
 #include "base/inputs.hpp"

@@ -1,5 +1,7 @@
 // What an article takes: paragraphs for Methods and Results, tables with captions that say of what, and an example that
 // inputs all.
+#include "analysis/show/article.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,7 +12,8 @@
 #include <map>
 #include <set>
 
-#include "analysis/show/report.hpp"
+#include "analysis/show/page.hpp"
+#include "analysis/show/publish.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "base/files.hpp"

@@ -1,3 +1,5 @@
+#include "analysis/show/moving_arm.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <set>
 
 #include "analysis/figures/of_study.hpp"
-#include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
 #include "base/embedded_file.hpp"
 #include "base/json.hpp"

@@ -1,4 +1,6 @@
 // Writes a report as a page of HTML that loads nothing, and as Markdown.
+#include "analysis/show/page.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,8 @@
 #include <span>
 #include <string_view>
 
-#include "analysis/show/report.hpp"
+#include "analysis/show/moving_arm.hpp"
+#include "analysis/show/publish.hpp"
 #include "analysis/show/text.hpp"
 #include "base/embedded_file.hpp"
 #include "base/files.hpp"

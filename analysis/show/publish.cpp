@@ -1,3 +1,5 @@
+#include "analysis/show/publish.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,9 @@
 #include <system_error>
 
 #include "analysis/figures/of_study.hpp"
-#include "analysis/show/report.hpp"
+#include "analysis/show/article.hpp"
+#include "analysis/show/moving_arm.hpp"
+#include "analysis/show/page.hpp"
 #include "analysis/show/text.hpp"
 #include "base/files.hpp"
 #include "base/inputs.hpp"

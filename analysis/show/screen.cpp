@@ -1,3 +1,5 @@
+#include "analysis/show/screen.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -5,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 

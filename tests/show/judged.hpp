@@ -5,7 +5,11 @@
 
 #include "analysis/judge/judge.hpp"
 #include "analysis/show/block.hpp"
+#include "analysis/show/moving_arm.hpp"
+#include "analysis/show/page.hpp"
+#include "analysis/show/publish.hpp"
 #include "analysis/show/report.hpp"
+#include "analysis/show/screen.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "base/csv.hpp"

@@ -1,7 +1,8 @@
+#include "analysis/show/report.hpp"
+
 #include <algorithm>
 #include <iterator>
 
-#include "analysis/show/report.hpp"
 #include "analysis/show/words.hpp"
 
 namespace ikbench::show {

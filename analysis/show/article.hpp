@@ -1,0 +1,19 @@
+// The tables and paragraphs of a report as an article has them, in LaTeX.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/show/report.hpp"
+
+namespace ikbench::show {
+
+// The table as an article has it: its name and caption say of what.
+Table for_article(const Table& whole, const Report& report);
+// The folder article/, with an example that inputs these tables and figures. Returns its files.
+std::vector<std::string> write_article(const Report& report, const std::vector<std::string>& tables,
+                                       const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
+                                       const std::string& program);
+
+}  // namespace ikbench::show

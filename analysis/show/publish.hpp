@@ -1,0 +1,36 @@
+// A report as the files of a folder.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/show/report.hpp"
+
+namespace ikbench::show {
+
+// Name and meaning of each figure that some report has, whose files begin with it.
+std::vector<std::pair<std::string, std::string>> all_figures();
+
+// The types of a figure's pictures that stand there: "svg", "pdf", "png".
+std::vector<std::string> types_of(const figures::Figure& figure, const std::filesystem::path& folder);
+
+// NAME.csv, NAME.md and, of what an article shows, NAME.tex.
+void write_table(const Table& table, const Table& article, const std::filesystem::path& folder,
+                 const std::string& program);
+
+struct Written {
+  std::filesystem::path page;         // report.html
+  std::vector<std::string> files;     // all, from the folder
+  std::vector<std::string> warnings;  // figures that were not drawn
+};
+// Throws std::invalid_argument if the folder has a file of their names that no report wrote, as its results.json says.
+void refuse_others(const std::filesystem::path& folder);
+// Writes report.html, report.md, results.json, tables/ and figures/ beside the study's solves.csv, which whoever reads
+// its solves has written (results/export.hpp); removes what an earlier report wrote, and this one does not. `program`
+// made it, with its version. Throws std::invalid_argument if the folder cannot be written.
+Written publish(const Report& report, const std::filesystem::path& folder, const figures::RenderOptions& options,
+                const std::string& program = {});
+
+}  // namespace ikbench::show

@@ -1,0 +1,15 @@
+// What a command prints of an answer.
+#pragma once
+
+#include <string>
+
+#include "analysis/show/answer.hpp"
+
+namespace ikbench::show {
+
+// The last screen of `run`, `report`, `compare` and `stats`: the headline, the table of results, pairs,
+// warnings; where `page` is, if it is not empty. Pairs are those of the metric of the headline, up to most_pairs
+// (words.hpp); where there are only two groups, those of every metric.
+std::string screen(const Answer& answer, const std::string& page = {});
+
+}  // namespace ikbench::show
