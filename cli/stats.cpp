@@ -85,7 +85,8 @@ show::Report judged(const StatsArguments& arguments, Style& style) {
 
 void stats(const StatsArguments& arguments) {
   for (const char* file : {"store.sqlite", "solves.csv"}) {
-    if (!arguments.out.empty() && std::filesystem::exists(std::filesystem::path(arguments.out) / file))
+    std::error_code unknown;  // of a place that cannot be looked at, writing says why
+    if (!arguments.out.empty() && std::filesystem::exists(std::filesystem::path(arguments.out) / file, unknown))
       throw std::invalid_argument(
           fmt::format("--out {}: the {} of a study is there; choose another folder", arguments.out, file));
   }
