@@ -10,7 +10,6 @@
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -192,13 +191,15 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
     const SolveRunner& runner = runners.at(solve.label);
     const SolveRecord again =
         runner.solve(*runner.make_solver(), target_of(solve), vector_of(solve.start_rad), solve.run, solve.point);
-    const auto counts = [](const SolveRecord& of) {
-      return std::tie(of.status, of.stop_reason, of.evaluations, of.iterations, of.restarts, of.improved_at);
+    const auto compare = [&](const char* column, const auto& made, const auto& of_store) {
+      if (made != of_store) refuse(solve, fmt::format("made again, it has {} {}, not {}", column, made, of_store));
     };
-    if (counts(again) != counts(solve))
-      refuse(solve, fmt::format("made again, it has {} evaluations, {} iterations and status {}, not {}, {} and {}",
-                                again.evaluations, again.iterations, name_of(again.status), solve.evaluations,
-                                solve.iterations, name_of(solve.status)));
+    compare("status", name_of(again.status), name_of(solve.status));
+    compare("stop_reason", name_of(again.stop_reason), name_of(solve.stop_reason));
+    compare("evaluations", again.evaluations, solve.evaluations);
+    compare("iterations", again.iterations, solve.iterations);
+    compare("restarts", again.restarts, solve.restarts);
+    if (again.improved_at != solve.improved_at) refuse(solve, "made again, it has another improved_at");
     if (!same_bits(again.answer_rad, solve.answer_rad)) refuse(solve, "made again, it has another answer");
     ++found.solves;
   }

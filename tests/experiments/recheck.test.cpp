@@ -164,12 +164,13 @@ TEST_CASE("solves are made again from the store alone, and another bit or count 
   const SolvedAgain found = found_in("as_made", rows);
   CHECK(found.of == std::ssize(rows));
   CHECK(found.solves == found.of);
-  for (const int what : {0, 1}) {
+  for (const std::string what : {"evaluations", "restarts", "another answer"}) {
     std::vector<SolveRecord> forged = rows;
-    if (what == 0) --forged.back().evaluations;
-    if (what == 1) forged.back().answer_rad[0] = std::nextafter(forged.back().answer_rad[0], 9);
-    CHECK_THAT(complaint<std::invalid_argument>([&] { found_in(what == 0 ? "counts" : "bits", forged); }),
-               ContainsSubstring("made again"));
+    if (what == "evaluations") --forged.back().evaluations;
+    if (what == "restarts") forged.back().restarts = 99;
+    if (what == "another answer") forged.back().answer_rad[0] = std::nextafter(forged.back().answer_rad[0], 9);
+    CHECK_THAT(complaint<std::invalid_argument>([&] { found_in(what.c_str(), forged); }),
+               ContainsSubstring("made again, it has " + what));
   }
   StoredStudy odd = entry;
   for (const char* population : {"\"x\"", "-5", "1e300", "2000000000"}) {
