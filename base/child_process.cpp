@@ -270,7 +270,7 @@ std::string ChildProcess::end_after(Trouble::Kind trouble) {
   std::string_view last = wrote_;
   last = last.substr(0, last.find_last_not_of("\n ") + 1);
   last = last.substr(last.find_last_of('\n') + 1);
-  if (!last.empty()) told += fmt::format("; its last words: {}", front(last, 200));
+  if (!last.empty()) told += fmt::format("; its last words: {}", one_line(front(last, 200)));
   return told;
 }
 

@@ -77,7 +77,7 @@ Message next_message(ChildProcess& child, Clock::time_point deadline) {
     for (;;) {
       std::string line = child.read_line(deadline);
       if (line.starts_with('{')) return Message(std::move(line));
-      noise = fmt::format("; it wrote what is no message: {}", base::front(line, 200));
+      noise = fmt::format("; it wrote what is no message: {}", base::one_line(base::front(line, 200)));
     }
   } catch (const Trouble& trouble) {
     throw Trouble{trouble.kind, trouble.why + noise};

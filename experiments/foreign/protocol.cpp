@@ -71,7 +71,8 @@ Message::Message(std::string line) : line_(std::move(line)), json_(std::make_sha
 }
 
 void Message::fail(const std::string& expected) const {
-  throw Trouble{Trouble::Kind::broke_protocol, fmt::format("it wrote {}; expected {}", front(line_, 200), expected)};
+  throw Trouble{Trouble::Kind::broke_protocol,
+                fmt::format("it wrote {}; expected {}", base::one_line(front(line_, 200)), expected)};
 }
 
 // A text that is safe in tables and file names.
