@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -19,22 +21,28 @@
 
 namespace ikbench::base {
 
-namespace {
-
 namespace fs = std::filesystem;
+
+bool is_mistake(int error) {
+  constexpr std::array mistakes{EACCES, EPERM, EROFS,        ENOENT, ENOTDIR, EISDIR,
+                                EEXIST, ELOOP, ENAMETOOLONG, EINVAL, EBUSY,   ETXTBSY};
+  return std::ranges::find(mistakes, error) != mistakes.end();
+}
+
+void refuse_place(std::string_view verb, const fs::path& place, int error) {
+  const std::string message =
+      fmt::format("cannot {} '{}': {}", verb, place.string(), std::generic_category().message(error));
+  if (is_mistake(error)) throw std::invalid_argument(fmt::format("{}; choose a place where you can {}", message, verb));
+  if (error == EMFILE) throw std::runtime_error(message + "; raise ulimit -n, then try again");
+  throw std::runtime_error(message + "; make room there (or raise ulimit -f), choose another place, or try again");
+}
+
+namespace {
 
 // A write that the system refused, as opposed to an error of the contents.
 struct WriteFailed {
   std::error_code error;
 };
-
-// Refuses a write, with the exception by whose fault it is: the system's if its disk is full or fails.
-[[noreturn]] void refuse(const std::string& what, const std::string& why, const std::error_code& error) {
-  const std::string message = fmt::format("cannot write {}: {}", what, why);
-  if (error.value() == ENOSPC || error.value() == EDQUOT || error.value() == EFBIG || error.value() == EIO)
-    throw std::runtime_error(message + "; make room there (or raise ulimit -f), or choose another place");
-  throw std::invalid_argument(message + "; choose a place that you can write to");
-}
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
@@ -117,7 +125,7 @@ void write_whole(const fs::path& file, const Contents& contents, bool syncs) {
   if (!error)
     error = is_file && ::access(file.c_str(), W_OK) != 0 ? last_error()
                                                          : replace(file, contents, is_file ? &there : nullptr, syncs);
-  if (error) refuse(fmt::format("'{}'", file.string()), error.message(), error);
+  if (error) refuse_place("write", file, error.value());
 }
 
 }  // namespace
@@ -161,7 +169,7 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent, const fs::path& result)
   remove_litter(parent);
   std::string name = (parent / scratch_name).string();
   if (!error && ::mkdtemp(name.data()) == nullptr) error = last_error();
-  if (error) refuse(fmt::format("'{}'", (result.empty() ? parent : result).string()), error.message(), error);
+  if (error) refuse_place("write", result.empty() ? parent : result, error.value());
   path_ = name;
   temporary_folders.insert(path_);
 }

@@ -11,8 +11,7 @@ namespace ikbench::base {
 
 // Creates the folder if it is missing. Keeps the permissions of a replaced file. Replaces a link, a pipe or a device,
 // and opens none, since somebody else may have put it into a folder of results. Throws
-// std::invalid_argument, or std::runtime_error if a disk is full or fails, with the file and the system's reason; and
-// std::invalid_argument if the file is an input (base/inputs.hpp).
+// as refuse_place, and std::invalid_argument if the file is an input (base/inputs.hpp).
 void write_file(const std::filesystem::path& file, std::string_view text);
 // The same in parts, which `contents` writes one after another. If it throws, a file that would be replaced stays as it
 // was.
@@ -24,6 +23,10 @@ void write_file(const std::filesystem::path& file, const Contents& contents);
 void write_through(const std::filesystem::path& file, const Contents& contents);
 // Refuses a link in place of a report's tables/ or figures/: what it leads to belongs to somebody else.
 void refuse_links(const std::filesystem::path& folder);
+// Whether an error of the system is the user's mistake, as a place that is not theirs; a full disk, a limit is none.
+bool is_mistake(int error);
+// Says that a place cannot be written or read: std::invalid_argument for a mistake, std::runtime_error otherwise.
+[[noreturn]] void refuse_place(std::string_view verb, const std::filesystem::path& place, int error);
 // Reads a regular file, where a link leads too; nothing if it cannot be read. A user's own: base/inputs.hpp.
 std::optional<std::string> read_file(const std::filesystem::path& file);
 
@@ -31,8 +34,7 @@ std::optional<std::string> read_file(const std::filesystem::path& file);
 // a day ago when the next is made. Nobody else's link or file is in it.
 class TemporaryFolder {
  public:
-  // Throws std::invalid_argument, or std::runtime_error as above, with the system's reason and the place: the parent,
-  // or the file or folder that becomes of it.
+  // Throws as refuse_place, for the parent, or the file or folder that becomes of it.
   explicit TemporaryFolder(const std::filesystem::path& parent, const std::filesystem::path& result = {});
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

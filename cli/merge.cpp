@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "base/files.hpp"
 #include "base/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -34,7 +35,7 @@ std::vector<fs::path> stores_in(const fs::path& place) {
     std::error_code unknown;  // of a store that cannot be looked at, opening it says why
     if (fs::exists(store_in(entry->path()), unknown) || unknown) stores.push_back(store_in(entry->path()));
   }
-  if (error) throw std::invalid_argument(fmt::format("cannot read '{}': {}", place.string(), error.message()));
+  if (error) base::refuse_place("read", place, error.value());
   if (stores.empty())
     throw std::invalid_argument(fmt::format("'{}' has no store.sqlite, and no folder in it has one", place.string()));
   std::ranges::sort(stores);

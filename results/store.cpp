@@ -99,9 +99,7 @@ std::string checked_path(const fs::path& file, Store::Mode mode) {
     throw std::invalid_argument(
         fmt::format("'{}' does not exist; expected a store, which `ikbench run` writes", file.string()));
   if (mode != Store::Mode::read) fs::create_directories(path.parent_path(), error);
-  if (mode != Store::Mode::read && error)
-    throw std::invalid_argument(fmt::format("cannot write '{}': its folder cannot be created ({}); choose another path",
-                                            file.string(), error.message()));
+  if (mode != Store::Mode::read && error) base::refuse_place("write", file, error.value());
   return path.string();
 }
 
@@ -129,7 +127,7 @@ bool lacks_locks(const std::string& file) {
 
 // Throws `error` as a sentence about the file (store.hpp says which exception).
 [[noreturn]] void refuse(const std::string& file, const SQLite::Exception& error) {
-  switch (error.getErrorCode()) {
+  switch (error.getErrorCode() & 0xff) {
     case SQLITE_NOTADB:
       throw std::invalid_argument(fmt::format(
           "'{}' is not an ikbench store: it is not an SQLite file; expected a file written by ikbench", file));
@@ -150,6 +148,12 @@ bool lacks_locks(const std::string& file) {
             file, file));
       [[fallthrough]];
     case SQLITE_CANTOPEN:
+      if (errno == EMFILE) base::refuse_place("open", file, errno);
+      try {  // SQLite forgets why it could not: a full disk refuses this, too
+        base::TemporaryFolder(fs::absolute(file).parent_path(), file);
+      } catch (const std::invalid_argument&) {
+      }
+      [[fallthrough]];
     case SQLITE_PERM:
       throw std::invalid_argument(fmt::format(
           "cannot open '{}' ({}): you may not read or write the file, its folder or the '-wal' file beside it; change "
@@ -248,8 +252,12 @@ struct Store::Database {
     if (size % page != 0 && !log_has(size / page + 1, page)) throw Damage("it is truncated");
     // A view may be endless, and a column be computed.
     if (schema_of(sqlite) != our_schema()) throw Damage("its tables and views are not those that ikbench makes");
-    const std::string verdict = sqlite.execAndGet("PRAGMA quick_check(1)").getString();
-    if (verdict != "ok") throw Damage(verdict.substr(verdict.rfind('\n') + 1));
+    std::string verdict = sqlite.execAndGet("PRAGMA quick_check(1)").getString();
+    verdict.erase(0, verdict.rfind('\n') + 1);
+    constexpr std::string_view unread = "unable to get the page. error code=";
+    if (const auto at = verdict.find(unread); at != std::string::npos)
+      throw SQLite::Exception(verdict, std::stoi(verdict.substr(at + unread.size())));
+    if (verdict != "ok") throw Damage(verdict);
   }
 
   // Whether the log has a page, from 1, which SQLite then takes from there: frames of 24 bytes and a page, behind 32

@@ -65,7 +65,7 @@ TEST_CASE("what is not a store is refused in a sentence", "[store][faults]") {
   }
   CHECK_THAT(refusal(folder.path / "none.ikb"), ContainsSubstring("does not exist"));
   CHECK(!std::filesystem::exists(folder.path / "none.ikb"));
-  CHECK_THAT(refusal(file / "below" / "a.ikb", Store::Mode::write), ContainsSubstring("cannot be created"));
+  CHECK_THAT(refusal(file / "below" / "a.ikb", Store::Mode::write), ContainsSubstring("cannot write"));
 }
 
 TEST_CASE("another program's database is refused and left as it is", "[store][faults]") {
