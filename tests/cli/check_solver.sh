@@ -13,3 +13,8 @@ python3 "$scripts/programs/failed.py" <table || fail "see above: $(cat ./*.err)"
 has "$(<good.said)" "All 9 checks passed"
 has "$(<lies.said)" "2 of 9 checks failed"
 has "$(<null.said)" 'expected "q"'
+
+# A NUL does not end what is said of a line.
+"$program" check-solver printf '{"message":"hello\0"}\n' >.out 2>&1
+equal "code at a NUL" $? 1
+has "$(<.out)" "; expected JSON"
