@@ -632,7 +632,7 @@ TEST_CASE("last rows with statistics of those above are refused") {
     CHECK(contains(said_of(named + last), "data.csv:10:2"));
   CHECK(contains(said_of("solver,error\nx,1.193" + named.substr(12)), "data.csv:2:2"));
   for (const char* other : {"x,1.201", "x,1.193\nx,1.201", "x,1.193\na,1.001"}) CHECK(said_of(named + other).empty());
-  std::string stamps = "s,v\n";                                                // near each other by their size
+  std::string stamps = "s,v\n";  // near each other by their size
   for (int i = 0; i < 20; ++i) stamps += fmt::format("{},{}\n", i < 10 ? "A" : "B", 1.7e9 + i * i * 37 % 101 * 0.971);
   CHECK(said_of(stamps).empty());
   // Small counts and infinite values are data, whatever they add up to.
