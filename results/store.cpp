@@ -379,9 +379,12 @@ std::vector<StoredStudy> Store::studies(const std::string& name) const {
       return column.getString();
     };
     for (query.bind(1, name); query.executeStep();) {
-      StoredStudy study{.name = query.getColumn(0).getString(),
-                        .definition = definition_of(object(query.getColumn(1))),
-                        .series = {}};
+      StoredStudy study{.name = query.getColumn(0).getString(), .definition = {}, .series = {}};
+      try {
+        study.definition = definition_of(object(query.getColumn(1)));
+      } catch (const std::invalid_argument& error) {
+        throw Damage(error.what());
+      }
       for (of_study.bind(1, study.name); of_study.executeStep();)
         study.series.push_back({.key = of_study.getColumn(0).getString(),
                                 .label = of_study.getColumn(1).getString(),

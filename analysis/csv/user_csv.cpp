@@ -226,7 +226,8 @@ void refuse_totals(Sheet& sheet, const Layout& layout, const Items& items) {
     list.push_back(printed(sheet, row, its->column));
     constexpr double tried = 0.3;  // its name makes a sum likely
     if (are_computed({list}, tried))
-      sheet.refuse(row, its->column, "sums up all others, and has a name of its own; leave it out of the file");
+      sheet.refuse(row, its->column,
+                   "is a statistic of all others, and has a name of its own; leave it out of the file");
   }
   for (const bool by_unit : {false, true}) {
     std::vector<Lists> kinds(1);  // values, then from either end their ranks and who is first

@@ -218,14 +218,14 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
       "{:.0f} readings, each with {}. A claim holds where its solvers are better than each rival, and fails "
       "where a rival is better. Each pair is tested alone, at {:g} / pairs.",
       multiverse.readings(), seeds > 1 ? fmt::format("seeds 1 to {}", seeds) : "seed 1", plan.significance)};
-  result.on_screen.columns.assign(result.table.columns.begin(), result.table.columns.begin() + 4);
-  result.on_screen.notes = result.table.notes;
-  std::ranges::move(sentences, std::back_inserter(result.on_screen.notes));
   show::Table on_page = result.table;  // without counts
   for (std::vector<show::Cell>& row : on_page.rows) row.erase(row.begin() + 1, row.begin() + 4);
   on_page.columns.erase(on_page.columns.begin() + 1, on_page.columns.begin() + 4);
   result.table.on_page = {on_page};
   result.table.notes.emplace_back("Counts depend on which answers are listed; they are no probabilities.");
+  result.on_screen.columns.assign(result.table.columns.begin(), result.table.columns.begin() + 4);
+  result.on_screen.notes = result.table.notes;
+  std::ranges::move(sentences, std::back_inserter(result.on_screen.notes));
   return result;
 }
 

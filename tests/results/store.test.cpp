@@ -138,7 +138,7 @@ TEST_CASE("a definition that cannot be is refused with its study, and other stud
   changed.definition.json = R"({"name":"circle","runs":"many"})";
   store.save_study(changed);
   CHECK_THAT(complaint<std::invalid_argument>([&] { store.study("circle"); }),
-             StartsWith("study circle: runs is \"many\"; expected"));
+             ContainsSubstring("damaged (study circle: runs is \"many\"; expected"));
   CHECK(store.study("helix").definition.runs == 20);
 }
 
