@@ -10,8 +10,8 @@
 namespace ikbench::base {
 
 // Creates the folder if it is missing. Keeps the permissions of a replaced file. Replaces a link, a pipe or a device,
-// and opens none, since somebody else may have put it into a folder of results. Throws
-// as refuse_place, and std::invalid_argument if the file is an input (base/inputs.hpp).
+// and opens none, since somebody else may have put it into a folder of results. Throws as refuse_place, and
+// std::invalid_argument if the file is an input (base/inputs.hpp).
 void write_file(const std::filesystem::path& file, std::string_view text);
 // The same in parts, which `contents` writes one after another. If it throws, a file that would be replaced stays as it
 // was.

@@ -57,7 +57,7 @@ std::optional<double> parsed(std::string_view text, char decimal) {
     if (plain != text) return parsed(plain, decimal);  // else it has another letter of these bytes
   }
   if (const std::size_t at = text.find_first_of("dD"); at != std::string_view::npos && at + 1 < text.size()) {
-    const bool is_exponent = at > 0 && (text[at + 1] == '-' || text[at + 1] == '+');
+    const bool is_exponent = (text[at + 1] == '-' || text[at + 1] == '+') && has_mark(text.substr(0, at));  // no "2D-1"
     return is_exponent ? parsed(std::string(text).replace(at, 1, "e"), decimal) : std::nullopt;
   }
   if (!has_mark(text)) return number_from(text);

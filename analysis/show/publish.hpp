@@ -29,7 +29,7 @@ struct Written {
 void refuse_others(const std::filesystem::path& folder);
 // Writes report.html, report.md, results.json, tables/ and figures/ beside the study's solves.csv, which whoever reads
 // its solves has written (results/export.hpp); removes what an earlier report wrote, and this one does not. `program`
-// made it, with its version. Throws std::invalid_argument if the folder cannot be written.
+// made it, with its version. Throws as base::refuse_place if the folder cannot be written.
 Written publish(const Report& report, const std::filesystem::path& folder, const figures::RenderOptions& options,
                 const std::string& program = {});
 

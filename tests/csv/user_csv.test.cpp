@@ -471,6 +471,7 @@ TEST_CASE("tables of Markdown, org and MySQL, and thousands of the Swiss, are re
     CHECK(list_of(observations(text).groups[0]) == std::vector{1000.5});
   }
   CHECK(contains(said_of("s;v\nA;10'00.5\nB;2\n", {.values = {"v"}}), "data.csv:2:2"));
+  CHECK(contains(said_of("s,A,B\n2D-1,1.5,2\n3D-2,1.6,2.1\n", {}), "--block s"));  // names, not numbers of Fortran
   for (const std::string text :
        {"\n\n| s | v |\n|---|---|\n| A | **7** |\n\n| B | 2 |\n", "=== ===\ns   v\n=== ===\nA   7\nB   2\n=== ===\n",
         "s v\nA 7\n# the second part\nB 2\n", "sep=;\ns;v, in kg, dry\nA;7\nB;2\n", "s,v\n#1,7\n#2,2\n"})
