@@ -42,14 +42,6 @@ Columns operator+(Columns columns, const Columns& more) {
   return columns;
 }
 
-// "run1", "run2"
-bool is_next(std::string_view title, std::string_view next) {
-  const auto end_of = [](std::string_view text) { return text.find_last_not_of("0123456789") + 1; };
-  const auto number = base::number_from(title.substr(end_of(title))),
-             other = base::number_from(next.substr(end_of(next)));
-  return number && other && *number + 1 == *other && title.substr(0, end_of(title)) == next.substr(0, end_of(next));
-}
-
 Columns without(Columns columns, std::size_t column) {
   std::erase(columns, column);
   return columns;
@@ -95,9 +87,6 @@ class Finder {
       Columns& others = sheet.has_numbers(column) ? numbers_ : texts_;
       if (others.empty() && (&others == &numbers_ || numbers_.size() < 2)) others.push_back(column);
     }
-    for (std::size_t i = numbers_.size(); i-- > 0 && (runs_.empty() || is_next(title(numbers_[i]), title(runs_[0])));)
-      runs_.insert(runs_.begin(), numbers_[i]);
-    if (runs_.size() < 3 || !asked_.values.empty()) runs_.clear();
     for (const std::size_t column : texts_) {
       std::set<std::string> units;
       for (const Index row : sheet.rows()) {
@@ -137,7 +126,6 @@ class Finder {
   Sheet& sheet_;
   Way asked_;                             // as far as the request says
   Columns texts_, numbers_;               // that may be labels and values
-  Columns runs_;                          // of numbers, one column for each: "run1", "run2", "run3"
   std::map<std::size_t, Rows> texts_of_;  // as numbers, of each row of the file
   std::vector<Options> more_;             // of a way, which is less likely
 
@@ -406,13 +394,14 @@ class Finder {
         ways.push_back(with_one(with(way, "--block", without(together, one)), one, commonest(way.rows, one)));
         ways.back().is_wide = true;
       }
-      ways.insert(labels == names && runs_.empty() ? ways.begin() : ways.end(), wide);
+      ways.insert(labels == names ? ways.begin() : ways.end(), wide);
     }
     if (ways.size() == 1 && !are_numbers)
       ways.front().options.clear();
     else
-      ways.front().asked.push_back(fmt::format("{} may name the groups{}, which --label says", titles_of(labels),
-                                               may_be_wide ? ", or each column may be one" : ""));
+      ways.front().asked.push_back(fmt::format(
+          "{} may name the groups{}, which --label says", titles_of(labels),
+          may_be_wide ? ", or each column may be one, but of runs and steps, which stand below each other" : ""));
     return ways;
   }
 
@@ -500,7 +489,6 @@ class Finder {
 
   // Whether there is more than one that may be a group.
   bool find_values(Way& way) {
-    if (way.values.empty() && !way.is_wide) way.values = runs_, way.are_runs = !runs_.empty();
     if (!way.values.empty()) return true;
     Columns values = way.is_wide ? numbers_ : values_of(way), likely = values;
     for (Columns* columns : {&values, &likely}) std::erase_if(*columns, [&](auto column) { return has(way, column); });

@@ -34,8 +34,7 @@ struct Request {
 struct Layout {
   Column label, block, run;  // a run has several rows
   Columns values;
-  bool are_runs = false;  // the values are one quantity, of runs in columns
-  Columns counting;       // columns that number the rows, and are left out
+  Columns counting;  // columns that number the rows, and are left out
 };
 
 using Options = std::vector<std::string>;  // "--run", "seed"

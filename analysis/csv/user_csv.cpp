@@ -342,7 +342,6 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   const auto title_of = [&](std::size_t column) { return in_quotes(sheet.titles()[column]); };
   std::string text =
       fmt::format("Read as {} {}", items.groups.size(), layout.label ? "of " + title_of(*layout.label) : "columns");
-  if (layout.are_runs) text += fmt::format(", {} columns of runs", layout.values.size());
   const Column unit = layout.block ? layout.block : layout.run;
   if (unit) text += fmt::format(" x {} of {}", items.units, title_of(*unit));
   const Index most = std::ranges::max(items.means, {}, &Mean::rows).rows;
@@ -380,10 +379,9 @@ Quantities values_in(std::string_view text, std::string_view source, const Reque
   Quantities quantities;
   std::vector<std::string> titles;
   for (const std::size_t column : layout.values) titles.push_back(sheet.titles()[column]);
-  if (!layout.label || layout.are_runs) titles = {"value"};
+  if (!layout.label) titles = {"value"};
   for (std::size_t i = 0; i < titles.size(); ++i) {
-    const bool is_one = layout.label && !layout.are_runs;  // column
-    const Items items = items_of(sheet, layout, is_one ? Columns{layout.values[i]} : layout.values);
+    const Items items = items_of(sheet, layout, layout.label ? Columns{layout.values[i]} : layout.values);
     Observations observed = quantity_of(titles[i]);
     const auto name_of = [](const std::string& title) { return quantity_of(title).quantity; };
     if (std::ranges::count(titles, observed.quantity, name_of) > 1)
