@@ -23,16 +23,13 @@ namespace ikbench::base {
 
 namespace fs = std::filesystem;
 
-bool is_mistake(int error) {
-  constexpr std::array mistakes{EACCES, EPERM, EROFS,        ENOENT, ENOTDIR, EISDIR,
-                                EEXIST, ELOOP, ENAMETOOLONG, EINVAL, EBUSY,   ETXTBSY};
-  return std::ranges::find(mistakes, error) != mistakes.end();
-}
-
 void refuse_place(std::string_view verb, const fs::path& place, int error) {
   const std::string message =
       fmt::format("cannot {} '{}': {}", verb, place.string(), std::generic_category().message(error));
-  if (is_mistake(error)) throw std::invalid_argument(fmt::format("{}; choose a place where you can {}", message, verb));
+  constexpr std::array mistakes{EACCES, EPERM, EROFS,        ENOENT, ENOTDIR, EISDIR,
+                                EEXIST, ELOOP, ENAMETOOLONG, EINVAL, EBUSY,   ETXTBSY};
+  if (std::ranges::find(mistakes, error) != mistakes.end())
+    throw std::invalid_argument(fmt::format("{}; choose a place where you can {}", message, verb));
   if (error == EMFILE) throw std::runtime_error(message + "; raise ulimit -n, then try again");
   throw std::runtime_error(message + "; make room there (or raise ulimit -f), choose another place, or try again");
 }

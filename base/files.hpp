@@ -23,9 +23,8 @@ void write_file(const std::filesystem::path& file, const Contents& contents);
 void write_through(const std::filesystem::path& file, const Contents& contents);
 // Refuses a link in place of a report's tables/ or figures/: what it leads to belongs to somebody else.
 void refuse_links(const std::filesystem::path& folder);
-// Whether an error of the system is the user's mistake, as a place that is not theirs; a full disk, a limit is none.
-bool is_mistake(int error);
-// Says that a place cannot be written or read: std::invalid_argument for a mistake, std::runtime_error otherwise.
+// Says that a place cannot be written or read: std::invalid_argument for a mistake of the user, as a place that is not
+// theirs, std::runtime_error for others, as a full disk or a limit.
 [[noreturn]] void refuse_place(std::string_view verb, const std::filesystem::path& place, int error);
 // Reads a regular file, where a link leads too; nothing if it cannot be read. A user's own: base/inputs.hpp.
 std::optional<std::string> read_file(const std::filesystem::path& file);

@@ -14,9 +14,6 @@ void append(std::string& text, double value);  // of a finite value
 
 // std::from_chars, also where the library has none of doubles.
 std::from_chars_result read_number(const char* begin, const char* end, double& value);
-inline std::from_chars_result read_number(const char* begin, const char* end, int& value) {
-  return std::from_chars(begin, end, value);
-}
 
 // The whole text as a number, ignoring blanks around it; nothing if it is no number, or too large or too small for a
 // double.

@@ -13,7 +13,7 @@ namespace ikbench::experiments {
 
 constexpr std::string_view population_key = "population";
 constexpr std::string_view not_enforced =
-    "bounds is \"initial\", but limits is \"enforced\"; expected bounds that keep candidates inside the limits";
+    "bounds is \"initial\", but limits is \"enforced\"; expected bounds by which answers are inside the limits";
 
 // study_overrides.cpp: sets a key of the study, or settings of its solvers, by "key=value".
 void override_one(toml::table& study, const std::string& text);
