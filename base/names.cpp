@@ -56,6 +56,11 @@ std::string one_line(std::string_view text) {
   return result;
 }
 
+void replace_marks(std::string& text, std::initializer_list<std::pair<std::string_view, std::string_view>> marks) {
+  for (const auto& [mark, seen] : marks)
+    for (std::size_t at = 0; (at = text.find(mark)) != std::string::npos;) text.replace(at, mark.size(), seen);
+}
+
 std::size_t first_broken(std::string_view text) {
   for (std::size_t at = 0, length = 0; at < text.size(); at += length) {
     length = static_cast<signed char>(text[at]) > 0 ? 1 : text[at] == 0 ? 0 : length_of_first(text.substr(at));

@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ikbench::base {
@@ -29,6 +31,9 @@ std::string_view front(std::string_view text, std::size_t most);
 
 std::string_view trimmed(std::string_view text);  // without blanks and tabs at its ends
 std::string lower_case(std::string_view text);    // ASCII letters
+
+// Replaces each mark by what stands beside it, until none is left.
+void replace_marks(std::string& text, std::initializer_list<std::pair<std::string_view, std::string_view>> marks);
 
 // True for a text that is safe in a message, a table or a file's name.
 bool is_plain(std::string_view text);

@@ -58,8 +58,10 @@ class Finder {
     const std::size_t columns = sheet.titles().size();  // those of the file
     asked_.rows = sheet.rows();
     for (const std::string& name : request.block) asked_.blocks.push_back(sheet.column(name));
-    for (const std::string& name : request.values)
-      asked_.values = without(asked_.values, sheet.column(name)) + Columns{sheet.column(name)};
+    for (const std::string& name : request.values) {
+      const std::size_t column = sheet.column(name);
+      if (!has(asked_.values, column)) asked_.values.push_back(column);
+    }
     if (!request.run.empty()) asked_.run = sheet.column(request.run);
     if (!request.label.empty()) name_groups(asked_, sheet.joined(request.label));
     Columns constant;
@@ -295,7 +297,7 @@ class Finder {
   // Refuses groups of one name or of different units.
   void refuse_groups(const Way& way) const {
     if (way.label) return;
-    for (const std::size_t column : way.values) sheet_.column(title(column));
+    for (const std::size_t column : way.values) sheet_.column(title(column));  // refuses a title of two columns
     if (units_of(way.values).size() > 1)
       sheet_.refuse(fmt::format("{} have different units; convert them", titles_of(way.values)));
   }

@@ -52,16 +52,13 @@ Index number_of(std::string_view text, std::unordered_map<std::string_view, Inde
 // Without what nobody sees.
 std::string as_seen(std::string_view name) {
   std::string text = base::one_line(name);
-  for (const auto& [mark, seen] : {std::pair("\u00a0", " "),
-                                   {"\u2007", " "},
-                                   {"\u202f", " "},
-                                   {"\u2010", "-"},
-                                   {"\u2011", "-"},
-                                   {"\u2212", "-"},
-                                   {"  ", " "}}) {
-    for (std::size_t at = 0; (at = text.find(mark)) != std::string::npos;)
-      text.replace(at, std::string_view(mark).size(), seen);
-  }
+  base::replace_marks(text, {{"\u00a0", " "},
+                             {"\u2007", " "},
+                             {"\u202f", " "},
+                             {"\u2010", "-"},
+                             {"\u2011", "-"},
+                             {"\u2212", "-"},
+                             {"  ", " "}});
   return std::string(base::trimmed(text));
 }
 
@@ -210,25 +207,10 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
 }
 
 // Refuses a row that is the first of each group, or one of the last, or so in each unit of a group, and has a statistic
-// of the others there, or of ranks or wins of the groups, where each row has a value of all; and a group of one row, at
-// an end of the file, that has one of all others.
+// of the others there, or of ranks or wins of the groups, where each row has a value of all.
 void refuse_totals(Sheet& sheet, const Layout& layout, const Items& items) {
   constexpr std::size_t fewest = 3;
   if (items.groups.size() < 2 || items.values.size() > most_values) return;
-  for (const Index row : {sheet.rows().front(), sheet.rows().back()}) {  // a group of one row, at an end
-    const auto its = std::ranges::find(items.values, row, &Value::row);
-    if (!layout.label || its == items.values.end() || items.values.size() <= fewest * (items.groups.size() - 1) ||
-        std::ranges::count(items.values, its->group, &Value::group) > 1)
-      continue;
-    std::vector<Printed> list;
-    for (const Value& item : items.values)
-      if (item.row != row) list.push_back(printed(sheet, item.row, item.column));
-    list.push_back(printed(sheet, row, its->column));
-    constexpr double tried = 0.3;  // its name makes a sum likely
-    if (are_computed({list}, tried))
-      sheet.refuse(row, its->column,
-                   "is a statistic of all others, and has a name of its own; leave it out of the file");
-  }
   for (const bool by_unit : {false, true}) {
     std::vector<Lists> kinds(1);  // values, then from either end their ranks and who is first
     std::vector<std::vector<Value>> rows;
@@ -285,9 +267,25 @@ void refuse_totals(Sheet& sheet, const Layout& layout, const Items& items) {
   }
 }
 
-// Refuses groups of one value that is a statistic of another's, whose name theirs begins with: "A", "A_mean".
+// Refuses groups of one value that is a statistic of all others, at an end of the file, or of another's, whose name
+// theirs begins with: "A", "A_mean".
 void refuse_aggregates(Sheet& sheet, const Items& items, std::size_t label) {
-  if (items.values.size() > most_values) return;
+  constexpr std::size_t fewest = 3;
+  if (items.groups.size() < 2 || items.values.size() > most_values) return;
+  for (const Index row : {sheet.rows().front(), sheet.rows().back()}) {
+    const auto its = std::ranges::find(items.values, row, &Value::row);
+    if (its == items.values.end() || items.values.size() <= fewest * (items.groups.size() - 1) ||
+        std::ranges::count(items.values, its->group, &Value::group) > 1)
+      continue;
+    std::vector<Printed> list;
+    for (const Value& item : items.values)
+      if (item.row != row) list.push_back(printed(sheet, item.row, item.column));
+    list.push_back(printed(sheet, row, its->column));
+    constexpr double tried = 0.3;  // its name makes a sum likely
+    if (are_computed({list}, tried))
+      sheet.refuse(row, its->column,
+                   "is a statistic of all others, and has a name of its own; leave it out of the file");
+  }
   Lists groups(items.groups.size());
   std::vector<Index> rows(groups.size());
   for (const Value& item : items.values) {
@@ -297,7 +295,7 @@ void refuse_aggregates(Sheet& sheet, const Items& items, std::size_t label) {
   std::map<std::string, Lists> ends;
   for (std::size_t i = 0; i < groups.size(); ++i)
     for (std::size_t of = 0; of < groups.size() && groups[i].size() == 1; ++of) {
-      if (groups[of].size() < 3 || !items.groups[i].starts_with(items.groups[of])) continue;
+      if (groups[of].size() < fewest || !items.groups[i].starts_with(items.groups[of])) continue;
       Lists& lists = ends[items.groups[i].substr(items.groups[of].size())];
       lists.push_back(groups[of]);
       lists.back().push_back(groups[i].front());
