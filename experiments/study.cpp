@@ -65,7 +65,7 @@ Settings effective_options(const Study& study, const SolverEntry& entry) {
   if (const auto preset = presets.find("bounds"); preset != presets.end()) {
     if (study.bounds == StudyBounds::initial) settings["bounds"] = "initial";
     if (study.bounds == StudyBounds::clamp ||
-        (study.limits == Limits::enforced && text_of(preset->second) == "initial"))
+        (study.limits == Limits::enforced && preset->second == Setting("initial")))
       settings["bounds"] = "clamp";
   }
   for (const auto& [name, value] : entry.options) settings[name] = value;

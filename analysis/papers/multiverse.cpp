@@ -207,12 +207,12 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
     const std::int64_t hold = all(&Readings::holds), fail = all(&Readings::fails), open = all(&Readings::undecided);
     const std::string fails = where(multiverse, parts, &Readings::fails),
                       undecided = where(multiverse, parts, &Readings::undecided);
-    result.in_readings[claim.id] = fmt::format("fails {}{}", fails.empty() ? "in some" : fails,
-                                               open == 0 ? "" : "; in some others it is not decided");
+    const auto told = [](const std::string& where) { return where.empty() ? "in some" : where; };
+    result.in_readings[claim.id] =
+        fmt::format("fails {}{}", told(fails), open == 0 ? "" : "; in some others it is not decided");
     result.table.rows.push_back({claim.sentence, hold, fail, open, fails, undecided});
     result.on_screen.rows.push_back({claim.sentence, hold, fail, open});
-    sentences.push_back(fmt::format("{}: fails {}; is not decided {}.", claim.sentence,
-                                    fails.empty() ? "in some" : fails, undecided.empty() ? "in some" : undecided));
+    sentences.push_back(fmt::format("{}: fails {}; is not decided {}.", claim.sentence, told(fails), told(undecided)));
   }
   result.table.notes = {fmt::format(
       "{:.0f} readings, each with {}. A claim holds where its solvers are better than each rival, and fails "

@@ -46,6 +46,16 @@ std::vector<std::string> files_of_earlier(const fs::path& folder) {
   return files;
 }
 
+void refuse_others(const fs::path& folder, const std::vector<std::string>& earlier) {
+  for (const char* name : {own_files[0], own_files[1], own_files[2]}) {  // solves are there before the list
+    std::error_code none;
+    if (std::ranges::count(earlier, name) == 0 &&
+        fs::symlink_status(folder / name, none).type() == fs::file_type::regular)
+      throw std::invalid_argument(fmt::format("'{}' is of no report of ikbench; remove it, or choose another folder",
+                                              (folder / name).string()));
+  }
+}
+
 // Whether a report can have written it, in a folder of its own.
 bool may_be_of_report(const fs::path& file) {
   const std::string stem = file.stem();
@@ -104,23 +114,14 @@ void write_table(const Table& table, const Table& article, const fs::path& folde
   base::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
 }
 
-void refuse_others(const fs::path& folder) {
-  const std::vector<std::string> earlier = files_of_earlier(folder);
-  for (const char* name : {own_files[0], own_files[1], own_files[2]}) {  // solves are there before the list
-    std::error_code none;
-    if (std::ranges::count(earlier, name) == 0 &&
-        fs::symlink_status(folder / name, none).type() == fs::file_type::regular)
-      throw std::invalid_argument(fmt::format("'{}' is of no report of ikbench; remove it, or choose another folder",
-                                              (folder / name).string()));
-  }
-}
+void refuse_others(const fs::path& folder) { refuse_others(folder, files_of_earlier(folder)); }
 
 Written publish(const Report& report, const fs::path& folder, const figures::RenderOptions& options,
                 const std::string& program) {
   base::refuse_links(folder);
   for (const char* name : own_files) base::refuse_input(folder / name);
-  refuse_others(folder);
   std::vector<std::string> earlier = files_of_earlier(folder);
+  refuse_others(folder, earlier);
   std::erase_if(earlier, [](const std::string& file) { return !may_be_of_report(file); });
   for (const std::string& file : earlier) base::refuse_input(folder / file);
   std::vector<Blocks> sections = sections_of(report);
