@@ -218,7 +218,8 @@ class PoseColumns {
     sheet_.refuse("its header has a matrix's numbers in another order than row by row, the position as 4th, 8th, 12th");
   }
 
-  // Of the other columns, those before the pose may be a time, a number and the name of a frame.
+  // Of the other columns, those before the pose may be a time, a number and the name of a frame; three numbers that
+  // rise may be a rotation, unless they are too large, as times in ns are.
   void refuse_others() {
     if (position_.empty() && !not_matrix_.empty())
       sheet_.refuse(
@@ -227,6 +228,9 @@ class PoseColumns {
           "behind it, then 0 0 0 1 or nothing");
     bool is_before = !position_.empty();
     int numbers = 0;
+    const auto may_be_angle = [&](std::size_t column) {
+      return sheet_.has_numbers(column) && std::abs(sheet_.number(sheet_.rows().front(), column)) < 1e9;
+    };
     for (std::size_t column = 0; column < names_.size(); ++column) {
       const bool is_used = std::ranges::any_of(std::array{&position_, &quaternion_, &rpy_}, [&](const Group* group) {
         return std::ranges::count(*group, column) > 0;
@@ -239,7 +243,7 @@ class PoseColumns {
                                   in_quotes(sheet_.titles()[column])));
       const std::string_view cell = sheet_.cell(sheet_.rows().front(), column);
       const bool may_matter = !names_[column].part.empty() || is_one_of(cell, {"m", "cm", "mm", "deg", "rad"}) ||
-                              (!is_used && (numbers += sheet_.has_numbers(column)) > 2);
+                              (!is_used && (numbers += may_be_angle(column)) > 2);
       if (!is_used && (may_matter || !(is_before && may_rise && rises(column))))
         sheet_.refuse(fmt::format("{}{} is no part of a position or rotation{}; expected {}",
                                   number_from(sheet_.titles()[0]) ? "there is no header, and column " : "",

@@ -84,10 +84,10 @@ TEST_CASE("the same poses are read from sheets of spreadsheets and from what rob
           "timestamp tx ty tz qx qy qz qw\n1 " + tum + "\n2 " + tum,
           "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z []\n1," +
               w_first + "\n2," + w_first + "\n",
-          "%time,field.header.seq,field.header.frame_id,field.pose.position.x,field.pose.position.y,"
+          "%time,field.header.seq,field.header.stamp,field.header.frame_id,field.pose.position.x,field.pose.position.y,"
           "field.pose.position.z,field.pose.orientation.w,field.pose.orientation.x,field.pose.orientation.y,"
-          "field.pose.orientation.z\n7,1,base," +
-              w_first + "\n8,2,base," + w_first + "\n",
+          "field.pose.orientation.z\n1500000007,1,1500000006,base," +
+              w_first + "\n1500000008,2,1500000007,base," + w_first + "\n",
           ";X_m;Y_m;Z_m;QW;QX;QY;QZ\n0;" + commas + "\n1;" + commas + "\n",
           "x_m\ty_m\tz_m\troll_rad\tpitch_rad\tyaw_rad\n0.4\t0.1\t0.3\t0.3\t-0.2\t1.2\n0.4\t0.1\t0.3\t0.3\t-0.2\t1.2\n",
           "i,x [mm],y [mm],z [mm],Roll [deg],Pitch [deg],Yaw [deg]\n1,400,100,300," + degrees + "\n2,400,100,300," +
