@@ -185,7 +185,7 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
       for (const std::string& word : words) {
         if (counts[words.front()][word] < counts[words.front()][words.front()]) own += ' ' + word;
       }
-      const bool is_long = character_count(name) > length && !own.empty();
+      const bool is_long = character_count(name) > length && !own.empty() && words.front() + own != name;
       if (is_long) {  // who it is stays, at least in a few letters
         constexpr std::size_t few = 8;
         const std::size_t taken = character_count(" …" + own);
