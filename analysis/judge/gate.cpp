@@ -205,23 +205,35 @@ Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> t
 }
 
 void decide(std::vector<Gate>& gates) {
-  std::ptrdiff_t tests = 0;
-  for (const Gate& gate : gates)
-    tests += std::ranges::count_if(gate.judged.metrics, [&](const JudgedMetric& judged) {
-      return may_decide(gate, judged) && can_decide(judged.observations, judged.plan);
-    });
-  tests = std::max<std::ptrdiff_t>(tests, 1);
+  const auto judge_by = [](JudgedMetric& judged, std::size_t tests) {
+    judged = judge(std::move(judged.observations), judged.plan, std::max<std::size_t>(tests, 1));
+  };
+  std::size_t tests = 0;
+  for (const Gate& gate : gates) {
+    for (const JudgedMetric& judged : gate.judged.metrics)
+      tests += may_decide(gate, judged) && can_decide(judged.observations, judged.plan);
+  }
+  std::size_t all = tests;  // with those that have too few values now
+  for (Gate& gate : gates) {
+    for (JudgedMetric& judged : gate.judged.metrics) {
+      judge_by(judged, tests);
+      all += may_decide(gate, judged) && is_open(judged.findings.front(), Open::Why::too_few) &&
+             !can_decide(judged.observations, judged.plan);
+    }
+  }
   for (Gate& gate : gates) {
     gate.is_compared = gate.are_same;
     gate.are_times_missing = gate.judged.study.are_in_turn && std::ranges::none_of(gate.judged.metrics, is_time);
     for (JudgedMetric& judged : gate.judged.metrics) {
-      judged = judge(std::move(judged.observations), judged.plan, static_cast<std::size_t>(tests));
+      if (is_open(judged.findings.front(), Open::Why::too_few)) judge_by(judged, all);
       const Observations& observed = judged.observations;
       Finding& finding = judged.findings.front();
+      if (gate.are_same && !is_time(judged) && std::holds_alternative<Tested>(finding.what))
+        finding.what = Fact{.amount = {finding.scale == Scale::ratio ? 1.0 : 0.0}};
       if (lost_answers_for_sure(judged))
         finding.what = Fact{Verdict::worse, {judged.described.front().mean - judged.described.back().mean}};
       if (&judged == &gate.judged.metrics[gate.judged.deciding])
-        gate.sight = sight_of(judged, static_cast<double>(tests));
+        gate.sight = sight_of(judged, static_cast<double>(std::max<std::size_t>(tests, 1)));
       if (is_time(judged) && !gate.judged.study.are_in_turn) continue;
       const Verdict verdict = verdict_of(finding);
       const auto* const tested = std::get_if<Tested>(&finding.what);

@@ -46,6 +46,8 @@ TEST_CASE("an unchanged solver passes, also where nothing may be open") {
   CHECK(gate.worse.empty());
   CHECK(gate.not_decided.empty());
   CHECK(exit_code({gate}, true) == 0);
+  for (const JudgedMetric& judged : gate.judged.metrics)
+    if (judged.observations.unit != "s") CHECK(verdict_of(judged.findings.front()) == Verdict::same);
 }
 
 TEST_CASE("three times the evaluations on the targets that it solves are worse, however many it fails") {
@@ -146,6 +148,10 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
   CHECK(two.front().not_tested == Names{"time"});
   CHECK(exit_code(two, false) == 1);
   CHECK(exit_code(gates_of(7, 1, 1.01, 2), true) == 0);
+  for (const int few : {5, 6}) {  // whatever now takes part of the significance
+    for (const JudgedMetric& judged : gates_of(few, 1, 1.01, 2).front().judged.metrics)
+      if (judged.observations.unit == "s") CHECK(std::get<Open>(judged.findings.front().what).needed == 7);
+  }
   CHECK_THROWS_AS(gates_of(6, 11, 1), std::invalid_argument);  // one had begun its next turn
   CHECK_THROWS_AS(gates_of(1, 1, 1), std::invalid_argument);
 }
