@@ -64,8 +64,9 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
   refuse_links(folder);
   const auto tell = [&](const show::Table& table, const show::Table& on_screen) {
     show::write_table(table, table, folder / "tables", program_name());
-    fmt::print("{}Table: {}\n", on_screen.rows.empty() ? "" : printable(show::to_text(on_screen)),
-               printable((folder / "tables" / (table.name + ".csv")).string()));
+    if (!on_screen.rows.empty())
+      fmt::print("{}", printable(fmt::format("{}:\n\n{}", on_screen.caption, show::to_text(on_screen))));
+    fmt::print("Table: {}\n", printable((folder / "tables" / (table.name + ".csv")).string()));
   };
   if (!arguments.explain) {
     const papers::JudgedMultiverse judged = papers::judged(paper, multiverse, plan);

@@ -151,8 +151,8 @@ bool happens(const std::vector<Part>& parts, Outcome outcome, const Chosen& with
   return std::ranges::any_of(parts, [&](const Part& part) { return count(part, without).*outcome > 0; });
 }
 
-// "only where (a is 1 or b is 1) and (a is 1 or c is 1)": the smallest sets of one or two answers, other than defaults,
-// without which it never happens.
+// "only where a is 1 or (b is 1 and c is 1)": the smallest sets of one or two answers, other than defaults, without
+// which it never happens; of pairs their common answer first, or else each pair in brackets.
 std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
   if (!happens(parts, outcome, {})) return "nowhere";
   Chosen answers;  // all but the defaults
@@ -162,20 +162,34 @@ std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& p
   if (happens(parts, outcome, answers))
     return number_of_seeds(multiverse) > 1 ? "in some seeds of the default, too" : "in the default, too";
   const auto name_of = [&](const Choice& answer) {
-    return multiverse.dimensions[answer.dimension].alternatives[answer.alternative].where;
+    const results::Dimension& dimension = multiverse.dimensions[answer.dimension];
+    return (dimension.label.empty() ? "" : "in " + dimension.label + ' ') +
+           dimension.alternatives[answer.alternative].where;
   };
-  Names ones, twos;
+  Names ones;
+  std::vector<Names> twos;
   for (const Choice& answer : answers) {
     if (!happens(parts, outcome, {answer})) ones.push_back(name_of(answer));
   }
   for (std::size_t i = 0; i < answers.size() && ones.empty(); ++i) {
     for (std::size_t j = i + 1; j < answers.size(); ++j) {
       if (!happens(parts, outcome, {answers[i], answers[j]}))
-        twos.push_back(fmt::format("({} or {})", name_of(answers[i]), name_of(answers[j])));
+        twos.push_back({name_of(answers[i]), name_of(answers[j])});
     }
   }
-  const Names& sets = ones.empty() ? twos : ones;
-  return sets.empty() ? "" : fmt::format("only where {}", fmt::join(sets, " and "));
+  if (!ones.empty()) return fmt::format("only where {}", fmt::join(ones, " and "));
+  if (twos.empty()) return "";
+  const auto any_of = [](const Names& two) { return fmt::format("{}", fmt::join(two, " or ")); };
+  if (twos.size() == 1) return "only where " + any_of(twos.front());
+  for (const std::string& common : Names(twos.front())) {
+    if (!std::ranges::all_of(twos, [&](const Names& two) { return contains(two, common); })) continue;
+    Names others;
+    for (const Names& two : twos) others.push_back(two[0] == common ? two[1] : two[0]);
+    return fmt::format("only where {} or ({})", common, fmt::join(others, " and "));
+  }
+  Names brackets;
+  for (const Names& two : twos) brackets.push_back('(' + any_of(two) + ')');
+  return fmt::format("only where {}", fmt::join(brackets, " and "));
 }
 
 }  // namespace
@@ -207,25 +221,34 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
     const std::int64_t hold = all(&Readings::holds), fail = all(&Readings::fails), open = all(&Readings::undecided);
     const std::string fails = where(multiverse, parts, &Readings::fails),
                       undecided = where(multiverse, parts, &Readings::undecided);
-    const auto told = [](const std::string& where) { return where.empty() ? "in some" : where; };
+    const auto told = [](const std::string& where) { return where.empty() ? "in some readings" : where; };
     result.in_readings[claim.id] =
         fmt::format("fails {}{}", told(fails), open == 0 ? "" : "; in some others it is not decided");
     result.table.rows.push_back({claim.sentence, hold, fail, open, fails, undecided});
     result.on_screen.rows.push_back({claim.sentence, hold, fail, open});
-    sentences.push_back(fmt::format("{}: fails {}; is not decided {}.", claim.sentence, told(fails), told(undecided)));
+    Names where_not;
+    if (fail > 0) where_not.push_back("fails " + told(fails));
+    if (open > 0) where_not.push_back("is not decided " + told(undecided));
+    sentences.push_back(fmt::format(
+        "{}: {}.", claim.sentence, where_not.empty() ? "holds in all" : fmt::format("{}", fmt::join(where_not, "; "))));
   }
-  result.table.notes = {fmt::format(
-      "{:.0f} readings, each with {}. A claim holds where its solvers are better than each rival, and fails "
-      "where a rival is better. Each pair is tested alone, at {:g} / pairs.",
-      multiverse.readings(), seeds > 1 ? fmt::format("seeds 1 to {}", seeds) : "seed 1", plan.significance)};
+  const std::string readings = fmt::format("{:.0f} readings, each with {}", multiverse.readings(),
+                                           seeds > 1 ? fmt::format("seeds 1 to {}", seeds) : "seed 1");
+  const std::size_t solvers = multiverse.solvers.size();
+  const std::string rule = fmt::format(
+      "A claim holds where its solvers are better than each rival, and fails where a rival is better, by Welch's t at "
+      "{:g} / {}, the number of pairs.",
+      plan.significance, solvers * (solvers - 1) / 2);
+  result.table.notes = {fmt::format("{}. {}", readings, rule)};
   show::Table on_page = result.table;  // without counts
   for (std::vector<show::Cell>& row : on_page.rows) row.erase(row.begin() + 1, row.begin() + 4);
   on_page.columns.erase(on_page.columns.begin() + 1, on_page.columns.begin() + 4);
   result.table.on_page = {on_page};
   result.table.notes.emplace_back("Counts depend on which answers are listed; they are no probabilities.");
   result.on_screen.columns.assign(result.table.columns.begin(), result.table.columns.begin() + 4);
-  result.on_screen.notes = result.table.notes;
-  std::ranges::move(sentences, std::back_inserter(result.on_screen.notes));
+  result.on_screen.caption = fmt::format("The claims of {} in {}", paper.name, readings);
+  result.on_screen.notes = std::move(sentences);
+  result.on_screen.notes.insert(result.on_screen.notes.end(), {rule, result.table.notes.back()});
   return result;
 }
 

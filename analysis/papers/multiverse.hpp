@@ -27,7 +27,7 @@ struct SolvedMultiverse : results::Multiverse {
 struct JudgedMultiverse {
   std::map<std::string, std::string> in_readings;  // of claims, by id, as in JudgedClaim
   show::Table table;                               // "multiverse"; readings, each seed of one by itself
-  show::Table on_screen = {};                      // its counts, and the rest as sentences
+  show::Table on_screen = {};                      // its counts, then the rest as sentences
   std::string explains = {};                       // Explanation::in_short
 };
 
