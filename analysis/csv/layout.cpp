@@ -496,8 +496,15 @@ class Finder {
     for (Columns* columns : {&values, &likely}) std::erase_if(*columns, [&](auto column) { return has(way, column); });
     if (way.is_wide && !values.empty()) likely = groups_in(values);
     if (!way.is_wide && !values.empty()) {
-      const auto measured = std::ranges::find_if(values, [&](std::size_t column) { return !is_setting(column); });
-      likely = {measured == values.end() ? values.front() : *measured};
+      Columns measured = values, broken = values;  // a value may repeat in two groups, but is seldom whole
+      std::erase_if(measured, [&](std::size_t column) { return is_setting(column); });
+      std::erase_if(broken, [&](std::size_t column) { return is_whole(column); });
+      likely = {(!measured.empty() ? measured : !broken.empty() ? broken : values).front()};
+      if (measured.size() > 1) {  // metrics beside each other; the first decides
+        Way all = with(way, "--value", measured);
+        find_rows(all);
+        more_.push_back(all.options);
+      }
     }
     const bool is_lone = way.is_wide && likely.size() == 1;
     const auto has_whole = std::ranges::any_of(values, [&](std::size_t column) { return is_whole(column); });

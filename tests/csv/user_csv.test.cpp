@@ -357,6 +357,9 @@ TEST_CASE("what can be read in several ways is asked, and every answer is read")
       {"instance,A,B\nx,1.5,4.1\ny,1.2,7\nz,2.1,6\n", "--block instance", {.values = {"A", "B"}}},
       {"solver,time,memory\nA,1.5,4\nA,1.2,7\nB,2.1,6\n", "--value time"},
       {"problem,class,A,B\nx,k,1.5,4\ny,k,1.2,7\nz,l,2.1,6\n", "--label class --value A"},
+      {"solver,error,time\nA,.153,20.2\nA,.114,21\nA,.124,2.2\nB,.271,3.2\nB,.217,31.1\nB,.227,34.3\n",
+       "--value error --value time"},
+      {"solver,run,error\nA,1,.31\nA,2,.27\nA,3,.55\nB,1,.55\nB,2,.31\nB,3,.27\n", "--value error --run run"},
       {"problem,solver,time\nx,A,1\ny,A,2.5\nz,A,2\nx,B,1.5\n", "--label solver --block problem"},
   };
   for (const auto& [text, first, request] : layouts) {
