@@ -77,7 +77,7 @@ class OrderedSum {
   std::size_t first_ = 0;  // the first block that may have changed; the last if none has
 };
 
-class Bat final : public Solver {
+class Bat final : public Searcher {
  public:
   enum class BestOf { accepted, evaluated };
   enum class Acceptance { own, best };
@@ -122,7 +122,7 @@ class Bat final : public Solver {
   explicit Bat(Options options) : options_(options) {}
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
-    problem_ = problem;
+    take(problem);
     const int bats = problem.population;
     for (Candidates* each : {&x_, &v_, &x_next_, &v_next_, &candidates_, &epsilon_}) {
       each->resize(problem.joints(), bats);
@@ -131,14 +131,12 @@ class Bat final : public Solver {
     for (Eigen::VectorXd* each : {&errors_, &found_}) each->resize(bats);
     loudness_sum_.begin(bats);
     iteration_ = 0;
-    best_ = {problem.start};
 
     draw_within_limits(problem, random, x_);
     random.uniforms(loudness_);  // Table 1: A_i random in [0, 1]
     pulse_rate_.setConstant(options_.pulse_rate);
     v_.setZero();
-    objective.errors(x_, errors_);
-    for (int i = 0; i < bats; ++i) best_.improve(x_.col(i), errors_[i]);
+    evaluate_all(objective, x_, errors_);
   }
 
   void step(Objective& objective, Random& random) override {
@@ -170,8 +168,6 @@ class Bat final : public Solver {
     v_.swap(v_next_);
   }
 
-  const Best& best() const override { return best_; }
-
  private:
   void fly(Eigen::Index first, Eigen::Index count) {
     double step = options_.step_factor;
@@ -201,13 +197,11 @@ class Bat final : public Solver {
 
   Options options_;
   const Kernels& kernels_ = kernels();
-  Problem problem_;
   Candidates x_, v_, x_next_, v_next_, candidates_, epsilon_;
   Eigen::RowVectorXd loudness_, pulse_rate_, frequency_, local_, chance_;
   OrderedSum loudness_sum_;
   Eigen::VectorXd errors_, found_;  // errors of the bats; of the candidates
   int iteration_ = 0;
-  Best best_;
 };
 
 }  // namespace

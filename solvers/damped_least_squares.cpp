@@ -16,7 +16,7 @@ using namespace robots;
 
 namespace {
 
-class DampedLeastSquares final : public Solver {
+class DampedLeastSquares final : public Searcher {
  public:
   struct Options {
     double damping = 1e-3;
@@ -37,13 +37,12 @@ class DampedLeastSquares final : public Solver {
   explicit DampedLeastSquares(Options options) : options_(options) {}
 
   void start(const Problem& problem, Objective& objective, Random&) override {
-    problem_ = problem;
+    take(problem);
     jacobian_.resize(objective.rows(), problem.joints());
     trial_jacobian_.resize(objective.rows(), problem.joints());
     step_.resize(problem.joints());
     candidate_ = problem.start;
     keep_inside(options_.bounds == Bounds::free ? Bounds::clamp : options_.bounds, problem_, candidate_);
-    best_ = {problem.start};
     begin(objective);
   }
 
@@ -68,8 +67,6 @@ class DampedLeastSquares final : public Solver {
       growth_ *= 2;
     }
   }
-
-  const Best& best() const override { return best_; }
 
  private:
   // Starts a descent from the candidate.
@@ -114,7 +111,6 @@ class DampedLeastSquares final : public Solver {
   }
 
   Options options_;
-  Problem problem_;
   Configuration q_, candidate_, step_;
   Eigen::MatrixXd jacobian_, trial_jacobian_;
   Residual to_go_;
@@ -122,7 +118,6 @@ class DampedLeastSquares final : public Solver {
   double merit_ = 0, mu_ = 0, growth_ = 2;
   int failures_ = 0;
   bool is_outside_ = false;  // at the target, outside the limits
-  Best best_;
 };
 
 }  // namespace

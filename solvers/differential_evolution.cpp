@@ -17,7 +17,7 @@ namespace {
 
 constexpr int least_population = 4;  // a candidate and its three partners
 
-class DifferentialEvolution final : public Solver {
+class DifferentialEvolution final : public Searcher {
  public:
   enum class Outside { initial, clamp, reflect, resample };
   enum class Replacement { generation, at_once };
@@ -61,7 +61,7 @@ class DifferentialEvolution final : public Solver {
           "differential_evolution has a population of {}; expected at least {}, because it combines three others",
           problem.population, least_population));
     }
-    problem_ = problem;
+    take(problem);
     const int candidates = problem.population;
     for (Candidates* each : {&x_, &trials_, &crossover_, &fresh_}) each->resize(problem.joints(), candidates);
     partners_.resize(3, candidates);
@@ -69,11 +69,9 @@ class DifferentialEvolution final : public Solver {
     forced_.resize(candidates);
     limit_.setConstant(candidates, options_.crossover);
     for (Eigen::VectorXd* each : {&errors_, &trial_errors_}) each->resize(candidates);
-    best_ = {problem.start};
 
     draw_within_limits(problem, random, x_);
-    objective.errors(x_, errors_);
-    for (int i = 0; i < candidates; ++i) best_.improve(x_.col(i), errors_[i]);
+    evaluate_all(objective, x_, errors_);
   }
 
   void step(Objective& objective, Random& random) override {
@@ -141,8 +139,6 @@ class DifferentialEvolution final : public Solver {
     }
   }
 
-  const Best& best() const override { return best_; }
-
  private:
   Eigen::Index partner(int k, Eigen::Index i) const { return static_cast<Eigen::Index>(partners_(k, i)); }
 
@@ -177,12 +173,10 @@ class DifferentialEvolution final : public Solver {
 
   Options options_;
   const Kernels& kernels_ = kernels();
-  Problem problem_;
   Candidates x_, trials_, partners_, crossover_, fresh_;  // partners_: three for each candidate
   Candidates weights_;                                    // one row for all joints, or one for each
   Eigen::RowVectorXd forced_, limit_;
   Eigen::VectorXd errors_, trial_errors_;
-  Best best_;
 };
 
 }  // namespace

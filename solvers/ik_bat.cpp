@@ -15,7 +15,7 @@ using namespace robots;
 
 namespace {
 
-class IkBat final : public Solver {
+class IkBat final : public Searcher {
  public:
   enum class Acceptance { greedy, loudness, yang2020 };
   enum class Epsilon { normal, truncated, uniform };
@@ -70,7 +70,7 @@ class IkBat final : public Solver {
   explicit IkBat(Options options) : options_(options) {}
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
-    problem_ = problem;
+    take(problem);
     const int bats = problem.population;
     for (Candidates* each : {&x_, &v_, &x_next_, &v_next_, &candidates_, &epsilon_}) {
       each->resize(problem.joints(), bats);
@@ -79,12 +79,10 @@ class IkBat final : public Solver {
     errors_.resize(bats);
     loudness_ = options_.loudness;
     iteration_ = options_.first_iteration;
-    best_ = {problem.start};
 
     draw_first(random);
     v_.setZero();
-    objective.errors(x_, errors_);
-    for (int i = 0; i < bats; ++i) best_.improve(x_.col(i), errors_[i]);
+    evaluate_all(objective, x_, errors_);
   }
 
   void step(Objective& objective, Random& random) override {
@@ -107,8 +105,6 @@ class IkBat final : public Solver {
     x_.swap(x_next_);
     v_.swap(v_next_);
   }
-
-  const Best& best() const override { return best_; }
 
  private:
   void draw_first(Random& random) {
@@ -168,13 +164,11 @@ class IkBat final : public Solver {
 
   Options options_;
   const Kernels& kernels_ = kernels();
-  Problem problem_;
   Candidates x_, v_, x_next_, v_next_, candidates_, epsilon_;
   Eigen::RowVectorXd frequency_, chance_;
   Eigen::VectorXd errors_;
   double loudness_ = 0, pulse_rate_ = 0;
   int iteration_ = 0;
-  Best best_;
 };
 
 }  // namespace

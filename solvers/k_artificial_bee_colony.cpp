@@ -16,7 +16,7 @@ using namespace robots;
 
 namespace {
 
-class KArtificialBeeColony final : public Solver {
+class KArtificialBeeColony final : public Searcher {
  public:
   enum class Colony { full, half };
   enum class Neighbour { best, random };
@@ -60,7 +60,7 @@ class KArtificialBeeColony final : public Solver {
         is_random_(options.neighbour == Neighbour::random || options.best_neighbour == BestNeighbour::random) {}
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
-    problem_ = problem;
+    take(problem);
     const int sources = options_.colony == Colony::full ? problem.population : std::max(1, problem.population / 2);
     limit_ = options_.limit > 0 ? options_.limit : (problem.population + problem.joints()) / 2;
     for (Candidates* each : {&x_, &candidates_}) each->resize(problem.joints(), sources);
@@ -70,11 +70,9 @@ class KArtificialBeeColony final : public Solver {
     for (auto* each : {&source_, &moved_by_}) each->resize(sources);
     share_.reserve(static_cast<std::size_t>(sources));
     failures_.setZero(sources);
-    best_ = {problem.start};
 
     draw_within_limits(problem, random, x_);
-    objective.errors(x_, errors_);
-    for (int i = 0; i < sources; ++i) best_.improve(x_.col(i), errors_[i]);
+    evaluate_all(objective, x_, errors_);
     find_best_source();
   }
 
@@ -99,8 +97,6 @@ class KArtificialBeeColony final : public Solver {
     }
     find_best_source();
   }
-
-  const Best& best() const override { return best_; }
 
  private:
   enum class Bees { employed, onlookers };
@@ -190,7 +186,6 @@ class KArtificialBeeColony final : public Solver {
 
   Options options_;
   bool is_random_;  // some neighbours are drawn
-  Problem problem_;
   int limit_ = 0;
   Candidates x_, candidates_;
   Eigen::VectorX<Eigen::Index> source_, moved_by_;  // each bee's source; the last bee that moved a source
@@ -199,7 +194,6 @@ class KArtificialBeeColony final : public Solver {
   Roulette share_;
   Eigen::VectorXi failures_;
   Eigen::Index best_source_ = 0;  // of the present sources; best_ is the best ever
-  Best best_;
 };
 
 }  // namespace

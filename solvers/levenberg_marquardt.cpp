@@ -15,7 +15,7 @@ using namespace robots;
 
 namespace {
 
-class LevenbergMarquardt final : public Solver {
+class LevenbergMarquardt final : public Searcher {
  public:
   enum class Rule { chan, sugihara, wampler };
   struct Options {
@@ -42,12 +42,11 @@ class LevenbergMarquardt final : public Solver {
   explicit LevenbergMarquardt(Options options) : options_(options) {}
 
   void start(const Problem& problem, Objective& objective, Random&) override {
-    problem_ = problem;
+    take(problem);
     jacobian_.resize(objective.rows(), problem.joints());
     step_.resize(problem.joints());
     q_ = problem.start;
     keep_inside(options_.bounds == Bounds::free ? Bounds::clamp : options_.bounds, problem_, q_);
-    best_ = {problem.start};
     searched_ = restarts_ = 0;
     arrive(objective);
   }
@@ -75,7 +74,6 @@ class LevenbergMarquardt final : public Solver {
     arrive(objective);
   }
 
-  const Best& best() const override { return best_; }
   bool finished() const override { return best_.error <= options_.small_error; }
   int restarts() const override { return restarts_; }
 
@@ -95,13 +93,11 @@ class LevenbergMarquardt final : public Solver {
   }
 
   Options options_;
-  Problem problem_;
   Configuration q_, before_, step_;
   Eigen::MatrixXd jacobian_;
   Linearized linearized_;
   int searched_ = 0;  // iterations of this search
   int restarts_ = 0;
-  Best best_;
 };
 
 }  // namespace

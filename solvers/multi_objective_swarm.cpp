@@ -197,7 +197,7 @@ class Front {
   std::vector<Eigen::Index> free_;  // columns of q_
 };
 
-class MultiObjectiveSwarm final : public Solver {
+class MultiObjectiveSwarm final : public Searcher {
  public:
   enum class Leader { per_generation, per_particle };
   enum class FinalPoint { smallest_error, knee };
@@ -239,7 +239,7 @@ class MultiObjectiveSwarm final : public Solver {
   explicit MultiObjectiveSwarm(Options options) : options_(options) {}
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
-    problem_ = problem;
+    take(problem);
     const int particles = problem.population;
     x_.resize(problem.joints(), particles);
     v_.setZero(problem.joints(), particles);
@@ -255,7 +255,6 @@ class MultiObjectiveSwarm final : public Solver {
     }
     archive_.start(problem.joints(), options_.archive, particles, options_.grid);
     generation_ = 0;
-    best_ = {problem.start};
 
     draw_within_limits(problem, random, x_);
     evaluate(objective);
@@ -302,8 +301,6 @@ class MultiObjectiveSwarm final : public Solver {
     replace(errors_.data(), personal_errors_.data());
     replace(variations_.data(), personal_variations_.data());
   }
-
-  const Best& best() const override { return best_; }
 
  private:
   void evaluate(Objective& objective) {
@@ -356,7 +353,6 @@ class MultiObjectiveSwarm final : public Solver {
 
   Options options_;
   const Kernels& kernels_ = kernels();
-  Problem problem_;
   Candidates x_, v_, personal_, u1_, u2_;
   Eigen::VectorXd errors_, variations_, personal_errors_, personal_variations_;
   Eigen::VectorXd turned_;  // moves of a joint that turns without end
@@ -365,7 +361,6 @@ class MultiObjectiveSwarm final : public Solver {
   std::vector<int> order_;
   Front archive_;
   int generation_ = 0;
-  Best best_;
 };
 
 }  // namespace

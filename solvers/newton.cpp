@@ -14,7 +14,7 @@ using namespace robots;
 
 namespace {
 
-class Newton final : public Solver {
+class Newton final : public Searcher {
  public:
   enum class Restarts { none, random };
   enum class Limits { initial, clamp, wrap };
@@ -45,7 +45,7 @@ class Newton final : public Solver {
   explicit Newton(Options options) : options_(options) {}
 
   void start(const Problem& problem, Objective& objective, Random&) override {
-    problem_ = problem;
+    take(problem);
     jacobian_.resize(objective.rows(), problem.joints());
     q_ = problem.start;
     turns_.resize(q_.size());
@@ -53,7 +53,6 @@ class Newton final : public Solver {
       turns_[j] = objective.arm().links()[static_cast<std::size_t>(j)].joint == Joint::turns;
     }
     limit(q_);
-    best_ = {problem.start};
     is_stuck_ = false;
     searched_ = restarts_ = 0;
     arrive(objective);
@@ -84,7 +83,6 @@ class Newton final : public Solver {
     arrive(objective);
   }
 
-  const Best& best() const override { return best_; }
   bool finished() const override {
     return is_stuck_ && (options_.restarts == Restarts::none || best_.error <= options_.small_error);
   }
@@ -106,7 +104,6 @@ class Newton final : public Solver {
   }
 
   Options options_;
-  Problem problem_;
   Configuration q_, step_;
   Eigen::Array<bool, Eigen::Dynamic, 1, 0, most_joints, 1> turns_;  // false: slides
   Eigen::MatrixXd jacobian_;
@@ -114,7 +111,6 @@ class Newton final : public Solver {
   bool is_stuck_ = false;
   int searched_ = 0;  // iterations of this search
   int restarts_ = 0;
-  Best best_;
 };
 
 }  // namespace

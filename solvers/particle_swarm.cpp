@@ -11,7 +11,7 @@ using namespace robots;
 
 namespace {
 
-class ParticleSwarm final : public Solver {
+class ParticleSwarm final : public Searcher {
  public:
   enum class Coefficients { permuted, exchanged, as_printed };
   enum class Draws { per_joint, per_particle };
@@ -64,20 +64,18 @@ class ParticleSwarm final : public Solver {
   }
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
-    problem_ = problem;
+    take(problem);
     inertia_ = options_.inertia;
     const int particles = problem.population;
     for (Candidates* each : {&x_, &v_, &x_next_, &v_next_}) each->resize(problem.joints(), particles);
     const int drawn = options_.random == Draws::per_joint ? problem.joints() : 1;
     for (Candidates* each : {&u1_, &u2_}) each->resize(drawn, particles);
     for (Eigen::VectorXd* each : {&errors_, &found_}) each->resize(particles);
-    best_ = {problem.start};
 
     draw_within_limits(problem, random, x_);
     v_.setZero();
     personal_ = x_;
-    objective.errors(x_, errors_);
-    for (int i = 0; i < particles; ++i) best_.improve(x_.col(i), errors_[i]);
+    evaluate_all(objective, x_, errors_);
   }
 
   void step(Objective& objective, Random& random) override {
@@ -98,8 +96,6 @@ class ParticleSwarm final : public Solver {
     x_.swap(x_next_);
     v_.swap(v_next_);
   }
-
-  const Best& best() const override { return best_; }
 
  private:
   void fly(Eigen::Index first, Eigen::Index count) {
@@ -134,10 +130,8 @@ class ParticleSwarm final : public Solver {
   Options options_;
   double inertia_ = 0;
   const Kernels& kernels_ = kernels();
-  Problem problem_;
   Candidates x_, v_, x_next_, v_next_, personal_, u1_, u2_;
   Eigen::VectorXd errors_, found_;  // errors of the personal bests; of x_next_
-  Best best_;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ using namespace robots;
 
 namespace {
 
-class RandomSearch final : public Solver {
+class RandomSearch final : public Searcher {
  public:
   struct Options {
     void list(OptionList&) {}
@@ -18,26 +18,20 @@ class RandomSearch final : public Solver {
   explicit RandomSearch(Options) {}
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
-    problem_ = problem;
+    take(problem);
     x_.resize(problem.joints(), problem.population);
     errors_.resize(problem.population);
-    best_ = {problem.start};
     step(objective, random);
   }
 
   void step(Objective& objective, Random& random) override {
     draw_within_limits(problem_, random, x_);
-    objective.errors(x_, errors_);
-    for (Eigen::Index i = 0; i < x_.cols(); ++i) best_.improve(x_.col(i), errors_[i]);
+    evaluate_all(objective, x_, errors_);
   }
 
-  const Best& best() const override { return best_; }
-
  private:
-  Problem problem_;
   Candidates x_;
   Eigen::VectorXd errors_;
-  Best best_;
 };
 
 }  // namespace

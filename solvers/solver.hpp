@@ -81,4 +81,23 @@ class Solver {
   virtual int restarts() const { return 0; }
 };
 
+// A solver that keeps its problem and the best of its candidates.
+class Searcher : public Solver {
+ public:
+  const Best& best() const final { return best_; }
+
+ protected:
+  void take(const Problem& problem) {
+    problem_ = problem;
+    best_ = {problem.start};
+  }
+  void evaluate_all(Objective& objective, const robots::Candidates& q, Eigen::VectorXd& errors) {
+    objective.errors(q, errors);
+    for (Eigen::Index i = 0; i < q.cols(); ++i) best_.improve(q.col(i), errors[i]);
+  }
+
+  Problem problem_;
+  Best best_;
+};
+
 }  // namespace ikbench::solvers
