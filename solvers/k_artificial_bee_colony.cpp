@@ -163,12 +163,7 @@ class KArtificialBeeColony final : public Searcher {
     return is_random_ ? x_(j, other_source(i, neighbour_[bee])) : x_(j, i);
   }
 
-  void find_best_source() {
-    best_source_ = 0;
-    for (Eigen::Index i = 1; i < errors_.size(); ++i) {
-      if (errors_[i] < errors_[best_source_]) best_source_ = i;
-    }
-  }
+  void find_best_source() { best_source_ = std::min_element(errors_.begin(), errors_.end()) - errors_.begin(); }
 
   // Any source but i; a single source has no other.
   Eigen::Index other_source(Eigen::Index i, double chance) const {

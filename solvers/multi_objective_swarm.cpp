@@ -241,10 +241,8 @@ class MultiObjectiveSwarm final : public Searcher {
   void start(const Problem& problem, Objective& objective, Random& random) override {
     take(problem);
     const int particles = problem.population;
-    x_.resize(problem.joints(), particles);
-    v_.setZero(problem.joints(), particles);
-    u1_.resize(problem.joints(), particles);
-    u2_.resize(problem.joints(), particles);
+    for (Candidates* each : {&x_, &v_, &u1_, &u2_}) each->resize(problem.joints(), particles);
+    v_.setZero();
     for (Eigen::VectorXd* each : {&errors_, &variations_, &turned_, &chance_, &coin_}) each->resize(particles);
     order_.resize(static_cast<std::size_t>(particles));
     velocity_limit_.resize(problem.joints());

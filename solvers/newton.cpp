@@ -48,11 +48,7 @@ class Newton final : public Searcher {
     take(problem);
     jacobian_.resize(objective.rows(), problem.joints());
     q_ = problem.start;
-    turns_.resize(q_.size());
-    for (Eigen::Index j = 0; j < q_.size(); ++j) {
-      turns_[j] = objective.arm().links()[static_cast<std::size_t>(j)].joint == Joint::turns;
-    }
-    limit(q_);
+    limit(q_, objective.arm());
     is_stuck_ = false;
     searched_ = restarts_ = 0;
     arrive(objective);
@@ -72,7 +68,7 @@ class Newton final : public Searcher {
       if (!(damped_step(jacobian_, linearized_.to_go, 0, step_) > options_.singular * options_.singular))
         step_ = pseudo_inverse_times(jacobian_, linearized_.to_go, options_.singular);
       q_ += step_;
-      limit(q_);
+      limit(q_, objective.arm());
       if (!q_.allFinite()) {
         q_ = before;
         is_stuck_ = true;
@@ -89,11 +85,12 @@ class Newton final : public Searcher {
   int restarts() const override { return restarts_; }
 
  private:
-  void limit(Configuration& q) const {
+  void limit(Configuration& q, const Chain& arm) const {
     if (options_.bounds == Limits::initial) return;
     for (Eigen::Index j = 0; j < q.size(); ++j) {
       const double lower = problem_.lower[j], upper = problem_.upper[j];
-      if (options_.bounds == Limits::wrap && turns_[j]) q[j] = turned_inside(q[j], lower, upper);
+      if (options_.bounds == Limits::wrap && arm.links()[static_cast<std::size_t>(j)].joint == Joint::turns)
+        q[j] = turned_inside(q[j], lower, upper);
       q[j] = std::clamp(q[j], lower, upper);
     }
   }
@@ -105,7 +102,6 @@ class Newton final : public Searcher {
 
   Options options_;
   Configuration q_, step_;
-  Eigen::Array<bool, Eigen::Dynamic, 1, 0, most_joints, 1> turns_;  // false: slides
   Eigen::MatrixXd jacobian_;
   Linearized linearized_;
   bool is_stuck_ = false;
