@@ -11,14 +11,7 @@
 namespace ikbench::numerics {
 
 std::string_view name_of(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::x86_64_v3:
-      return "x86-64-v3";
-    case InstructionSet::x86_64_v4:
-      return "x86-64-v4";
-    case InstructionSet::portable:
-      break;
-  }
+  if (set != InstructionSet::portable) return set == InstructionSet::x86_64_v3 ? "x86-64-v3" : "x86-64-v4";
 #ifdef __x86_64__
   return "x86-64";
 #else

@@ -155,19 +155,10 @@ class DifferentialEvolution final : public Searcher {
       const double lower = problem_.lower[j], upper = problem_.upper[j];
       auto q = trials_(j, some).array();
       const auto inside = q >= lower && q <= upper;
-      switch (options_.bounds) {
-        case Outside::initial:
-          break;
-        case Outside::clamp:
-          kernels_.clamp(lower, upper, &trials_(j, some.first()), some.size());
-          break;
-        case Outside::reflect:
-          q = inside.select(q, (q < lower).select(2 * lower - q, 2 * upper - q).max(lower).min(upper));
-          break;
-        case Outside::resample:
-          q = inside.select(q, fresh_(j, some).array());
-          break;
-      }
+      if (options_.bounds == Outside::clamp) kernels_.clamp(lower, upper, &trials_(j, some.first()), some.size());
+      if (options_.bounds == Outside::reflect)
+        q = inside.select(q, (q < lower).select(2 * lower - q, 2 * upper - q).max(lower).min(upper));
+      if (options_.bounds == Outside::resample) q = inside.select(q, fresh_(j, some).array());
     }
   }
 

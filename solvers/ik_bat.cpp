@@ -120,15 +120,10 @@ class IkBat final : public Searcher {
   }
 
   void draw_epsilon(Random& random) {
-    switch (options_.epsilon) {
-      case Epsilon::normal:
-        return random.normals(epsilon_);
-      case Epsilon::truncated:
-        return random.truncated_normals(epsilon_);
-      case Epsilon::uniform:
-        random.uniforms(epsilon_);
-        epsilon_.array() = 2 * epsilon_.array() - 1;
-    }
+    if (options_.epsilon == Epsilon::normal) return random.normals(epsilon_);
+    if (options_.epsilon == Epsilon::truncated) return random.truncated_normals(epsilon_);
+    random.uniforms(epsilon_);
+    epsilon_.array() = 2 * epsilon_.array() - 1;
   }
 
   void fly(Eigen::Index first, Eigen::Index count) {
@@ -151,15 +146,8 @@ class IkBat final : public Searcher {
   }
 
   bool accepts(double chance) const {
-    switch (options_.acceptance) {
-      case Acceptance::loudness:
-        return chance < loudness_;
-      case Acceptance::yang2020:
-        return chance > loudness_;
-      case Acceptance::greedy:
-        break;
-    }
-    return true;
+    if (options_.acceptance == Acceptance::greedy) return true;
+    return options_.acceptance == Acceptance::loudness ? chance < loudness_ : chance > loudness_;
   }
 
   Options options_;

@@ -20,13 +20,9 @@ Eigen::Vector3d Objective::turn_from(const Eigen::Matrix3d& reached) const {
 }
 
 void Objective::evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
-  if (goal_.kind == GoalKind::pose) {
-    arm_.pose_errors(q, goal_.target, goal_.rotation_weight, errors);
-  } else if (goal_.kind == GoalKind::axis) {
-    arm_.axis_errors(q, goal_.target, goal_.rotation_weight, errors);
-  } else {
-    arm_.position_errors(q, goal_.target.translation(), errors);
-  }
+  if (goal_.kind == GoalKind::pose) return arm_.pose_errors(q, goal_.target, goal_.rotation_weight, errors);
+  if (goal_.kind == GoalKind::axis) return arm_.axis_errors(q, goal_.target, goal_.rotation_weight, errors);
+  arm_.position_errors(q, goal_.target.translation(), errors);
 }
 
 Linearized Objective::evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
