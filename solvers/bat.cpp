@@ -10,7 +10,6 @@
 namespace ikbench::solvers {
 
 using namespace numerics;
-using namespace robots;
 
 namespace {
 

@@ -12,7 +12,6 @@
 namespace ikbench::solvers {
 
 using namespace numerics;
-using namespace robots;
 
 namespace {
 

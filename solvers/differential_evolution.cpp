@@ -10,9 +10,6 @@
 
 namespace ikbench::solvers {
 
-using namespace numerics;
-using namespace robots;
-
 namespace {
 
 constexpr int least_population = 4;  // a candidate and its three partners

@@ -9,9 +9,7 @@
 
 namespace ikbench::solvers {
 
-using namespace base;
 using namespace numerics;
-using namespace robots;
 
 namespace {
 
@@ -111,7 +109,7 @@ class IkBat final : public Searcher {
     if (options_.spread_deg > 0) {
       random.normals(x_);
       for (Eigen::Index j = 0; j < x_.rows(); ++j)
-        kernels_.scatter(problem_.start[j], options_.spread_deg * degree, &x_(j, 0), &x_(j, 0), x_.cols());
+        kernels_.scatter(problem_.start[j], options_.spread_deg * base::degree, &x_(j, 0), &x_(j, 0), x_.cols());
     } else {
       draw_within_limits(problem_, random, x_);
     }

@@ -10,10 +10,6 @@
 
 namespace ikbench::solvers {
 
-using namespace base;
-using namespace numerics;
-using namespace robots;
-
 namespace {
 
 class KArtificialBeeColony final : public Searcher {
@@ -174,7 +170,7 @@ class KArtificialBeeColony final : public Searcher {
 
   // Fills the roulette: a source's share is 1 / (1 + f), or 0 if its error is not finite.
   void spin_up() {
-    const double unit = options_.fitness_unit == FitnessUnit::cm ? centimetre : 1;
+    const double unit = options_.fitness_unit == FitnessUnit::cm ? base::centimetre : 1;
     share_.clear();
     for (const double error : errors_) share_.add(std::isfinite(error) ? 1 / (1 + error / unit) : 0);
   }

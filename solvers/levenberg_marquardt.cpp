@@ -10,9 +10,6 @@
 
 namespace ikbench::solvers {
 
-using namespace numerics;
-using namespace robots;
-
 namespace {
 
 class LevenbergMarquardt final : public Searcher {

@@ -9,7 +9,6 @@
 
 namespace ikbench::solvers {
 
-using namespace numerics;
 using namespace robots;
 
 namespace {

@@ -6,9 +6,6 @@
 
 namespace ikbench::solvers {
 
-using namespace numerics;
-using namespace robots;
-
 namespace {
 
 class ParticleSwarm final : public Searcher {

@@ -4,9 +4,6 @@
 
 namespace ikbench::solvers {
 
-using namespace numerics;
-using namespace robots;
-
 namespace {
 
 class RandomSearch final : public Searcher {

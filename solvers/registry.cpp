@@ -9,7 +9,6 @@
 namespace ikbench::solvers {
 
 using namespace base;
-using namespace numerics;
 
 #define SOLVER(name) SolverInfo name();
 #define PEER(name, library, package) SolverInfo name();

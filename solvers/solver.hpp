@@ -13,7 +13,7 @@
 
 namespace ikbench::solvers {
 
-using numerics::StopRule;
+using numerics::Random, numerics::StopRule, robots::Candidates, robots::Configuration;
 
 // The number of iterations that fit into a solve if each evaluates a population; at least one, unless `iterations` is
 // 0.
@@ -36,9 +36,9 @@ struct Improvements {
 
 // The task of a solver besides the objective.
 struct Problem {
-  robots::Configuration start;  // Theta_s [rad]: the arm's configuration, searched joints only
-  robots::Configuration lower;  // joint limits [rad], Eq. 4; infinite if a joint turns without end
-  robots::Configuration upper;
+  Configuration start;  // Theta_s [rad]: the arm's configuration, searched joints only
+  Configuration lower;  // joint limits [rad], Eq. 4; infinite if a joint turns without end
+  Configuration upper;
   int population = 50;   // candidates per iteration
   int iterations = 200;  // planned_iterations, set by `solve`, for schedules that end with the solve
   // `solve` applies it to every solver. A solver that makes one library call per step hands it to the library.
@@ -49,7 +49,7 @@ struct Problem {
 };
 
 struct Best {
-  robots::Configuration q;                                 // [rad]
+  Configuration q;                                         // [rad]
   double error = std::numeric_limits<double>::infinity();  // [m], as the objective gave it
 
   // Keeps the candidate if it is better; returns whether it did.
@@ -68,9 +68,9 @@ class Solver {
 
   // Draws and evaluates the first candidates, and allocates all memory; a second start for a problem of the same size
   // allocates none.
-  virtual void start(const Problem& problem, Objective& objective, numerics::Random& random) = 0;
+  virtual void start(const Problem& problem, Objective& objective, Random& random) = 0;
   // Makes one iteration.
-  virtual void step(Objective& objective, numerics::Random& random) = 0;
+  virtual void step(Objective& objective, Random& random) = 0;
   // The best so far; its error never grows and is exactly the objective's for its q.
   virtual const Best& best() const = 0;
   // True if a further step changes nothing: for solvers that end by themselves.
@@ -91,7 +91,7 @@ class Searcher : public Solver {
     problem_ = problem;
     best_ = {problem.start};
   }
-  void evaluate_all(Objective& objective, const robots::Candidates& q, Eigen::VectorXd& errors) {
+  void evaluate_all(Objective& objective, const Candidates& q, Eigen::VectorXd& errors) {
     objective.errors(q, errors);
     for (Eigen::Index i = 0; i < q.cols(); ++i) best_.improve(q.col(i), errors[i]);
   }

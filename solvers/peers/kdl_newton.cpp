@@ -16,7 +16,6 @@
 
 namespace ikbench::solvers {
 
-using namespace numerics;
 using namespace robots;
 
 namespace {

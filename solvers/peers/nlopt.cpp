@@ -8,7 +8,6 @@
 
 namespace ikbench::solvers {
 
-using namespace numerics;
 using namespace robots;
 
 namespace {
