@@ -24,8 +24,6 @@
 
 namespace ikbench::experiments {
 
-using namespace numerics;
-
 namespace {
 
 #include "source_digests.inc"
@@ -67,7 +65,7 @@ std::map<std::string, std::string> environment() {
           {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"flags", build_info::flags},
           {"host", system.nodename},
-          {"instruction_set", std::string(name_of(instruction_set()))},
+          {"instruction_set", std::string(name_of(numerics::instruction_set()))},
           {"os", fmt::format("{} {} {}", system.sysname, system.release, system.machine)},
           {"sanitizers", build_info::sanitize},
           {"source", shared_source_digest()},

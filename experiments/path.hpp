@@ -13,7 +13,7 @@
 
 namespace ikbench::experiments {
 
-using base::Fields, base::InKey;
+using base::Fields, base::InKey, numerics::Key, numerics::Random, robots::Configuration, robots::Pose, robots::Robot;
 
 // A kind of path, with the fields of one path of it. Its file defines NAME_path(), a path with the defaults.
 class PathKind {
@@ -27,14 +27,14 @@ class PathKind {
   // Reads the files that the fields name, in the study's folder. std::invalid_argument says what is wrong and expected.
   virtual void load(const std::filesystem::path&) {}
   // Throws std::invalid_argument if the fields do not fit each other, or if the arm has no such targets.
-  virtual void check(const robots::Robot&) const {}
+  virtual void check(const Robot&) const {}
   // True if every run draws its own targets, false if all runs have the same.
   virtual bool is_drawn() const { return false; }
   virtual int points() const = 0;
   // One pose per point. `random` belongs to the run; only random paths use it.
-  virtual std::vector<robots::Pose> poses(const robots::Robot& arm, numerics::Random& random) const = 0;
+  virtual std::vector<Pose> poses(const Robot& arm, Random& random) const = 0;
   // The configurations from which poses() makes its targets, by the same draws; empty if it uses none.
-  virtual std::vector<robots::Configuration> solutions(const robots::Robot&, numerics::Random&) const { return {}; }
+  virtual std::vector<Configuration> solutions(const Robot&, Random&) const { return {}; }
 };
 
 // A path of any kind, as a value: a copy is independent.
@@ -60,7 +60,7 @@ class Path {
 // One path of each kind, with its defaults, in the order of paths.inc.
 std::vector<Path> paths();
 // The path of the kind `poses`.
-Path path_through(std::vector<robots::Pose> poses);
+Path path_through(std::vector<Pose> poses);
 
 // Poses from a table of any origin (base/sheet.hpp). The header names the columns, in any order and case, with their
 // units: x, y and z in m, cm or mm, of one thing ("pose.position.x", "x [mm]"), without a unit m; and w, x, y, z of
@@ -68,7 +68,7 @@ Path path_through(std::vector<robots::Pose> poses);
 // nothing for a tool that points straight down. Columns before them that never fall are left out. Rows may also be 12
 // or 16 numbers of a matrix. Anything else, a number that is not finite, lengths and angles that seem to be in another
 // unit, no row, or more than 100000 rows throws std::invalid_argument with file, line and column.
-std::vector<robots::Pose> poses_from_csv(std::string_view text, std::string_view file);
+std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file);
 
 constexpr std::pair<std::int64_t, std::int64_t> point_counts{1, 100'000};
 

@@ -27,7 +27,6 @@ namespace ikbench::experiments {
 
 using namespace base;
 using namespace numerics;
-using namespace robots;
 using namespace results;
 
 namespace {
@@ -143,7 +142,7 @@ void check(const Definition& study, const Robot& arm, const Left& before, bool i
 }  // namespace
 
 TakeSolve recheck_of(const StoredStudy& study) {
-  std::optional<Robot> stored = stored_arm(study.definition.arm);
+  std::optional<Robot> stored = robots::stored_arm(study.definition.arm);
   if (!stored)
     throw std::invalid_argument(fmt::format(
         "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", study.name));
@@ -162,7 +161,7 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
                         const std::function<void(const Progress&)>& progress) {
   Study study;
   static_cast<StudyData&>(study) = stored.definition;
-  study.robot_of_file = std::make_shared<const Robot>(stored_arm(stored.definition.arm).value());
+  study.robot_of_file = std::make_shared<const Robot>(robots::stored_arm(stored.definition.arm).value());
   SolvedAgain found;
   std::map<std::string, SolverEntry> entries;  // by label
   std::map<std::string, SolveRunner> runners;

@@ -18,9 +18,6 @@
 
 namespace ikbench::experiments {
 
-using namespace base;
-using namespace robots;
-using namespace solvers;
 using namespace results;
 
 namespace {
@@ -165,7 +162,7 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
     int point = work.next_point(chain, run, 1);
     if (point > work.points) return;
     const SolveRunner& solve_runner = work.solve_runner(index);
-    const std::unique_ptr<Solver> solver = solve_runner.make_solver();
+    const std::unique_ptr<solvers::Solver> solver = solve_runner.make_solver();
     if (task.run != run) task = {run, targets(work.study, work.arm, run), starts(work.study, work.arm, run)};
     const auto target = [&](int place) -> const Pose& { return task.targets[static_cast<std::size_t>(place - 1)]; };
     const auto start = [&](int place) -> const Configuration& {

@@ -55,7 +55,7 @@ void solve_study(const Study& study, int jobs, const std::function<void(results:
 bool moves_arm(const results::SolveRecord& solve, Start start);
 
 // Solves one target by one solver; the record has every number that a study would have.
-results::SolveRecord solve_once(const Study& study, const SolverEntry& entry, const robots::Pose& target);
+results::SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target);
 
 // A check (recheck.cpp) that computes errors, joint motion and status of a study's solves again, from arm, target,
 // start and answer of each, which come by solver, run and point. It throws std::invalid_argument, with the solve's

@@ -23,8 +23,6 @@
 namespace ikbench::experiments {
 
 using namespace base;
-using namespace numerics;
-using namespace robots;
 using namespace solvers;
 using namespace results;
 
@@ -46,7 +44,8 @@ std::vector<double> to_vector(const Configuration& values) { return {values.begi
 std::string own_urdf(const Study& study, const SolverEntry& entry, bool are_all_searched) {
   const std::filesystem::path file = entry.program->folder / study.robot;
   std::error_code none;
-  const bool is_whole = are_all_searched && is_urdf_file(study.robot) && std::filesystem::is_regular_file(file, none);
+  const bool is_whole =
+      are_all_searched && robots::is_urdf_file(study.robot) && std::filesystem::is_regular_file(file, none);
   return is_whole ? text_of_file(file) : "";
 }
 

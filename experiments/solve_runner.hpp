@@ -30,7 +30,7 @@ class SolveRunner {
  public:
   // `key` is its series_key. `repeats` is the number of timed solves per problem, 1 if a solve ends by its
   // wall time; `jobs` of solves at once.
-  SolveRunner(const Study& study, const SolverEntry& entry, std::string key, const robots::Robot& arm, int repeats = 1,
+  SolveRunner(const Study& study, const SolverEntry& entry, std::string key, const Robot& arm, int repeats = 1,
               int jobs = 1);
 
   const std::string& label() const { return entry_.label; }
@@ -44,31 +44,29 @@ class SolveRunner {
   // Both throw std::runtime_error, with label, run and point, if the solver throws (std::invalid_argument, if it throws
   // that) or answers with other than one number for each joint.
   // Solves once, untimed, if repeats are timed, so that the first is no slower than the others.
-  void warm_up(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start, int run,
-               int point) const;
+  void warm_up(solvers::Solver& solver, const Pose& target, const Configuration& start, int run, int point) const;
   // Also throws if a repeat has another answer, to the bit. Where the solver ends the process by `exit`, that prints a
   // sentence, and its code is 2.
-  results::SolveRecord solve(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start,
-                             int run, int point) const;
+  results::SolveRecord solve(solvers::Solver& solver, const Pose& target, const Configuration& start, int run,
+                             int point) const;
 
  private:
   struct Timed {
     solvers::Solution solution = {};
-    robots::Configuration answer = {};    // all joints
+    Configuration answer = {};            // all joints
     double seconds = 0;                   // to solve, and to complete the answer
     std::optional<Account> account = {};  // if a program solved
     double cpu_seconds = 0;               // of the program, else of this thread
     std::map<std::string, double> extras = {};
   };
-  Timed timed(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start, int run,
-              int point) const;
+  Timed timed(solvers::Solver& solver, const Pose& target, const Configuration& start, int run, int point) const;
   results::StopReason stop_reason_of(const Timed& timed) const;
-  results::Status status_of(const Timed& timed, const Verification& verified, const robots::Pose& target) const;
+  results::Status status_of(const Timed& timed, const Verification& verified, const Pose& target) const;
   bool is_late(const Timed& timed) const;
 
   const Study& study_;
   const SolverEntry& entry_;
-  const robots::Robot& arm_;
+  const Robot& arm_;
   Task task_;
   solvers::Settings options_;
   std::string key_;

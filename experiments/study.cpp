@@ -12,7 +12,6 @@
 
 namespace ikbench::experiments {
 
-using namespace numerics;
 using namespace robots;
 using namespace solvers;
 

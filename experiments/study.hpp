@@ -50,8 +50,8 @@ struct LeftOut {
 
 // What is asked, with what is made of it: the arm, the path, the solvers.
 struct Study : results::StudyData {
-  std::shared_ptr<const robots::Robot> robot_of_file;  // the arm in the file `robot`; null: the arm is built in
-  robots::UrdfChoice urdf;                             // for a URDF file
+  std::shared_ptr<const Robot> robot_of_file;  // the arm in the file `robot`; null: the arm is built in
+  robots::UrdfChoice urdf;                     // for a URDF file
   Path path;
   Eigen::VectorXd initial;  // [rad], all joints; the arm before the first point of a run
   solvers::Trace trace = solvers::Trace::none;
@@ -65,10 +65,10 @@ std::vector<std::string> labels_of(const Study& study);  // of its solvers
 solvers::GoalKind goal_kind(Search search);
 
 // The study's arm; std::invalid_argument if there is none of that name.
-robots::Robot arm_of(const Study& study);
+Robot arm_of(const Study& study);
 
 // The unit of each joint outside the program: degrees, or metres if the joint slides.
-robots::Configuration joint_units(const robots::Chain& arm);
+Configuration joint_units(const robots::Chain& arm);
 
 // The defaults of the entry's solver with these settings applied. Throws std::invalid_argument as OptionList::set does.
 solvers::Settings options_with(const SolverEntry& entry, const solvers::Settings& settings);
@@ -78,14 +78,14 @@ int effective_population(const Study& study, const SolverEntry& entry);
 
 // The targets of a run, the same for all solvers. Only random targets differ between runs; those of a longer run begin
 // with those of a shorter one. `arm` is arm_of(study), which reads and checks a file.
-std::vector<robots::Pose> targets(const Study& study, const robots::Robot& arm, int run);
-std::vector<robots::Pose> targets(const Study& study, int run);
+std::vector<Pose> targets(const Study& study, const Robot& arm, int run);
+std::vector<Pose> targets(const Study& study, int run);
 
 // Zeros, or the nearest that the limits allow: the initial configuration where the study says none.
-robots::Configuration nearest_to_zero(const robots::Robot& arm);
+Configuration nearest_to_zero(const Robot& arm);
 
 // The starts of a run's solves, the same for all solvers; none for Start::previous and Start::initial.
-std::vector<robots::Configuration> starts(const Study& study, const robots::Robot& arm, int run);
+std::vector<Configuration> starts(const Study& study, const Robot& arm, int run);
 
 // A target that certainly no configuration reaches, by its distance from the shoulder (to the wrist's centre, if that
 // is searched).

@@ -21,7 +21,6 @@ namespace ikbench::experiments {
 
 using namespace base;
 using namespace solvers;
-using namespace robots;
 using namespace results;
 
 namespace {

@@ -19,7 +19,7 @@ constexpr std::string_view not_enforced =
 void override_one(toml::table& study, const std::string& text);
 
 // study_entries.cpp: the solvers of a study, a sweep as one entry per combination.
-void read_solvers(base::TomlReader& reader, Study& study, const robots::Robot& arm);
+void read_solvers(base::TomlReader& reader, Study& study, const Robot& arm);
 
 // study_reader.cpp: the folder of a file that a key names: the study's, or the current one if --set gave the key.
 std::filesystem::path folder_of(const base::TomlReader& reader, std::string_view key);

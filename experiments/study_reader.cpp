@@ -22,9 +22,7 @@
 namespace ikbench::experiments {
 
 using namespace base;
-using namespace numerics;
 using namespace robots;
-using namespace solvers;
 using namespace results;
 
 namespace {
@@ -160,7 +158,7 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
   constexpr double most_solves = 1e8;
   refuse_if(static_cast<double>(study.solvers.size()) * study.runs * study.path->points() > most_solves, "runs",
             "solvers, runs and points make more than 100 000 000 solves; expected fewer");
-  refuse_if(study.trace == Trace::best_error && study.stop.iterations > 1'000'000, "trace",
+  refuse_if(study.trace == solvers::Trace::best_error && study.stop.iterations > 1'000'000, "trace",
             "a trace has at most 1 000 000 iterations; expected stop.iterations of at most that");
   refuse_if(study.limits == Limits::enforced && study.bounds == StudyBounds::initial, "bounds", not_enforced);
   const Configuration units = joint_units(arm.chain);

@@ -21,7 +21,6 @@
 namespace ikbench::experiments {
 
 using namespace base;
-using namespace numerics;
 using namespace robots;
 using namespace solvers;
 using namespace results;

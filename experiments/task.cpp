@@ -6,7 +6,6 @@
 
 namespace ikbench::experiments {
 
-using namespace numerics;
 using namespace robots;
 using namespace solvers;
 

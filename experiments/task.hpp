@@ -16,25 +16,24 @@ bool only_turns_tool(const robots::Chain& whole);
 // The search for one target: over all joints, or over those before the wrist.
 class Task {
  public:
-  Task(const Study& study, const robots::Robot& arm);
+  Task(const Study& study, const Robot& arm);
 
   // The joints that are searched, with the point that they place.
   const robots::Chain& arm() const { return searched_; }
-  solvers::Goal goal(const robots::Pose& target) const;
-  solvers::Problem problem(const robots::Configuration& start, int population) const;
+  solvers::Goal goal(const Pose& target) const;
+  solvers::Problem problem(const Configuration& start, int population) const;
 
   // All joints of the answer: those found by the search, the wrist's by the closed form, wrapped if the study says so.
-  robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target,
-                                  const robots::Configuration& start) const;
+  Configuration completed(const Configuration& found, const Pose& target, const Configuration& start) const;
 
  private:
-  void wrap(robots::Configuration& answer, const robots::Configuration& start) const;
+  void wrap(Configuration& answer, const Configuration& start) const;
   // Turns each angle of a branch by whole turns, if the study says so.
   void turn_near(Eigen::Vector3d& branch, const Eigen::Vector3d& near) const;
   std::size_t chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
 
   const Study& study_;
-  const robots::Robot& arm_;
+  const Robot& arm_;
   std::optional<robots::SphericalWrist> wrist_;
   robots::Chain searched_;
 };

@@ -5,8 +5,6 @@
 
 namespace ikbench::experiments {
 
-using namespace results;
-
 void share_out(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
                const std::function<void(std::size_t, std::size_t, const IsOver&)>& work) {
   std::atomic<std::size_t> next{0};
@@ -54,7 +52,7 @@ PauseWatch::Clock::duration PauseWatch::look() {
   return paused_;
 }
 
-void RecordQueue::hand_in(SolveRecord&& record) {
+void RecordQueue::hand_in(results::SolveRecord&& record) {
   std::unique_lock lock(mutex_);
   waiting_.push_back(std::move(record));
   while (!is_busy_ && !waiting_.empty() && Clock::now() - last_ >= patience_) pass_on(lock);

@@ -15,7 +15,6 @@
 
 namespace ikbench::judge {
 
-using namespace base;
 using namespace results;
 
 namespace {

@@ -9,7 +9,6 @@
 
 namespace ikbench::experiments {
 
-using namespace numerics;
 using namespace robots;
 using namespace solvers;
 using namespace results;

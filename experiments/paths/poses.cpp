@@ -26,7 +26,6 @@
 namespace ikbench::experiments {
 
 using namespace base;
-using namespace numerics;
 using namespace robots;
 
 namespace {

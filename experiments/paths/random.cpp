@@ -13,7 +13,6 @@
 
 namespace ikbench::experiments {
 
-using namespace numerics;
 using namespace robots;
 
 namespace {
