@@ -9,9 +9,7 @@
 #include <random>
 #include <set>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "base/json.hpp"
 #include "base/names.hpp"

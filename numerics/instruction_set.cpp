@@ -1,7 +1,5 @@
 #include "numerics/instruction_set.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdlib>
 #include <stdexcept>
 #include <string>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <stdexcept>
 
 #include "experiments/path.hpp"
