@@ -5,7 +5,6 @@
 #include <array>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "base/json.hpp"
@@ -70,11 +69,7 @@ void read_kind(TomlReader& reader, SolverEntry& entry) {
   for (const MissingPeer& peer : missing_peers()) {
     if (peer.name == entry.solver) leave_out(reader, entry.solver, peer.how);
   }
-  try {
-    static_cast<void>(solver(entry.solver));
-  } catch (const std::invalid_argument& error) {
-    throw reader.mistake("solver", error.what());
-  }
+  at_key(reader, "solver", [&] { return solver(entry.solver); });
 }
 
 // Returns whether the default of an option is a number.

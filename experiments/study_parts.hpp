@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,16 @@ void override_one(toml::table& study, const std::string& text);
 
 // study_entries.cpp: the solvers of a study, a sweep as one entry per combination.
 void read_solvers(base::TomlReader& reader, Study& study, const Robot& arm);
+
+// What `make` makes; what it says is wrong is a mistake of this key.
+template <class Make>
+auto at_key(const base::TomlReader& reader, std::string_view key, Make&& make) {
+  try {
+    return make();
+  } catch (const std::invalid_argument& error) {
+    throw reader.mistake(key, error.what());
+  }
+}
 
 // study_reader.cpp: the folder of a file that a key names: the study's, or the current one if --set gave the key.
 std::filesystem::path folder_of(const base::TomlReader& reader, std::string_view key);

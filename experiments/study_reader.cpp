@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <stdexcept>
 #include <utility>
 
 #include "base/embedded_file.hpp"
@@ -84,11 +82,7 @@ Path read_path(PathReader reader) {
   const toml::source_region& kind = reader.find("kind")->source();
   const bool is_other_kind = kind.begin.line == 0 || kind.path;
   reader.refuse_unknown_keys(is_other_kind ? override_source : "");
-  try {
-    path->load(folder_of(reader, "file"));
-  } catch (const std::invalid_argument& error) {
-    throw reader.mistake("file", error.what());
-  }
+  at_key(reader, "file", [&] { path->load(folder_of(reader, "file")); });
   return path;
 }
 
@@ -101,13 +95,7 @@ void read_part(TomlReader reader, Part& part) {
 
 // Reads the study's arm: a built-in one, or a file in the study's folder (for --set in the current one).
 Robot read_arm(const TomlReader& reader, Study& study) {
-  if (!is_arm_file(study.robot)) {
-    try {
-      return robot(study.robot);
-    } catch (const std::invalid_argument& error) {
-      throw reader.mistake("robot", error.what());
-    }
-  }
+  if (!is_arm_file(study.robot)) return at_key(reader, "robot", [&] { return robot(study.robot); });
   const std::filesystem::path file = folder_of(reader, "robot") / study.robot;
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
@@ -142,11 +130,7 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
   const auto refuse_if = [&](bool is_wrong, std::string_view key, std::string_view message) {
     if (is_wrong) throw reader.mistake(key, message);
   };
-  try {
-    study.path->check(arm);
-  } catch (const std::invalid_argument& error) {
-    throw reader.mistake("path", error.what());
-  }
+  at_key(reader, "path", [&] { study.path->check(arm); });
   Random random(Key(0));
   refuse_if(study.start == Start::near && study.path->solutions(arm, random).empty(), "start",
             "start is \"near\", but the path's targets are not made of configurations; expected path.kind = \"random\" "
