@@ -122,11 +122,12 @@ void give(SolverEntry& entry, const std::string& setting, const Setting& value) 
 // Swept settings, each with its values.
 using Axes = std::map<std::string, std::vector<Setting>>;
 
-// Reads a list of values into `axes`.
-void read_values(const TomlReader& settings, const SolverEntry& entry, Axes& axes, const std::string& setting,
-                 const toml::node& node) {
-  const toml::array* list = node.as_array();
-  if (list == nullptr || list->empty() || list->size() > most_solvers)
+// Reads a setting of the entry: one value, or a list of them, an axis.
+void read_setting(const TomlReader& settings, SolverEntry& entry, Axes& axes, const std::string& setting,
+                  const toml::node& node) {
+  const toml::array* const list = node.as_array();
+  if (list == nullptr) return give(entry, setting, value_in(settings, entry, setting, node));
+  if (list->empty() || list->size() > most_solvers)
     settings.fail(setting, node, fmt::format("a list of 1 to {} values", most_solvers));
   std::vector<Setting> values;
   for (const toml::node& element : *list) {
@@ -134,15 +135,6 @@ void read_values(const TomlReader& settings, const SolverEntry& entry, Axes& axe
     if (std::ranges::count(values, values.back()) > 1) settings.fail(setting, element, "each value once");
   }
   axes[setting] = std::move(values);
-}
-
-// A setting of the entry: one value, or a list of them.
-void read_setting(const TomlReader& settings, SolverEntry& entry, Axes& axes, const std::string& setting,
-                  const toml::node& node) {
-  if (node.is_array())
-    read_values(settings, entry, axes, setting, node);
-  else
-    give(entry, setting, value_in(settings, entry, setting, node));
 }
 
 const std::string too_many_solvers = fmt::format("more than {0} solvers; expected at most {0}", most_solvers);
