@@ -28,13 +28,11 @@ namespace {
 
 #include "source_digests.inc"
 
-std::string compiler() {
 #if defined(__clang__)
-  return "clang " __clang_version__;
+constexpr const char* compiler = "clang " __clang_version__;
 #else
-  return "g++ " __VERSION__;
+constexpr const char* compiler = "g++ " __VERSION__;
 #endif
-}
 
 }  // namespace
 
@@ -58,7 +56,7 @@ std::map<std::string, std::string> environment() {
   return {{"boot", boot},
           {"build_type", build_info::build_type},
           {"commit", build_info::commit},
-          {"compiler", compiler()},
+          {"compiler", compiler},
           {"cpu", cpu_model(std::ifstream("/proc/cpuinfo"))},
           {"cpus", std::to_string(std::thread::hardware_concurrency())},
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
@@ -81,8 +79,9 @@ double thread_seconds() {
 double stolen_seconds() {
   std::ifstream stat("/proc/stat");
   std::string cpu;
-  double user = 0, nice = 0, system = 0, idle = 0, waiting = 0, interrupts = 0, soft_interrupts = 0, stolen = 0;
-  stat >> cpu >> user >> nice >> system >> idle >> waiting >> interrupts >> soft_interrupts >> stolen;
+  double stolen = 0;
+  stat >> cpu;
+  for (int i = 0; i < 8; ++i) stat >> stolen;  // after user, nice, system, idle, iowait, irq and softirq
   if (!stat || cpu != "cpu") return std::numeric_limits<double>::quiet_NaN();
   return stolen / static_cast<double>(sysconf(_SC_CLK_TCK));
 }

@@ -27,13 +27,8 @@ std::vector<Path> paths() {
 }
 
 Eigen::Matrix3d rotation(Tool tool) {
-  Eigen::Matrix3d R;
-  if (tool == Tool::down) {
-    R << -1, 0, 0, 0, 1, 0, 0, 0, -1;
-  } else {
-    R << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-  }
-  return R;
+  if (tool == Tool::down) return Eigen::Matrix3d{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+  return Eigen::Matrix3d{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
 }
 
 std::vector<double> by_rows(const Eigen::Matrix3d& R) {

@@ -23,11 +23,6 @@ Key key_of_targets(const Study& study, int run) {
 
 constexpr int most_shards = 100'000;
 
-// The part of a point, from 0; all points of a chain are one part.
-std::int64_t part(const Study& study, int run, int point) {
-  return study.is_chained() ? run - 1 : std::int64_t{run - 1} * study.path->points() + point - 1;
-}
-
 }  // namespace
 
 std::vector<std::string> labels_of(const Study& study) {
@@ -142,7 +137,9 @@ Shard shard_from(std::string_view text) {
 std::string Shard::text() const { return fmt::format("{}/{}", index, count); }
 
 bool contains(Shard shard, const Study& study, int run, int point) {
-  return part(study, run, point) % shard.count == shard.index - 1;
+  const std::int64_t part =  // from 0; all points of a chain are one
+      study.is_chained() ? run - 1 : std::int64_t{run - 1} * study.path->points() + point - 1;
+  return part % shard.count == shard.index - 1;
 }
 
 std::int64_t parts_of(const Study& study) {

@@ -226,10 +226,6 @@ std::string lines_of(const FieldsWritten& fields) {
   return text;
 }
 
-std::string toml_value(const Setting& setting) {
-  return std::holds_alternative<double>(setting) ? text_of(setting) : toml_string(text_of(setting));
-}
-
 // ---- keys ---------------------------------------------------------------------------------------------------------
 
 // The part of a key that names fields: "\nPREFIXname value" for each field that differs from its default.
@@ -298,7 +294,10 @@ std::string to_toml(const Study& study) {
       text +=
           line("if_missing", "'leave_out'", "where it was not built the study goes on without it; refuse: it does not");
     std::vector<std::string> options;
-    for (const auto& [name, of_entry] : entry.options) options.push_back(name + " = " + toml_value(of_entry));
+    for (const auto& [name, of_entry] : entry.options) {
+      const std::string value = text_of(of_entry);
+      options.push_back(name + " = " + (std::holds_alternative<double>(of_entry) ? value : toml_string(value)));
+    }
     if (!options.empty()) text += line("options", fmt::format("{{ {} }}", fmt::join(options, ", ")), "");
   }
   return text;

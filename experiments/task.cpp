@@ -52,7 +52,9 @@ Configuration Task::completed(const Configuration& found, const Pose& target, co
   if (wrist_) {
     const Eigen::Vector3d near = start.tail<3>();
     std::array<Eigen::Vector3d, 2> branches = wrist_->angles(found, target.linear(), near);
-    for (Eigen::Vector3d& branch : branches) turn_near(branch, near);
+    for (Eigen::Vector3d& branch : branches)
+      for (Eigen::Index j = 0; j < 3 && study_.wrist_turns == WristTurns::nearest; ++j)
+        branch[j] = near[j] + std::remainder(branch[j] - near[j], whole_turn);
     answer.resize(found.size() + 3);
     answer << found, branches[chosen(branches, near)];
   } else if (study_.search == Search::flange) {
@@ -61,11 +63,6 @@ Configuration Task::completed(const Configuration& found, const Pose& target, co
   }
   wrap(answer, start);
   return answer;
-}
-
-void Task::turn_near(Eigen::Vector3d& branch, const Eigen::Vector3d& near) const {
-  if (study_.wrist_turns == WristTurns::principal) return;
-  for (Eigen::Index j = 0; j < 3; ++j) branch[j] = near[j] + std::remainder(branch[j] - near[j], whole_turn);
 }
 
 void Task::wrap(Configuration& answer, const Configuration& start) const {

@@ -28,8 +28,6 @@ class Task {
 
  private:
   void wrap(Configuration& answer, const Configuration& start) const;
-  // Turns each angle of a branch by whole turns, if the study says so.
-  void turn_near(Eigen::Vector3d& branch, const Eigen::Vector3d& near) const;
   std::size_t chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
 
   const Study& study_;

@@ -18,17 +18,8 @@ namespace {
 constexpr int warm_ups = 3, most_failures_in_a_row = 3;
 
 Status status_of(Trouble::Kind kind) {
-  switch (kind) {
-    case Trouble::Kind::crashed:
-      return Status::crashed;
-    case Trouble::Kind::timed_out:
-      return Status::timed_out;
-    case Trouble::Kind::broke_protocol:
-      return Status::broke_protocol;
-    case Trouble::Kind::declined:
-      break;
-  }
-  return Status::declined;
+  constexpr Status as_kinds[]{Status::crashed, Status::timed_out, Status::broke_protocol, Status::declined};
+  return as_kinds[static_cast<std::size_t>(kind)];
 }
 
 // Records the course of the best error as solvers::solve does.

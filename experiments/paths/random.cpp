@@ -111,22 +111,18 @@ class RandomTargets final : public PathKind {
   }
 
   void check(const Robot& arm) const override {
-    if (set_ == Set::unreachable && !std::isfinite(arm.chain.reach().radius)) {
-      throw std::invalid_argument(
-          fmt::format("path.set is \"unreachable\", but the reach of {} is not known, because a joint slides; expected "
-                      "another set",
-                      arm.name));
-    }
+    const auto refuse_if = [&](Set set, bool is_wrong, std::string_view why) {
+      if (set_ == set && is_wrong)
+        throw std::invalid_argument(fmt::format("path.set is {}; expected another set", why));
+    };
     constexpr double least_reach = 1e-6;  // [m] shares of a smaller reach are no distances
-    if (set_ == Set::unreachable && arm.chain.reach().radius < least_reach) {
-      throw std::invalid_argument(fmt::format(
-          "path.set is \"unreachable\", but the reach of {} is 0, and so is every share of it; expected another set",
-          arm.name));
-    }
-    if (set_ == Set::near_limits && !(arm.limits.upper - arm.limits.lower).array().isFinite().any()) {
-      throw std::invalid_argument(
-          fmt::format("path.set is \"near_limits\", but no joint of {} has limits; expected another set", arm.name));
-    }
+    const double reach = arm.chain.reach().radius;
+    refuse_if(Set::unreachable, !std::isfinite(reach),
+              fmt::format("\"unreachable\", but the reach of {} is not known, because a joint slides", arm.name));
+    refuse_if(Set::unreachable, reach < least_reach,
+              fmt::format("\"unreachable\", but the reach of {} is 0, and so is every share of it", arm.name));
+    refuse_if(Set::near_limits, !(arm.limits.upper - arm.limits.lower).array().isFinite().any(),
+              fmt::format("\"near_limits\", but no joint of {} has limits", arm.name));
   }
 
   bool is_drawn() const override { return true; }
@@ -153,15 +149,10 @@ class RandomTargets final : public PathKind {
   std::vector<Configuration> drawn(const Robot& arm, Random& random) const {
     const Demand demand = set_ == Set::near_singular ? near_singular(arm) : set_ == Set::edge ? at_edge(arm) : Demand{};
     std::vector<Configuration> drawn;
-    for (int i = 0; i < points_; ++i) {
-      if (set_ == Set::near_limits) {
-        drawn.push_back(drawn_near_limits(arm, random));
-      } else if (demand.score) {
-        drawn.push_back(drawn_to_meet(demand, arm, random));
-      } else {
-        drawn.push_back(drawn_within(range_of(arm), random));
-      }
-    }
+    for (int i = 0; i < points_; ++i)
+      drawn.push_back(set_ == Set::near_limits ? drawn_near_limits(arm, random)
+                      : demand.score           ? drawn_to_meet(demand, arm, random)
+                                               : drawn_within(range_of(arm), random));
     return drawn;
   }
 
