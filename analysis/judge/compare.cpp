@@ -246,19 +246,17 @@ void keep_common_blocks(Group& one, Group& other) {
 }
 
 std::optional<Open::Why> why_not(const Method& method, const Group& a, const Group& b) {
-  std::optional<Open::Why> first;
+  const auto is_none = [](double value) { return std::isinf(value); };
+  std::set<Open::Why> all;
   for (const Group* const group : {&a, &b}) {
-    const bool has_no_answer = std::ranges::any_of(values_of(*group), [](double value) { return std::isinf(value); });
-    if (method.by == By::means && has_no_answer)
-      first = std::min(Open::Why::infinite, first.value_or(Open::Why::infinite));
-    if (const Untold* const its = untold(*group)) first = std::min(its->why, first.value_or(its->why));
+    if (method.by == By::means && std::ranges::any_of(values_of(*group), is_none)) all.insert(Open::Why::infinite);
+    if (const Untold* const its = untold(*group)) all.insert(its->why);
   }
-  const auto has_none = [](const Group& group) {  // no answer at all
-    const std::span values = values_of(group);
-    return !values.empty() && std::ranges::all_of(values, [](double value) { return std::isinf(value); });
+  const auto has_none = [&](const Group& group) {  // no answer at all
+    return !values_of(group).empty() && std::ranges::all_of(values_of(group), is_none);
   };
-  if (!first && has_none(a) && has_none(b)) return Open::Why::none;
-  return first;
+  if (all.empty() && has_none(a) && has_none(b)) return Open::Why::none;
+  return all.empty() ? std::nullopt : std::optional(*all.begin());
 }
 
 // The pairs that the plan asks for.

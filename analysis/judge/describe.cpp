@@ -15,6 +15,11 @@ namespace {
 
 using Columns = std::vector<std::vector<double>>;
 
+bool has_chance(const Group& group) {  // in its values
+  return std::holds_alternative<Summary>(group.sample) ||
+         (std::holds_alternative<Measured>(group.sample) && !values_of(group).empty());
+}
+
 // Values of each group; of paired ones those of the blocks that all have. None for fewer than two groups, or where a
 // group has no value with chance in it.
 Columns columns_of(const Observations& observed) {
@@ -122,11 +127,7 @@ std::optional<double> hedges_g(const Summary& first, const Summary& second) {
 
 std::optional<TestOfAll> anova(const Observations& observed) {
   if (observed.is_paired) return anova_of_blocks(columns_of(observed));
-  const auto is_known = [](const Group& group) {
-    const auto* const measured = std::get_if<Measured>(&group.sample);
-    return std::holds_alternative<Summary>(group.sample) || (measured && !measured->values.empty());
-  };
-  if (observed.groups.size() < 2 || !std::ranges::all_of(observed.groups, is_known)) return {};
+  if (observed.groups.size() < 2 || !std::ranges::all_of(observed.groups, has_chance)) return {};
   // Means less a common value keep the digits that many equal leading ones would cost.
   const std::span<const double> of_first = values_of(observed.groups.front());
   const double shift = of_first.empty() ? 0 : of_first.front();
@@ -194,10 +195,8 @@ TestsOfAll tests_of_all(Observations observed) {
   TestsOfAll all;
   if (observed.scale == Scale::share || observed.are_logs) return all;
   std::erase_if(observed.groups, [&](const Group& group) {
-    const bool has_chance = std::holds_alternative<Summary>(group.sample) ||
-                            (std::holds_alternative<Measured>(group.sample) && !values_of(group).empty());
-    if (!has_chance) all.without.push_back(group.name);
-    return !has_chance;
+    if (!has_chance(group)) all.without.push_back(group.name);
+    return !has_chance(group);
   });
   for (const auto test : {anova, test_of_ranks}) {
     if (const auto found = test(observed)) all.tests.push_back(*found);

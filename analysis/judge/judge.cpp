@@ -78,14 +78,12 @@ std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vecto
 
 JudgedStudy observe_all(StudyResults study) {
   const results::Definition& definition = study.definition;
-  const bool are_any_solved =
-      definition.has_tolerance() && std::ranges::count(study.solves, results::Status::ok, &Solve::status) > 0;
+  const auto solved = std::ranges::count(study.solves, results::Status::ok, &Solve::status);
+  const bool are_any_solved = definition.has_tolerance() && solved > 0;
   const Metric& deciding = metric_named(!definition.plan.metric.empty() ? definition.plan.metric
                                         : are_any_solved                ? "solved"
                                                                         : "position_error_cm");
-  const bool do_some_fail =
-      are_any_solved && !definition.is_chained() &&
-      std::ranges::count(study.solves, results::Status::ok, &Solve::status) < std::ssize(study.solves);
+  const bool do_some_fail = are_any_solved && !definition.is_chained() && solved < std::ssize(study.solves);
   JudgedStudy judged;
   for (const Metric& metric : metrics()) {
     const bool is_deciding = &metric == &deciding;
