@@ -47,29 +47,22 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   if (trace == Trace::best_error) told.improvements = &improved;
   solver.start(told, objective, random);
   if (trace == Trace::best_error) add_start(improved, problem, objective, solver.best().error);
-  for (;;) {
-    const double error = solver.best().error;
-    if (!std::isfinite(error)) {
-      solution.stopped = StopReason::not_finite;
-    } else if (tolerance.is_reached(solver.best())) {
-      solution.stopped = StopReason::tolerance;
-    } else if (solver.finished()) {
-      solution.stopped = solver.gave_up() ? StopReason::gave_up : StopReason::finished;
-    } else if (const auto limit = spent(stop, solution.iterations, objective.evaluations(), started)) {
-      solution.stopped = *limit;
-    } else {
-      solver.step(objective, random);
-      ++solution.iterations;
-      if (trace == Trace::best_error) {
-        solution.trace.push_back(solver.best().error);
-        const bool is_counted = !improved.to.empty();
-        if (is_counted && solver.best().error < improved.to.back())
-          improved.add(objective.evaluations(), solver.best().error);
-      }
-      continue;
-    }
-    break;
+  const auto end = [&]() -> std::optional<StopReason> {
+    if (!std::isfinite(solver.best().error)) return StopReason::not_finite;
+    if (tolerance.is_reached(solver.best())) return StopReason::tolerance;
+    if (solver.finished()) return solver.gave_up() ? StopReason::gave_up : StopReason::finished;
+    return spent(stop, solution.iterations, objective.evaluations(), started);
+  };
+  std::optional<StopReason> stopped;
+  for (; !(stopped = end()); ++solution.iterations) {
+    solver.step(objective, random);
+    if (trace == Trace::none) continue;
+    solution.trace.push_back(solver.best().error);
+    const bool is_counted = !improved.to.empty();
+    if (is_counted && solver.best().error < improved.to.back())
+      improved.add(objective.evaluations(), solver.best().error);
   }
+  solution.stopped = *stopped;
   solution.best = solver.best();
   if (!solution.best.q.allFinite()) solution.stopped = StopReason::not_finite;
   const bool is_directed = objective.goal().has_direction() && solution.stopped != StopReason::not_finite;
