@@ -144,7 +144,7 @@ void ForeignSolver::prepare(const Problem& problem, const Objective& objective) 
 }
 
 void ForeignSolver::start(const Problem& problem, Objective& objective, Random& random) {
-  best_ = {problem.start};
+  take(problem);
   guarded([&] {
     constexpr double seeds = 4294967296;  // 2^32: larger seeds do not survive every language's numbers
     converse(problem, objective, static_cast<std::uint32_t>(random.uniform() * seeds));

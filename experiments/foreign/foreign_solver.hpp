@@ -69,7 +69,7 @@ class Conversations {
 
 // solvers::solve drives it like any other solver; `start` is the whole conversation. If the program fails, the error is
 // infinite.
-class ForeignSolver final : public solvers::Solver {
+class ForeignSolver final : public solvers::Searcher {
  public:
   ForeignSolver(Conversations& all, const solvers::StopRule& stop)  // both outlive it
       : all_(all), stop_(stop), own_(all.take()) {}
@@ -79,7 +79,6 @@ class ForeignSolver final : public solvers::Solver {
   void prepare(const solvers::Problem& problem, const solvers::Objective& objective);
   void start(const solvers::Problem& problem, solvers::Objective& objective, numerics::Random& random) override;
   void step(solvers::Objective&, numerics::Random&) override {}
-  const solvers::Best& best() const override { return best_; }
   bool finished() const override { return true; }
   const Account& account() const { return account_; }
   bool is_given_up() const { return own_.refusal.has_value(); }
@@ -99,7 +98,6 @@ class ForeignSolver final : public solvers::Solver {
   Conversations& all_;
   const solvers::StopRule& stop_;
   Conversation own_;
-  solvers::Best best_;
   Account account_;
   std::optional<Trouble> failure_;  // the last one of this solve, with how the process ended
 };

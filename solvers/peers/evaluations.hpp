@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "solvers/bounds.hpp"
 #include "solvers/solve.hpp"
 
 namespace ikbench::solvers {
@@ -22,30 +23,42 @@ inline std::string nlopt_version_text() {
   return fmt::format("NLopt {}.{}.{}", major, minor, fix);
 }
 
-// The state of a solve by calls of a library.
-struct LibrarySolve {
-  using Clock = std::chrono::steady_clock;
+// A solve by calls of NLopt; the best is that of all evaluations.
+class NloptSearch : public Searcher {
+ public:
+  void start(const Problem& problem, Objective& objective, Random&) override {
+    started_ = Clock::now();
+    take(problem);
+    best_.improve(problem.start, objective.error(problem.start));
+    jacobian_.resize(objective.rows(), problem.joints());
+    has_ended_ = false;
+    calls_ = 0;
+  }
+  bool finished() const override { return has_ended_; }
 
-  void start(const Problem& asked, Objective& objective) {
-    started = Clock::now();
-    problem = asked;
-    has_ended = false;
-    best = {asked.start};
-    best.improve(asked.start, objective.error(asked.start));
+ protected:
+  using Clock = std::chrono::steady_clock;
+  friend class Evaluations;
+
+  // Where the next call starts: where the arm is, then at random.
+  Configuration next_start(Random& random) {
+    Configuration q = problem_.start.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
+    if (calls_++ > 0) draw_one_within_limits(problem_, random, q);
+    return q;
   }
 
-  Problem problem;
-  Best best;  // of all evaluations
-  bool has_ended = false;
-  Clock::time_point started;
+  Eigen::MatrixXd jacobian_;
+  bool has_ended_ = false;
+  int calls_ = 0;
+  Clock::time_point started_;
 };
 
 // The evaluations of one call of the library. The solve outlives it.
 class Evaluations {
  public:
-  Evaluations(LibrarySolve& solve, Objective& objective)
+  Evaluations(NloptSearch& solve, Objective& objective)
       : solve_(solve),
-        problem_(solve.problem),
+        problem_(solve.problem_),
         objective_(objective),
         tolerance_(problem_.stop.tolerance, problem_.stop.angle_tolerance, objective) {}
 
@@ -58,7 +71,7 @@ class Evaluations {
   }
   // What was evaluated elsewhere.
   void found(const robots::ConfigurationRef& q, double error) {
-    if (solve_.best.improve(q, error) && problem_.improvements != nullptr)
+    if (solve_.best_.improve(q, error) && problem_.improvements != nullptr)
       problem_.improvements->add(objective_.evaluations(), error);
   }
   Residual found(const robots::ConfigurationRef& q, const Linearized& at) {
@@ -66,7 +79,7 @@ class Evaluations {
     return at.to_go;
   }
   bool is_over() {
-    is_over_ = is_over_ || left() <= 0 || tolerance_.is_reached(solve_.best) ||
+    is_over_ = is_over_ || left() <= 0 || tolerance_.is_reached(solve_.best_) ||
                (problem_.stop.seconds > 0 && seconds_left() <= 0);
     return is_over_;
   }
@@ -81,10 +94,10 @@ class Evaluations {
 
  private:
   double seconds_left() const {
-    return problem_.stop.seconds - std::chrono::duration<double>(LibrarySolve::Clock::now() - solve_.started).count();
+    return problem_.stop.seconds - std::chrono::duration<double>(NloptSearch::Clock::now() - solve_.started_).count();
   }
 
-  LibrarySolve& solve_;
+  NloptSearch& solve_;
   const Problem& problem_;
   Objective& objective_;
   Tolerance tolerance_;

@@ -62,7 +62,7 @@ struct KdlNewtonCall {
   KDL::ChainIkSolverPos_NR_JL newton;
 };
 
-class KdlNewton final : public Solver {
+class KdlNewton final : public Searcher {
  public:
   struct Options {
     double accuracy = 0;
@@ -105,7 +105,7 @@ class KdlNewton final : public Solver {
       call_->newton.setJointLimits(kdl_joints(problem.lower), kdl_joints(problem.upper));
     }
     q_ = problem.start;
-    best_ = {q_};
+    take(problem);
     best_.improve(q_, objective.error(q_));
   }
 
@@ -118,7 +118,6 @@ class KdlNewton final : public Solver {
     left_ = how == KDL::SolverI::E_MAX_ITERATIONS_EXCEEDED && left_ >= 2 * iterations_ ? left_ - iterations_ : 0;
   }
 
-  const Best& best() const override { return best_; }
   bool finished() const override { return left_ <= 0; }
 
  private:
@@ -130,7 +129,6 @@ class KdlNewton final : public Solver {
   int iterations_ = 0, left_ = 0;  // of a call; of all calls
   std::unique_ptr<KdlNewtonCall> call_;
   Configuration q_;
-  Best best_;
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 // turns in one thread, at most the study's iterations of each. SLSQP gets the exact slope in place of differences.
 #include <limits>
 
-#include "solvers/bounds.hpp"
 #include "solvers/damped_step.hpp"
 #include "solvers/peers/evaluations.hpp"
 #include "solvers/registry.hpp"
@@ -14,28 +13,25 @@ namespace ikbench::solvers {
 namespace {
 using namespace robots;
 
-class NewtonSlsqp final : public Solver {
+class NewtonSlsqp final : public NloptSearch {
  public:
   struct Options {
     void list(OptionList&) {}
   };
   explicit NewtonSlsqp(Options) : newton_(solver("newton").make({{"restarts", "random"}, {"bounds", "wrap"}})) {}
 
-  void start(const Problem& problem, Objective& objective, numerics::Random& random) override {
-    solve_.start(problem, objective);
+  void start(const Problem& problem, Objective& objective, Random& random) override {
+    NloptSearch::start(problem, objective, random);
     newton_->start(problem, objective, random);
-    jacobian_.resize(objective.rows(), problem.joints());
-    calls_ = steps_ = 0;
+    steps_ = 0;
   }
 
   // One call of SLSQP.
-  void step(Objective& objective, numerics::Random& random) override {
-    if (solve_.has_ended) return;
-    const Problem& problem = solve_.problem;
-    Configuration q = problem.start.cwiseMax(problem.lower).cwiseMin(problem.upper);
-    if (calls_++ > 0) draw_one_within_limits(problem, random, q);
-    Evaluations evaluations(solve_, objective);
-    const JointLimits limits = finite_limits(problem);
+  void step(Objective& objective, Random& random) override {
+    if (has_ended_) return;
+    Configuration q = next_start(random);
+    Evaluations evaluations(*this, objective);
+    const JointLimits limits = finite_limits(problem_);
     const NloptHandle opt(nlopt_create(NLOPT_LD_SLSQP, static_cast<unsigned>(q.size())));
     Call call{*this, evaluations, random, opt.get()};
     nlopt_set_min_objective(opt.get(), take_turns, &call);
@@ -44,22 +40,19 @@ class NewtonSlsqp final : public Solver {
     nlopt_set_xtol_abs1(opt.get(), std::numeric_limits<float>::epsilon());
     double reached = 0;
     nlopt_optimize(opt.get(), q.data(), &reached);
-    solve_.has_ended = is_over(evaluations);
+    has_ended_ = is_over(evaluations);
   }
-
-  const Best& best() const override { return solve_.best; }
-  bool finished() const override { return solve_.has_ended; }
 
  private:
   struct Call {
     NewtonSlsqp& solver;
     Evaluations& evaluations;
-    numerics::Random& random;
+    Random& random;
     nlopt_opt opt;
   };
 
   bool is_over(Evaluations& evaluations) const {
-    return evaluations.is_over() || newton_->finished() || steps_ >= solve_.problem.stop.iterations;
+    return evaluations.is_over() || newton_->finished() || steps_ >= problem_.stop.iterations;
   }
 
   // A step of Newton's, then the squared twist and its slope for SLSQP.
@@ -82,10 +75,8 @@ class NewtonSlsqp final : public Solver {
     return to_go.squaredNorm();
   }
 
-  LibrarySolve solve_;
   std::unique_ptr<Solver> newton_;
-  Eigen::MatrixXd jacobian_;
-  int calls_ = 0, steps_ = 0;
+  int steps_ = 0;
 };
 
 }  // namespace

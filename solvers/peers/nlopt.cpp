@@ -2,7 +2,6 @@
 // the error. One step is one call of the library, which ends by itself or by the study's budgets and tolerances.
 #include <limits>
 
-#include "solvers/bounds.hpp"
 #include "solvers/peers/evaluations.hpp"
 #include "solvers/registry.hpp"
 
@@ -12,7 +11,7 @@ using namespace robots;
 
 namespace {
 
-class NloptSolver final : public Solver {
+class NloptSolver final : public NloptSearch {
  public:
   enum class Restarts { none, random };
   struct Options {
@@ -39,24 +38,14 @@ class NloptSolver final : public Solver {
 
   explicit NloptSolver(Options options) : options_(options) {}
 
-  void start(const Problem& problem, Objective& objective, Random&) override {
-    solve_.start(problem, objective);
-    jacobian_.resize(objective.rows(), problem.joints());
-    calls_ = 0;
-  }
-
   void step(Objective& objective, Random& random) override {
-    if (solve_.has_ended) return;
-    Configuration q = solve_.problem.start.cwiseMax(solve_.problem.lower).cwiseMin(solve_.problem.upper);
-    if (calls_++ > 0) draw_one_within_limits(solve_.problem, random, q);
+    if (has_ended_) return;
+    const Configuration q = next_start(random);
     nlopt_srand(static_cast<unsigned long>(random.index(std::numeric_limits<int>::max())));  // this thread's generator
-    Evaluations evaluations(solve_, objective);
+    Evaluations evaluations(*this, objective);
     if (!evaluations.is_over()) call(evaluations, q);
-    solve_.has_ended = options_.restarts == Restarts::none || evaluations.is_over();
+    has_ended_ = options_.restarts == Restarts::none || evaluations.is_over();
   }
-
-  const Best& best() const override { return solve_.best; }
-  bool finished() const override { return solve_.has_ended; }
 
  private:
   struct Call {
@@ -68,9 +57,8 @@ class NloptSolver final : public Solver {
   // The answer is the best evaluated candidate, so it does not matter how the library ended, or that it refused (some
   // algorithms need more than one joint).
   void call(Evaluations& evaluations, Configuration q) {
-    const Problem& problem = solve_.problem;
     const JointLimits limits =
-        searches_everywhere() ? finite_limits(problem) : JointLimits{problem.lower, problem.upper};
+        searches_everywhere() ? finite_limits(problem_) : JointLimits{problem_.lower, problem_.upper};
     const NloptHandle opt(nlopt_create(options_.algorithm, static_cast<unsigned>(q.size())));
     Call call{*this, evaluations, opt.get()};
     nlopt_set_min_objective(opt.get(), merit, &call);
@@ -79,7 +67,7 @@ class NloptSolver final : public Solver {
     set_first_steps(opt.get(), q);
     nlopt_set_xtol_rel(opt.get(), 0);
     nlopt_set_xtol_abs1(opt.get(), options_.small_move);
-    nlopt_set_population(opt.get(), static_cast<unsigned>(solve_.problem.population));
+    nlopt_set_population(opt.get(), static_cast<unsigned>(problem_.population));
     nlopt_set_maxeval(opt.get(), static_cast<int>(std::min<std::int64_t>(evaluations.left(), 1'000'000'000)));
     double reached = 0;
     nlopt_optimize(opt.get(), q.data(), &reached);
@@ -94,12 +82,11 @@ class NloptSolver final : public Solver {
   // NLopt's first step is a quarter of a joint's range, or, without limits, the joint's own value, however small. So a
   // joint without end gets a quarter turn.
   void set_first_steps(nlopt_opt opt, const Configuration& q) const {
-    const Problem& problem = solve_.problem;
-    if (problem.lower.allFinite() && problem.upper.allFinite()) return;
+    if (problem_.lower.allFinite() && problem_.upper.allFinite()) return;
     Configuration steps = q;
     nlopt_get_initial_step(opt, q.data(), steps.data());
     for (Eigen::Index j = 0; j < q.size(); ++j) {
-      if (is_endless(problem.lower[j], problem.upper[j])) steps[j] = half_turn / 2;
+      if (is_endless(problem_.lower[j], problem_.upper[j])) steps[j] = half_turn / 2;
     }
     nlopt_set_initial_step(opt, steps.data());
   }
@@ -126,9 +113,6 @@ class NloptSolver final : public Solver {
   }
 
   Options options_;
-  LibrarySolve solve_;
-  Eigen::MatrixXd jacobian_;
-  int calls_ = 0;
 };
 
 }  // namespace
