@@ -52,8 +52,7 @@ Chain::Chain(std::vector<DhLink> links, Frame base, Frame tool)
   }
   for (const DhLink& link : links_) {
     const SinCos alpha = sin_cos(link.alpha);
-    twists_.push_back({exact_if_tiny(alpha.cosine), exact_if_tiny(alpha.sine)});
-    const auto [cosine, sine] = twists_.back();
+    const double cosine = exact_if_tiny(alpha.cosine), sine = exact_if_tiny(alpha.sine);
     kernel_links_.push_back({kind(cosine, sine), true, link.joint, cosine, sine, link.a, link.d, link.offset});
     all_turn_ = all_turn_ && link.joint == Joint::turns;
   }
@@ -108,7 +107,8 @@ Pose Chain::follow_kind(const ConfigurationRef& q, Visit& visit) const {
   };
   for (int j = 0; j < joints(); ++j) {
     const DhLink& link = links_[static_cast<std::size_t>(j)];
-    const auto [ca, sa] = twists_[static_cast<std::size_t>(j)];
+    const KernelLink& twisted = kernel_links_[static_cast<std::size_t>(j)];
+    const double ca = twisted.cosine, sa = twisted.sine;
     const double c = cosines[j], s = sines[j];
     if constexpr (kind == Kind::any) {
       if (link.joint == Joint::coupled) {
@@ -231,7 +231,7 @@ std::vector<double> Chain::points_on_axes(Start start) const {
   std::vector<double> at(links_.size(), 0);
   if (start == Start::frames && links_.front().joint == Joint::turns) at.front() = links_.front().d;
   for (std::size_t j = 1; start == Start::nearest && j < at.size(); ++j)
-    at[j] = twists_[j - 1].cosine * (at[j - 1] - links_[j - 1].d);
+    at[j] = kernel_links_[j - 1].cosine * (at[j - 1] - links_[j - 1].d);
   if (!all_turn_) return at;
   constexpr int most_sweeps = 200;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
@@ -241,8 +241,8 @@ std::vector<double> Chain::points_on_axes(Start start) const {
       double best = next.along;
       if (j > 0) {
         const double d = at[j - 1] - links_[j - 1].d;  // the previous axis' point, seen from this axis
-        const auto [cosine, sine] = twists_[j - 1];
-        const Seen before{cosine * d, length(links_[j - 1].a, sine * d)};
+        const KernelLink& link = kernel_links_[j - 1];
+        const Seen before{link.cosine * d, length(link.a, link.sine * d)};
         const double sum = before.beside + next.beside;
         best = sum > 0 ? (before.along * next.beside + next.along * before.beside) / sum  // as light is reflected
                        : std::clamp(at[j], std::min(before.along, next.along), std::max(before.along, next.along));
@@ -256,11 +256,11 @@ std::vector<double> Chain::points_on_axes(Start start) const {
 }
 
 Chain::Seen Chain::after(std::size_t joint, double along_next) const {
-  const DhLink& link = links_[joint];
-  const auto [cosine, sine] = twists_[joint];
+  const KernelLink& link = kernel_links_[joint];
   Eigen::Vector3d next(0, 0, along_next);
   if (all_turn_ && joint + 1 == links_.size()) next = tool_.position;
-  return {link.d + sine * next.y() + cosine * next.z(), length(link.a + next.x(), cosine * next.y() - sine * next.z())};
+  return {link.d + link.sine * next.y() + link.cosine * next.z(),
+          length(link.a + next.x(), link.cosine * next.y() - link.sine * next.z())};
 }
 
 Chain::Ball Chain::ball_through(const std::vector<double>& at) const {

@@ -91,9 +91,6 @@ class Chain {
   std::string definition() const;
 
  private:
-  struct Twist {
-    double cosine, sine;
-  };
   // Follows the frames from the first joint to the tool, without the tool's own turn. `visit` gets each joint's number
   // and its frame's x, z and place before it moves; for a coupled link also the way from its joint to its end, in that
   // frame, else null.
@@ -129,9 +126,8 @@ class Chain {
   std::vector<DhLink> links_;
   Frame base_, tool_;
   Pose T_base_first_, T_first_base_, T_last_tool_;
-  bool has_base_, tool_is_turned_;  // if false, they cost no arithmetic and change no bit
-  std::vector<Twist> twists_;       // of alpha; exact for multiples of a quarter turn
-  std::vector<KernelLink> kernel_links_;
+  bool has_base_, tool_is_turned_;        // if false, they cost no arithmetic and change no bit
+  std::vector<KernelLink> kernel_links_;  // their twist is exact for multiples of a quarter turn
   bool all_turn_ = true;
 };
 
