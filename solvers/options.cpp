@@ -45,18 +45,6 @@ void OptionList::count(std::string name, int& field, std::pair<int, int> range, 
   add(ranged(std::move(name), field, range, "whole number", std::move(meaning)));
 }
 
-void OptionList::add_choice(std::string name, std::vector<Setting> names, std::string meaning,
-                            std::function<Setting()> get, std::function<bool(const Setting&)> set) {
-  std::string expected = "one of ";
-  for (const Setting& each : names) expected += (&each == &names.front() ? "" : ", ") + text_of(each);
-  add({.name = std::move(name),
-       .expected = std::move(expected),
-       .meaning = std::move(meaning),
-       .extremes = std::move(names),
-       .get = std::move(get),
-       .set = std::move(set)});
-}
-
 void OptionList::add(Option option) {
   option.is_later = is_later_;
   options_.push_back(std::move(option));

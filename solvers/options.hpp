@@ -39,16 +39,18 @@ class OptionList {
   template <class Enum>
   void choice(std::string name, Enum& field, std::vector<std::pair<std::string, Enum>> values, std::string meaning) {
     using Value = std::pair<std::string, Enum>;
-    std::vector<Setting> names;
-    for (const Value& value : values) names.emplace_back(value.first);
-    add_choice(
-        std::move(name), std::move(names), std::move(meaning),
-        [&field, values] { return std::ranges::find(values, field, &Value::second)->first; },
-        [&field, values](const Setting& wanted) {
-          const auto found = std::ranges::find(values, text_of(wanted), &Value::first);
-          if (found != values.end()) field = found->second;
-          return found != values.end();
-        });
+    Option option{.name = std::move(name), .expected = "one of ", .meaning = std::move(meaning)};
+    for (const Value& value : values) {
+      option.expected += (option.extremes.empty() ? "" : ", ") + value.first;
+      option.extremes.emplace_back(value.first);
+    }
+    option.get = [&field, values] { return std::ranges::find(values, field, &Value::second)->first; };
+    option.set = [&field, values](const Setting& wanted) {
+      const auto found = std::ranges::find(values, text_of(wanted), &Value::first);
+      if (found != values.end()) field = found->second;
+      return found != values.end();
+    };
+    add(std::move(option));
   }
 
   const std::vector<Option>& options() const { return options_; }
@@ -59,9 +61,6 @@ class OptionList {
   Settings values() const;
 
  private:
-  void add_choice(std::string name, std::vector<Setting> names, std::string meaning, std::function<Setting()> get,
-                  std::function<bool(const Setting&)> set);
-
   void add(Option option);
 
   std::vector<Option> options_;
