@@ -48,7 +48,6 @@ class Path {
     kind_ = std::move(other.kind_);
     return *this;
   }
-  ~Path() = default;
 
   PathKind* operator->() { return kind_.get(); }
   const PathKind* operator->() const { return kind_.get(); }

@@ -42,7 +42,9 @@ struct Linearized {
 
 class Objective {
  public:
-  Objective(const robots::Chain& arm, Goal goal) : arm_(arm), goal_(std::move(goal)) {}
+  // With furthest_ahead = 1, one_by_one is the plain loop.
+  Objective(const robots::Chain& arm, Goal goal, Eigen::Index furthest_ahead = 64)
+      : arm_(arm), goal_(std::move(goal)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
   virtual ~Objective() = default;
 
   const robots::Chain& arm() const { return arm_; }
@@ -119,10 +121,6 @@ class Objective {
   const std::map<std::string, double>& notes() const { return notes_; }
 
  protected:
-  // With furthest_ahead = 1, one_by_one is the plain loop.
-  Objective(const robots::Chain& arm, Goal goal, Eigen::Index furthest_ahead)
-      : arm_(arm), goal_(std::move(goal)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
-
   virtual void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors);
   virtual Linearized evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian);
 
@@ -131,7 +129,7 @@ class Objective {
 
   const robots::Chain& arm_;
   Goal goal_;
-  Eigen::Index look_ahead_ = 64, furthest_ahead_ = 64;  // candidates
+  Eigen::Index look_ahead_, furthest_ahead_;  // candidates
   std::int64_t evaluations_ = 0;
   std::map<std::string, double> notes_;
 };
