@@ -154,15 +154,11 @@ double share_larger(const std::vector<double>& first, std::vector<double> second
 
 std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, const Prepared& numbers) {
   if (observed.are_logs) return {};
-  double larger = 0, smaller = 0;
-  if (pair.method->is_by_difference) {
-    const auto n = static_cast<double>(numbers.differences.size());
-    larger = static_cast<double>(std::ranges::count_if(numbers.differences, [](double each) { return each > 0; })) / n;
-    smaller = static_cast<double>(std::ranges::count_if(numbers.differences, [](double each) { return each < 0; })) / n;
-  } else {
-    if (numbers.first.empty() || numbers.second.empty()) return {};
-    larger = share_larger(numbers.first, numbers.second), smaller = share_larger(numbers.second, numbers.first);
-  }
+  const bool has_differences = pair.method->is_by_difference;
+  const std::vector<double> zero{0}, &first = has_differences ? numbers.differences : numbers.first,
+                                     &second = has_differences ? zero : numbers.second;
+  if (first.empty() || second.empty()) return {};
+  const double larger = share_larger(first, second), smaller = share_larger(second, first);
   return observed.better == Better::larger ? Effect{larger, smaller} : Effect{smaller, larger};
 }
 
