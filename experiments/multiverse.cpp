@@ -69,11 +69,9 @@ std::vector<Dimension> dimensions(std::string_view study) {
 
 std::vector<Dimension> within(Scope scope, std::vector<Dimension> dimensions) {
   for (Dimension& each : dimensions) {
-    std::vector<Alternative> kept;
-    for (Alternative& one : each.alternatives) {
-      if (kept.empty() || one.scope <= scope) kept.push_back(std::move(one));
-    }
-    each.alternatives = std::move(kept);
+    std::vector<Alternative>& all = each.alternatives;  // of which the first is in every scope
+    const auto is_beyond = [&](const Alternative& one) { return one.scope > scope; };
+    all.erase(std::remove_if(all.begin() + 1, all.end(), is_beyond), all.end());
   }
   std::erase_if(dimensions, [](const Dimension& each) { return each.alternatives.size() < 2; });
   return dimensions;
@@ -100,8 +98,7 @@ const Alternative& alternative_of(const std::vector<Dimension>& dimensions, cons
 
 bool is_excepted(const Alternative& alternative, const std::vector<Dimension>& dimensions, const Chosen& chosen) {
   return std::ranges::any_of(chosen, [&](const Choice& each) {
-    const std::string& set = alternative_of(dimensions, each).set;
-    return std::ranges::find(alternative.except, set) != alternative.except.end();
+    return std::ranges::count(alternative.except, alternative_of(dimensions, each).set) > 0;
   });
 }
 

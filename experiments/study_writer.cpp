@@ -86,11 +86,8 @@ class Written final : public Fields {
     add(name, in_units(field, unit), exact(field));
   }
   void on_poses(Name name, std::any field) override {
-    fields.push_back({.key = std::string(name.key),
-                      .json = {},
-                      .text = {},
-                      .meaning = {},
-                      .poses = std::any_cast<std::vector<Pose>*>(field)});
+    add(name, {}, "");
+    fields.back().poses = std::any_cast<std::vector<Pose>*>(field);
   }
 
   void add(Name name, OrderedJson json, std::string text, const std::vector<std::string>& choices = {}) {
