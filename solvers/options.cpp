@@ -51,17 +51,10 @@ void OptionList::add(Option option) {
 }
 
 void OptionList::set(std::string_view name, const Setting& value) {
-  std::vector<std::string> names;
-  for (const Option& option : options_) {
-    if (option.name != name) {
-      names.push_back(option.name);
-      continue;
-    }
-    if (option.set(value)) return;
+  const Option& option = find_named("option", name, options_, [](const Option& each) { return each.name; });
+  if (!option.set(value))
     throw std::invalid_argument(
         fmt::format("option {} is \"{}\"; expected {}", name, front(text_of(value), 100), option.expected));
-  }
-  throw std::invalid_argument(unknown_name("option", name, names));
 }
 
 void OptionList::set(const Settings& settings) {
