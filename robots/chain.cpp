@@ -139,8 +139,7 @@ Pose Chain::follow_kind(const ConfigurationRef& q, Visit& visit) const {
 }
 
 Pose Chain::forward(const ConfigurationRef& q) const {
-  const auto nothing = [](auto&&...) {};
-  return whole(follow(q, nothing));
+  return whole(follow(q, [](auto&&...) {}));
 }
 
 Pose Chain::whole(Pose T) const {
@@ -185,10 +184,8 @@ Pose Chain::follow_motions(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3X
 void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& target,
                             Eigen::Ref<Eigen::VectorXd> errors) const {
   check_sizes(q, errors);
-  Eigen::Vector3d of_first;
-  if (has_base_) of_first = T_first_base_ * target;
-  const double* const seen = has_base_ ? of_first.data() : target.data();
-  kernels().position_errors(kernel_chain(), seen, q.data(), q.outerStride(), q.cols(), errors.data());
+  const Eigen::Vector3d seen = has_base_ ? T_first_base_ * target : target;
+  kernels().position_errors(kernel_chain(), seen.data(), q.data(), q.outerStride(), q.cols(), errors.data());
 }
 
 void Chain::pose_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,

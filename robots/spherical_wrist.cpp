@@ -21,8 +21,6 @@ Chain arm_of(const Chain& whole) {
   return Chain({links.begin(), links.end() - 3}, whole.base(), {.position = {0, 0, links[links.size() - 3].d}});
 }
 
-double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
-
 }  // namespace
 
 bool SphericalWrist::fits(const Chain& whole) {
@@ -69,7 +67,8 @@ std::array<Eigen::Vector3d, 2> SphericalWrist::angles(const ConfigurationRef& q_
   const double t5 = singular ? near[0] + offsets_[0] : arc_tangent(R(1, 2), R(0, 2));
   std::array<Eigen::Vector3d, 2> both{branch(t5), branch(t5 + std::numbers::pi)};
   if (!singular && both[0][1] < both[1][1]) std::swap(both[0], both[1]);
-  for (Eigen::Vector3d& angles : both) angles = angles.unaryExpr(&wrapped);
+  for (Eigen::Vector3d& angles : both)
+    for (double& angle : angles) angle = std::remainder(angle, 2 * std::numbers::pi);
   return both;
 }
 

@@ -528,9 +528,8 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     const XMLElement* const limit = joint->FirstChildElement("limit");
     const double fastest = limit == nullptr ? 0 : place.limit(*limit, "velocity", 0);
     velocity.push_back(fastest > 0 && fastest <= 1000 ? fastest : 0);  // a million stands for none
-    if (limit == nullptr || limits.allFinite()) continue;
-    if (limit->Attribute("lower") == nullptr && limit->Attribute("upper") == nullptr) continue;
-    ++unlimited;
+    const bool has_some = limit != nullptr && (limit->Attribute("lower") || limit->Attribute("upper"));
+    if (has_some && !limits.allFinite()) ++unlimited;
   }
   if (lower.empty()) {
     place.fail(1, fmt::format("no joint moves between links \"{}\" and \"{}\"; name others: --base LINK --tip LINK, "
