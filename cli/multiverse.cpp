@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "analysis/show/publish.hpp"
-#include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
@@ -58,10 +57,12 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
                     const std::vector<Dimension>& varied, const Plan& plan) {
   const std::filesystem::path folder = folder_for(paper.name + "-multiverse", arguments.out);
   const std::size_t departures = arguments.explain ? static_cast<std::size_t>(arguments.departures) : any_departures;
+  using Names = std::vector<std::string>;
+  show::claim(folder,
+              show::files_of(arguments.explain ? Names{"explained", "rows", "readings"} : Names{"multiverse"}, {}));
   const papers::SolvedMultiverse multiverse = solved_multiverse(
       paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .departures = departures},
       arguments.jobs);
-  refuse_links(folder);
   const auto tell = [&](const show::Table& table, const show::Table& on_screen) {
     show::write_table(table, table, folder / "tables", program_name());
     if (!on_screen.rows.empty())

@@ -15,7 +15,6 @@
 
 #include "analysis/judge/judge.hpp"
 #include "analysis/show/publish.hpp"
-#include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
@@ -35,7 +34,6 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   if (out.empty()) throw std::invalid_argument("several stores: where shall the table be written? --out FOLDER");
   if (report.is_json || !report.figures.empty())
     throw std::invalid_argument("several stores make one table and its figure: without --json and --figures");
-  refuse_links(out);
   std::vector<show::Answer> studies;
   std::vector<std::string> names, arms, folders;
   std::set<std::string> solvers;
@@ -58,6 +56,8 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   const FigureStyle style = styled({}, {solvers.begin(), solvers.end()}, report).figures;
   const std::filesystem::path folder = out;
   const auto figure = show::studies_figure(table, studies);
+  using Names = std::vector<std::string>;
+  show::claim(folder, show::files_of({table.name}, figure ? Names{figure->name} : Names()));
   if (figure) draw(*figure, folder / "figures", {.style = style});
   const auto unit = &show::Column::unit;
   constexpr std::size_t most_across = 6, most_with_intervals = 3;

@@ -182,6 +182,7 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
 void write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
   const Style style = styled(study, arguments);  // refuses before the study is read
+  show::refuse_others(folder);
   judge::JudgedStudy judged = judge::judge(exported_study(store, study, folder));
   const figures::Look look = figures::look_of(judged, style.figures);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
@@ -202,7 +203,10 @@ judge::StudyResults checked_study(const Store& store, const StoredStudy& entry, 
 judge::StudyResults exported_study(const Store& store, const StoredStudy& entry, const std::filesystem::path& folder) {
   judge::StudyResults study;
   const auto pass = [&](const TakeSolve& take) { study = checked_study(store, entry, take); };
-  write_file(folder / "solves.csv", [&](const Write& write) { write_csv(pass, write, store.names_of_extras(entry)); });
+  write_file(folder / "solves.csv", [&](const Write& write) {
+    write_csv(pass, write, store.names_of_extras(entry));
+    show::claim(folder, {"solves.csv"});  // now that all solves are read, and before it has its name
+  });
   return study;
 }
 

@@ -181,13 +181,11 @@ std::vector<std::string> results_of(const Answer& whole) {
   return sentences;
 }
 
-std::vector<std::string> write_article(const Report& report, const std::vector<std::string>& tables,
-                                       const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
-                                       const std::string& program) {
-  std::vector<std::string> files;
-  const auto write = [&](const std::string& name, const std::string& text) {
-    files.push_back("article/" + name);
-    base::write_file(folder / files.back(), text);
+void write_article(const Report& report, const std::vector<std::string>& tables,
+                   const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
+                   const std::string& program) {
+  const auto write = [&](const char* name, const std::string& text) {
+    base::write_file(folder / "article" / name, text);
   };
   const std::string methods = methods_of(report.answer, report.study, program);
   std::vector<std::string> sentences, of_report = results_of(report.answer);
@@ -225,7 +223,6 @@ std::vector<std::string> write_article(const Report& report, const std::vector<s
              {"floats", floats},
              {"bibliography",
               keys.empty() ? "" : "\\bibliographystyle{plain}\n\\bibliography{\\report/article/references}\n"}}));
-  return files;
 }
 
 }  // namespace ikbench::show

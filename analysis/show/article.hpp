@@ -11,9 +11,9 @@ namespace ikbench::show {
 
 // The table as an article has it: its name and caption say of what.
 Table for_article(const Table& whole, const Report& report);
-// The folder article/, with an example that inputs these tables and figures. Returns its files.
-std::vector<std::string> write_article(const Report& report, const std::vector<std::string>& tables,
-                                       const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
-                                       const std::string& program);
+// The folder article/, with an example that inputs these tables and figures.
+void write_article(const Report& report, const std::vector<std::string>& tables,
+                   const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
+                   const std::string& program);
 
 }  // namespace ikbench::show

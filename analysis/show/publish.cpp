@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <system_error>
 
 #include "analysis/figures/of_study.hpp"
@@ -25,55 +26,47 @@ namespace {
 constexpr std::array<std::string_view, 10> types_of_files{".bib", ".csv", ".dat", ".gp",  ".md",
                                                           ".pdf", ".png", ".svg", ".tex", ".txt"};
 constexpr std::array<const char*, 4> own_files{"report.html", "report.md", "results.json", "solves.csv"};
+constexpr std::array<const char*, 6> article_files{"main.tex",       "methods.tex", "methods.txt",
+                                                   "references.bib", "results.tex", "results.txt"};
 
-// A table or figure of reports, without its number. One that is not here outlives its report.
-bool is_own(const fs::path& folder, std::string_view name) {
-  if (folder == "article") return name == "main" || name == "references" || name == "methods" || name == "results";
-  if (folder == "tables") return std::ranges::find(names_of_tables, name) != names_of_tables.end();
+// Whether a report can have written it, in a folder of its own. A table or figure that is not here outlives its report.
+bool may_be_of_report(const fs::path& file) {
+  const std::string folder = file.parent_path(), stem = file.stem();
+  const std::string_view name(stem.data(), stem.find_last_not_of("0123456789") + 1);  // without its number
+  if (folder == "article") return std::ranges::count(article_files, file.filename()) > 0;
+  if (std::ranges::count(types_of_files, file.extension().string()) == 0) return false;
+  if (folder == "tables") return std::ranges::count(names_of_tables, name) > 0;
   const auto is_of_kind = [&](const auto& kind) { return name == kind.first || name.starts_with(kind.first + "-"); };
   return folder == "figures" && (name == "style" || std::ranges::any_of(all_figures(), is_of_kind));
 }
 
-// What the report of a folder says that it has written.
-std::vector<std::string> files_of_earlier(const fs::path& folder) {
+// The results.json of a folder, or an empty object.
+Json results_of(const fs::path& folder) {
   const auto text = base::read_file(folder / own_files[2]);
   const Json json = text ? base::parsed_ordered_json(*text) : Json();
+  return json.is_object() ? json : Json::object();
+}
+
+// What it says that ikbench has written.
+std::vector<std::string> files_of_earlier(const Json& results) {
   std::vector<std::string> files;
-  if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) return files;
-  for (const Json& entry : json["files"]) {
+  if (!results.contains("files") || !results["files"].is_array()) return files;
+  for (const Json& entry : results["files"]) {
     if (entry.is_string()) files.push_back(entry);
   }
   return files;
 }
 
-void refuse_others(const fs::path& folder, const std::vector<std::string>& earlier) {
-  for (const char* name : {own_files[0], own_files[1], own_files[2]}) {  // solves are there before the list
+void refuse_others(const fs::path& folder, const std::vector<std::string>& earlier,
+                   const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
     std::error_code none;
-    if (std::ranges::count(earlier, name) == 0 &&
-        fs::symlink_status(folder / name, none).type() == fs::file_type::regular)
-      throw std::invalid_argument(fmt::format("'{}' is of no report of ikbench; remove it, or choose another folder",
-                                              (folder / name).string()));
+    if (std::ranges::count(earlier, file) == 0 &&
+        fs::symlink_status(folder / file, none).type() == fs::file_type::regular)
+      throw std::invalid_argument(
+          fmt::format("'{}' is there, but in no results.json of ikbench; remove it, or choose another folder",
+                      (folder / file).string()));
   }
-}
-
-// Whether a report can have written it, in a folder of its own.
-bool may_be_of_report(const fs::path& file) {
-  const std::string stem = file.stem();
-  const std::string_view name(stem.data(), stem.find_last_not_of("0123456789") + 1);
-  return is_own(file.parent_path(), name) && std::ranges::count(types_of_files, file.extension().string()) > 0;
-}
-
-// Files of these figures. Throws std::system_error where it cannot be told whether one is there.
-std::vector<std::string> files_of(const std::vector<figures::Figure>& figures, const fs::path& folder) {
-  std::vector<std::string> files;
-  if (!figures.empty()) files.emplace_back("figures/style.gp");
-  for (const figures::Figure& figure : figures) {
-    for (const char* type : {"dat", "gp", "pdf", "png", "svg"}) {
-      const std::string file = fmt::format("figures/{}.{}", figure.name, type);
-      if (fs::is_regular_file(folder / file)) files.push_back(file);
-    }
-  }
-  return files;
 }
 
 template <class Kind>
@@ -114,36 +107,70 @@ void write_table(const Table& table, const Table& article, const fs::path& folde
   base::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
 }
 
-void refuse_others(const fs::path& folder) { refuse_others(folder, files_of_earlier(folder)); }
+void refuse_others(const fs::path& folder) {
+  std::error_code none;
+  std::vector<std::string> files(own_files.begin(), own_files.end());
+  for (const fs::path part : {"article", "tables", "figures"}) {
+    for (fs::directory_iterator entry(folder / part, none), end; entry != end; entry.increment(none)) {
+      const fs::path file = part / entry->path().filename();
+      if (may_be_of_report(file)) files.push_back(file);
+    }
+  }
+  refuse_others(folder, files_of_earlier(results_of(folder)), files);
+}
+
+std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<std::string>& figures) {
+  std::vector<std::string> files;
+  for (const std::string& table : tables)
+    for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table, type));
+  if (!figures.empty()) files.emplace_back("figures/style.gp");
+  for (const std::string& figure : figures)
+    for (const char* type : {"dat", "gp", "pdf", "png", "svg"})
+      files.push_back(fmt::format("figures/{}.{}", figure, type));
+  return files;
+}
+
+std::vector<std::string> claim(const fs::path& folder, std::vector<std::string> files) {
+  base::refuse_links(folder);
+  files.emplace_back(own_files[2]);
+  Json results = results_of(folder);
+  std::vector<std::string> earlier = files_of_earlier(results);
+  refuse_others(folder, earlier, files);
+  std::set<std::string> all(earlier.begin(), earlier.end());
+  all.insert(files.begin(), files.end());
+  results["files"] = all;
+  base::write_file(folder / own_files[2], base::text_of(results, 1) + '\n');
+  return earlier;
+}
 
 Written publish(const Report& report, const fs::path& folder, const figures::RenderOptions& options,
                 const std::string& program) {
-  base::refuse_links(folder);
   for (const char* name : own_files) base::refuse_input(folder / name);
-  std::vector<std::string> earlier = files_of_earlier(folder);
-  refuse_others(folder, earlier);
-  std::erase_if(earlier, [](const std::string& file) { return !may_be_of_report(file); });
-  for (const std::string& file : earlier) base::refuse_input(folder / file);
   std::vector<Blocks> sections = sections_of(report);
-  const std::vector<Table*> tables = all_in<Table>(sections);
+  std::vector<Table*> tables = all_in<Table>(sections);
   std::vector<figures::Figure> figures;
   for (const figures::Figure* figure : all_in<figures::Figure>(sections)) figures.push_back(*figure);
+  std::vector<std::string> names, names_of_figures;
+  for (const Table* table : tables)
+    if (!table->name.empty()) names.push_back(table->name);
+  for (const figures::Figure& figure : figures) names_of_figures.push_back(figure.name);
   Written written{.page = folder / own_files[0]};
+  std::vector<std::string>& files = written.files = files_of(names, names_of_figures);
+  for (const std::string file : article_files)
+    if (file != "references.bib" || !report.keys.empty()) files.push_back("article/" + file);
+  files.insert(files.end(), own_files.begin(), own_files.end() - 1);
+  std::vector<std::string> earlier = claim(folder, files);
+  std::erase_if(earlier, [](const std::string& file) { return !may_be_of_report(file); });
+  for (const std::string& file : earlier) base::refuse_input(folder / file);
   written.warnings = figures::write_figures(figures, folder / "figures", options);
-
-  std::vector<std::string>& files = written.files;
-  std::ranges::copy(own_files, std::back_inserter(files));
-  const bool is_of_study = !report.study.series.empty();
-  if (!is_of_study || !fs::is_regular_file(folder / own_files[3])) files.pop_back();
-  std::vector<std::string> names;
-  for (const Table* table : tables) {
-    if (table->name.empty()) continue;
-    write_table(*table, for_article(*table, report), folder / "tables", program);
-    names.push_back(table->name);
-    for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table->name, type));
-  }
-  std::ranges::move(write_article(report, names, figures, folder, program), std::back_inserter(files));
-  std::ranges::move(files_of(figures, folder), std::back_inserter(files));
+  for (const Table* table : tables)
+    if (!table->name.empty()) write_table(*table, for_article(*table, report), folder / "tables", program);
+  write_article(report, names, figures, folder, program);
+  // What was not drawn; where it cannot be told whether a file is there, this throws.
+  std::erase_if(files, [&](const fs::path& file) {
+    return file.parent_path() == "figures" && !fs::is_regular_file(folder / file);
+  });
+  if (!report.study.series.empty() && fs::is_regular_file(folder / own_files[3])) files.emplace_back(own_files[3]);
   std::ranges::sort(files);
   for (const std::string& file : earlier) {
     std::error_code error;
@@ -155,7 +182,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
 
   Json json = to_json(report.answer);
   json["files"] = files;
-  base::write_file(folder / "results.json", base::text_of(json, 1) + '\n');
+  base::write_file(folder / own_files[2], base::text_of(json, 1) + '\n');
   for (Table* table : tables) {
     if (!table->on_page.empty()) *table = Table(table->on_page.front());
   }

@@ -25,8 +25,13 @@ struct Written {
   std::vector<std::string> files;     // all, from the folder
   std::vector<std::string> warnings;  // figures that were not drawn
 };
-// Throws std::invalid_argument if the folder has a file of their names that no report wrote, as its results.json says.
+// Throws std::invalid_argument if the folder has a file of a report's names that its results.json does not list.
 void refuse_others(const std::filesystem::path& folder);
+// Those of tables and figures of these names.
+std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<std::string>& figures);
+// Before these files are written: refuses those that results.json does not list, and lists them there, so that after a
+// kill they are known. Returns what it listed before.
+std::vector<std::string> claim(const std::filesystem::path& folder, std::vector<std::string> files);
 // Writes report.html, report.md, results.json, tables/ and figures/ beside the study's solves.csv, which whoever reads
 // its solves has written (results/export.hpp); removes what an earlier report wrote, and this one does not. `program`
 // made it, with its version. Throws as base::refuse_place if the folder cannot be written.

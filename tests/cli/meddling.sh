@@ -48,10 +48,21 @@ succeeds run slim2023 "${small[@]}" --no-report --out theirs
 mkdir linked
 ln -s ../theirs/store.sqlite linked/store.sqlite
 refused "link" "${study[@]}" --out linked
-for folder in tables figures; do
+for folder in article tables figures; do
   ln -s ../theirs linked/$folder
   refused "linked/$folder' is a link" report theirs/store.sqlite theirs/store.sqlite --out linked
   rm linked/$folder
+done
+# Nothing is written where somebody else's file has a name of ours, and twice where none has.
+for file in solves.csv article/main.tex tables/results.csv tables/studies.csv; do
+  install -D thief.py "own/$file"
+  stores=theirs/store.sqlite
+  [ $file != tables/studies.csv ] || stores="theirs/store.sqlite twice/store.sqlite"
+  refused "own/$file' is there" report $stores --out own
+  equal "files there" "$(find own -type f)" "own/$file"
+  rm -r own
+  for round in 1 2; do succeeds report $stores --out own; done
+  rm -r own
 done
 succeeds report theirs/store.sqlite
 for script in theirs/figures/*.gp; do echo "system 'touch $PWD/ran'" >>"$script"; done

@@ -247,11 +247,19 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
   for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite"})
     CHECK(fs::exists(folder.path / "out" / file));
   CHECK(fs::exists(folder.path / "precious"));
-  for (const char* name : {"report.html", "report.md", "results.json"}) {
-    base::write_file(folder.path / name / name, "not ours");
-    CHECK_THROWS_WITH(publish(report_of(), folder.path / name, {.render = false}), ContainsSubstring(name));
-    CHECK(*base::read_file(folder.path / name / name) == "not ours");
+  for (const char* name : {"report.html", "report.md", "results.json", "solves.csv", "article/main.tex",
+                           "tables/results.csv", "figures/style.gp"}) {
+    const fs::path other = folder.path / fs::path(name).filename();
+    base::write_file(other / name, "not ours");
+    CHECK_THROWS_WITH(refuse_others(other), ContainsSubstring(name));
+    if (name != std::string("solves.csv"))  // which publish does not write
+      CHECK_THROWS_WITH(publish(report_of(), other, {.render = false}), ContainsSubstring(name));
+    CHECK(*base::read_file(other / name) == "not ours");
   }
+  // A report that was killed is continued.
+  claim(folder.path / "killed", files_of({"results"}, {}));
+  base::write_file(folder.path / "killed" / "tables" / "results.csv", "");
+  CHECK_NOTHROW(refuse_others(folder.path / "killed"));
 }
 
 TEST_CASE("a report of three solvers is short", "[show]") {
