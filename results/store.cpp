@@ -4,10 +4,12 @@
 #include <SQLiteCpp/VariadicBind.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <limits>
 #include <new>
@@ -400,12 +402,18 @@ std::vector<StoredStudy> Store::studies(const std::string& name) const {
 }
 
 StoredStudy Store::study(const std::string& name) const {
-  if (std::vector<StoredStudy> found = studies(name); !found.empty()) return std::move(found.front());
-  std::string names;
-  for (const StoredStudy& study : studies()) names += (names.empty() ? "" : ", ") + study.name;
-  throw std::invalid_argument(
-      names.empty() ? fmt::format("'{}' has no study; expected a store that `ikbench run` wrote", database_->name)
-                    : fmt::format("no study '{}' in '{}'; expected one of: {}", name, database_->name, names));
+  std::vector<std::string> names;
+  guarded(database_->name, [&] {
+    SQLite::Statement query(database_->sqlite, "SELECT name FROM studies ORDER BY position");
+    while (query.executeStep()) names.push_back(query.getColumn(0).getString());
+  });
+  if (names.empty())
+    throw std::invalid_argument(
+        fmt::format("'{}' has no study; expected a store that `ikbench run` wrote", database_->name));
+  if (!name.empty() && std::ranges::find(names, name) == names.end())
+    throw std::invalid_argument(
+        fmt::format("no study '{}' in '{}'; expected one of: {}", name, database_->name, fmt::join(names, ", ")));
+  return studies(name.empty() ? names.front() : name).front();
 }
 
 std::int64_t Store::begin_session(const std::map<std::string, std::string>& environment) {

@@ -64,9 +64,10 @@ class Store {
 
   // Writes the study and replaces one of the same name (its solves stay; only those of the new series are current).
   void save_study(const StoredStudy& study);
-  // Those of this name, one or none; "": all, in the order of their first save. No other's definition is read.
+  // Those of this name, one or none; "": all, in the order of their first save.
   std::vector<StoredStudy> studies(const std::string& name = "") const;
-  StoredStudy study(const std::string& name) const;  // "": the first. std::invalid_argument if there is none
+  // "": the first. std::invalid_argument if there is none. No other's definition is read.
+  StoredStudy study(const std::string& name) const;
 
   std::int64_t begin_session(const std::map<std::string, std::string>& environment);
   // Adds facts that are known at a session's end; it must not have these keys yet.

@@ -139,7 +139,8 @@ TEST_CASE("a definition that cannot be is refused with its study, and other stud
   store.save_study(changed);
   CHECK_THAT(complaint<std::invalid_argument>([&] { store.study("circle"); }),
              ContainsSubstring("damaged (study circle: runs is \"many\"; expected"));
-  CHECK(store.study("helix").definition.runs == 20);
+  for (const char* name : {"helix", ""}) CHECK(store.study(name).definition.runs == 20);
+  CHECK_THROWS_WITH(store.study("x"), ContainsSubstring("expected one of: helix, circle"));
 }
 
 TEST_CASE("solves of a study are those of its current series, runs and points, in its order", "[store]") {
