@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -154,7 +155,10 @@ std::string difference_in_solves(const std::string& first, const std::string& se
 Merged merge(const fs::path& out, std::vector<fs::path> stores, const MergeProgress& progress) {
   Studies studies;
   std::error_code none;
-  std::erase_if(stores, [&](const fs::path& place) { return fs::file_size(place, none) == 0 && !none; });
+  const auto is_empty = [&](const fs::path& place) { return fs::file_size(place, none) == 0 && !none; };
+  if (std::ranges::all_of(stores, is_empty))
+    for (const fs::path& place : stores) static_cast<void>(Store(place, Store::Mode::read));  // which refuses it
+  std::erase_if(stores, is_empty);
   if (fs::exists(out, none)) refuse_another_study(studies, out, out);
   for (const fs::path& place : stores) refuse_another_study(studies, place, out);
   Store all(out, Store::Mode::write_shared);
