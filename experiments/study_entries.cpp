@@ -99,6 +99,8 @@ Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std
     value = *quoted;
   } else if (const auto* const whole = node.as_integer()) {
     value = static_cast<double>(whole->get());
+    const std::string written = std::to_string(whole->get());
+    if (fmt::format("{:.0f}", std::get<double>(value)) != written) value = written;  // no option is it: refused as such
   } else if (const auto* const number = node.as_floating_point()) {
     value = number->get();
   } else {
