@@ -251,7 +251,7 @@ std::optional<Open::Why> why_not(const Method& method, const Group& a, const Gro
   const auto has_none = [&](const Group& group) {  // no answer at all
     return !values_of(group).empty() && std::ranges::all_of(values_of(group), is_none);
   };
-  if (all.empty() && has_none(a) && has_none(b)) return Open::Why::none;
+  if (all.empty() && has_none(a) && has_none(b)) return Open::Why::no_answer;
   return all.empty() ? std::nullopt : std::optional(*all.begin());
 }
 

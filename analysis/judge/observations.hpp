@@ -41,6 +41,7 @@ struct Untold {     // not compared; what there is can be described
     apart,          // timed or counted otherwise, or ended by the clock
     no_spread,      // a printed deviation of 0, which would decide everything
     none,           // nothing was solved, so nothing has a cost
+    no_answer,      // all values of both groups are infinite
     // Of two groups that are both told:
     too_few,    // no data of this size could decide
     few_decide  // one value is more than half of a group's sum, so the means would show nothing better

@@ -476,12 +476,13 @@ std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
 }
 
 ReasonWords words_of(Open::Why why) {
-  constexpr std::array<ReasonWords, 7> all{
+  constexpr std::array<ReasonWords, 8> all{
       {{"lost", "values are missing", "values are missing"},
        {"infinite", "infinite values have no mean", "infinite values have no mean"},
        {"apart", "not comparable", "not comparable (!)"},
        {"no_spread", "one has no spread", "not comparable (!)"},
        {"none", "one or both solved nothing", "nothing was solved"},
+       {"no_answer", "neither has an answer", "no answer"},
        {"too_few", "no values", "too few to compare"},
        {"few_decide", "few values decide the mean", "too few to compare"}}};
   return all[static_cast<std::size_t>(why)];

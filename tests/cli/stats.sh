@@ -33,6 +33,9 @@ judged many many.csv --value error --run run --control S1
 "$program" stats - --json <comma.csv >.input || fail "standard input: exit code $?"
 golden stats-comma .input
 
+printf 'solver,error\nA,inf\nA,inf\nB,inf\nB,inf\n' >none.csv
+succeeds stats none.csv
+has "$out" "Not tested, since neither has an answer"
 # A report, and its files.
 succeeds stats comma.csv --out new/report --json
 golden stats-comma

@@ -245,7 +245,7 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(*all.p == Approx(2 / 184756.0));  // 2 / C(20, 10)
   CHECK(!all.estimate);
   CHECK(*all.effect == 1);
-  CHECK(is_open(judge::compare(observations(with_infinite(10, 10), rows), {}).front(), Open::Why::none));
+  CHECK(is_open(judge::compare(observations(with_infinite(10, 10), rows), {}).front(), Open::Why::no_answer));
   const Seen turned = better_first(finding(with_infinite(10, 2), blocks), "");
   CHECK(turned.first == "B");
   CHECK(turned.verdict == Verdict::better);
