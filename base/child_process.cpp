@@ -184,7 +184,7 @@ void ChildProcess::close_one(int& descriptor) {
 }
 
 void ChildProcess::drain(int& from, std::string& into) {
-  std::array<char, 65536> buffer;
+  std::array<char, 8192> buffer;
   const ssize_t size = ::read(from, buffer.data(), buffer.size());
   if (size > 0)
     into.append(buffer.data(), static_cast<std::size_t>(size));

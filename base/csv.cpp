@@ -158,7 +158,7 @@ void expect_text(std::string_view text, std::string_view source) {
 
 std::string csv_text(std::istream& stream) {
   std::string text;
-  std::array<char, 1 << 16> buffer{};
+  std::array<char, 1 << 13> buffer{};
   while (text.size() <= max_csv_bytes && stream) {
     stream.read(buffer.data(), buffer.size());
     const std::string_view part(buffer.data(), static_cast<std::size_t>(stream.gcount()));

@@ -30,7 +30,7 @@ std::string text_of_file(const std::filesystem::path& file, std::uintmax_t large
     throw std::invalid_argument(fmt::format("{} is no regular file", file.string()));
   std::ifstream in(file, std::ios::binary);
   std::string text;
-  std::array<char, 1 << 16> part;
+  std::array<char, 1 << 13> part;
   while (in.read(part.data(), part.size()) || in.gcount() > 0) {  // the size of a file may be unknown
     text.append(part.data(), static_cast<std::size_t>(in.gcount()));
     if (text.size() > largest) {

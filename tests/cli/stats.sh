@@ -30,12 +30,13 @@ judged larger comma.csv --better larger
 judged comma comma.csv
 judged summaries --summaries "$root/results/published/slim2023/table-3.csv"
 judged many many.csv --value error --run run --control S1
+(ulimit -s 64; "$program" stats comma.csv) >.out 2>.err || fail "with a stack of 64 kB: exit code $?: $(<.err)"
 "$program" stats - --json <comma.csv >.input || fail "standard input: exit code $?"
 golden stats-comma .input
-
 printf 'solver,error\nA,inf\nA,inf\nB,inf\nB,inf\n' >none.csv
 succeeds stats none.csv
 has "$out" "Not tested, since neither has an answer"
+
 # A report, and its files.
 succeeds stats comma.csv --out new/report --json
 golden stats-comma
