@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdio>
 #include <istream>
 #include <stdexcept>
 #include <utility>
 
+#include "base/files.hpp"
 #include "base/names.hpp"
 #include "base/number.hpp"
 
@@ -156,7 +159,7 @@ void expect_text(std::string_view text, std::string_view source) {
                                           text[broken] == 0 ? "a NUL byte" : "letters in another code"));
 }
 
-std::string csv_text(std::istream& stream) {
+std::string csv_text(std::istream& stream, const std::string& source) {
   std::string text;
   std::array<char, 1 << 13> buffer{};
   while (text.size() <= max_csv_bytes && stream) {
@@ -165,6 +168,7 @@ std::string csv_text(std::istream& stream) {
     text += part;
     if (part.find('\0') != std::string_view::npos) break;  // no text, perhaps without an end
   }
+  if (stream.bad() || std::ferror(stdin) != 0) refuse_place("read", source, errno);
   return text;
 }
 

@@ -49,7 +49,8 @@ class CsvTable {
 // Refuses what is no UTF-8, and a NUL byte.
 void expect_text(std::string_view text, std::string_view source);
 // Reads the whole text, as far as it is one and not longer than the readers below take: a stream may have no end.
-std::string csv_text(std::istream& stream);
+// Throws as refuse_place (base/files.hpp) where a part cannot be read.
+std::string csv_text(std::istream& stream, const std::string& source);
 // `source` is the text's name in messages ("data.csv"). Malformed text throws
 // std::invalid_argument with source:line.
 CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm& form = {});

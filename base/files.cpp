@@ -31,7 +31,9 @@ void refuse_place(std::string_view verb, const fs::path& place, int error) {
   if (std::ranges::find(mistakes, error) != mistakes.end())
     throw std::invalid_argument(fmt::format("{}; choose a place where you can {}", message, verb));
   if (error == EMFILE) throw std::runtime_error(message + "; raise ulimit -n, then try again");
-  throw std::runtime_error(message + "; make room there (or raise ulimit -f), choose another place, or try again");
+  throw std::runtime_error(
+      message + (verb == "read" ? "; try again, or read a copy on another disk"
+                                : "; make room there (or raise ulimit -f), choose another place, or try again"));
 }
 
 namespace {

@@ -35,12 +35,12 @@ struct StatsArguments {
 std::string name_of_source(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 std::string contents_of(const std::string& file) {
-  if (file == "-") return base::csv_text(std::cin);
+  if (file == "-") return base::csv_text(std::cin, name_of_source(file));
   base::note_input(file);
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file))
     throw std::invalid_argument(fmt::format("cannot read {}; expected a CSV file, or - for standard input", file));
-  return base::csv_text(stream);
+  return base::csv_text(stream, file);
 }
 
 // "smaller is better, of quality larger"

@@ -129,6 +129,10 @@ bool lacks_locks(const std::string& file) {
 
 // Throws `error` as a sentence about the file (store.hpp says which exception).
 [[noreturn]] void refuse(const std::string& file, const SQLite::Exception& error) {
+  // SQLite calls it damage, too, if the system fails to read a page.
+  for (const int code : {error.getErrorCode(), error.getExtendedErrorCode()})
+    if (code == SQLITE_IOERR_READ || code == SQLITE_IOERR_CORRUPTFS || (code == SQLITE_CORRUPT && errno == EIO))
+      base::refuse_place("read", file, EIO);
   switch (error.getErrorCode() & 0xff) {
     case SQLITE_NOTADB:
       throw std::invalid_argument(fmt::format(

@@ -21,6 +21,18 @@ for call in unlink fdatasync ftruncate fsync rename mkdir; do
   done
 done
 
-# A page that cannot be read once is no damage.
-strace -o traced -P "$PWD/whole/store.sqlite" -e inject=pread64:error=EIO:when=5 "$program" export whole/store.sqlite --format fingerprint >.out 2>.err
-equal "code and sentence of a page that cannot be read" "$? $(grep -c '^ikbench: cannot use' .err)" "2 1"
+# A page that cannot be read once is no damage, and no reason to make room; nor is a CSV shorter by what cannot be read.
+export=("$program" export whole/store.sqlite --format fingerprint)
+strace -o calls -P "$PWD/whole/store.sqlite" "${export[@]}" >.out 2>.err
+for ((i = 1; i <= $(grep -c pread64 calls); ++i)); do
+  strace -o traced -P "$PWD/whole/store.sqlite" -e inject=pread64:error=EIO:when=$i "${export[@]}" >.out 2>.err
+  equal "code and sentence where page $i cannot be read" "$? $(tr -s ' \n' ' ' <.err)" \
+    "2 ikbench: cannot read 'whole/store.sqlite': Input/output error; try again, or read a copy on another disk "
+done
+{ echo A,B; paste -d, <(seq 10000) <(seq 2 10001); } >long.csv
+strace -o traced -P "$PWD/long.csv" -e inject=read:error=EIO:when=2 "$program" stats long.csv --run row >.out 2>.err
+equal "code and sentence of a CSV that cannot be read" "$? $(grep -c "^ikbench: cannot read 'long.csv'" .err)" "2 1"
+strace -o calls -e trace=read "$program" stats - <long.csv >.out 2>.err
+last=$(grep -c '^read(' calls)
+strace -o traced -e inject=read:error=EIO:when="$last" "$program" stats - <long.csv >.out 2>.err
+equal "code and sentence of an input that cannot be read" "$? $(grep -c "^ikbench: cannot read 'standard input'" .err)" "2 1"
