@@ -116,6 +116,9 @@ TEST_CASE("what has no spread, no second group or no value has no test of all", 
     CHECK_FALSE(anova(observed(groups)));
   }
   CHECK_FALSE(anova(observed({{1}, {2}})));
+  Observations tiny = observed({{1e-9, 2e-9}, {3e-9, 4e-9}});
+  tiny.floor = 1e-7;
+  CHECK_FALSE(test_of_ranks(tiny));
   Observations lost = observed({{1, 2}, {3, 5}});
   lost.groups[0].sample = Untold{.lost = 1, .values = values_in(lost.groups[0])};
   CHECK_FALSE(anova(lost));

@@ -39,18 +39,6 @@ TEST_CASE("A report has the metrics that a study has, and is decided by the plan
                   std::invalid_argument);
 }
 
-TEST_CASE("A better solver is named, and its findings are those of the table") {
-  const JudgedStudy of = judge::judge(study({.runs = 8}, [](SolveRecord& solve) {
-    solve.position_error_cm = (solve.label == "A" ? 1 : 10) + 0.01 * solve.run;
-  }));
-  const JudgedMetric& error = metric(of, "error");
-  CHECK(error.headline.best == std::vector<std::string>{"A"});
-  REQUIRE(error.findings.size() == 1);
-  CHECK(seen(error.findings.front()).verdict == Verdict::better);
-  CHECK(error.described.front().n == 8);
-  CHECK(of.doubts.empty());
-}
-
 TEST_CASE("Of equal solvers the one with fewer evaluations comes first") {
   const JudgedStudy of = judge::judge(study({.runs = 8}, [](SolveRecord& solve) {
     solve.position_error_cm = 0.01 * solve.run;

@@ -35,6 +35,15 @@ TEST_CASE("Solvers of a study have the same targets, and starts but where their 
   CHECK_NOTHROW(study(chained, other_start(2)));
 }
 
+TEST_CASE("In a loop a timed solve is late beyond the period, or without an answer") {
+  const StudyResults of = study({.runs = 1, .rest = R"(, "loop": {"period_ms": 2})"}, [](SolveRecord& solve) {
+    if (solve.point == 1) solve.status = Status::crashed;
+    solve.seconds = solve.point < 3 ? 0.001 * solve.point : 0.003;
+    if (solve.point == 4) solve.timing = Timing::parallel;
+  });
+  for (const Solve& solve : of.of("A")) CHECK(solve.is_late == (solve.point % 2 == 1));
+}
+
 TEST_CASE("A control that is no solver is none") {
   const Asked asked{.rest = R"(, "analysis": {"control": "gone"})"};
   CHECK(study(asked, [](SolveRecord&) {}).definition.plan.control.empty());
