@@ -107,6 +107,7 @@ TEST_CASE("rows of several metrics are refused with the advice --where") {
   }
   const Request chosen{.values = {"value"}, .run = "seed", .where = {"metric=error"}};
   CHECK(list_of(observations(text, chosen).groups.front()) == std::vector{0.10, 0.12, 0.11, 0.13});
+  CHECK(contains(csv::read(text, "d.csv", chosen).notes.front(), "; only rows with 'metric=error'."));
   CHECK(finding(text, {.values = {"value"}, .run = "seed", .where = {"metric = error"}}).verdict == Verdict::better);
   CHECK(contains(said_of(text, {.where = {"metric=speed"}}), "'metric=error'"));
   // The metric has another name.
