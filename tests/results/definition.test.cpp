@@ -6,7 +6,8 @@ TEST_CASE("A definition is read into plain data") {
     "start": "previous", "limits": "enforced", "runs": 3, "points": 7, "seed": 9007199254740993,
     "path": {"kind": "random", "points": 2, "targets": "drawn"},
     "stop": {"iterations": 200, "tolerance_cm": 0.1, "tolerance_deg": 2, "evaluations": 4000, "seconds": 0.5},
-    "departures": ["limits"], "out_of_reach": {"points": 3}, "arm": {"links": []}})");
+    "departures": ["limits"], "out_of_reach": {"points": 3}, "loop": {"period_ms": 500},
+    "arm": {"velocity_deg_s": [90, 2], "links": [{"limits_deg": "none"}, {"joint": "slides", "limits_deg": [0, 1]}]}})");
   CHECK(of.title == "T");
   CHECK(of.published == "p");
   CHECK(of.robot == "r");
@@ -25,6 +26,7 @@ TEST_CASE("A definition is read into plain data") {
   CHECK(of.stop.seconds == 0.5);
   CHECK(of.departures == std::vector<std::string>{"limits"});
   CHECK(of.out_of_reach == 3);
+  CHECK(of.steps == std::vector<std::pair<double, bool>>{{45 * degree, true}, {1, false}});  // rad, and m
   CHECK(of.arm.starts_with("{\"links\""));
   CHECK(of.plan == Plan());
   CHECK(of.figures == FigureStyle());

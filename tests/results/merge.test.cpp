@@ -79,6 +79,8 @@ TEST_CASE("extras come back with their solves, in a table that only stores with 
     store.append({record});
   }
   merge(folder.path / "out", {folder.path / "a", folder.path / "b", folder.path / "b"});
+  edit(folder.path / "b", "INSERT INTO extras VALUES ('key-a', 3, 1, 'late', 1)");
+  merge(folder.path / "out", {folder.path / "b"});  // whose solves are known
   const Store store(folder.path / "out", Store::Mode::read);
   CHECK(store.names_of_extras(sample_study()) == std::vector<std::string>{"answers", "restarts"});
   CHECK(Store(folder.path / "a", Store::Mode::read).names_of_extras(sample_study()).empty());

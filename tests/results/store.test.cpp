@@ -167,6 +167,10 @@ TEST_CASE("solves of a study are those of its current series, runs and points, i
   store.save_study(study);
   CHECK(places(store.solves("table-3")) == std::vector<std::string>{"old 1 1"});
   CHECK(series_of(store, "z").size() == 5);
+
+  study.name = "again";
+  store.save_study(study);
+  CHECK(store.solves("again").front().study == "again");  // though the first one solved it
 }
 
 TEST_CASE("the views have the current solves under the present labels, and the means of their runs", "[store]") {
