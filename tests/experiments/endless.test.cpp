@@ -67,7 +67,7 @@ TEST_CASE("a joint without end moves the shorter way round, and any other as far
   CHECK(verified(100, 0).limit_violation == 0);
 }
 
-TEST_CASE("a program gets null for a limit that there is not, and a whole turn each way to search in", "[endless]") {
+TEST_CASE("a program gets null for no limit, a whole turn each way to search in, and a rotation by rows", "[endless]") {
   const Robot arm = robot("kinova_gen3");
   const ParsedJson robot_told = ParsedJson::parse(robot_message(arm, arm.chain, Eigen::Vector3d(0, 0, 0), "", {}, {}));
   CHECK(robot_told["joints"][0]["lower"].is_null());
@@ -80,4 +80,7 @@ TEST_CASE("a program gets null for a limit that there is not, and a whole turn e
   CHECK(told["upper"][0] == 0.2 + 2 * half);
   CHECK(told["upper"][1] == arm.limits.upper[1]);
   CHECK(told["budget"]["iterations"] == 1000);
+  const Goal pose{arm.chain.forward(Configuration::Constant(7, 0.7)), 0.25, GoalKind::pose};
+  const ParsedJson of_pose = ParsedJson::parse(solve_message(problem, pose, {}, 1));
+  CHECK(of_pose["target"]["rotation"] == by_rows(pose.target.linear()));
 }

@@ -23,15 +23,16 @@ struct FirstSolve {
 class Remembering final : public Solver {
  public:
   void start(const Problem& problem, Objective&, numerics::Random&) override {
-    best_.q = problem.start.array() + 1e-15 * ++starts_;
+    best_.q = problem.start.array() + 1e-15 * ++starts;
     best_.error = 1;
   }
   void step(Objective&, numerics::Random&) override {}
   const Best& best() const override { return best_; }
 
+  int starts = 0;
+
  private:
   Best best_;
-  int starts_ = 0;
 };
 
 }  // namespace
@@ -65,6 +66,7 @@ TEST_CASE("a solver that gives another answer when it solves a problem again is 
   Remembering solver;
   CHECK_THAT(complaint<std::runtime_error>([&] { solve.made(2, solver); }),
              StartsWith("IK-BA gives another answer when it solves run 1, point 1 again; "));
+  CHECK(solver.starts == 3);  // the first one is not timed
   CHECK(solve.made(1, solver).repeats == 1);
 }
 

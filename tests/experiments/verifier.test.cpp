@@ -94,6 +94,10 @@ TEST_CASE("the variation is the norm of the joint moves over all joints, the lar
   const Verification verified = verify(robot("planar_3"), place(0, 0, 0), start, start + angles({0.3, -0.4, 1.2}));
   CHECK(verified.variation == Approx(1.3));  // Eq. 12: sqrt(0.09 + 0.16 + 1.44)
   CHECK(verified.largest_move == Approx(1.2));
+  const Verification of_two =
+      verify(robot("planar_3"), place(0, 0, 0), start, start + angles({0.3, -0.4, 1.2}), false, 2);
+  CHECK(of_two.variation == Approx(0.5));
+  CHECK(of_two.largest_move == Approx(1.2));  // of all joints
   CHECK(verify(robot("planar_3"), place(0, 0, 0), start, start + angles({0.3, -0.4, 0.2})).largest_move ==
         Approx(0.4));  // a move down is a move
 }

@@ -43,6 +43,12 @@ TEST_CASE("what is handed in one by one is passed on at once", "[record_queue]")
     record_queue.hand_in(sample_record("key-a", 1, point));
     CHECK(passed.back() == point);
   }
+  std::size_t together = 0;  // but for patience
+  RecordQueue patient([&](const auto& records) { together = records.size(); }, std::chrono::hours(1));
+  for (const int point : {1, 2}) patient.hand_in(sample_record("key-a", 1, point));
+  CHECK(together == 0);
+  patient.flush();
+  CHECK(together == 2);
 }
 
 TEST_CASE("nobody waits for what another is passing on, and what came meanwhile goes on together", "[record_queue]") {
