@@ -738,17 +738,6 @@ TEST_CASE("p, interval, estimate and verdict of no pair disagree", "[compare][pr
   CHECK(std::min({decided, excluded, ahead, same, open}) > 30);
 }
 
-TEST_CASE("a monotone transformation changes no p of ranks", "[compare][property]") {
-  Observations of = groups_of({lognormal(15, 1, 0.5, 1), lognormal(15, 1.6, 0.5, 2)});
-  const Seen one = only(compared(of, by_ranks));
-  for (Group& group : of.groups) {
-    for (double& value : values_in(group)) value = std::exp(value) + value * value * value;
-  }
-  CHECK(*only(compared(of, by_ranks)).p == *one.p);
-  of.scale = Scale::difference;
-  CHECK(*only(compared(of, by_ranks)).p == *one.p);
-}
-
 // The headline.
 
 TEST_CASE("best is better than every other", "[compare]") {

@@ -83,13 +83,14 @@ TEST_CASE("drawn targets are paired; another task or number of solves is refused
   CHECK(gate_of(version(1, drawn_100), version(2, drawn_100)).judged.metrics.front().observations.is_paired);
   StudyResults part = version(1);
   part.solves.resize(23);
-  Asked looser = of_100, more = of_100, seeded = of_100;
+  Asked looser = of_100, more = of_100, seeded = of_100, started = of_100;
+  started.start = "middle";
   looser.tolerance_cm = 0.2;
   more.runs = 2;
   seeded.rest = R"(, "seed": 2)";
   const auto further = [](SolveRecord& solve) { solve.target_position_m[0] += 1000; };
-  for (const StudyResults& other :
-       {version(2, of_100, further), version(2, looser), version(1, more), part, version(1, seeded)}) {
+  for (const StudyResults& other : {version(2, of_100, further), version(2, looser), version(1, more), part,
+                                    version(1, seeded), version(1, started)}) {
     CHECK_THROWS_AS(gate_of(version(1), other), std::invalid_argument);
     CHECK_THROWS_AS(gate_of(other, version(1)), std::invalid_argument);
   }
@@ -237,10 +238,13 @@ TEST_CASE("solves that are the same bit for bit leave nothing open, however few"
 }
 
 TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
-  const auto triple = [](SolveRecord& solve) {
-    if (solve.status == Status::ok) solve.evaluations *= 3;
+  const auto spend = [](int times) {
+    return [=](SolveRecord& solve) {
+      solve.evaluations *= times;
+      if (solve.status != Status::ok) solve.stop_reason = results::StopReason::evaluations;
+    };
   };
-  StudyResults before = version(1), after = version(2, of_100, triple);
+  StudyResults before = version(1, of_100, spend(1)), after = version(2, of_100, spend(3));
   after.definition.stop.evaluations = 3000;
   after.definition.plan.margin = 9;
   CHECK_FALSE(gate_of(before, after).worse.empty());

@@ -248,6 +248,8 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
   twins.definition.plan.control = "B";
   CHECK(apart(times(twins)) == "ACC");
   CHECK(apart(observed(twins)).empty());
+  for (Solve& solve : twins.solves) solve.session += solve.label == 2 ? 1 : 0;  // CC's is a reason of its own
+  CHECK(times(twins).doubts.back().who == std::vector<std::string>{"A"});
   StudyResults later = study(chained, [](SolveRecord& solve) { solve.session = solve.label == "B" ? 2 : 1; },
                              {"A", "B", "CC"}, {{.id = 1}, {.id = 2}});
   CHECK(apart(times(later)) == "B");
@@ -422,6 +424,8 @@ TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 
     CHECK(count > 4);
     CHECK(count <= 25);
   }
+  CHECK(words_of({.kind = DoubtKind::near_misses, .who = {"A", "B", "C", "D"}}).find("A, B, C, D") !=
+        std::string::npos);
   CHECK(words_of({.kind = DoubtKind::times_not_comparable,
                   .who = {"mine"},
                   .count = 100,

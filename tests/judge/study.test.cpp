@@ -6,12 +6,14 @@ using namespace ikbench::results;
 
 TEST_CASE("A study has the solves of each solver by run and point, and the sessions that made them") {
   const Asked asked{.runs = 2, .points = 2};
-  const std::vector<SolveRecord> solves = solves_of(asked, {"A", "B"}, [](SolveRecord&) {});
+  const std::vector<SolveRecord> solves =
+      solves_of(asked, {"A", "B"}, [](SolveRecord& solve) { solve.extras["left"] = solve.point == 1 ? 3.0 : unknown; });
   const StudyResults study = stored_study(entry_of(asked, {"A", "B"}), solves, {{.id = 1}, {.id = 2}});
   REQUIRE(study.of("B").size() == 4);
   CHECK(study.of("B")[1].point == 2);
   CHECK(study.of("B")[2].run == 2);
   CHECK(study.of("nobody").empty());
+  CHECK(study.extras.at("left").at("B") == std::vector{3.0, 3.0});
   CHECK(study.sessions.size() == 1);
   CHECK(study.definition.runs == 2);
   CHECK(study.definition.points == 2);
