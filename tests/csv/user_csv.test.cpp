@@ -601,6 +601,8 @@ TEST_CASE("a run without a number among numbers is none") {
 TEST_CASE("True and False are 1 and 0") {
   const std::string text = "id,solver,solved\n0,A,True\n1,A,True\n2,B,FALSE\n3,B,yes\n";
   const Observations of = observations(text, {.better = {"larger"}});
+  CHECK(csv::read(text, "d.csv", {.better = {"larger"}}).notes.back() ==
+        "All values of solved are 0 or 1: shares are compared.");
   CHECK(of.quantity == "solved");
   CHECK(of.scale == Scale::share);
   CHECK(list_of(of.groups[1]) == std::vector{0.0, 1.0});
