@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/regex/pending/unicode_iterator.hpp>
 #include <exception>
 #include <future>
 #include <map>
@@ -44,25 +46,21 @@ void remove_pictures(const Figure& figure, const std::filesystem::path& folder,
   }
 }
 
-void replace_all(std::string& text, std::string_view old, std::string_view by) {
-  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + by.size()))
-    text.replace(at, old.size(), by);
-}
-
 // What gnuplot cannot say: a size in units of length, a title, and other fonts for machines that lack the one.
 void complete_svg(std::string& svg, const Figure& figure) {
   const std::size_t box = svg.find("viewBox=\"0 0 "), end = svg.find('"', box + 13);
   if (box == std::string::npos || end == std::string::npos) return;
   std::string size = svg.substr(box + 13, end - box - 13);
-  replace_all(size, " ", "pt\" height=\"");
+  boost::replace_all(size, " ", "pt\" height=\"");
   svg.insert(box, "width=\"" + size + "pt\" ");
   std::string title = one_line(figure.caption);
-  replace_all(title, "&", "&amp;");
-  replace_all(title, "<", "&lt;");
-  replace_all(title, ">", "&gt;");
-  replace_all(svg, "<title>Gnuplot</title>", "<title>" + title + "</title>");
-  replace_all(svg, "font-family=\"Liberation Sans\"", "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
-  replace_all(svg, "]]>", "]]&gt;");  // gnuplot leaves the > of a label as it is, and XML forbids ]]> in a text
+  boost::replace_all(title, "&", "&amp;");
+  boost::replace_all(title, "<", "&lt;");
+  boost::replace_all(title, ">", "&gt;");
+  boost::replace_all(svg, "<title>Gnuplot</title>", "<title>" + title + "</title>");
+  boost::replace_all(svg, "font-family=\"Liberation Sans\"",
+                     "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
+  boost::replace_all(svg, "]]>", "]]&gt;");  // gnuplot leaves the > of a label as it is, and XML forbids ]]> in a text
 }
 
 // Draws in the workshop, then writes the pictures to their place. Throws std::invalid_argument with the reason if it
@@ -129,16 +127,9 @@ std::map<std::string, std::string> sources_of(const std::vector<Figure>& figures
 void refuse_missing_font(const FigureStyle& style, const std::vector<std::string>& labels) {
   std::map<std::uint32_t, std::string> characters;  // beyond ASCII, with the label that has it
   for (const std::string& label : labels) {
-    std::uint32_t code = 0;
-    for (const char c : one_line(label) + ' ') {
-      const auto byte = static_cast<unsigned char>(c);
-      const bool goes_on = (byte & 0xC0) == 0x80;
-      if (!goes_on && code > 0) characters.emplace(code, label);
-      code = goes_on       ? code << 6 | (byte & 0x3F)
-             : byte < 0x80 ? 0
-                           : byte & (byte < 0xE0   ? 0x1F
-                                     : byte < 0xF0 ? 0x0F
-                                                   : 0x07);
+    const std::string line = one_line(label);  // of valid UTF-8
+    for (boost::u8_to_u32_iterator at(line.begin(), line.begin(), line.end()); at.base() != line.end(); ++at) {
+      if (*at >= 0x80) characters.emplace(*at, label);
     }
   }
   if (style.formats == std::vector<std::string>{"svg"}) characters.clear();
