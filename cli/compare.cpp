@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include "analysis/judge/gate.hpp"
+#include "analysis/show/answer_tables.hpp"
+#include "analysis/show/article.hpp"
 #include "analysis/show/screen.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"

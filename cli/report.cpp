@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "analysis/judge/judge.hpp"
+#include "analysis/show/answer_tables.hpp"
 #include "analysis/show/publish.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"

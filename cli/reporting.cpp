@@ -11,6 +11,7 @@
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/judge/judge.hpp"
+#include "analysis/show/answer_tables.hpp"
 #include "analysis/show/publish.hpp"
 #include "analysis/show/screen.hpp"
 #include "base/embedded_file.hpp"

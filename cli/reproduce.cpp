@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "analysis/figures/of_study.hpp"
 #include "analysis/papers/claims.hpp"
 #include "analysis/show/publish.hpp"
 #include "analysis/show/words.hpp"

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "analysis/figures/figure.hpp"
-#include "analysis/figures/of_study.hpp"
 #include "analysis/figures/plots.hpp"
+#include "analysis/figures/rows.hpp"
 #include "base/units.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"

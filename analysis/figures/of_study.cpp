@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <span>
 #include <utility>
 
 #include "base/names.hpp"
@@ -21,17 +20,9 @@ using results::SolveRecord;
 namespace {
 
 constexpr std::string_view error = "position_error_cm", motion = "variation_deg", time = "seconds";
-constexpr std::size_t most_iterations = 200;  // drawn
 
 // Targets that have an order.
 bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.definition.points > 1; }
-
-CurveRow row_at(double x, const std::vector<double>& values, Average average) {
-  const judge::Description all = judge::described(values);
-  if (average == Average::mean) return {.x = x, .y = all.mean};
-  if (values.size() == 1) return {.x = x, .y = all.median};
-  return {.x = x, .y = all.median, .low = all.lower_quartile, .high = all.upper_quartile};
-}
 
 std::string observation_of(const StudyResults& study, const Metric& metric) {
   const results::Definition& definition = study.definition;
@@ -79,21 +70,26 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
 }
 
 // The cost of a solve; NaN if it has none, as an attempt that failed.
+using Cost = std::function<double(const Solve&)>;
+Successes successes_of(const StudyResults& study, const std::string& solver, const Look& look, const Cost& cost) {
+  Successes its{.label = look.names.at(solver), .style = look.lines.at(solver)};
+  for (const Solve& solve : study.of(solver)) {
+    ++its.attempts;
+    if (const double value = cost(solve); !std::isnan(value)) its.costs.push_back(value);
+  }
+  return its;
+}
+
 std::optional<Figure> shares_of(const StudyResults& study, About about, const std::string& y_axis,
                                 const std::vector<std::string>& without, std::string_view why, const Look& look,
-                                double dashed, const std::function<double(const Solve&)>& cost) {
+                                double dashed, const Cost& cost) {
   std::vector<Successes> all;
   std::vector<std::string> left_out;
   for (const std::string& solver : drawn_solvers(study, look)) {
-    if (std::ranges::count(without, solver) > 0) {
+    if (std::ranges::count(without, solver) > 0)
       left_out.push_back(look.names.at(solver));
-      continue;
-    }
-    Successes& successes = all.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
-    for (const Solve& solve : study.of(solver)) {
-      ++successes.attempts;
-      if (const double value = cost(solve); !std::isnan(value)) successes.costs.push_back(value);
-    }
+    else
+      all.push_back(successes_of(study, solver, look, cost));
   }
   if (!left_out.empty() && all.size() < 2) return std::nullopt;  // nothing to see it against
   if (!left_out.empty()) about.caption += fmt::format(" Without {}, {}.", fmt::join(left_out, ", "), why);
@@ -128,21 +124,14 @@ std::optional<Figure> by_point_of(const JudgedStudy& judged, std::string_view co
   return curves(about_of(judged.study, metric, caption), "point", by_point(judged.study, column, look, average));
 }
 
+// Of times, where all compare.
+std::optional<Figure> if_timed(decltype(boxes_of)* of, const JudgedStudy& judged, const Look& look) {
+  return not_compared(judged, time).empty() ? of(judged, time, look) : std::nullopt;
+}
+
 std::string first_points(const StudyResults& study) {
   return study.definition.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";
 }
-
-}  // namespace
-
-#define FIGURE(function, meaning) std::optional<Figure> function(const JudgedStudy& judged, const Look& look);
-#include "analysis/figures/figures.inc"
-#undef FIGURE
-
-std::optional<Figure> overview(const JudgedStudy& judged, const Look& look) {
-  return overview_of(judged, look, [](Dot&) {});
-}
-
-std::optional<Figure> error_boxes(const JudgedStudy& judged, const Look& look) { return boxes_of(judged, error, look); }
 
 std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) {
   const StudyResults& study = judged.study;
@@ -159,14 +148,6 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
   });
 }
 
-std::optional<Figure> time_boxes(const JudgedStudy& judged, const Look& look) {
-  return not_compared(judged, time).empty() ? boxes_of(judged, time, look) : std::nullopt;
-}
-
-std::optional<Figure> motion_boxes(const JudgedStudy& judged, const Look& look) {
-  return boxes_of(judged, motion, look);
-}
-
 std::optional<Figure> metric_boxes(const JudgedStudy& judged, const Look& look) {
   const std::string& column = judged.study.definition.plan.metric;
   const bool is_drawn = column.empty() || column == error || column == time || column == motion;
@@ -179,52 +160,26 @@ std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& 
                 by_iteration(judged.study, look, average));
 }
 
-std::optional<Figure> error_by_point(const JudgedStudy& judged, const Look& look) {
-  return by_point_of(judged, error, look);
-}
-
-std::optional<Figure> motion_by_point(const JudgedStudy& judged, const Look& look) {
-  return by_point_of(judged, motion, look);
-}
-
-std::optional<Figure> time_by_point(const JudgedStudy& judged, const Look& look) {
-  return not_compared(judged, time).empty() ? by_point_of(judged, time, look) : std::nullopt;
-}
-
 std::optional<Figure> time_tail(const JudgedStudy& judged, const Look& look) {
   constexpr std::ptrdiff_t fewest = 300;
   const StudyResults& study = judged.study;
   const Metric& metric = metric_named(time);
+  const double factor = drawn_unit(study, metric.unit).factor;
   const std::vector<std::string> without = not_compared(judged, time);
   std::vector<Successes> all;
   for (const std::string& solver : drawn_solvers(study, look)) {
     if (std::ranges::count(without, solver) > 0 || std::ssize(study.of(solver)) < fewest) continue;
-    Successes& successes = all.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
-    for (const Solve& solve : study.of(solver)) {
-      if (const double seconds = metric.value(solve, study); !std::isnan(seconds))
-        successes.costs.push_back(drawn_unit(study, metric.unit).factor * std::max(seconds, metric.floor));
-    }
+    all.push_back(successes_of(study, solver, look, [&](const Solve& solve) {
+      return factor * std::max(metric.value(solve, study), metric.floor);
+    }));
   }
   return tails(about_of(study, metric, "Share of solves that took at least a time."), all);
 }
 
-std::optional<Figure> solved_by_evaluations(const JudgedStudy& judged, const Look& look) {
-  return solved_by(judged, "evaluations", "a number of evaluations", look);
-}
-
-std::optional<Figure> solved_by_time(const JudgedStudy& judged, const Look& look) {
-  return solved_by(judged, time, "a time", look);
-}
-
-std::optional<Figure> ranks(const JudgedStudy& judged, const Look& look) {
+// Of the deciding metric.
+std::optional<Figure> of_deciding(decltype(ranks_of)* of, const JudgedStudy& judged, const Look& look) {
   const JudgedMetric& metric = judged.metrics[judged.deciding];
-  return ranks_of(metric, drawn_unit(judged.study, metric.observations.unit), drawn_solvers(judged.study, look), look);
-}
-
-std::optional<Figure> differences(const JudgedStudy& judged, const Look& look) {
-  const JudgedMetric& metric = judged.metrics[judged.deciding];
-  return differences_of(metric, drawn_unit(judged.study, metric.observations.unit), drawn_solvers(judged.study, look),
-                        look);
+  return of(metric, drawn_unit(judged.study, metric.observations.unit), drawn_solvers(judged.study, look), look);
 }
 
 std::optional<Figure> path(const JudgedStudy& judged, const Look& look) {
@@ -239,73 +194,37 @@ std::optional<Figure> joints(const JudgedStudy& judged, const Look& look) {
                 joint_rows(study, look));
 }
 
-Look look_of(std::vector<results::Series> solvers, results::FigureStyle style) {
-  std::ranges::stable_sort(solvers, {}, [&](const results::Series& solver) {  // those that are not shown come last
-    return std::ranges::find(style.solvers, solver.label) - style.solvers.begin();
-  });
-  Look look{.style = std::move(style)};
-  look.lines = line_styles(solvers, look.style);
-  std::vector<std::string> labels;
-  for (const results::Series& solver : solvers) labels.push_back(solver.label);
-  look.names = short_names(labels, 24);
-  return look;
-}
+// In the order of the report.
+constexpr KindOfFigure all_kinds[]{
+    {"overview", "error against joint motion",
+     [](auto& judged, auto& look) { return overview_of(judged, look, [](Dot&) {}); }},
+    {"error-boxes", "the error of each solver", [](auto& judged, auto& look) { return boxes_of(judged, error, look); }},
+    {"error-shares", "with a tolerance: share of targets within an error", error_shares},
+    {"time-boxes", "the same as motion-boxes, of comparable times",
+     [](auto& judged, auto& look) { return if_timed(boxes_of, judged, look); }},
+    {"motion-boxes", "without a tolerance, or with start = \"previous\": the joint motion of each solver",
+     [](auto& judged, auto& look) { return boxes_of(judged, motion, look); }},
+    {"metric-boxes", "the plan's metric, if it is another", metric_boxes},
+    {"error-by-iteration", "where solves have a trace: medians, or means where they decide", error_by_iteration},
+    {"error-by-point", "along a path: medians, or means where they decide",
+     [](auto& judged, auto& look) { return by_point_of(judged, error, look); }},
+    {"motion-by-point", "the same of joint motion",
+     [](auto& judged, auto& look) { return by_point_of(judged, motion, look); }},
+    {"time-by-point", "the same of time", [](auto& judged, auto& look) { return if_timed(by_point_of, judged, look); }},
+    {"solved-by-evaluations", "with a tolerance: share of targets solved within a number of evaluations",
+     [](auto& judged, auto& look) { return solved_by(judged, "evaluations", "a number of evaluations", look); }},
+    {"solved-by-time", "with a tolerance, where times compare: share of targets solved within a time",
+     [](auto& judged, auto& look) { return solved_by(judged, time, "a time", look); }},
+    {"time-tail", "of 300 solves or more: share that took at least a time", time_tail},
+    {"ranks", "of 3 solvers or more, no control: mean ranks; bars join what is not told apart",
+     [](auto& judged, auto& look) { return of_deciding(ranks_of, judged, look); }},
+    {"differences", "where pairs are tested, and not all equal: their intervals and verdicts",
+     [](auto& judged, auto& look) { return of_deciding(differences_of, judged, look); }},
+    {"path", "targets and arm along a path", path},
+    {"joints", "joint angles along a path", joints},
+};
 
-Look look_of(const JudgedStudy& judged, results::FigureStyle style) {
-  const JudgedMetric& deciding = judged.metrics[judged.deciding];
-  std::vector<results::Series> solvers = judged.study.series;
-  if (!style.solvers.empty()) return look_of(std::move(solvers), std::move(style));
-  std::vector<std::string> order;
-  for (const std::size_t i : best_first(deciding, judged.metrics))
-    order.push_back(deciding.observations.groups[i].name);
-  const auto is_among_first = [&](const results::Series& solver) {
-    return std::ranges::find(order, solver.label) - order.begin() < std::ssize(style.palette);
-  };
-  // Which of them has which colour is no matter of its place.
-  std::stable_partition(solvers.begin(), solvers.end(), is_among_first);
-  Look look = look_of(std::move(solvers), std::move(style));
-  look.style.solvers = std::move(order);
-  return look;
-}
-
-About about_of(const StudyResults& study, const Metric& metric, std::string caption) {
-  const auto [unit, factor] = drawn_unit(study, metric.unit);
-  return {"", std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
-}
-
-std::vector<std::string> drawn_solvers(const StudyResults& study, const Look& look) {
-  std::vector<std::string> shown = look.style.solvers.empty() ? study.labels : look.style.solvers;
-  std::erase_if(shown, [&](const std::string& solver) { return study.of(solver).empty(); });
-  return shown;
-}
-
-DrawnUnit drawn_unit(const StudyResults& study, std::string_view unit) {
-  if (unit == "s") return {"ms", 1000};
-  if (unit == "cm" && study.definition.published.empty()) return {"mm", 10};
-  return {std::string(unit), 1};
-}
-
-std::vector<BoxRow> box_rows(const JudgedMetric& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
-                             const Look& look) {
-  std::vector<BoxRow> rows;
-  for (const std::string& name : shown) {
-    const Group& group = metric.observations.groups[place_of(metric.observations, name)];
-    const judge::Description all = describe(group);
-    const std::span<const double> values = values_of(group);
-    BoxRow& row = rows.emplace_back(
-        BoxRow{.label = look.names.at(name), .style = look.lines.at(name), .values = {values.begin(), values.end()}});
-    row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
-    for (double& value : row.values) value *= unit.factor;
-    for (double& value : row.box) value *= unit.factor;
-    if (const auto infinite = std::ranges::count(row.values, INFINITY); infinite > 0)
-      row.remark = fmt::format("no answer in {}", infinite);
-    if (values.empty())
-      row.remark = "no value";
-    else if (lost_in(group) > 0)
-      row.remark += fmt::format("{}{} missing", row.remark.empty() ? "" : ", ", lost_in(group));
-  }
-  return rows;
-}
+}  // namespace
 
 std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
                                   const std::function<void(Dot&)>& add_printed) {
@@ -440,72 +359,6 @@ std::optional<Figure> ranks_of(const JudgedMetric& metric, const DrawnUnit& unit
   return ranks(about, rows);
 }
 
-std::vector<Line> by_point(const StudyResults& study, std::string_view column, const Look& look, Average average) {
-  const Metric& metric = metric_named(column);
-  const double factor = drawn_unit(study, metric.unit).factor;
-  std::vector<Line> all;
-  for (const std::string& solver : drawn_solvers(study, look)) {
-    if (std::ranges::none_of(study.of(solver), gave_answer)) continue;
-    std::map<int, std::vector<double>> values;
-    for (const Solve& solve : study.of(solver)) {
-      const double value = factor * metric.value(solve, study);
-      if (std::isfinite(value)) values[solve.point].push_back(value);
-    }
-    Line& line = all.emplace_back(Line{.label = look.names.at(solver), .style = look.lines.at(solver)});
-    for (const auto& [point, of_point] : values) line.rows.push_back(row_at(point, of_point, average));
-  }
-  return all;
-}
-
-std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Average average) {
-  const double factor = drawn_unit(study, "cm").factor;
-  std::size_t longest = 0;
-  for (const SolveRecord& solve : study.drawn) longest = std::max(longest, solve.trace_cm.size());
-  const std::size_t n = std::min(longest, most_iterations);
-  std::vector<Line> all;
-  for (const std::string& solver : drawn_solvers(study, look)) {
-    Line& line = all.emplace_back(Line{.label = look.names.at(solver), .style = look.lines.at(solver)});
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t i = n == 1 ? 0 : k * (longest - 1) / (n - 1);
-      std::vector<double> values;
-      for (const SolveRecord& solve : study.drawn) {
-        const std::vector<double>& trace = solve.trace_cm;
-        if (solve.label != solver || trace.empty()) continue;
-        const double value = factor * trace[std::min(i, trace.size() - 1)];
-        if (std::isfinite(value)) values.push_back(value);
-      }
-      if (!values.empty()) line.rows.push_back(row_at(static_cast<double>(i + 1), values, average));
-    }
-  }
-  return all;
-}
-
-std::vector<Corner> corners_of(const robots::Robot& arm, const Eigen::VectorXd& q) {
-  std::vector<Corner> corners{{0, 0, 0}};
-  const auto add = [&](const Eigen::Vector3d& at) {
-    corners.push_back({at.x() / centimetre, at.y() / centimetre, at.z() / centimetre});
-  };
-  robots::Description joints;  // up to the corner
-  for (const robots::DescribedJoint& joint : arm.description) {
-    joints.push_back(joint);
-    add(robots::pose_of(joints, q).translation());
-  }
-  if (joints.empty()) {
-    add(arm.chain.base().position);
-    std::vector<robots::DhLink> links;
-    for (const robots::DhLink& link : arm.chain.links()) {
-      links.push_back(link);
-      for (const double along_x : {0.0, link.a}) {
-        links.back().a = along_x;
-        add(robots::Chain(links, arm.chain.base(), {}).position(q.head(static_cast<Eigen::Index>(links.size()))));
-      }
-    }
-    add(arm.chain.position(q));
-  }
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());  // a length of 0 is no corner
-  return corners;
-}
-
 Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, const std::string& more) {
   const std::string solver = drawn_solvers(study, look).front();
   const std::span<const SolveRecord> solves = study.first_run_of(solver);
@@ -532,30 +385,6 @@ Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, co
   return path({"", fmt::format("Targets, and what {} reached in its first run{}", solver, more)}, rows);
 }
 
-JointRows joint_rows(const StudyResults& study, const Look& look) {
-  JointRows all;
-  const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
-  if (!arm) return all;
-  std::vector<std::size_t> turning;
-  for (std::size_t joint = 0; joint < arm->chain.links().size(); ++joint) {
-    const auto j = static_cast<Eigen::Index>(joint);
-    if (arm->chain.slides(j)) continue;
-    turning.push_back(joint);
-    all.columns.push_back({fmt::format("{}{}", turning.size() == 1 ? "joint " : "", joint + 1),
-                           arm->limits.lower[j] / degree, arm->limits.upper[j] / degree});
-  }
-  for (const std::string& solver : drawn_solvers(study, look)) {
-    JointRow row{.label = look.names.at(solver), .style = look.lines.at(solver)};
-    for (const SolveRecord& solve : study.first_run_of(solver)) {
-      std::vector<double>& angles = row.angles_deg.emplace_back();
-      for (const std::size_t joint : turning)
-        angles.push_back(joint < solve.answer_rad.size() ? solve.answer_rad[joint] / degree : nowhere);
-    }
-    all.rows.push_back(std::move(row));
-  }
-  return all;
-}
-
 std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look& look) {
   std::vector<Figure> all;
   const JudgedMetric& first = metrics.front();
@@ -577,20 +406,12 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
   return all;
 }
 
-std::vector<KindOfFigure> kinds_of_figures() {
-  std::vector<KindOfFigure> kinds{
-#define FIGURE(function, meaning) {#function, meaning, function},
-#include "analysis/figures/figures.inc"
-#undef FIGURE
-  };
-  for (KindOfFigure& kind : kinds) std::ranges::replace(kind.name, '_', '-');
-  return kinds;
-}
+std::span<const KindOfFigure> kinds_of_figures() { return all_kinds; }
 
 std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
   std::vector<Figure> all;
   if (drawn_solvers(judged.study, look).empty()) return all;
-  for (const KindOfFigure& kind : kinds_of_figures()) {
+  for (const KindOfFigure& kind : all_kinds) {
     if (std::optional<Figure> figure = kind.of(judged, look)) {
       figure->name = kind.name;
       all.push_back(std::move(*figure));

@@ -1,6 +1,6 @@
 // The kinds of figures, as functions of rows; none knows a study. Values that are not finite are not drawn, and a
 // figure that would have no mark is none. A style is a number of style.gp's line styles: the colour of a solver in
-// every figure (of_study.hpp).
+// every figure (look.hpp).
 #pragma once
 
 #include <array>

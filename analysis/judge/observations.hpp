@@ -59,10 +59,17 @@ struct Group {
   double at_most = 0;  // values at or below count as this, the tolerance; 0: none
 };
 
+// Null if it is compared.
+inline const Untold* untold(const Group& group) { return std::get_if<Untold>(&group.sample); }
+// Observations without a value.
+inline int lost_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }
 // All that a group has: of copies one, of a summary none.
-std::span<const double> values_of(const Group& group);
-const Untold* untold(const Group& group);  // null if it is compared
-int lost_in(const Group& group);           // observations without a value
+inline std::span<const double> values_of(const Group& group) {
+  if (const auto* const measured = std::get_if<Measured>(&group.sample)) return measured->values;
+  if (const auto* const copies = std::get_if<Copies>(&group.sample)) return {&copies->value, 1};
+  if (const Untold* const its = untold(group)) return its->values;
+  return {};
+}
 
 struct Observations {
   std::string metric;    // of files and anchors: "error"

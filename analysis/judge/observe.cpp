@@ -1,18 +1,39 @@
 #include "analysis/judge/observe.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
 
 #include "analysis/judge/describe.hpp"
 #include "analysis/judge/tests_of_two.hpp"
+#include "base/names.hpp"
+#include "base/units.hpp"
 
 namespace ikbench::judge {
 
 using namespace results;
 
 namespace {
+
+constexpr double rounding_deg = 1e-9 / base::degree;
+
+double of_answer(const Solve& solve, double value) {
+  return results::is_without_answer(solve.status) ? unknown : value;
+}
+
+constexpr std::array rows{
+#define METRIC(column, slug, name, unit, kind, scale, floor, rounding, told, ...) \
+  Metric{                                                                         \
+      column,     slug,                                                           \
+      name,       unit,                                                           \
+      Kind::kind, Scale::scale,                                                   \
+      floor,      rounding,                                                       \
+      Told::told, [](const Solve& solve, [[maybe_unused]] const StudyResults& study) -> double { return __VA_ARGS__; }},
+#include "analysis/judge/metrics.inc"
+#undef METRIC
+};
 
 // An observation is a run, else a target.
 bool are_runs(const StudyResults& study, const Metric& metric) {
@@ -134,6 +155,12 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
 }
 
 }  // namespace
+
+std::span<const Metric> metrics() { return rows; }
+
+const Metric& metric_named(std::string_view column) {
+  return base::find_named("metric", column, rows, [](const Metric& metric) { return metric.column; });
+}
 
 Observations observe(const StudyResults& study, const Metric& metric) {
   const Definition& definition = study.definition;

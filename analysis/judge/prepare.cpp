@@ -51,17 +51,6 @@ std::vector<double> differences_of(const Group& first, const Group& second, cons
 
 }  // namespace
 
-std::span<const double> values_of(const Group& group) {
-  if (const auto* const measured = std::get_if<Measured>(&group.sample)) return measured->values;
-  if (const auto* const copies = std::get_if<Copies>(&group.sample)) return {&copies->value, 1};
-  if (const Untold* const its = untold(group)) return its->values;
-  return {};
-}
-
-const Untold* untold(const Group& group) { return std::get_if<Untold>(&group.sample); }
-
-int lost_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }
-
 std::vector<double> values_in(const std::vector<int>& blocks, const Measured& group) {
   if (group.blocks.empty()) return group.values;
   std::vector<double> values;

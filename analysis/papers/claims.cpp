@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 
 #include "analysis/show/text.hpp"
 #include "base/names.hpp"
@@ -14,8 +13,6 @@ namespace ikbench::papers {
 using namespace judge;
 
 namespace {
-
-constexpr std::array<std::string_view, 5> verdicts{"holds", "holds in part", "fails", "not decided", "not tested"};
 
 std::vector<JudgedClaim> grouped(std::vector<JudgedClaim> claims, bool are_ours) {
   std::erase_if(claims, [=](const JudgedClaim& claim) { return claim.is_ours != are_ours; });
@@ -45,8 +42,6 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
 
 }  // namespace
 
-std::string_view name_of(Holds holds) { return verdicts[static_cast<std::size_t>(holds)]; }
-
 std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
                                        const std::map<std::string, std::string>& in_readings) {
   std::vector<JudgedClaim> all;
@@ -74,9 +69,9 @@ const JudgedClaim* claim_named(const std::vector<JudgedClaim>& claims, std::stri
 
 std::string tally_words(const std::vector<JudgedClaim>& claims) {
   std::vector<std::string> parts;
-  for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    const auto count = std::ranges::count(claims, static_cast<Holds>(i), &JudgedClaim::holds);
-    if (count > 0) parts.push_back(fmt::format("{} {}", verdicts[i], count));
+  for (const Holds holds : {Holds::holds, Holds::in_part, Holds::fails, Holds::undecided, Holds::not_tested}) {
+    const auto count = std::ranges::count(claims, holds, &JudgedClaim::holds);
+    if (count > 0) parts.push_back(fmt::format("{} {}", name_of(holds), count));
   }
   return fmt::format("{}: {}.", base::counted(std::ssize(claims), "claims"), show::listed(parts, ", "));
 }

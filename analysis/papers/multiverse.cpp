@@ -9,6 +9,8 @@
 #include <iterator>
 #include <utility>
 
+#include "analysis/papers/published.hpp"
+#include "analysis/papers/rules.hpp"
 #include "analysis/show/text.hpp"
 
 namespace ikbench::papers {

@@ -9,7 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/papers/claims.hpp"
+#include "analysis/judge/observations.hpp"
+#include "analysis/papers/paper.hpp"
+#include "analysis/show/table.hpp"
 #include "results/dimension.hpp"
 
 namespace ikbench::papers {

@@ -1,4 +1,4 @@
-#include "results/published.hpp"
+#include "analysis/papers/published.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "analysis/papers/paper.hpp"
+#include "base/csv.hpp"
 #include "base/number.hpp"
+#include "results/published.hpp"
 
 namespace ikbench::papers {
 
@@ -89,11 +90,6 @@ PrintedRows printed_times(std::string_view paper, std::string_view name) {
   for (std::size_t i = 0; i < table.rows(); ++i)
     rows.push_back(read_row(table, i, fmt::format("{} {}", table.cell(i, 0), table.header[0]), "_ms"));
   return rows;
-}
-
-show::Cell beside(double ours, const PrintedRow* row, std::size_t statistic) {
-  if (row == nullptr || row->digits[statistic].empty()) return ours;
-  return show::Printed{ours, row->digits[statistic]};
 }
 
 std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int runs) {

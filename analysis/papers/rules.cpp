@@ -1,11 +1,14 @@
+#include "analysis/papers/rules.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "analysis/papers/claims.hpp"
+#include "analysis/papers/repeated.hpp"
 #include "analysis/show/text.hpp"
 
 namespace ikbench::papers {
@@ -259,6 +262,11 @@ constexpr Rule all_rules[]{{"better", better},
                            {"as_printed", as_printed, false}};
 
 }  // namespace
+
+std::string_view name_of(Holds holds) {
+  constexpr std::array<std::string_view, 5> names{"holds", "holds in part", "fails", "not decided", "not tested"};
+  return names[static_cast<std::size_t>(holds)];
+}
 
 std::span<const Rule> rules() { return all_rules; }
 

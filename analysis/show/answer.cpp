@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string_view>
 #include <utility>
 
-#include "analysis/figures/of_study.hpp"
+#include "analysis/figures/rows.hpp"
 #include "analysis/show/text.hpp"
+#include "analysis/show/words.hpp"
 #include "base/names.hpp"
 
 namespace ikbench::show {
@@ -48,7 +50,67 @@ JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
   return judged;
 }
 
+// Of a control loop; without rows if the study has none.
+Table loop_table(const StudyResults& study, const std::vector<std::string>& solvers) {
+  const double period = study.definition.loop.period;
+  const std::vector<double> ends{0, 100};
+  Table table{.name = "loop",
+              .caption = fmt::format("A control loop of {} ms", number_text(1000 * period)),
+              .columns = {{"solver"},
+                          {.name = "failed", .unit = "%", .ends = ends},
+                          {.name = "late", .unit = "%", .ends = ends},
+                          {"late in a row"},
+                          {"largest step", "deg"},
+                          {.name = "too fast", .unit = "%", .ends = ends}}};
+  const auto& all_steps = study.definition.steps;
+  std::vector<std::string> unlimited;
+  for (std::size_t j = 0; j < all_steps.size(); ++j) {
+    if (std::isinf(all_steps[j].first)) unlimited.push_back(fmt::format("joint {}", j + 1));
+  }
+  bool is_all_timed = true, is_any_timed = false;
+  for (const std::string& solver : solvers) {
+    const Solves all = study.of(solver);
+    if (period == 0 || all.empty()) continue;
+    double failed = 0, late = 0, steps = 0, too_fast = 0, largest = 0;
+    std::int64_t in_a_row = 0, most = 0;
+    bool is_timed = true;
+    for (const Solve& solve : all) {
+      is_timed &= solve.timing == results::Timing::clean || solve.timing == results::Timing::process;
+      failed += has_failed(study, solve);
+      late += solve.is_late;
+      in_a_row = solve.is_late ? 1 + (solve.point > 1 ? in_a_row : 0) : 0;
+      most = std::max(most, in_a_row);
+      if (solve.point == 1) continue;
+      ++steps;
+      too_fast += solve.is_too_fast;
+      largest = std::max(largest, solve.largest_move_deg);
+    }
+    is_all_timed &= is_timed, is_any_timed |= is_timed;
+    const auto percent = [](double count, double of) { return of > 0 ? Cell(100 * count / of) : Cell(); };
+    const auto n = static_cast<double>(all.size());
+    table.rows.push_back({solver, percent(failed, n), is_timed ? percent(late, n) : Cell(),
+                          is_timed ? Cell(most) : Cell(), largest,
+                          unlimited.size() == all_steps.size() ? Cell() : percent(too_fast, steps)});
+  }
+  table.notes = {fmt::format(
+      "{}. Steps are of one joint that turns, between two targets{}.",
+      is_all_timed ? "Late: longer than the period, or without an answer"
+                   : fmt::format("{}of solves at once and of a debug build it is not known who is late",
+                                 is_any_timed ? "Late: longer than the period, or without an answer; " : ""),
+      unlimited.size() == all_steps.size()
+          ? "; which are too fast is not known, since no velocity limit of this arm is"
+          : fmt::format("; too fast: further than the velocity limit of a joint allows in a period{}",
+                        unlimited.empty() ? "" : ", of which none is known of " + listed(unlimited)))};
+  return table;
+}
+
 }  // namespace
+
+std::vector<std::string> Answer::solvers() const {
+  std::vector<std::string> names;
+  for (const std::size_t i : order) names.push_back(decisive().observations.groups[i].name);
+  return names;
+}
 
 std::vector<Doubt> Answer::all_doubts() const {
   std::vector<Doubt> all = doubts;
@@ -97,9 +159,7 @@ Answer answer_of(const JudgedStudy& judged) {
                             stops_of(judged.study));
   all.show = judged.study.definition.tables.show;
   all.are_in_turn = judged.study.are_in_turn;
-  std::vector<std::string> solvers;
-  for (const std::size_t i : all.order) solvers.push_back(all.decisive().observations.groups[i].name);
-  all.loop = loop_table(judged.study, solvers);
+  all.loop = loop_table(judged.study, all.solvers());
   const results::Definition& definition = judged.study.definition;
   const bool are_runs = definition.compares_runs();
   all.noun = are_runs ? "runs" : "targets";
@@ -154,6 +214,16 @@ Answer with_short_names(Answer answer, std::size_t length) {
 std::string noun_of(const Answer& answer, const JudgedMetric& judged) {
   const bool is_time = judged.observations.unit == "s" || judged.observations.unit == "ms";
   return answer.are_in_turn && is_time ? "turns" : answer.noun;
+}
+
+bool has_failed(const StudyResults& study, const Solve& solve) {
+  return study.definition.has_tolerance() ? solve.status != results::Status::ok : !gave_answer(solve);
+}
+
+std::string reference_of(const Answer& answer) {
+  const JudgedMetric& decisive = answer.decisive();
+  if (!decisive.plan.control.empty()) return decisive.plan.control;
+  return decisive.observations.groups[answer.order[0]].name;
 }
 
 Shown shown_average(const JudgedMetric& judged, std::size_t group) {

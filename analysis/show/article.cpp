@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 
+#include "analysis/show/answer_tables.hpp"
 #include "analysis/show/page.hpp"
 #include "analysis/show/publish.hpp"
 #include "analysis/show/text.hpp"

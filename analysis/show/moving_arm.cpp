@@ -7,10 +7,11 @@
 #include <cmath>
 #include <set>
 
-#include "analysis/figures/of_study.hpp"
+#include "analysis/figures/rows.hpp"
 #include "analysis/show/text.hpp"
 #include "base/embedded_file.hpp"
 #include "base/json.hpp"
+#include "base/names.hpp"
 #include "base/units.hpp"
 #include "robots/robot.hpp"
 
@@ -172,8 +173,7 @@ std::optional<std::string> moving_arm(const StudyResults& study, const std::vect
                             places.size(), *places.rbegin() + 1, listed(worst), most_points / 2);
   std::string text = base::text_of(
       Json{{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"which", which}, {"solvers", std::move(solvers)}});
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
-    text.replace(at, 1, "\\u003c");  // no text ends the element
+  base::replace_marks(text, {{"<", "\\u003c"}});  // no text ends the element
   return text;
 }
 

@@ -7,7 +7,6 @@
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <span>
-#include <string_view>
 
 #include "analysis/show/moving_arm.hpp"
 #include "analysis/show/publish.hpp"

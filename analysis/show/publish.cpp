@@ -8,10 +8,11 @@
 #include <system_error>
 
 #include "analysis/figures/of_study.hpp"
+#include "analysis/show/answer_tables.hpp"
 #include "analysis/show/article.hpp"
 #include "analysis/show/moving_arm.hpp"
 #include "analysis/show/page.hpp"
-#include "analysis/show/text.hpp"
+#include "analysis/show/words.hpp"
 #include "base/files.hpp"
 #include "base/inputs.hpp"
 #include "base/json.hpp"
@@ -201,8 +202,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   }
   std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });  // that had nothing else
   base::write_file(folder / "report.md", to_markdown(sections, folder));
-  std::vector<std::string> order;
-  for (const std::size_t i : report.answer.order) order.push_back(report.answer.decisive().observations.groups[i].name);
+  std::vector<std::string> order = report.answer.solvers();
   const auto control = std::ranges::find(order, report.answer.decisive().plan.control);  // beside the first
   if (control != order.end() && control != order.begin()) std::rotate(order.begin() + 1, control, control + 1);
   std::optional<std::string> arm = moving_arm(report.study, order);

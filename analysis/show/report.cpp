@@ -1,13 +1,142 @@
 #include "analysis/show/report.hpp"
 
-#include <algorithm>
-#include <iterator>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "analysis/show/answer_tables.hpp"
+#include "analysis/show/article.hpp"
+#include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
+#include "base/json.hpp"
 
 namespace ikbench::show {
 
 using namespace judge;
+
+namespace {
+
+// The table of results with the warnings below it.
+Table warned_results(const Answer& answer) {
+  Table table = results_table(answer);
+  for (const Doubt& doubt : answer.all_doubts()) table.notes.push_back(warning_of(doubt));
+  return table;
+}
+
+// Of the deciding metric.
+Table pairs_of_article(const Answer& answer) {
+  Answer deciding = answer;
+  deciding.metrics.resize(1);
+  Table table = told_pairs(deciding);
+  table.caption += ": " + answer.decisive().observations.quantity;
+  for (auto& row : table.rows) row[0] = {};  // in the caption: writers leave out what is empty
+  return table;
+}
+
+// Times of single solves up to the rarest, and how many failed, whatever an observation is made of.
+Table solves_table(const Report& report) {
+  const StudyResults& study = report.study;
+  Table table{.name = "solves", .caption = "Single solves", .columns = columns_of({"solver", "solves", "failed"})};
+  for (const char* of_times : {"median", "95 %", "99 %", "99.9 %", "largest"})
+    table.columns.push_back({of_times, "ms"});
+  const Metric& time = metric_named("seconds");
+  for (const std::string& solver : report.answer.solvers()) {
+    const Solves all = study.of(solver);
+    std::vector<double> times;
+    std::int64_t failed = 0;
+    for (const Solve& solve : all) {
+      failed += has_failed(study, solve);
+      if (const double seconds = time.value(solve, study); std::isfinite(seconds)) times.push_back(1000 * seconds);
+    }
+    if (all.size() < 2) continue;
+    std::ranges::sort(times);
+    auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(all), failed});
+    for (const double share : {0.5, 0.95, 0.99, 0.999}) {
+      const bool is_beyond = static_cast<double>(times.size()) * (1 - share) < 1 - 1e-9;  // rarer than so many can show
+      row.push_back(times.empty() || is_beyond ? Cell() : Cell(quantile(times, share)));
+    }
+    row.push_back(times.empty() ? Cell() : Cell(times.back()));
+  }
+  table.notes = {
+      "Time of each solve that gave an answer, solved or not. Left out is what so few solves cannot show: it is "
+      "at least the largest."};
+  return table;
+}
+
+// Medians of the solvers' own numbers.
+Table extras_table(const Report& report) {
+  const StudyResults& study = report.study;
+  Table table{.name = "extras", .caption = "Numbers of the solvers' own, medians", .columns = columns_of({"solver"})};
+  for (const auto& [name, by_solver] : study.extras) table.columns.push_back({name});
+  for (const std::string& solver : report.answer.solvers()) {
+    std::vector<Cell> row{solver};
+    for (const auto& [name, by_solver] : study.extras) {
+      const auto values = by_solver.find(solver);
+      row.push_back(values == by_solver.end() ? Cell() : Cell(described(values->second).median));
+    }
+    if (std::ranges::any_of(row, [](const Cell& cell) { return std::holds_alternative<double>(cell); }))
+      table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+void add_setting(Table& table, std::string what, std::string value) {
+  if (!value.empty()) table.rows.push_back({std::move(what), std::move(value)});
+}
+
+Table settings(std::string caption) { return {.caption = std::move(caption), .columns = {{"what"}, {"value"}}}; }
+
+Table study_table(const StudyResults& study) {
+  const results::Definition& definition = study.definition;
+  Table table = settings("Study");
+  add_setting(table, "study",
+              definition.title.empty() ? study.name : fmt::format("{}: {}", study.name, definition.title));
+  add_setting(table, "arm",
+              definition.tip_link.empty()
+                  ? definition.robot
+                  : fmt::format("{}, from link {} to {}", definition.robot, definition.base_link, definition.tip_link));
+  for (const std::string& note : definition.arm_notes) add_setting(table, "arm as read", note);
+  add_setting(table, "targets",
+              fmt::format("{} a run, {}{}", definition.points, with_blanks(definition.path),
+                          definition.draws_targets ? ", drawn for each run anew" : ""));
+  add_setting(table, "search", with_blanks(name_of(definition.search)));
+  add_setting(table, "start",
+              definition.is_chained() ? "where the last solve left the arm" : with_blanks(name_of(definition.start)));
+  add_setting(table, "candidates outside limits", with_blanks(name_of(definition.bounds)));
+  add_setting(table, "answers outside limits", std::string(name_of(definition.limits)));
+  add_setting(table, "a solve ends at", stops_of(study));
+  add_setting(table, "runs", fmt::to_string(definition.runs));
+  add_setting(table, "seed", fmt::to_string(definition.seed));
+  for (const std::string& departure : definition.departures)
+    add_setting(table, "departs from the published study", departure);
+  return table;
+}
+
+Table options_table(const StudyResults& study) {
+  Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}};
+  for (const results::Series& series : study.series) {
+    std::vector<std::string> options;
+    const auto json = base::parsed_ordered_json(series.options);
+    for (auto option = json.begin(); json.is_object() && option != json.end(); ++option)
+      options.push_back(fmt::format("{} = {}", option.key(),
+                                    option->is_string() ? option->get<std::string>() : base::text_of(*option)));
+    table.rows.push_back({series.label, with_blanks(series.algorithm), fmt::format("{}", fmt::join(options, ", "))});
+  }
+  return table;
+}
+
+Table machine_table(const StudyResults& study) {
+  Table table = settings("Machine");
+  for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})
+    add_setting(table, with_blanks(fact), fmt::format("{}", fmt::join(facts_of(study, fact), "; ")));
+  return table;
+}
+
+}  // namespace
 
 Report report_of(JudgedStudy judged, std::vector<figures::Figure> figures) {
   Report report{.answer = answer_of(judged), .figures = std::move(figures)};
@@ -37,9 +166,6 @@ std::vector<Blocks> sections_of(const Report& report) {
   };
   if (!report.claims.empty()) sections.push_back(report.claims);
   add("Pictures", {report.figures.begin(), report.figures.end()});
-  std::vector<std::string> solvers;
-  for (const std::size_t i : report.answer.order)
-    solvers.push_back(report.answer.decisive().observations.groups[i].name);
   add("Control loop", {report.answer.loop});
   std::ranges::copy(report.additions, std::back_inserter(sections));
   const Answer brief = with_short_names(report.answer, longest_name);
@@ -49,7 +175,7 @@ std::vector<Blocks> sections_of(const Report& report) {
   numbers.in_article = {descriptives_table(brief)};
   add("Who is better?", {std::move(pairs)});
   if (!report.has_own_numbers) {
-    add("All numbers", {std::move(numbers), solves_table(report.study, solvers), extras_table(report.study, solvers)});
+    add("All numbers", {std::move(numbers), solves_table(report), extras_table(report)});
     Table all = anova_table(report.answer), first = all;  // on the page those of one metric
     std::erase_if(first.rows, [&](const auto& row) {
       return std::get<std::string>(row[0]) != std::get<std::string>(all.rows.front()[0]);

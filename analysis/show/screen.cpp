@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/show/answer_tables.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 

@@ -1,13 +1,11 @@
-// The writers of tables.
+#include "analysis/show/table.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
-#include "analysis/show/block.hpp"
 #include "analysis/show/text.hpp"
 #include "base/csv.hpp"
 #include "base/json.hpp"
@@ -192,9 +190,7 @@ std::string member_name(const Column& column, std::string_view member) {
 // -1.2e-05 as $-1.2 \times 10^{-5}$, which no escaping may touch.
 std::string latex_number(double value, int digits) {
   const std::string text = number_text(value, digits);
-  const std::size_t e = text.find('e');
-  if (e != std::string::npos)
-    return fmt::format("${} \\times 10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
+  if (text.find('e') != std::string::npos) return latex_text(text);
   return text.size() > 1 && text[0] == '-' ? fmt::format("${}$", text) : text;
 }
 

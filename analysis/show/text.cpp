@@ -10,7 +10,6 @@
 #include <span>
 #include <utility>
 
-#include "base/names.hpp"
 #include "base/number.hpp"
 
 namespace ikbench::show {

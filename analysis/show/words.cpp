@@ -1,10 +1,12 @@
 #include "analysis/show/words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "analysis/show/text.hpp"
@@ -22,8 +24,9 @@ bool counts(const JudgedMetric& judged) {  // 88 of 100
   return is_share(judged) && judged.observations.trials == 1;
 }
 
-const std::string& solver_name(const JudgedMetric& judged, std::size_t group) {
-  return judged.observations.groups[group].name;
+// "5 mm"; empty for none.
+std::string limit(double value, std::string_view unit) {
+  return value > 0 ? fmt::format("{}{}", number_text(value), unit) : "";
 }
 
 // "1 point", "2.5 cm".
@@ -90,7 +93,7 @@ std::string numbers_of(const Answer& answer, bool is_named) {
   const std::size_t equals = is_solved ? equals_of(judged, order) : 1;
   std::vector<std::string> firsts, others;
   for (const std::size_t i : order) {
-    const std::string& name = solver_name(judged, i);
+    const std::string& name = judged.observations.groups[i].name;
     if (firsts.size() < equals)
       firsts.push_back(name);
     else
@@ -189,13 +192,12 @@ Sentence unbeaten(const Answer& answer) {
   const std::vector<std::string> apart = not_compared(answer);
   const auto is_apart = [&](const std::string& name) { return std::ranges::count(apart, name) > 0; };
   const auto beaten = [&](const std::string& solver) { return against(solver, Verdict::better).size(); };
-  for (const std::size_t i : answer.order) {
-    const std::string& name = solver_name(judged, i);
+  for (const std::string& name : answer.solvers()) {
     if (!is_apart(name) && against(name, Verdict::worse).empty()) rest.push_back(name);
   }
   if (apart.size() == answer.order.size())
     return {"Not tested" + since(answer, apart), ": " + numbers_of(answer, true)};
-  const bool do_untested_lead = !apart.empty() && apart.front() == solver_name(judged, answer.order.front());
+  const bool do_untested_lead = !apart.empty() && apart.front() == answer.solvers().front();
   const std::size_t first =
       do_untested_lead || rest.empty() ? answer.order.front() : place_of(judged.observations, rest.front());
   const auto told = [&](std::vector<std::string> names, const std::string& winner = "") {
@@ -241,8 +243,7 @@ Sentence unbeaten(const Answer& answer) {
   }
   const auto leader = std::ranges::max_element(rest, {}, beaten);
   ByWord losers;  // by who beats them
-  for (const std::size_t i : answer.order) {
-    const std::string& name = solver_name(judged, i);
+  for (const std::string& name : answer.solvers()) {
     const std::vector<std::string> better = against(name, Verdict::worse);
     if (better.empty() || are_losers_told || is_apart(name)) continue;
     const std::string& winner =
@@ -302,6 +303,15 @@ std::string most_p(const JudgedMetric& judged) {
              : fmt::format(" (p {}{})", most < 0.0001 ? "" : "at most ", p_text(most, {judged.plan.significance}));
 }
 
+// "better in 43 %, worse in 3 % of comparisons"
+std::string effect_words(const Finding& finding) {
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  if (!tested || !tested->effect || !is_difference(tested->verdict)) return "";
+  const auto& [ahead, behind] = *tested->effect;
+  return fmt::format("better in {} %, worse in {} % of comparisons", number_text(100 * ahead),
+                     number_text(100 * behind));
+}
+
 // What differs between two whose numbers look alike: ", smaller in 8 of 20 targets, larger in none".
 std::string where_alike(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
@@ -332,8 +342,8 @@ Sentence best(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const std::vector<std::size_t>& order = answer.order;
   std::vector<std::string> names, beaten;
-  for (const std::size_t i : order)
-    (names.size() < judged.headline.best.size() ? names : beaten).push_back(solver_name(judged, i));
+  for (const std::string& name : answer.solvers())
+    (names.size() < judged.headline.best.size() ? names : beaten).push_back(name);
   const std::string losers = beaten.size() <= 2 ? listed(beaten) : fmt::format("each of the {} others", beaten.size());
   const bool are_listed = judged.findings.size() <= most_pairs;
   const bool are_unequal = equals_of(judged, order) < names.size();
@@ -366,7 +376,7 @@ Sentence sentence_of(const Answer& answer) {
   if (const std::string equal = all_solved(answer); !equal.empty()) return {equal};
   if (judged.findings.empty()) {
     const bool is_solved = judged.observations.metric == "solved";
-    return {(is_solved ? "" : solver_name(judged, 0) + ": ") + numbers_of(answer, is_solved)};
+    return {(is_solved ? "" : judged.observations.groups[0].name + ": ") + numbers_of(answer, is_solved)};
   }
   if (head.is_circle) return {"No solver is best, since each is worse than another", ": " + numbers_of(answer, true)};
   if (!judged.plan.control.empty() && answer.order.size() > 2) return {against_control(answer)};
@@ -403,8 +413,7 @@ std::vector<std::string> not_compared(const Answer& answer) {
     return std::ranges::count(names, name) > 0;
   };
   std::vector<std::vector<std::string>> fields;  // whom tests join
-  for (const std::size_t i : answer.order) {
-    const std::string& name = solver_name(judged, i);
+  for (const std::string& name : answer.solvers()) {
     if (std::ranges::any_of(fields, [&](const auto& field) { return is_in(field, name); })) continue;
     std::vector<std::string>& field = fields.emplace_back(1, name);
     for (std::size_t k = 0; k < field.size() && field.size() < answer.order.size(); ++k) {
@@ -420,8 +429,7 @@ std::vector<std::string> not_compared(const Answer& answer) {
   const std::set<std::string> losers = losers_of(judged.findings);
   std::string leader;
   std::vector<std::string> apart;
-  for (const std::size_t i : answer.order) {
-    const std::string& name = solver_name(judged, i);
+  for (const std::string& name : answer.solvers()) {
     const bool is_first = leader.empty() && !losers.contains(name) && is_in(largest, name);
     if (is_first) leader = name;
     const Finding* const pair = leader.empty() || is_first ? nullptr : finding_of(judged, leader, name);
@@ -518,14 +526,6 @@ std::vector<double> ends_of(const Finding& finding, const JudgedMetric& judged) 
   return {0, end, -end};
 }
 
-std::string effect_words(const Finding& finding) {
-  const auto* const tested = std::get_if<Tested>(&finding.what);
-  if (!tested || !tested->effect || !is_difference(tested->verdict)) return "";
-  const auto& [ahead, behind] = *tested->effect;
-  return fmt::format("better in {} %, worse in {} % of comparisons", number_text(100 * ahead),
-                     number_text(100 * behind));
-}
-
 std::string amount_words(const Finding& finding, const JudgedMetric& judged) {
   constexpr double least = 5e-5;  // of a ratio from 1: beyond the digits that readers see
   const Amount* const amount = amount_of(finding);
@@ -557,6 +557,48 @@ std::vector<std::vector<std::string>> pair_rows(const Answer& answer) {
     }
   }
   return rows;
+}
+
+std::string stops_of(const StudyResults& study) {
+  const numerics::StopRule& stop = study.definition.stop;
+  std::vector<std::string> tolerances{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg")};
+  std::erase(tolerances, "");
+  std::vector<std::string> stops{listed(tolerances), limit(static_cast<double>(stop.iterations), " iterations"),
+                                 limit(static_cast<double>(stop.evaluations), " evaluations"),
+                                 limit(1000 * stop.seconds, " ms")};
+  std::erase(stops, "");
+  return listed(stops, " or ");
+}
+
+std::string ends_of_unsolved(const StudyResults& study) {
+  if (!study.definition.has_tolerance()) return "";  // nothing is solved or not
+  ByWord reasons;
+  for (const std::string& label : study.labels) {
+    std::set<std::string> of_label;
+    for (const Solve& solve : study.of(label)) {
+      if (solve.status != results::Status::ok)
+        of_label.insert(!results::is_in_order(solve.status) ? with_blanks(results::name_of(solve.status))
+                        : solve.stop_reason == results::StopReason::finished
+                            ? "the solver itself"
+                            : with_blanks(results::name_of(solve.stop_reason)));
+    }
+    if (!of_label.empty()) reasons.add(listed({of_label.begin(), of_label.end()}, " or "), label);
+  }
+  return reasons.all.empty() ? ""
+                             : fmt::format("What ended unsolved solves: {}.", fmt::join(reasons.told("{} ({})"), "; "));
+}
+
+const std::string& title_of(const StudyResults& study) {
+  return study.definition.title.empty() ? study.name : study.definition.title;
+}
+
+std::string what_is_solved(const StudyResults& study) {
+  const results::Definition& definition = study.definition;
+  const bool is_one_each = definition.draws_targets && definition.points == 1;
+  return fmt::format("{}, {}{} ({})", std::filesystem::path(definition.robot).stem().string(),
+                     is_one_each ? "" : base::counted(definition.runs, "runs") + " of ",
+                     base::counted(is_one_each ? definition.runs : definition.points, "targets"),
+                     with_blanks(definition.path));
 }
 
 }  // namespace ikbench::show

@@ -42,7 +42,6 @@ struct ReasonWords {
 ReasonWords words_of(judge::Open::Why why);
 std::string reason_of(const judge::Open& open, std::string_view noun);  // "8 runs are too few, 10 are needed"
 std::string enough_words(const judge::Finding& finding);  // "about 340 could decide it"; empty if nobody knows
-std::string effect_words(const judge::Finding& finding);  // "better in 43 %, worse in 3 % of comparisons"
 std::string warning_of(const judge::Doubt& doubt);        // a sentence
 // "times", "points", or the metric's unit.
 std::string unit_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
@@ -56,5 +55,13 @@ std::vector<std::vector<std::string>> pair_rows(const Answer& answer);
 std::vector<double> ends_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
 // "5 %", "5 points", "5 % or 0.1 mm"
 std::string margin_words(const judge::JudgedMetric& judged);
+
+// Of a study: its title, or its name.
+const std::string& title_of(const judge::StudyResults& study);
+// "ur5e, 20 runs of 5 targets (random)"
+std::string what_is_solved(const judge::StudyResults& study);
+std::string stops_of(const judge::StudyResults& study);  // "0.01 mm or 10000 evaluations"
+// "What ended unsolved solves: evaluations (DLS); gave up or iterations (PSO and DE)."; empty if all are solved.
+std::string ends_of_unsolved(const judge::StudyResults& study);
 
 }  // namespace ikbench::show

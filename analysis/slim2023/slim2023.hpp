@@ -1,5 +1,5 @@
-// What Slim et al. 2023 adds to a report: figures, Tables 3 to 8 beside the printed
-// numbers, and the answer in some sentences.
+// What Slim et al. 2023 adds to a report: figures, Tables 3 to 8 beside the printed numbers, and the answer in some
+// sentences.
 #pragma once
 
 #include <array>
@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
-#include "analysis/figures/of_study.hpp"
+#include "analysis/figures/look.hpp"
 #include "analysis/judge/judge.hpp"
-#include "analysis/papers/claims.hpp"
+#include "analysis/papers/repeated.hpp"
+#include "analysis/papers/rules.hpp"
+#include "analysis/show/block.hpp"
 
 namespace ikbench::slim2023 {
 

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include "analysis/figures/figure.hpp"
+#include "analysis/figures/look.hpp"
 #include "analysis/figures/of_study.hpp"
 #include "analysis/figures/parts.hpp"
 #include "analysis/figures/plots.hpp"
+#include "analysis/figures/rows.hpp"
 #include "analysis/slim2023/slim2023.hpp"
 #include "base/child_process.hpp"
 #include "base/files.hpp"

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "analysis/judge/judge.hpp"
+#include "analysis/show/answer_tables.hpp"
 #include "analysis/show/publish.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/words.hpp"

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "analysis/judge/judge.hpp"
+#include "analysis/show/answer_tables.hpp"
+#include "analysis/show/article.hpp"
 #include "analysis/show/block.hpp"
 #include "analysis/show/moving_arm.hpp"
 #include "analysis/show/page.hpp"

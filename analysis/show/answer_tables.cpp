@@ -1,17 +1,17 @@
+#include "analysis/show/answer_tables.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <set>
 #include <utility>
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/figures/plots.hpp"
-#include "analysis/show/answer.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "base/json.hpp"
@@ -20,7 +20,6 @@
 namespace ikbench::show {
 
 using namespace judge;
-using Json = base::OrderedJson;
 
 namespace {
 
@@ -116,16 +115,6 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   return cell;
 }
 
-void add_setting(Table& table, std::string what, std::string value) {
-  if (!value.empty()) table.rows.push_back({std::move(what), std::move(value)});
-}
-
-Table settings(std::string caption) { return {.caption = std::move(caption), .columns = {{"what"}, {"value"}}}; }
-
-std::string limit(double value, std::string_view unit) {
-  return value > 0 ? fmt::format("{}{}", number_text(value), unit) : "";
-}
-
 // Whom the stars are about: without a control, those of the deciding metric need not be about the reference.
 std::string of_whom(const Answer& answer, const std::string& reference) {
   std::set<std::string> others = losers_of(answer.decisive().findings);
@@ -135,18 +124,55 @@ std::string of_whom(const Answer& answer, const std::string& reference) {
   return answer.decisive().plan.control.empty() && !others.empty() ? "another solver" : reference;
 }
 
-}  // namespace
-
-std::string reference_of(const Answer& answer) {
-  const JudgedMetric& decisive = answer.decisive();
-  if (!decisive.plan.control.empty()) return decisive.plan.control;
-  return decisive.observations.groups[answer.order[0]].name;
+Tone tone_of(Verdict verdict) {
+  return verdict == Verdict::better ? Tone::good : verdict == Verdict::worse ? Tone::bad : Tone::neutral;
 }
+
+// The same members for every pair, null where nothing is known.
+base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
+  using Json = base::OrderedJson;
+  constexpr std::array<const char*, 6> verdicts{"better", "worse", "same", "equal", "undecided", "not_tested"};
+  constexpr std::array<const char*, 3> sizes{"matters", "usually_small", "small"};
+  const Amount* const amount = amount_of(finding);
+  const auto* const ends = amount && amount->interval ? &*amount->interval : nullptr;
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  const auto* const open = std::get_if<Open>(&finding.what);
+  const auto* const effect = tested && tested->effect ? &*tested->effect : nullptr;
+  const Verdict verdict = verdict_of(finding);
+  const int enough = tested ? tested->enough : open ? open->needed : 0;
+  return {{"metric", judged.observations.quantity},
+          {"first", finding.first},
+          {"second", finding.second},
+          {"estimate", amount ? base::json_of(amount->value) : Json()},
+          {"low", ends ? base::json_of(ends->low) : Json()},
+          {"high", ends ? base::json_of(ends->high) : Json()},
+          {"excluded", ends && ends->excludes_low    ? Json("low")
+                       : ends && ends->excludes_high ? Json("high")
+                                                     : Json()},
+          {"unit", amount ? Json(unit_of(finding, judged)) : Json()},
+          {"p", tested ? Json(tested->p) : Json()},
+          {"a12", effect ? Json(effect->a12()) : Json()},
+          {"ahead", effect ? Json(effect->ahead) : Json()},
+          {"behind", effect ? Json(effect->behind) : Json()},
+          {"g", tested && tested->g ? Json(*tested->g) : Json()},
+          {"test", tested ? Json(tested->test) : Json()},
+          {"n", tested ? Json(tested->n)
+                : open ? Json(open->n)
+                       : Json()},
+          {"n_that_could_decide", enough > 0 ? Json(enough) : Json()},
+          {"verdict", verdicts[static_cast<std::size_t>(verdict)]},
+          {"size", tested && is_difference(verdict) ? Json(sizes[static_cast<std::size_t>(tested->size)]) : Json()},
+          {"reason", tested ? Json()
+                     : open ? Json(words_of(open->why).key)
+                            : Json("certain")}};
+}
+
+}  // namespace
 
 Table results_table(const Answer& answer) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
   const JudgedMetric& decisive = answer.decisive();
-  for (const std::size_t i : answer.order) table.rows.push_back({decisive.observations.groups[i].name});
+  for (const std::string& solver : answer.solvers()) table.rows.push_back({solver});
   const std::string reference = reference_of(answer);
   const std::set<std::string> losers = losers_of(decisive.findings);
   const std::vector<std::string> apart = not_compared(answer);
@@ -189,8 +215,7 @@ Table results_table(const Answer& answer) {
     for (const std::string& reason : here) reasons.add(reason, observed.quantity);
     if (!are_counted) continue;
     std::vector<std::string> solved;
-    for (const std::size_t i : answer.order) {
-      const std::string& solver = decisive.observations.groups[i].name;
+    for (const std::string& solver : answer.solvers()) {
       const std::size_t place = place_of(observed, solver);
       if (place < judged.described.size()) solved.push_back(fmt::format("{} {}", solver, judged.described[place].n));
     }
@@ -240,12 +265,6 @@ Table results_table(const Answer& answer) {
   if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
   std::ranges::move(counts.told("{1}: {0}."), std::back_inserter(table.notes));
   table.notes.insert(table.notes.end(), answer.notes.begin(), answer.notes.end());
-  return table;
-}
-
-Table warned_results(const Answer& answer) {
-  Table table = results_table(answer);
-  for (const Doubt& doubt : answer.all_doubts()) table.notes.push_back(warning_of(doubt));
   return table;
 }
 
@@ -394,14 +413,6 @@ std::string of_pairs(const Answer& answer) {
                      answer.noun);
 }
 
-namespace {
-
-Tone tone_of(Verdict verdict) {
-  return verdict == Verdict::better ? Tone::good : verdict == Verdict::worse ? Tone::bad : Tone::neutral;
-}
-
-}  // namespace
-
 Table pairs_table(const Answer& answer) {
   Table table{.name = "pairs",
               .caption = "The first against the second",
@@ -463,15 +474,6 @@ Table told_pairs(const Answer& answer) {
   return table;
 }
 
-Table pairs_of_article(const Answer& answer) {
-  Answer deciding = answer;
-  deciding.metrics.resize(1);
-  Table table = told_pairs(deciding);
-  table.caption += ": " + answer.decisive().observations.quantity;
-  for (auto& row : table.rows) row[0] = {};  // in the caption: writers leave out what is empty
-  return table;
-}
-
 Table descriptives_table(const Answer& answer) {
   Table table{
       .name = "descriptives",
@@ -484,8 +486,8 @@ Table descriptives_table(const Answer& answer) {
     const Observations& observed = judged.observations;
     if (observed.is_of_solved) of_solved.push_back(observed.quantity);
     if (observed.are_logs) of_all.push_back(observed.quantity);
-    for (const std::size_t place : answer.order) {
-      const std::size_t i = place_of(observed, answer.decisive().observations.groups[place].name);
+    for (const std::string& solver : answer.solvers()) {
+      const std::size_t i = place_of(observed, solver);
       if (i == observed.groups.size()) continue;
       const Description& its = judged.described[i];
       const Group& group = observed.groups[i];
@@ -539,151 +541,6 @@ Table anova_table(const Answer& answer) {
   return table;
 }
 
-namespace {
-
-bool has_failed(const StudyResults& study, const Solve& solve) {
-  return study.definition.has_tolerance() ? solve.status != results::Status::ok : !gave_answer(solve);
-}
-
-}  // namespace
-
-Table solves_table(const StudyResults& study, const std::vector<std::string>& solvers) {
-  Table table{.name = "solves", .caption = "Single solves", .columns = columns_of({"solver", "solves", "failed"})};
-  for (const char* of_times : {"median", "95 %", "99 %", "99.9 %", "largest"})
-    table.columns.push_back({of_times, "ms"});
-  const Metric& time = metric_named("seconds");
-  for (const std::string& solver : solvers) {
-    const Solves all = study.of(solver);
-    std::vector<double> times;
-    std::int64_t failed = 0;
-    for (const Solve& solve : all) {
-      failed += has_failed(study, solve);
-      if (const double seconds = time.value(solve, study); std::isfinite(seconds)) times.push_back(1000 * seconds);
-    }
-    if (all.size() < 2) continue;
-    std::ranges::sort(times);
-    auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(all), failed});
-    for (const double share : {0.5, 0.95, 0.99, 0.999}) {
-      const bool is_beyond = static_cast<double>(times.size()) * (1 - share) < 1 - 1e-9;  // rarer than so many can show
-      row.push_back(times.empty() || is_beyond ? Cell() : Cell(quantile(times, share)));
-    }
-    row.push_back(times.empty() ? Cell() : Cell(times.back()));
-  }
-  table.notes = {
-      "Time of each solve that gave an answer, solved or not. Left out is what so few solves cannot show: it is "
-      "at least the largest."};
-  return table;
-}
-
-Table extras_table(const StudyResults& study, const std::vector<std::string>& solvers) {
-  Table table{.name = "extras", .caption = "Numbers of the solvers' own, medians", .columns = columns_of({"solver"})};
-  for (const auto& [name, by_solver] : study.extras) table.columns.push_back({name});
-  for (const std::string& solver : solvers) {
-    std::vector<Cell> row{solver};
-    for (const auto& [name, by_solver] : study.extras) {
-      const auto values = by_solver.find(solver);
-      row.push_back(values == by_solver.end() ? Cell() : Cell(described(values->second).median));
-    }
-    if (std::ranges::any_of(row, [](const Cell& cell) { return std::holds_alternative<double>(cell); }))
-      table.rows.push_back(std::move(row));
-  }
-  return table;
-}
-
-Table loop_table(const StudyResults& study, const std::vector<std::string>& solvers) {
-  const double period = study.definition.loop.period;
-  const std::vector<double> ends{0, 100};
-  Table table{.name = "loop",
-              .caption = fmt::format("A control loop of {} ms", number_text(1000 * period)),
-              .columns = {{"solver"},
-                          {.name = "failed", .unit = "%", .ends = ends},
-                          {.name = "late", .unit = "%", .ends = ends},
-                          {"late in a row"},
-                          {"largest step", "deg"},
-                          {.name = "too fast", .unit = "%", .ends = ends}}};
-  const auto& all_steps = study.definition.steps;
-  std::vector<std::string> unlimited;
-  for (std::size_t j = 0; j < all_steps.size(); ++j) {
-    if (std::isinf(all_steps[j].first)) unlimited.push_back(fmt::format("joint {}", j + 1));
-  }
-  bool is_all_timed = true, is_any_timed = false;
-  for (const std::string& solver : solvers) {
-    const Solves all = study.of(solver);
-    if (period == 0 || all.empty()) continue;
-    double failed = 0, late = 0, steps = 0, too_fast = 0, largest = 0;
-    std::int64_t in_a_row = 0, most = 0;
-    bool is_timed = true;
-    for (const Solve& solve : all) {
-      is_timed &= solve.timing == results::Timing::clean || solve.timing == results::Timing::process;
-      failed += has_failed(study, solve);
-      late += solve.is_late;
-      in_a_row = solve.is_late ? 1 + (solve.point > 1 ? in_a_row : 0) : 0;
-      most = std::max(most, in_a_row);
-      if (solve.point == 1) continue;
-      ++steps;
-      too_fast += solve.is_too_fast;
-      largest = std::max(largest, solve.largest_move_deg);
-    }
-    is_all_timed &= is_timed, is_any_timed |= is_timed;
-    const auto percent = [](double count, double of) { return of > 0 ? Cell(100 * count / of) : Cell(); };
-    const auto n = static_cast<double>(all.size());
-    table.rows.push_back({solver, percent(failed, n), is_timed ? percent(late, n) : Cell(),
-                          is_timed ? Cell(most) : Cell(), largest,
-                          unlimited.size() == all_steps.size() ? Cell() : percent(too_fast, steps)});
-  }
-  table.notes = {fmt::format(
-      "{}. Steps are of one joint that turns, between two targets{}.",
-      is_all_timed ? "Late: longer than the period, or without an answer"
-                   : fmt::format("{}of solves at once and of a debug build it is not known who is late",
-                                 is_any_timed ? "Late: longer than the period, or without an answer; " : ""),
-      unlimited.size() == all_steps.size()
-          ? "; which are too fast is not known, since no velocity limit of this arm is"
-          : fmt::format("; too fast: further than the velocity limit of a joint allows in a period{}",
-                        unlimited.empty() ? "" : ", of which none is known of " + listed(unlimited)))};
-  return table;
-}
-
-// The same members for every pair, null where nothing is known.
-base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
-  constexpr std::array<const char*, 6> verdicts{"better", "worse", "same", "equal", "undecided", "not_tested"};
-  base::OrderedJson json{{"metric", judged.observations.quantity}, {"first", finding.first}};
-  json["second"] = finding.second;
-  for (const char* member : {"estimate", "low", "high", "excluded", "unit", "p", "a12", "ahead", "behind", "g", "test",
-                             "n", "n_that_could_decide", "verdict", "size", "reason"})
-    json[member] = nullptr;
-  if (const Amount* const amount = amount_of(finding)) {
-    json["estimate"] = base::json_of(amount->value);
-    json["unit"] = unit_of(finding, judged);
-    if (const auto& ends = amount->interval) {
-      json["low"] = base::json_of(ends->low);
-      json["high"] = base::json_of(ends->high);
-      if (ends->excludes_low || ends->excludes_high) json["excluded"] = ends->excludes_low ? "low" : "high";
-    }
-  }
-  if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
-    json["p"] = tested->p;
-    if (const auto& effect = tested->effect) {
-      json["a12"] = effect->a12();
-      json["ahead"] = effect->ahead;
-      json["behind"] = effect->behind;
-    }
-    if (tested->g) json["g"] = *tested->g;
-    constexpr std::array<const char*, 3> sizes{"matters", "usually_small", "small"};
-    if (is_difference(tested->verdict)) json["size"] = sizes[static_cast<std::size_t>(tested->size)];
-    json["test"] = tested->test;
-    json["n"] = tested->n;
-    if (tested->enough > 0) json["n_that_could_decide"] = tested->enough;
-  } else if (const auto* const open = std::get_if<Open>(&finding.what)) {
-    json["n"] = open->n;
-    if (open->needed > 0) json["n_that_could_decide"] = open->needed;
-    json["reason"] = words_of(open->why).key;
-  } else {
-    json["reason"] = "certain";
-  }
-  json["verdict"] = verdicts[static_cast<std::size_t>(verdict_of(finding))];
-  return json;
-}
-
 base::OrderedJson to_json(const Answer& answer) {
   base::OrderedJson findings = base::OrderedJson::array(), doubts = findings, direction;
   for (const JudgedMetric& judged : answer.metrics) {
@@ -699,94 +556,6 @@ base::OrderedJson to_json(const Answer& answer) {
           {"direction", std::move(direction)},
           {"doubts", std::move(doubts)},
           {"notes", answer.notes}};
-}
-
-Table study_table(const StudyResults& study) {
-  const results::Definition& definition = study.definition;
-  Table table = settings("Study");
-  add_setting(table, "study",
-              definition.title.empty() ? study.name : fmt::format("{}: {}", study.name, definition.title));
-  add_setting(table, "arm",
-              definition.tip_link.empty()
-                  ? definition.robot
-                  : fmt::format("{}, from link {} to {}", definition.robot, definition.base_link, definition.tip_link));
-  for (const std::string& note : definition.arm_notes) add_setting(table, "arm as read", note);
-  add_setting(table, "targets",
-              fmt::format("{} a run, {}{}", definition.points, with_blanks(definition.path),
-                          definition.draws_targets ? ", drawn for each run anew" : ""));
-  add_setting(table, "search", with_blanks(name_of(definition.search)));
-  add_setting(table, "start",
-              definition.is_chained() ? "where the last solve left the arm" : with_blanks(name_of(definition.start)));
-  add_setting(table, "candidates outside limits", with_blanks(name_of(definition.bounds)));
-  add_setting(table, "answers outside limits", std::string(name_of(definition.limits)));
-  add_setting(table, "a solve ends at", stops_of(study));
-  add_setting(table, "runs", fmt::to_string(definition.runs));
-  add_setting(table, "seed", fmt::to_string(definition.seed));
-  for (const std::string& departure : definition.departures)
-    add_setting(table, "departs from the published study", departure);
-  return table;
-}
-
-std::string stops_of(const StudyResults& study) {
-  const numerics::StopRule& stop = study.definition.stop;
-  std::vector<std::string> tolerances{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg")};
-  std::erase(tolerances, "");
-  std::vector<std::string> stops{listed(tolerances), limit(static_cast<double>(stop.iterations), " iterations"),
-                                 limit(static_cast<double>(stop.evaluations), " evaluations"),
-                                 limit(1000 * stop.seconds, " ms")};
-  std::erase(stops, "");
-  return listed(stops, " or ");
-}
-
-std::string ends_of_unsolved(const StudyResults& study) {
-  if (!study.definition.has_tolerance()) return "";  // nothing is solved or not
-  ByWord reasons;
-  for (const std::string& label : study.labels) {
-    std::set<std::string> of_label;
-    for (const Solve& solve : study.of(label)) {
-      if (solve.status != results::Status::ok)
-        of_label.insert(!results::is_in_order(solve.status) ? with_blanks(results::name_of(solve.status))
-                        : solve.stop_reason == results::StopReason::finished
-                            ? "the solver itself"
-                            : with_blanks(results::name_of(solve.stop_reason)));
-    }
-    if (!of_label.empty()) reasons.add(listed({of_label.begin(), of_label.end()}, " or "), label);
-  }
-  return reasons.all.empty() ? ""
-                             : fmt::format("What ended unsolved solves: {}.", fmt::join(reasons.told("{} ({})"), "; "));
-}
-
-const std::string& title_of(const StudyResults& study) {
-  return study.definition.title.empty() ? study.name : study.definition.title;
-}
-
-std::string what_is_solved(const StudyResults& study) {
-  const results::Definition& definition = study.definition;
-  const bool is_one_each = definition.draws_targets && definition.points == 1;
-  return fmt::format("{}, {}{} ({})", std::filesystem::path(definition.robot).stem().string(),
-                     is_one_each ? "" : base::counted(definition.runs, "runs") + " of ",
-                     base::counted(is_one_each ? definition.runs : definition.points, "targets"),
-                     with_blanks(definition.path));
-}
-
-Table options_table(const StudyResults& study) {
-  Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}};
-  for (const results::Series& series : study.series) {
-    std::vector<std::string> options;
-    const auto json = base::parsed_ordered_json(series.options);
-    for (auto option = json.begin(); json.is_object() && option != json.end(); ++option)
-      options.push_back(fmt::format("{} = {}", option.key(),
-                                    option->is_string() ? option->get<std::string>() : base::text_of(*option)));
-    table.rows.push_back({series.label, with_blanks(series.algorithm), fmt::format("{}", fmt::join(options, ", "))});
-  }
-  return table;
-}
-
-Table machine_table(const StudyResults& study) {
-  Table table = settings("Machine");
-  for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})
-    add_setting(table, with_blanks(fact), fmt::format("{}", fmt::join(facts_of(study, fact), "; ")));
-  return table;
 }
 
 }  // namespace ikbench::show

@@ -1,0 +1,110 @@
+#include "analysis/figures/look.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "base/names.hpp"
+
+namespace ikbench::figures {
+
+using namespace judge;
+using namespace results;
+
+namespace {
+
+// By place in the palette. In most studies of up to seven solvers all places are different.
+const std::vector<std::vector<std::string_view>> own_solvers{{"ik_bat"},
+                                                             {"bat", "newton"},
+                                                             {"differential_evolution", "nlopt"},
+                                                             {"particle_swarm"},
+                                                             {"k_artificial_bee_colony", "levenberg_marquardt"},
+                                                             {"multi_objective_swarm", "damped_least_squares"},
+                                                             {"random_search", "kdl_newton"}};
+
+// The place of a colour, which is added if the palette lacks it.
+std::size_t place_in(std::vector<std::string>& palette, const std::string& colour) {
+  const auto is_same = [&](const std::string& other) { return hex_colour(other) == hex_colour(colour); };
+  const auto found = std::ranges::find_if(palette, is_same);
+  const auto place = static_cast<std::size_t>(found - palette.begin());
+  if (found == palette.end()) palette.push_back(colour);
+  return place;
+}
+
+}  // namespace
+
+std::map<std::string, int> line_styles(const std::vector<Series>& solvers, FigureStyle& style) {
+  constexpr std::size_t markers = 13;  // style.gp
+  const std::size_t own_colours = style.palette.size();
+  for (const auto& [label, colour] : style.colours) place_in(style.palette, colour);
+  const std::size_t hues = style.palette.size();
+  std::vector<std::pair<std::string, std::size_t>> given;  // by algorithm
+  std::map<std::string, int> styles;
+  // Gives one of these places that fewest have, then the style that fewest have, whose marker fewest variants have.
+  const auto give = [&](const Series& solver, std::size_t from, std::size_t to) {
+    if (styles.contains(solver.label)) return;
+    std::map<std::array<int, 4>, std::size_t> by_users;
+    for (std::size_t i = 0; i < markers * hues; ++i) {
+      if (i % hues < from || i % hues >= to) continue;
+      std::array<int, 4> users{};
+      for (const auto& [algorithm, its] : given) {
+        if (its % hues == i % hues) ++users[0];
+        if (its == i) ++users[1];
+        if (its % markers == i % markers) ++users[algorithm == solver.algorithm ? 2 : 3];
+      }
+      by_users.emplace(users, i);
+    }
+    given.emplace_back(solver.algorithm, by_users.begin()->second);
+    styles.emplace(solver.label, static_cast<int>(1 + given.back().second));
+  };
+  for (const Series& solver : solvers) {
+    if (!style.colours.contains(solver.label)) continue;
+    const std::size_t place = place_in(style.palette, style.colours.at(solver.label));
+    give(solver, place, place + 1);
+  }
+  for (const std::size_t n : {std::min(own_colours, solvers.size()), solvers.size()}) {  // the first share no colour
+    for (const Series& solver : std::span(solvers).first(n)) {
+      const auto is_of = [&](const auto& solvers_of) { return std::ranges::count(solvers_of, solver.algorithm) > 0; };
+      const auto place = static_cast<std::size_t>(std::ranges::find_if(own_solvers, is_of) - own_solvers.begin());
+      if (own_colours < own_palette.size() || place == own_solvers.size()) continue;
+      const auto has_it = [&](const auto& other) { return other.second % hues == place; };
+      if (std::ranges::none_of(given, has_it)) give(solver, place, place + 1);
+    }
+    for (const Series& solver : std::span(solvers).first(n)) give(solver, 0, own_colours);
+  }
+  return styles;
+}
+
+Look look_of(std::vector<Series> solvers, FigureStyle style) {
+  std::ranges::stable_sort(solvers, {}, [&](const Series& solver) {  // those that are not shown come last
+    return std::ranges::find(style.solvers, solver.label) - style.solvers.begin();
+  });
+  Look look{.style = std::move(style)};
+  look.lines = line_styles(solvers, look.style);
+  std::vector<std::string> labels;
+  for (const Series& solver : solvers) labels.push_back(solver.label);
+  look.names = base::short_names(labels, 24);
+  return look;
+}
+
+Look look_of(const JudgedStudy& judged, FigureStyle style) {
+  const JudgedMetric& deciding = judged.metrics[judged.deciding];
+  std::vector<Series> solvers = judged.study.series;
+  if (!style.solvers.empty()) return look_of(std::move(solvers), std::move(style));
+  std::vector<std::string> order;
+  for (const std::size_t i : best_first(deciding, judged.metrics))
+    order.push_back(deciding.observations.groups[i].name);
+  const auto is_among_first = [&](const Series& solver) {
+    return std::ranges::find(order, solver.label) - order.begin() < std::ssize(style.palette);
+  };
+  // Which of them has which colour is no matter of its place.
+  std::stable_partition(solvers.begin(), solvers.end(), is_among_first);
+  Look look = look_of(std::move(solvers), std::move(style));
+  look.style.solvers = std::move(order);
+  return look;
+}
+
+}  // namespace ikbench::figures

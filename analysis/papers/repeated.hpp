@@ -1,0 +1,88 @@
+// A paper's study, repeated: our means and rates beside the printed ones.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/figures/figure.hpp"
+#include "analysis/judge/judge.hpp"
+#include "analysis/papers/paper.hpp"
+#include "analysis/papers/published.hpp"
+#include "analysis/show/table.hpp"
+#include "base/csv.hpp"
+
+namespace ikbench::papers {
+
+// A paper's study with its companions.
+struct Repeated {
+  const Paper& paper;
+  std::span<const judge::JudgedStudy> studies;  // the first is the paper's own
+  const base::CsvTable* programs = nullptr;     // robot, solver, n, solved, mean_ms; null: none
+
+  const judge::JudgedStudy& study() const { return studies.front(); }
+  // The companion NAME-part; null if there is none.
+  const judge::JudgedStudy* part(std::string_view part) const;
+  // Each study of which the paper's table of means may be, by itself, the paper's own first.
+  std::vector<Repeated> readings() const;
+  // "20 agents (Sec. 5.3.2)"; empty if the paper's table is of one study.
+  std::string reading() const;
+  // What its name adds to the paper's, for names of tables and figures: "-50".
+  std::string suffix() const { return study().study.name.substr(paper.name.size()); }
+};
+
+// Of its table of means.
+PrintedRows printed_rows(const Paper& paper, const judge::JudgedMetric& judged);
+// Ours beside the printed digits, if there are any.
+show::Cell beside(double ours, const PrintedRow* row, std::size_t statistic);
+// A solver's statistics beside a printed row, with signs; unknown where values are lost. Times have no sign, for
+// machines differ.
+std::vector<show::Cell> beside(const judge::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
+constexpr std::string_view meaning_of_signs =
+    "~ in the range that holds 92 % of such numbers of new studies by our program; x outside";
+// How many of the printed numbers have the sign ~, of how many with a sign.
+struct Explained {
+  std::string reading = {};  // Repeated::reading()
+  std::size_t explained = 0, all = 0;
+  std::vector<std::string> own_missed = {};  // means of the paper's own solver: "error 0.0017 cm (printed 0.0019)"
+
+  void add(const show::Cell& cell);
+};
+Explained explained_by(const Repeated& repeated);
+
+// Means beside the printed ones, a row a solver.
+show::Table means_table(const Repeated& repeated);
+
+// A solver's share of solved targets. The interval is ours, as wide as that of the difference of the two
+// shares: it has the printed one where the two do not differ.
+struct Rate {
+  std::string row;  // the arm as printed, or the solver
+  bool is_picked;
+  double printed, share;
+  judge::Interval interval;
+  double margin;                                              // of the study, which matters
+  double mean_ms = std::numeric_limits<double>::quiet_NaN();  // of a program's solves
+  std::string printed_ms = {};
+
+  // "~": as printed; "x": not; "?": not decided, the interval is wider than twice the margin.
+  std::string_view sign() const {
+    if (printed < interval.low || interval.high < printed) return "x";
+    return interval.high - interval.low <= 2 * margin ? "~" : "?";
+  }
+};
+
+// By solver, of the arms of all studies that the printed table has, in its order; or of its solvers in the paper's own
+// study, under "solved".
+std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated);
+// "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then who fails where; none if none is printed.
+std::vector<std::string> rates_sentences(const Repeated& repeated);
+// Without rows if none is printed.
+show::Table rates_table(const Repeated& repeated);
+// Ours minus the printed ones, with their intervals.
+std::optional<figures::Figure> rates_figure(const Repeated& repeated);
+
+}  // namespace ikbench::papers

@@ -1,0 +1,61 @@
+// The rules that judge claims: each finds a verdict, a number and why.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/judge/judge.hpp"
+#include "analysis/papers/paper.hpp"
+
+namespace ikbench::papers {
+
+struct Repeated;  // repeated.hpp
+
+// in_part: for some of those that it is about, and not for others. undecided: more data could show either. not_tested:
+// nothing here can decide it. Tables have them in this order.
+enum class Holds { holds, in_part, fails, undecided, not_tested };
+std::string_view name_of(Holds holds);
+
+struct JudgedClaim : Claim {
+  Holds holds = Holds::not_tested;
+  std::string number = {};       // the most telling one: "0.0017 cm, K-ABC 0.21"
+  std::string rival = {};        // its part of the best rival: "K-ABC 0.21"
+  std::string evidence = {};     // what tables do not say, in at most two sentences
+  std::string in_readings = {};  // "fails only where none is clamped", or empty
+};
+
+// What a rule finds; none if the report has nothing to judge; several if the sentence is about each "{solver}".
+using JudgedClaims = std::vector<JudgedClaim>;
+
+struct Rule {
+  std::string_view name;
+  JudgedClaims (*verdict)(const Claim& claim, const Repeated& repeated);
+  bool is_of_metrics = true;
+};
+// better: its solvers are better than the others in each metric. ahead: its solver is better than each other in some
+// metric, and worse in none. differ: all differ, by one-way ANOVA. at_rounding: all of its solver's errors are.
+// as_printed: each printed share of solved targets is ours.
+std::span<const Rule> rules();
+
+// How solvers do against others.
+struct Tally {
+  int better = 0, worse = 0, open = 0, untested = 0;
+
+  void add(judge::Verdict verdict);
+  int all() const { return better + worse + open + untested; }
+};
+// All better: holds; one worse: fails; else more data decide.
+Holds holds_of(const Tally& tally);
+// Of one or more: all hold, some, or none; not decided where that depends on open ones.
+Holds holds_of(const std::vector<Holds>& parts);
+
+// Each value as its distance from its group's median (Brown and Forsythe, JASA 69 (1974) 364), whose means are compared
+// in place of spreads.
+judge::Observations deviations(judge::Observations observed);
+
+// Of the first, in the findings of either order.
+judge::Verdict verdict_between(const judge::JudgedMetric& judged, std::string_view first, std::string_view second);
+
+}  // namespace ikbench::papers

@@ -1,0 +1,34 @@
+// The tables of an answer, of several studies' answers, and an answer as JSON. Their numbers are those of the
+// sentences.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/figures/figure.hpp"
+#include "analysis/show/answer.hpp"
+#include "analysis/show/table.hpp"
+
+namespace ikbench::show {
+
+Table results_table(const Answer& answer);  // a row a solver
+// Solvers by studies: of each study its deciding column, in the order of the first. Each study is judged alone.
+Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names);
+// "a and b: DLS is best.\nc: Not decided." What the headline of each begins with.
+std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names);
+std::optional<figures::Figure> studies_figure(const Table& studies, const std::vector<Answer>& answers);  // its shares
+Table without_intervals(Table studies);
+Table with_a_row_a_study(const Table& studies);  // of one unit, without intervals
+Table pairs_table(const Answer& answer);         // a row a pair
+Table told_pairs(const Answer& answer);          // of those the decided, and of many else those of the reference
+std::string what_decides(const Answer& answer);  // what a verdict on another metric is worth; empty if there is none
+std::string of_pairs(const Answer& answer);  // what estimates are of, where they are not those of the averages shown
+Table descriptives_table(const Answer& answer);
+Table anova_table(const Answer& answer);
+
+// The answer as data: headline, groups, tests, findings and doubts.
+nlohmann::ordered_json to_json(const Answer& answer);
+
+}  // namespace ikbench::show

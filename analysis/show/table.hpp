@@ -1,0 +1,104 @@
+// Tables: cells and columns that know what they are, and the writers of tables.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "analysis/judge/observations.hpp"
+#include "analysis/judge/tests_of_two.hpp"
+
+namespace ikbench::show {
+
+// Our number beside a printed one, with the paper's digits; a column of such cells is two for readers.
+struct Printed {
+  double ours;
+  std::string printed;
+  std::string sign = {};  // "~", "x" or "?": whether ours can be it
+};
+// A number with a mark, "*", or its interval or standard deviation, or that is an upper bound; or what stands in its
+// place: a ratio to the reference of the column, or a difference from it, which files of numbers have in a column of
+// their own; or words where a pair that is decided has neither.
+struct Marked {
+  double value;
+  std::string mark = {};
+  bool is_bound = false;
+  std::optional<judge::Interval> interval = {};
+  std::optional<double> sd = {};
+  std::optional<judge::Scale> to_reference = {};
+  bool is_best = false;    // bold in LaTeX
+  std::string words = {};  // in place of the value: "in 61 %"
+};
+// Why a number is not known: "too few to compare".
+struct Absent {
+  std::string why;
+};
+// What was found, which a page colours.
+enum class Tone { neutral, good, bad };
+struct Judgement {
+  std::string words;
+  Tone tone = Tone::neutral;
+};
+// Readers see three digits, and "-" for an empty cell (std::monostate), an absent number and one that is not finite.
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, judge::Interval, Printed, Marked, Absent,
+                          Judgement>;
+
+inline Cell text_cell(std::string text) { return text.empty() ? Cell() : Cell(std::move(text)); }
+
+// What a column is, which writers ask, whatever its name says.
+enum class Role {
+  value,
+  p,         // p-values: "0.0005", "< 0.0001"
+  interval,  // of the number before it: files of numbers have "low", "high" and "excluded"
+  remark,    // which an article leaves out
+  detail     // of files of numbers alone
+};
+
+struct Column {
+  std::string name;
+  std::string unit = {};
+  Role role = Role::value;
+  std::string unit_of_cells = {};  // beside each number that is no ratio, in place of the head
+  std::vector<double> ends = {};   // from which readers tell numbers apart (digits_apart of text.hpp)
+};
+
+// Columns with nothing but names.
+std::vector<Column> columns_of(const std::vector<std::string>& names);
+
+struct Table {
+  std::string name;  // of its files and anchor, with a number perhaps; empty: it has none
+  std::string caption;
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows = {};
+  std::vector<std::string> notes = {};
+  bool is_of_study = true;  // and of no other, so that an article's caption names it
+  // Where it has another form on a page or in an article, that, alone.
+  std::vector<Table> on_page = {}, in_article = {};
+};
+
+// Names that tables with files have: what a later report of the same folder may remove.
+constexpr std::array<std::string_view, 14> names_of_tables{
+    "anova",      "claims", "descriptives", "extras",  "loop",        "means",  "methods",
+    "multiverse", "pairs",  "questions",    "results", "solve-rates", "solves", "table-"};
+
+// "0.1 to 0.8", "above 0 to 0.8"
+std::string interval_text(const judge::Interval& interval, std::string (*number)(double, int),
+                          const std::vector<double>& ends);
+
+// All escape what they are given. An interval and a printed number take two columns of CSV, and two members of JSON;
+// intervals of which one excludes an end take a third, which says "low" or "high".
+std::string to_csv(const Table& table);
+std::string to_markdown(const Table& table);
+std::string to_latex(const Table& table);  // booktabs
+std::string to_html(const Table& table);
+std::string to_text(const Table& table);  // of a screen: units stand at the numbers
+// An object for each row; names of columns in lower case with _ for blanks.
+nlohmann::ordered_json to_json(const Table& table);
+
+}  // namespace ikbench::show
