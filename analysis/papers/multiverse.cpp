@@ -153,8 +153,8 @@ bool happens(const std::vector<Part>& parts, Outcome outcome, const Chosen& with
   return std::ranges::any_of(parts, [&](const Part& part) { return count(part, without).*outcome > 0; });
 }
 
-// "only where a is 1 or (b is 1 and c is 1)": the smallest sets of one or two answers, other than defaults, without
-// which it never happens; of pairs their common answer first, or else each pair in brackets.
+// "only where a=1 (..), or b=1 (..) and c=1 (..)": the smallest sets of one or two answers, other than defaults,
+// without which it never happens; of pairs their common answer first, or else each pair in brackets.
 std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
   if (!happens(parts, outcome, {})) return "nowhere";
   Chosen answers;  // all but the defaults
@@ -164,9 +164,8 @@ std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& p
   if (happens(parts, outcome, answers))
     return number_of_seeds(multiverse) > 1 ? "in some seeds of the default, too" : "in the default, too";
   const auto name_of = [&](const Choice& answer) {
-    const results::Dimension& dimension = multiverse.dimensions[answer.dimension];
-    return (dimension.label.empty() ? "" : "in " + dimension.label + ' ') +
-           dimension.alternatives[answer.alternative].where;
+    const auto& [set, where, scope, except] = multiverse.dimensions[answer.dimension].alternatives[answer.alternative];
+    return fmt::format("{} ({})", set, where);
   };
   Names ones;
   std::vector<Names> twos;
@@ -187,7 +186,7 @@ std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& p
     if (!std::ranges::all_of(twos, [&](const Names& two) { return contains(two, common); })) continue;
     Names others;
     for (const Names& two : twos) others.push_back(two[0] == common ? two[1] : two[0]);
-    return fmt::format("only where {} or ({})", common, fmt::join(others, " and "));
+    return fmt::format("only where {}, or {}", common, fmt::join(others, " and "));
   }
   Names brackets;
   for (const Names& two : twos) brackets.push_back('(' + any_of(two) + ')');
@@ -210,7 +209,11 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
                 .columns = {{"claim"}, {"holds"}, {"fails"}, {"not decided"}, {"it fails"}, {"it is not decided"}},
                 .is_of_study = false}};
   const std::size_t seeds = number_of_seeds(multiverse);
-  std::vector<std::string> sentences;
+  std::vector<std::pair<std::string, Names>> conditions;  // each with its claims
+  const auto add = [&](const std::string& condition, const std::string& claim) {
+    const auto known = std::ranges::find(conditions, condition, &std::pair<std::string, Names>::first);
+    (known == conditions.end() ? conditions.emplace_back(condition, Names()) : *known).second.push_back(claim);
+  };
   for (const Claim& claim : paper.claims) {
     if (!hangs_on_reading(claim)) continue;
     const std::vector<Part> parts = parts_of(multiverse, claim, plan);
@@ -228,28 +231,29 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
         fmt::format("fails {}{}", told(fails), open == 0 ? "" : "; in some others it is not decided");
     result.table.rows.push_back({claim.sentence, hold, fail, open, fails, undecided});
     result.on_screen.rows.push_back({claim.sentence, hold, fail, open});
-    Names where_not;
-    if (fail > 0) where_not.push_back("fails " + told(fails));
-    if (open > 0) where_not.push_back("is not decided " + told(undecided));
-    sentences.push_back(fmt::format(
-        "{}: {}.", claim.sentence, where_not.empty() ? "holds in all" : fmt::format("{}", fmt::join(where_not, "; "))));
+    if (fail + open == 0) add("Holds in all", claim.sentence);
+    if (fail > 0 && !fails.empty()) add("Fails " + fails, claim.sentence);
+    if (open > 0 && !undecided.empty()) add("Not decided " + undecided, claim.sentence);
   }
   const std::string readings = fmt::format("{:.0f} readings, each with {}", multiverse.readings(),
                                            seeds > 1 ? fmt::format("seeds 1 to {}", seeds) : "seed 1");
   const std::size_t solvers = multiverse.solvers.size();
   const std::string rule = fmt::format(
-      "A claim holds where its solvers are better than each rival, and fails where a rival is better, by Welch's t at "
-      "{:g} / {}, the number of pairs.",
+      "A claim holds where its solvers are better than each rival, and fails where a rival is better, by Welch's t "
+      "(spreads: of distances from the median) at {:g} / {} (pairs of solvers).",
       plan.significance, solvers * (solvers - 1) / 2);
   result.table.notes = {fmt::format("{}. {}", readings, rule)};
   show::Table on_page = result.table;  // without counts
   for (std::vector<show::Cell>& row : on_page.rows) row.erase(row.begin() + 1, row.begin() + 4);
   on_page.columns.erase(on_page.columns.begin() + 1, on_page.columns.begin() + 4);
   result.table.on_page = {on_page};
-  result.table.notes.emplace_back("Counts depend on which answers are listed; they are no probabilities.");
+  result.table.notes.emplace_back(
+      "A reading has one answer to each question that the paper leaves open. Counts depend on the answers listed; they are "
+      "no probabilities.");
   result.on_screen.columns.assign(result.table.columns.begin(), result.table.columns.begin() + 4);
   result.on_screen.caption = fmt::format("The claims of {} in {}", paper.name, readings);
-  result.on_screen.notes = std::move(sentences);
+  for (const auto& [condition, claims] : conditions)
+    result.on_screen.notes.push_back(fmt::format("{}: {}.", condition, fmt::join(claims, "; ")));
   result.on_screen.notes.insert(result.on_screen.notes.end(), {rule, result.table.notes.back()});
   return result;
 }

@@ -107,10 +107,10 @@ TEST_CASE("products count what every reading by itself has", "[papers]") {
 TEST_CASE("the smallest sets of answers without which a claim does not fail are told", "[papers]") {
   const Paper& paper = paper_named("slim2023");
   const auto words = [&](const SolvedMultiverse& of, const char* id) { return judged(paper, of, {}).in_readings[id]; };
-  CHECK(words(small(few_runs), "better_than_ba").starts_with("fails only where in IK-BA a is 1 or in BA b is 1"));
-  CHECK(words(small(few_runs), "least_variation") == "fails only where in IK-BA a is 1 or in DE c is 1");
+  CHECK(words(small(few_runs), "better_than_ba").starts_with("fails only where a=1 (a is 1) or b=1 (b is 1)"));
+  CHECK(words(small(few_runs), "least_variation") == "fails only where a=1 (a is 1) or c=1 (c is 1)");
   CHECK(words(small(few_runs), "most_accurate") ==
-        "fails only where in IK-BA a is 1 or in BA b is 1; in some others it is not decided");
+        "fails only where a=1 (a is 1) or b=1 (b is 1); in some others it is not decided");
 
   SolvedMultiverse by_default = small(few_runs);  // and where nothing or the default fails
   for (auto& study : by_default.studies) study.solvers[1] = {chosen(by_default, {}, 9, 50, few_runs)};

@@ -73,7 +73,7 @@ TEST_CASE("the first sentences say whether the conclusion repeats, and on what i
   REQUIRE(sentences.size() == 5);
   CHECK(sentences[0] ==
         "Slim et al. 2023 repeats in its conclusion by both readings, and in 7 of the 60 statistics of error and joint "
-        "motion in Table 3 with 20 agents, 6 with 50 agents; the same program would repeat about 55.");
+        "motion in Table 3 with 20 agents, 6 with 50 agents; the paper's own program would repeat about 55.");
   CHECK(sentences[1] == "IK-BA's own mean error 1 cm and mean motion 2 deg do not repeat with 20 agents.");
   CHECK(slim2023::sentences(claims, {{}})[0] ==
         "Slim et al. 2023 repeats in its conclusion by both readings; so few runs leave 1 claim open.");
