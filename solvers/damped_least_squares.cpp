@@ -41,6 +41,7 @@ class DampedLeastSquares final : public Searcher {
     trial_jacobian_.resize(objective.rows(), problem.joints());
     step_.resize(problem.joints());
     candidate_ = problem.start;
+    restarts_ = 0;
     keep_inside(options_.bounds == Bounds::free ? Bounds::clamp : options_.bounds, problem_, candidate_);
     begin(objective);
   }
@@ -48,7 +49,10 @@ class DampedLeastSquares final : public Searcher {
   void step(Objective& objective, Random& random) override {
     if (failures_ >= options_.patience) {
       candidate_ = best_.q;
-      if (!(best_.error <= options_.small_error)) draw_one_within_limits(problem_, random, candidate_);
+      if (!(best_.error <= options_.small_error)) {
+        draw_one_within_limits(problem_, random, candidate_);
+        ++restarts_;
+      }
       begin(objective);
       return;
     }
@@ -66,6 +70,8 @@ class DampedLeastSquares final : public Searcher {
       growth_ *= 2;
     }
   }
+
+  int restarts() const override { return restarts_; }
 
  private:
   // Starts a descent from the candidate.
@@ -115,7 +121,7 @@ class DampedLeastSquares final : public Searcher {
   Residual to_go_;
   Linearized trial_;
   double merit_ = 0, mu_ = 0, growth_ = 2;
-  int failures_ = 0;
+  int failures_ = 0, restarts_ = 0;
   bool is_outside_ = false;  // at the target, outside the limits
 };
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlopt.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -35,6 +36,7 @@ class NloptSearch : public Searcher {
     calls_ = 0;
   }
   bool finished() const override { return has_ended_; }
+  int restarts() const override { return std::max(0, calls_ - 1); }
 
  protected:
   using Clock = std::chrono::steady_clock;

@@ -75,9 +75,10 @@ TEST_CASE("damped least squares restarts at random where it is stuck, and only t
     if (!reachable) task.target = {2, 0, 0};
     RecordingObjective objective(task.chain, task.target);
     Random random{Key(1)}, untouched{Key(1)};
-    solve(*solver("damped_least_squares").make({{"bounds", "clamp"}}), task.problem, objective, random,
-          {.iterations = 200});
+    const Solution solution = solve(*solver("damped_least_squares").make({{"bounds", "clamp"}}), task.problem,
+                                    objective, random, {.iterations = 200});
     CHECK((random.uniform() == untouched.uniform()) == reachable);
+    CHECK((solution.restarts == 0) == reachable);
     for (const Eigen::VectorXd& q : objective.candidates) REQUIRE(limits.violation(q) == 0);
   }
 }
