@@ -53,8 +53,8 @@ std::string first_sentence(Holds conclusion, const std::vector<Explained>& numbe
           "{}{}{}{}", counts.empty() ? "" : ", ", explained,
           counts.empty() ? fmt::format(" of the {} statistics of error and joint motion in Table 3", all) : "",
           with(reading));
-    return fmt::format("Slim et al. 2023 {}{}{} {}; the paper's own program would repeat about {:.0f}.", words, by, besides,
-                       counts, share_in_ranges * static_cast<double>(numbers.front().all));
+    return fmt::format("Slim et al. 2023 {}{}{} {}; the paper's own program would repeat about {:.0f}.", words, by,
+                       besides, counts, share_in_ranges * static_cast<double>(numbers.front().all));
   }
   const auto open = std::ranges::count_if(  // since too few runs give no range of any number
       claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
