@@ -41,9 +41,11 @@ bool may_be_of_report(const fs::path& file) {
   return folder == "figures" && (name == "style" || std::ranges::any_of(all_figures(), is_of_kind));
 }
 
-// The results.json of a folder, or an empty object.
+// The results.json of a folder, or an empty object; a link may be to another folder's.
 Json results_of(const fs::path& folder) {
-  const auto text = base::read_file(folder / own_files[2]);
+  std::error_code none;
+  const fs::path file = folder / own_files[2];
+  const auto text = fs::is_symlink(file, none) ? std::nullopt : base::read_file(file);
   const Json json = text ? base::parsed_ordered_json(*text) : Json();
   return json.is_object() ? json : Json::object();
 }
@@ -62,8 +64,8 @@ void refuse_others(const fs::path& folder, const std::vector<std::string>& earli
                    const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     std::error_code none;
-    if (std::ranges::count(earlier, file) == 0 &&
-        fs::symlink_status(folder / file, none).type() == fs::file_type::regular)
+    const fs::file_type type = fs::symlink_status(folder / file, none).type();
+    if (std::ranges::count(earlier, file) == 0 && (type == fs::file_type::regular || type == fs::file_type::symlink))
       throw std::invalid_argument(
           fmt::format("'{}' is there, but in no results.json of ikbench; remove it, or choose another folder",
                       (folder / file).string()));
@@ -161,6 +163,10 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
     if (file != "references.bib" || !report.keys.empty()) files.push_back("article/" + file);
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
   std::vector<std::string> earlier = claim(folder, files);
+  std::ranges::copy_if(earlier, std::back_inserter(files),
+                       [](const std::string& file) {  // of a report of several stores
+                         return file.starts_with("tables/studies.") || file.starts_with("figures/studies.");
+                       });
   std::erase_if(earlier, [](const std::string& file) { return !may_be_of_report(file); });
   for (const std::string& file : earlier) base::refuse_input(folder / file);
   written.warnings = figures::write_figures(figures, folder / "figures", options);

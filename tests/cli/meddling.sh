@@ -53,18 +53,23 @@ for folder in article tables figures; do
   refused "linked/$folder' is a link" report theirs/store.sqlite theirs/store.sqlite --out linked
   rm linked/$folder
 done
-# Nothing is written where somebody else's file has a name of ours, and twice where none has.
+# Nothing is written where somebody else's file or link has a name of ours, and thrice where none has.
 for file in solves.csv article/main.tex tables/results.csv tables/studies.csv; do
   install -D thief.py "own/$file"
   stores=theirs/store.sqlite
   [ $file != tables/studies.csv ] || stores="theirs/store.sqlite twice/store.sqlite"
   refused "own/$file' is there" report $stores --out own
   equal "files there" "$(find own -type f)" "own/$file"
+  ln -sf nowhere "own/$file"
+  refused "own/$file' is there" report $stores --out own
   rm -r own
-  for round in 1 2; do succeeds report $stores --out own; done
+  for into in "$stores" theirs/store.sqlite "$stores"; do succeeds report $into --out own; done
   rm -r own
 done
 succeeds report theirs/store.sqlite
+install -D thief.py own/report.md
+ln -s ../theirs/results.json own/results.json
+refused "own/report.md' is there" report theirs/store.sqlite --out own
 for script in theirs/figures/*.gp; do echo "system 'touch $PWD/ran'" >>"$script"; done
 succeeds report theirs/store.sqlite
 [ ! -e ran ] && ! grep -q "touch" theirs/figures/*.gp || fail "a script of the folder was run, or stayed"
