@@ -164,8 +164,8 @@ std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& p
   if (happens(parts, outcome, answers))
     return number_of_seeds(multiverse) > 1 ? "in some seeds of the default, too" : "in the default, too";
   const auto name_of = [&](const Choice& answer) {
-    const auto& [set, where, scope, except] = multiverse.dimensions[answer.dimension].alternatives[answer.alternative];
-    return fmt::format("{} ({})", set, where);
+    const results::Alternative& its = multiverse.dimensions[answer.dimension].alternatives[answer.alternative];
+    return fmt::format("{} ({})", its.set, its.where);
   };
   Names ones;
   std::vector<Names> twos;
@@ -226,22 +226,21 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
     const std::int64_t hold = all(&Readings::holds), fail = all(&Readings::fails), open = all(&Readings::undecided);
     const std::string fails = where(multiverse, parts, &Readings::fails),
                       undecided = where(multiverse, parts, &Readings::undecided);
-    const auto told = [](const std::string& where) { return where.empty() ? "in some readings" : where; };
-    result.in_readings[claim.id] =
-        fmt::format("fails {}{}", told(fails), open == 0 ? "" : "; in some others it is not decided");
+    result.in_readings[claim.id] = fmt::format("fails {}{}", fails.empty() ? "in some readings" : fails,
+                                               open == 0 ? "" : "; in some others it is not decided");
     result.table.rows.push_back({claim.sentence, hold, fail, open, fails, undecided});
     result.on_screen.rows.push_back({claim.sentence, hold, fail, open});
-    if (fail + open == 0) add("Holds in all", claim.sentence);
-    if (fail > 0 && !fails.empty()) add("Fails " + fails, claim.sentence);
-    if (open > 0 && !undecided.empty()) add("Not decided " + undecided, claim.sentence);
+    if (fail + open == 0) add("holds in all readings", claim.sentence);
+    if (fail > 0 && !fails.empty()) add("fails " + fails, claim.sentence);
+    if (open > 0 && !undecided.empty()) add("is not decided " + undecided, claim.sentence);
   }
   const std::string readings = fmt::format("{:.0f} readings, each with {}", multiverse.readings(),
                                            seeds > 1 ? fmt::format("seeds 1 to {}", seeds) : "seed 1");
-  const std::size_t solvers = multiverse.solvers.size();
+  const std::size_t solvers = multiverse.solvers.size(), pairs = solvers * (solvers - 1) / 2;
   const std::string rule = fmt::format(
       "A claim holds where its solvers are better than each rival, and fails where a rival is better, by Welch's t "
-      "(spreads: of distances from the median) at {:g} / {} (pairs of solvers).",
-      plan.significance, solvers * (solvers - 1) / 2);
+      "(spreads: of distances from the median) at {:g} / {}, as there are {} pairs of solvers.",
+      plan.significance, pairs, pairs);
   result.table.notes = {fmt::format("{}. {}", readings, rule)};
   show::Table on_page = result.table;  // without counts
   for (std::vector<show::Cell>& row : on_page.rows) row.erase(row.begin() + 1, row.begin() + 4);
@@ -253,8 +252,8 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
   result.on_screen.columns.assign(result.table.columns.begin(), result.table.columns.begin() + 4);
   result.on_screen.caption = fmt::format("The claims of {} in {}", paper.name, readings);
   for (const auto& [condition, claims] : conditions)
-    result.on_screen.notes.push_back(fmt::format("{}: {}.", condition, fmt::join(claims, "; ")));
-  result.on_screen.notes.insert(result.on_screen.notes.end(), {rule, result.table.notes.back()});
+    result.sentences.push_back(fmt::format("{}: {}.", fmt::join(claims, "; "), condition));
+  result.sentences.insert(result.sentences.end(), {rule, result.table.notes.back()});
   return result;
 }
 

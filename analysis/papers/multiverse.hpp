@@ -29,7 +29,8 @@ struct SolvedMultiverse : results::Multiverse {
 struct JudgedMultiverse {
   std::map<std::string, std::string> in_readings;  // of claims, by id, as in JudgedClaim
   show::Table table;                               // "multiverse"; readings, each seed of one by itself
-  show::Table on_screen = {};                      // its counts, then the rest as sentences
+  show::Table on_screen = {};                      // its counts
+  std::vector<std::string> sentences = {};         // the rest of it
   std::string explains = {};                       // Explanation::in_short
 };
 
