@@ -247,12 +247,13 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
   on_page.columns.erase(on_page.columns.begin() + 1, on_page.columns.begin() + 4);
   result.table.on_page = {on_page};
   result.table.notes.emplace_back(
-      "A reading has one answer to each question that the paper leaves open. Counts depend on the answers listed; they are "
-      "no probabilities.");
+      "A reading has one answer to each question that the paper leaves open (--list). Counts depend on these answers; "
+      "they are no probabilities.");
   result.on_screen.columns.assign(result.table.columns.begin(), result.table.columns.begin() + 4);
   result.on_screen.caption = fmt::format("The claims of {} in {}", paper.name, readings);
   for (const auto& [condition, claims] : conditions)
-    result.sentences.push_back(fmt::format("{}: {}.", fmt::join(claims, "; "), condition));
+    result.sentences.push_back(
+        fmt::format("{}: {}{}.", fmt::join(claims, "; "), claims.size() > 1 ? "each " : "", condition));
   result.sentences.insert(result.sentences.end(), {rule, result.table.notes.back()});
   return result;
 }
