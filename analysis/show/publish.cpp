@@ -138,6 +138,8 @@ std::vector<std::string> claim(const fs::path& folder, std::vector<std::string> 
   files.emplace_back(own_files[2]);
   Json results = results_of(folder);
   std::vector<std::string> earlier = files_of_earlier(results);
+  std::error_code none;
+  std::erase_if(earlier, [&](const std::string& file) { return !fs::exists(folder / file, none); });
   refuse_others(folder, earlier, files);
   std::set<std::string> all(earlier.begin(), earlier.end());
   all.insert(files.begin(), files.end());

@@ -260,6 +260,11 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
   claim(folder.path / "killed", files_of({"results"}, {}));
   base::write_file(folder.path / "killed" / "tables" / "results.csv", "");
   CHECK_NOTHROW(refuse_others(folder.path / "killed"));
+  // What it had not written is nobody's by the next command.
+  claim(folder.path / "killed", files_of({"pairs"}, {}));
+  claim(folder.path / "killed", files_of({"solves"}, {}));
+  base::write_file(folder.path / "killed" / "tables" / "pairs.csv", "not ours");
+  CHECK_THROWS_WITH(refuse_others(folder.path / "killed"), ContainsSubstring("pairs.csv"));
 }
 
 TEST_CASE("a report of three solvers is short", "[show]") {
