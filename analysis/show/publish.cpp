@@ -165,11 +165,9 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
     if (file != "references.bib" || !report.keys.empty()) files.push_back("article/" + file);
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
   std::vector<std::string> earlier = claim(folder, files);
-  std::ranges::copy_if(earlier, std::back_inserter(files),
-                       [](const std::string& file) {  // of a report of several stores
-                         return file.starts_with("tables/studies.") || file.starts_with("figures/studies.");
-                       });
-  std::erase_if(earlier, [](const std::string& file) { return !may_be_of_report(file); });
+  const auto of_others = std::ranges::partition(earlier, may_be_of_report).begin();
+  std::set<std::string> listed(of_others, earlier.end());  // what other commands wrote
+  earlier.erase(of_others, earlier.end());
   for (const std::string& file : earlier) base::refuse_input(folder / file);
   written.warnings = figures::write_figures(figures, folder / "figures", options);
   for (const Table* table : tables)
@@ -190,7 +188,8 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   }
 
   Json json = to_json(report.answer);
-  json["files"] = files;
+  listed.insert(files.begin(), files.end());
+  json["files"] = listed;
   base::write_file(folder / own_files[2], base::text_of(json, 1) + '\n');
   for (Table* table : tables) {
     if (!table->on_page.empty()) *table = Table(table->on_page.front());
