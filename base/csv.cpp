@@ -8,7 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <istream>
+#include <iostream>
 #include <stdexcept>
 #include <utility>
 
@@ -168,7 +168,7 @@ std::string csv_text(std::istream& stream, const std::string& source) {
     text += part;
     if (part.find('\0') != std::string_view::npos) break;  // no text, perhaps without an end
   }
-  if (stream.bad() || std::ferror(stdin) != 0) refuse_place("read", source, errno);
+  if (stream.bad() || (&stream == &std::cin && std::ferror(stdin) != 0)) refuse_place("read", source, errno);
   return text;
 }
 

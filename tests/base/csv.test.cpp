@@ -1,5 +1,7 @@
 // CSV after RFC 4180 (the examples are those of its section 2), and numbers as text.
 #include <clocale>
+#include <cstdio>
+#include <iostream>
 
 #include "base/number.hpp"
 #include "tests/base/cells.hpp"
@@ -93,6 +95,15 @@ TEST_CASE("no text makes the CSV reader do anything but read or refuse", "[csv][
       REQUIRE_THAT(error.what(), StartsWith("noise.csv:"));
     }
   }
+}
+
+TEST_CASE("a fault of the standard input is none of another stream", "[csv]") {
+  REQUIRE(std::freopen("/", "r", stdin) != nullptr);
+  REQUIRE(std::getchar() == EOF);
+  std::istringstream stream("a\n1\n");
+  CHECK(csv_text(stream, "a file") == "a\n1\n");
+  CHECK_THROWS_WITH(csv_text(std::cin, "standard input"), ContainsSubstring("cannot read 'standard input'"));
+  std::clearerr(stdin);
 }
 
 TEST_CASE("a column is found by its name, and a wrong name is told the right ones", "[csv]") {
