@@ -199,6 +199,7 @@ std::string name_of_extra(const SQLite::Column& column) {
 // Calls `action` and returns its result; refuses the file if SQLite fails or finds damage.
 template <class Action>
 auto guarded(const std::string& file, Action&& action) {
+  errno = 0;  // SQLite sets it where a call fails
   try {
     return action();
   } catch (const SQLite::Exception& error) {

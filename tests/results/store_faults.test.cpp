@@ -104,6 +104,21 @@ TEST_CASE("a store of another version is refused and stays as it is", "[store][f
   }
 }
 
+TEST_CASE("damage is not taken for the failed read of another file", "[store][faults]") {
+  const ScratchFolder folder;
+  const auto file = folder.path / "a.ikb", log = folder.path / "a.ikb-wal";
+  Store writer(file, Store::Mode::write);
+  writer.save_study(sample_study());
+  const Store store(file, Store::Mode::read);
+  writer.save_study(sample_study());  // so that its pages are read again
+  std::string damaged = text_in(log);
+  for (std::size_t page = 32 + 24; page < damaged.size(); page += 16384 + 24)
+    if (damaged[page] != 'S') damaged[page] = 'x';  // the kind of each but the first
+  std::ofstream(log, std::ios::in | std::ios::binary) << damaged;
+  errno = EIO;
+  CHECK_THAT(complaint<std::invalid_argument>([&] { store.studies(); }), ContainsSubstring("is damaged"));
+}
+
 TEST_CASE("a store cut short anywhere is refused", "[store][faults]") {
   const ScratchFolder folder;
   write_store(folder.path / "whole.ikb");
