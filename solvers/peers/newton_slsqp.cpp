@@ -26,6 +26,8 @@ class NewtonSlsqp final : public NloptSearch {
     steps_ = 0;
   }
 
+  int restarts() const override { return NloptSearch::restarts() + newton_->restarts(); }
+
   // One call of SLSQP.
   void step(Objective& objective, Random& random) override {
     if (has_ended_) return;
