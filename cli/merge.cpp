@@ -75,7 +75,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     }();
     fmt::print("{}\n", wrapped(fmt::format("{}: {} added from {}, {} were there with the same bits", out.string(),
                                            base::counted(merged.added, "solves"),
-                                           base::counted(std::ssize(stores), "stores"), merged.known)));
+                                           base::counted(merged.stores, "stores"), merged.known)));
     for (const auto& [study, solves, of_all] : merged.lacks) {
       say(fmt::format("{} lacks {} of {} solves; solve its missing shards, then merge again", study, solves, of_all));
       invocation.exit_code = 5;

@@ -132,8 +132,7 @@ std::int64_t copy_missing(SQLite::Database& sqlite) {
 }  // namespace
 
 std::string difference_in_solves(const std::string& first, const std::string& second) {
-  const auto left = base::parsed_json(first);
-  const auto right = base::parsed_json(second);
+  const auto left = base::parsed_json(first), right = base::parsed_json(second);
   const auto text_of = [](const nlohmann::json& json, const std::string& key) {
     constexpr std::size_t most = 60;
     if (!json.contains(key)) return std::string("not there");
@@ -163,10 +162,10 @@ Merged merge(const fs::path& out, std::vector<fs::path> stores, const MergeProgr
   for (const fs::path& place : stores) refuse_another_study(studies, place, out);
   Store all(out, Store::Mode::write_shared);
   Merged merged;
-  std::int64_t done = 0;
   for (const fs::path& place : stores) {
-    if (progress) progress(done++, std::ssize(stores));
+    if (progress) progress(merged.stores, std::ssize(stores));
     if (fs::equivalent(place, out, none)) continue;
+    ++merged.stores;
     all.write_from(place, [&](SQLite::Database& sqlite) {
       refuse_other_bits(sqlite, out, place);
       const std::int64_t added = copy_missing(sqlite);
@@ -175,10 +174,9 @@ Merged merge(const fs::path& out, std::vector<fs::path> stores, const MergeProgr
     });
   }
   for (const StoredStudy& study : all.studies()) {
-    const auto& [name, definition, series] = study;
-    const std::int64_t asked = std::int64_t{definition.runs} * definition.points * std::ssize(series);
+    const std::int64_t asked = std::int64_t{study.definition.runs} * study.definition.points * std::ssize(study.series);
     const std::int64_t there = all.number_of_solves(study);
-    if (there < asked) merged.lacks.push_back({name, asked - there, asked});
+    if (there < asked) merged.lacks.push_back({study.name, asked - there, asked});
   }
   return merged;
 }

@@ -16,6 +16,7 @@ namespace ikbench::results {
 std::string difference_in_solves(const std::string& definition, const std::string& other);
 
 struct Merged {
+  std::int64_t stores = 0;  // that were read: not empty, and not the one that gets all
   std::int64_t added = 0;
   std::int64_t known = 0;  // there already, with the same bits
   struct Lack {

@@ -175,7 +175,9 @@ TEST_CASE("a store that a kill left half-written is mended, and merged", "[merge
   make_store(folder.path / "a", "one", {1, 3});
   make_half_written(folder.path / "b");
   write_text(folder.path / "c", "");
-  CHECK(merge(folder.path / "out", {folder.path / "a", folder.path / "b", folder.path / "c"}).added == 42);
+  const Merged merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b", folder.path / "c"});
+  CHECK(merged.added == 42);
+  CHECK(merged.stores == 2);
 }
 
 TEST_CASE("of two merges into a new store both have their solves in it, and a refused one removes nothing", "[merge]") {
