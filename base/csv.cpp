@@ -185,11 +185,11 @@ CsvTable parse_csv(std::string_view text, std::string_view source, const CsvForm
     const bool is_none = is_rule(reader.row_text()) || (!has_all && is_comment(row->front()));
     if (!form.is_ours && is_none) continue;
     if (!has_all)
-      reader.refuse_row(fmt::format("{} cells; expected {} as in the header{}", row->size(), table.header.size(),
-                                    table.rows() > 0 ? ""
-                                    : row->size() == table.header.size() + 1
-                                        ? "; write a title also above names of rows"
-                                        : "; begin a title above the header with #"));
+      reader.refuse_row(
+          fmt::format("{}; expected {} as in the header{}", counted(std::ssize(*row), "cells"), table.header.size(),
+                      table.rows() > 0                         ? ""
+                      : row->size() == table.header.size() + 1 ? "; write a title also above names of rows"
+                                                               : "; begin a title above the header with #"));
     table.lines_.push_back(reader.row_line());
     table.cells_.insert(table.cells_.end(), row->begin(), row->end());
   }

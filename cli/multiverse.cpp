@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "analysis/show/publish.hpp"
+#include "base/names.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
@@ -46,11 +47,12 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
     }
   }
   const Multiverse choices = choices_of(varied, labels_of(study));
-  std::size_t settings = 0;
+  std::int64_t settings = 0;
   for (const auto& of_study : choices.studies)
-    for (const auto& of_solver : of_study.solvers) settings += of_solver.size();
-  return fmt::format("{:.0f} readings of {} questions: {} choices for the study, {} solver settings for a seed\n{}",
-                     choices.readings(), varied.size(), choices.studies.size(), settings, aligned(rows));
+    for (const auto& of_solver : of_study.solvers) settings += std::ssize(of_solver);
+  return fmt::format("{:.0f} readings of {}: {} for the study, {} for a seed\n{}", choices.readings(),
+                     counted(std::ssize(varied), "questions"), counted(std::ssize(choices.studies), "choices"),
+                     counted(settings, "solver settings"), aligned(rows));
 }
 
 void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& arguments,

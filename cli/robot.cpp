@@ -10,6 +10,7 @@
 #include "analysis/figures/figure.hpp"
 #include "analysis/figures/plots.hpp"
 #include "analysis/figures/rows.hpp"
+#include "base/names.hpp"
 #include "base/units.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -91,16 +92,15 @@ std::string reach_text(const Robot& arm) {
 // The configuration of --at.
 Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
   if (at.empty()) return experiments::nearest_to_zero(arm);
-  if (at.size() != static_cast<std::size_t>(arm.joints()))
-    throw std::invalid_argument(
-        fmt::format("--at has {} values; expected {}, one for each joint of {}", at.size(), arm.joints(), arm.name));
+  if (std::ssize(at) != arm.joints())
+    throw std::invalid_argument(fmt::format("--at has {}; expected {}, one for each joint of {}",
+                                            counted(std::ssize(at), "values"), arm.joints(), arm.name));
   const Configuration units = experiments::joint_units(arm.chain);
-  for (std::size_t j = 0; j < at.size(); ++j) {
-    const auto joint = static_cast<Eigen::Index>(j);
-    if (const std::string_view doubt = doubt_of_angle(at[j], units[joint]); !doubt.empty() && !arm.chain.slides(joint))
-      throw std::invalid_argument(fmt::format("--at: {} {}", at[j], doubt));
-  }
-  return Eigen::Map<const Eigen::VectorXd>(at.data(), arm.joints()).cwiseProduct(units);
+  const Eigen::Map<const Eigen::VectorXd> q(at.data(), arm.joints());
+  for (Eigen::Index j = 0; j < q.size(); ++j)
+    if (const std::string_view doubt = doubt_of_angle(q[j], units[j]); !doubt.empty() && !arm.chain.slides(j))
+      throw std::invalid_argument(fmt::format("--at: {} {}", q[j], doubt));
+  return q.cwiseProduct(units);
 }
 
 std::string tool_text(const Robot& arm, const Configuration& q) {
@@ -167,17 +167,12 @@ void add_robot(CLI::App& app, Invocation&) {
       throw std::invalid_argument(
           fmt::format("{} is about a URDF file, but the arm is {}; leave it out", option, arguments->robot));
     }
-    if (arguments->shows_links) {
-      fmt::print("{}", link_tree(text_of_arm_file(arguments->robot), arguments->robot));
-      return;
-    }
+    if (arguments->shows_links)
+      return fmt::print("{}", link_tree(text_of_arm_file(arguments->robot), arguments->robot));
     arguments->urdf.snap = arguments->snap_deg * degree;
     const Robot arm =
         is_arm_file(arguments->robot) ? load_robot(arguments->robot, arguments->urdf) : robot(arguments->robot);
-    if (arguments->shows_urdf) {
-      fmt::print("{}", urdf_of(arm, arm.chain));
-      return;
-    }
+    if (arguments->shows_urdf) return fmt::print("{}", urdf_of(arm, arm.chain));
     const Configuration q = joints_at(arm, arguments->at);
     const std::string where_tool_is = tool_text(arm, q);
     fmt::print("{}{}\n", robot_text(arm), wrapped(where_tool_is));

@@ -104,9 +104,9 @@ void check(const Definition& study, const Robot& arm, const Left& before, bool i
   if (stays(solve.status) && solve.answer_rad != solve.start_rad)
     refuse(solve, fmt::format("the arm moved, though status {} is stored", name_of(solve.status)));
   if (!may_spend(study.stop, is_built_in, solve))
-    refuse(solve,
-           fmt::format("{} evaluations (counted by {}) in {} iterations are stored, which no solve of this study makes",
-                       solve.evaluations, name_of(solve.counted_by), solve.iterations));
+    refuse(solve, fmt::format("{} (counted by {}) in {} are stored, which no solve of this study makes",
+                              counted(solve.evaluations, "evaluations"), name_of(solve.counted_by),
+                              counted(solve.iterations, "iterations")));
   const Verification computed = verify(arm, target_of(solve), vector_of(solve.start_rad), vector_of(solve.answer_rad),
                                        study.search == Search::axis, study.motion_joints);
   expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);

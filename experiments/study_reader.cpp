@@ -153,8 +153,8 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
                           outside / units[j], units[j] == 1 ? "m" : "deg", j + 1, arm.name));
   }
   refuse_if(study.motion_joints > arm.joints(), "motion_joints",
-            fmt::format("motion_joints is {}, but {} has {} joints; expected at most that, or 0 for all",
-                        study.motion_joints, arm.name, arm.joints()));
+            fmt::format("motion_joints is {}, but {} has {}; expected at most that, or 0 for all", study.motion_joints,
+                        arm.name, counted(arm.joints(), "joints")));
   refuse_if(
       study.search == Search::wrist && !SphericalWrist::fits(arm.chain), "search",
       fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\", \"axis\" or \"pose\"",
@@ -213,8 +213,8 @@ Study read_study(const toml::table& table, std::string_view source) {
   } else if (study.initial.size() == arm.joints()) {
     study.initial = study.initial.cwiseProduct(units).eval();
   } else {
-    throw reader.mistake("initial_deg", fmt::format("initial_deg has {} values; expected {}, one for each joint of {}",
-                                                    study.initial.size(), arm.joints(), arm.name));
+    throw reader.mistake("initial_deg", fmt::format("initial_deg has {}; expected {}, one for each joint of {}",
+                                                    counted(study.initial.size(), "values"), arm.joints(), arm.name));
   }
   read_solvers(reader, study, arm);
   const std::vector<std::string> labels = labels_of(study);

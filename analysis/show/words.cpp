@@ -563,10 +563,9 @@ std::string stops_of(const StudyResults& study) {
   const numerics::StopRule& stop = study.definition.stop;
   std::vector<std::string> tolerances{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg")};
   std::erase(tolerances, "");
-  std::vector<std::string> stops{listed(tolerances), limit(static_cast<double>(stop.iterations), " iterations"),
-                                 limit(static_cast<double>(stop.evaluations), " evaluations"),
-                                 limit(1000 * stop.seconds, " ms")};
-  std::erase(stops, "");
+  std::vector<std::string> stops{listed(tolerances), base::counted(stop.iterations, "iterations"),
+                                 base::counted(stop.evaluations, "evaluations"), limit(1000 * stop.seconds, " ms")};
+  std::erase_if(stops, [](const std::string& each) { return each.empty() || each.starts_with("0 "); });  // no limit
   return listed(stops, " or ");
 }
 

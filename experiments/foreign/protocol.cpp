@@ -154,7 +154,7 @@ Configuration Message::configuration(const Json& list, int joints, const std::st
 }
 
 Candidates Message::candidates(int joints, const char* key) const {
-  const std::string expected = fmt::format("\"{}\", a list of lists of {} numbers", key, joints);
+  const std::string expected = fmt::format("\"{}\", a list of lists of {}", key, counted(joints, "numbers"));
   Json list = json_->value(key, Json());
   if (!list.is_array() || list.empty()) fail(expected);
   if (!list.front().is_array()) list = Json::array({list});  // Octave writes a list of one so
@@ -165,7 +165,7 @@ Candidates Message::candidates(int joints, const char* key) const {
 }
 
 Configuration Message::joints(int joints) const {
-  return configuration(json_->value("q", Json()), joints, fmt::format("\"q\", a list of {} numbers", joints));
+  return configuration(json_->value("q", Json()), joints, "\"q\", a list of " + counted(joints, "numbers"));
 }
 
 std::map<std::string, double> Message::extras() const {

@@ -37,10 +37,10 @@ TEST_CASE("a byte-order mark is no part of the first name", "[csv]") {
 
 TEST_CASE("malformed CSV is refused with the line and what was expected", "[csv]") {
   CHECK(complaint_about("") == "data.csv:1: the file is empty; expected a line with the names of the columns");
-  CHECK(complaint_about("a,b\n1,2\n3\n") == "data.csv:3: 1 cells; expected 2 as in the header");
+  CHECK(complaint_about("a,b\n1,2\n3\n") == "data.csv:3: 1 cell; expected 2 as in the header");
   CHECK(complaint_about("a,b\n1,2,3\n") ==
         "data.csv:2: 3 cells; expected 2 as in the header; write a title also above names of rows");
-  CHECK(complaint_about("a,b\n\"1\n\n2\",2\n3\n") == "data.csv:5: 1 cells; expected 2 as in the header");
+  CHECK(complaint_about("a,b\n\"1\n\n2\",2\n3\n") == "data.csv:5: 1 cell; expected 2 as in the header");
   CHECK(complaint_about("a,b\n1,\"2\n\n\n") == "data.csv:2: a quote is never closed; expected a closing quote");
   CHECK(complaint_about("a,b\n1,2\"3\n") ==
         "data.csv:2: a quote inside an unquoted cell; expected the cell in quotes and the quote doubled");

@@ -72,6 +72,12 @@ TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
   CHECK(doubts.front().what == "time, evaluations");
 }
 
+TEST_CASE("a limit of one is one", "[show]") {
+  judge::StudyResults study = judged_study().study;
+  study.definition.stop = {.iterations = 1, .evaluations = 1, .seconds = 0.001};
+  CHECK(stops_of(study) == "1 iteration, 1 evaluation or 1 ms");
+}
+
 TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   std::string all;
   const auto add = [&](const std::string& what, const Answer& answer) {
