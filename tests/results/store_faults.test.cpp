@@ -41,6 +41,13 @@ void write_store(const std::filesystem::path& file) {
   for (int run = 1; run <= 20; ++run) store.append({sample_record("key-a", run), sample_record("key-b", run)});
 }
 
+// A folder with a store.
+struct StoreFile {
+  StoreFile() { write_store(file); }
+  ScratchFolder folder;
+  const std::filesystem::path file = folder.path / "a.ikb";
+};
+
 void read_everything(const std::filesystem::path& file) {
   const Store store(file, Store::Mode::read);
   store.studies();
@@ -119,11 +126,8 @@ TEST_CASE("damage is not taken for the failed read of another file", "[store][fa
   CHECK_THAT(complaint<std::invalid_argument>([&] { store.studies(); }), ContainsSubstring("is damaged"));
 }
 
-TEST_CASE("a store cut short anywhere is refused", "[store][faults]") {
-  const ScratchFolder folder;
-  write_store(folder.path / "whole.ikb");
-  const std::string whole = text_in(folder.path / "whole.ikb");
-  const auto file = folder.path / "a.ikb";
+TEST_CASE_METHOD(StoreFile, "a store cut short anywhere is refused", "[store][faults]") {
+  const std::string whole = text_in(file);
   std::vector<std::size_t> lengths;
   for (std::size_t length = 1; length < whole.size(); length += length < 1024 ? 37 : 1021) lengths.push_back(length);
   for (std::size_t page = 4096; page < whole.size(); page += 4096) lengths.push_back(page);
@@ -134,11 +138,9 @@ TEST_CASE("a store cut short anywhere is refused", "[store][faults]") {
   }
 }
 
-TEST_CASE("a store with bytes overwritten is read or refused, nothing else", "[store][faults][property]") {
-  const ScratchFolder folder;
-  write_store(folder.path / "whole.ikb");
-  const std::string whole = text_in(folder.path / "whole.ikb");
-  const auto file = folder.path / "a.ikb";
+TEST_CASE_METHOD(StoreFile, "a store with bytes overwritten is read or refused, nothing else",
+                 "[store][faults][property]") {
+  const std::string whole = text_in(file);
   std::mt19937 random(18);
   int refused = 0;
   for (int trial = 0; trial < 600; ++trial) {
@@ -157,7 +159,8 @@ TEST_CASE("a store with bytes overwritten is read or refused, nothing else", "[s
   CHECK(refused > 50);
 }
 
-TEST_CASE("a value that ikbench does not write is damage, and SQLite takes none of another type", "[store][faults]") {
+TEST_CASE_METHOD(StoreFile, "a value that ikbench does not write is damage, and SQLite takes none of another type",
+                 "[store][faults]") {
   for (const auto& [change, word] : std::vector<std::pair<std::string, std::string>>{
            {"status = 'fine'", "status: 'fine'"},
            {"answer_rad = '1,2'", "answer_rad: '1,2' is not a list"},
@@ -175,9 +178,7 @@ TEST_CASE("a value that ikbench does not write is damage, and SQLite takes none 
     const std::string said = complaint<std::invalid_argument>([&] { read_everything(file); });
     CHECK_THAT(said, ContainsSubstring(quoted(file) + " is damaged") && ContainsSubstring(word));
   }
-  const ScratchFolder folder;
-  write_store(folder.path / "a.ikb");
-  SQLite::Database sqlite((folder.path / "a.ikb").string(), SQLite::OPEN_READWRITE);
+  SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE);
   for (const char* change : {"position_error_cm = 'abc'", "seconds = x'00'", "iterations = 2.5", "run = 'two'"})
     CHECK_THROWS_AS(sqlite.exec(fmt::format("UPDATE solves SET {}", change)), SQLite::Exception);
 }
@@ -374,10 +375,8 @@ TEST_CASE("a store that takes the place of one that is written loses nothing", "
   CHECK(series_of(Store(file, Store::Mode::read), "key-b").size() == 3);
 }
 
-TEST_CASE("the end of writing waits for a reader, and leaves one file that can be copied alone", "[store][faults]") {
-  const ScratchFolder folder;
-  const auto file = folder.path / "a.ikb";
-  write_store(file);
+TEST_CASE_METHOD(StoreFile, "the end of writing waits for a reader, and leaves one file that can be copied alone",
+                 "[store][faults]") {
   Store store(file, Store::Mode::write);
   store.append({sample_record("key-a", 21)});
   std::promise<void> reads;
@@ -396,11 +395,10 @@ TEST_CASE("the end of writing waits for a reader, and leaves one file that can b
   CHECK(series_of(Store(folder.path / "copy.ikb", Store::Mode::read), "key-b").size() == 21);
 }
 
-TEST_CASE("where a reader does not end, the files that belong together are named, and together they are whole",
-          "[store][faults]") {
-  const ScratchFolder folder;
-  const auto file = folder.path / "a.ikb", log = folder.path / "a.ikb-wal";
-  write_store(file);
+TEST_CASE_METHOD(StoreFile,
+                 "where a reader does not end, the files that belong together are named, and together they are whole",
+                 "[store][faults]") {
+  const auto log = folder.path / "a.ikb-wal";
   {
     SQLite::Database reader(file.string(), SQLite::OPEN_READONLY);
     Store store(file, Store::Mode::write);
@@ -421,10 +419,8 @@ TEST_CASE("where a reader does not end, the files that belong together are named
   CHECK(solves(file) == 42);
 }
 
-TEST_CASE("a store that a kill left half-written is told apart, and writing mends it", "[store][faults]") {
-  const ScratchFolder folder;
-  const auto file = folder.path / "a.ikb";
-  write_store(file);
+TEST_CASE_METHOD(StoreFile, "a store that a kill left half-written is told apart, and writing mends it",
+                 "[store][faults]") {
   const pid_t writer = in_a_process([&] {
     SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE);
     sqlite.exec("PRAGMA cache_size = 1; BEGIN; UPDATE solves SET trace_cm = hex(zeroblob(9000))");
@@ -442,11 +438,9 @@ TEST_CASE("a store that a kill left half-written is told apart, and writing mend
   CHECK(same(solves.front(), sample_record()));
 }
 
-TEST_CASE("a reader needs no permission to write, neither to the store nor to its folder", "[store][faults]") {
+TEST_CASE_METHOD(StoreFile, "a reader needs no permission to write, neither to the store nor to its folder",
+                 "[store][faults]") {
   using std::filesystem::perms;
-  const ScratchFolder folder;
-  const auto file = folder.path / "a.ikb";
-  write_store(file);
   // A run that was killed: its log is still beside the store.
   const auto unfinished = folder.path / "unfinished.ikb";
   exit_code(in_a_process([&] {
@@ -471,10 +465,7 @@ TEST_CASE("a reader needs no permission to write, neither to the store nor to it
 }
 
 #ifdef __GLIBC__
-TEST_CASE("a folder without locks is told as such", "[store][faults]") {
-  const ScratchFolder folder;
-  const auto file = folder.path / "a.ikb";
-  write_store(file);
+TEST_CASE_METHOD(StoreFile, "a folder without locks is told as such", "[store][faults]") {
   has_locks = false;
   const std::string said = refusal(file, Store::Mode::write);
   has_locks = true;
