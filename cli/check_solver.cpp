@@ -230,9 +230,8 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
   auto choice = std::make_shared<ProgramChoice>(ProgramChoice{.process = {}, .files = {}, .patience = 5});
   CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program");
   command->add_option("COMMAND", choice->process, "the program and its arguments, after --")->required();
-  command->add_option("--patience", choice->patience, "seconds after which a solve is given up")
-      ->check(number_in({0.1, 3600}))
-      ->capture_default_str();
+  add_option(*command, "--patience", choice->patience, "seconds after which a solve is given up")
+      ->check(number_in({0.1, 3600}));
   auto robot_name = std::make_shared<std::string>();
   command->add_option("--robot", *robot_name,
                       "an arm of ikbench list robots, for a solver that knows some kinds of arms alone");

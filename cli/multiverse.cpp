@@ -93,29 +93,22 @@ void add_multiverse(CLI::App& app, Invocation&) {
   command->add_flag("--list", arguments->list, "list the open questions and the size, without solving");
   CLI::Option* small =
       command->add_flag("--small", arguments->small, "fewer questions: what `ikbench reproduce` shows");
-  command
-      ->add_option("--dimensions", arguments->dimensions,
-                   "vary these questions instead, with all their answers: bounds,population")
+  add_option(*command, "--dimensions", arguments->dimensions,
+             "vary these questions instead, with all their answers: bounds,population")
       ->delimiter(',')
-      ->allow_extra_args(false)
       ->excludes(small);
   CLI::Option* explain = command->add_flag(
       "--explain", arguments->explain,
       "instead of claims: for each printed number that is not the default's, the fewest departures that have it");
   explain->excludes("--list");
-  command
-      ->add_option("--departures", arguments->departures, "of --explain, at most: 1 take seconds, 2 minutes, 3 hours")
-      ->check(whole_number({1, 100}))
-      ->capture_default_str()
+  add_number(*command, "--departures", arguments->departures, {1, 100},
+             "of --explain, at most: 1 take seconds, 2 minutes, 3 hours")
       ->needs(explain);
-  command->add_option("--seeds", arguments->seeds, "number of seeds, counted from 1; each is a study of its own")
-      ->check(whole_number({1, 1000}))
-      ->capture_default_str();
-  command->add_option("--jobs", arguments->jobs, "number of solvers at once; the results do not depend on it")
-      ->check(whole_number({1, 1024}))
-      ->capture_default_str();
-  command->add_option("--set", arguments->overrides, "change a key in every reading: runs=5, path.points=10")
-      ->allow_extra_args(false);
+  add_number(*command, "--seeds", arguments->seeds, {1, 1000},
+             "number of seeds, counted from 1; each is a study of its own");
+  add_number(*command, "--jobs", arguments->jobs, {1, 1024},
+             "number of solvers at once; the results do not depend on it");
+  add_option(*command, "--set", arguments->overrides, "change a key in every reading: runs=5, path.points=10");
   command->add_option("--out", arguments->out, "folder for the table; default: out/PAPER-multiverse")
       ->check(not_empty());
   command->footer(

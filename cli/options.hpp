@@ -4,7 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "base/json.hpp"
 
@@ -20,6 +22,21 @@ CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range = {0, la
 
 // Refuses an empty folder name: it comes from an unset variable of a script.
 CLI::Validator not_empty();
+
+// Adds an option of which --help shows the default, and which of a list is given for each value.
+template <class T>
+CLI::Option* add_option(CLI::App& command, const std::string& name, T& value, const std::string& meaning) {
+  CLI::Option* const option = command.add_option(name, value, meaning);
+  if constexpr (std::is_same_v<T, std::vector<std::string>>)
+    return option->allow_extra_args(!name.starts_with('-'));
+  else
+    return option->capture_default_str();
+}
+template <class T>
+CLI::Option* add_number(CLI::App& command, const std::string& name, T& value,
+                        std::pair<std::int64_t, std::int64_t> range, const std::string& meaning) {
+  return add_option(command, name, value, meaning)->check(whole_number(range));
+}
 
 void add_json_option(CLI::App& command, bool& is_json);
 void show_json(const base::OrderedJson& json);

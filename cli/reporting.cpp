@@ -96,9 +96,8 @@ bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find
 }  // namespace
 
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
-  command.add_option("--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  add_option(command, "--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
+      ->delimiter(',');
   command
       .add_option("--style", arguments.style,
                   "ieee, springer, slide, or a TOML file of keys of [figures], in place of the study's (list figures)")

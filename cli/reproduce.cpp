@@ -191,14 +191,11 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       app.add_subcommand("reproduce", "Repeat a paper's experiments and report beside the printed results");
   add_paper_option(*command, arguments->paper);
   add_run_options(*command, arguments->run);
-  command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();
+  add_number(*command, "--seed", arguments->seed, {0, largest_whole}, "seed of the studies");
   command->add_option("--runs", arguments->runs, "runs of each solver; default: as in the paper")
       ->check(whole_number({1, 1'000'000}));
-  command
-      ->add_option("--readings", arguments->seeds,
-                   "number of seeds for the readings of what the paper leaves open; 0: skip them")
-      ->check(whole_number({0, 1000}))
-      ->capture_default_str();
+  add_number(*command, "--readings", arguments->seeds, {0, 1000},
+             "number of seeds for the readings of what the paper leaves open; 0: skip them");
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"

@@ -55,9 +55,7 @@ void warn_of_unreachable(const Study& study) {
 
 void add_run_options(CLI::App& command, RunArguments& arguments) {
   command.add_option("--out", arguments.out, "folder for the results; default: out/<study>")->check(not_empty());
-  command.add_option("--jobs", arguments.jobs, "number of solves at once; times are compared only with 1")
-      ->check(whole_number({1, 1024}))
-      ->capture_default_str();
+  add_number(command, "--jobs", arguments.jobs, {1, 1024}, "number of solves at once; times are compared only with 1");
 }
 
 void check_plan(const Study& study) {

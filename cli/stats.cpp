@@ -106,25 +106,22 @@ void stats(const StatsArguments& arguments) {
 void add_stats(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<StatsArguments>();
   CLI::App* command = app.add_subcommand("stats", "Compare groups in a CSV: which is better, by how much, how sure");
-  const auto add = [&](const char* name, auto& value, const char* meaning) {
-    return command->add_option(name, value, meaning);
-  };
   csv::Request& csv = arguments->csv;
+  const auto add = [&](const char* name, auto& value, const char* meaning) {
+    return add_option(*command, name, value, meaning);
+  };
   add("FILE", arguments->file,
       "CSV with a column of names and one of values, or one of values a solver; - for standard input")
       ->required();
-  const auto add_several = [&](const char* name, std::vector<std::string>& values, const char* meaning) {
-    add(name, values, meaning)->allow_extra_args(false);
-  };
-  add_several("--value", csv.values, "column of values; repeat for several; not needed if there is one");
-  add_several("--label", csv.label, "column of names, or several; not needed if it is the only text");
-  add_several("--block", csv.block,
-              "column of targets that all groups had, or several: compares within them; row: each row is one");
+  add("--value", csv.values, "column of values; repeat for several; not needed if there is one");
+  add("--label", csv.label, "column of names, or several; not needed if it is the only text");
+  add("--block", csv.block,
+      "column of targets that all groups had, or several: compares within them; row: each row is one");
   add("--run", csv.run,
       "column of runs: averages the rows of a run (within a block), which are no repetitions; row: each row is one")
       ->check(not_empty());
-  add_several("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
-  add_several("--better", csv.better, "smaller or larger is better; COLUMN=larger: of this column [smaller]");
+  add("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
+  add("--better", csv.better, "smaller or larger is better; COLUMN=larger: of this column [smaller]");
   command->add_flag("--summaries", csv.are_summaries,
                     "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
   add("--decimal", arguments->decimal, "mark in numbers [found]")->check(CLI::IsMember({".", ","}));
@@ -132,7 +129,7 @@ void add_stats(CLI::App& app, Invocation& invocation) {
   add("--control", arguments->plan.control, "compares with this group alone")->check(not_empty());
   add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]")
       ->check(not_empty());
-  add("--significance", arguments->plan.significance, "of all pairs together [0.05]")->check(number_in({0.0001, 0.2}));
+  add("--significance", arguments->plan.significance, "of all pairs together")->check(number_in({0.0001, 0.2}));
   auto* const out = add("--out", arguments->out, "folder for a report")->check(not_empty());
   add_report_options(*command, arguments->report);
   for (const char* name : {"--figures", "--style"}) command->get_option(name)->needs(out);

@@ -27,9 +27,8 @@ void add_verify(CLI::App& app, Invocation&) {
   CLI::App* command = app.add_subcommand("verify", "Check a store: errors from answers, some solves made again");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   add_study_option(*command, arguments->study);
-  command->add_option("--solves", arguments->solves, "number of solves to make again, drawn at random")
-      ->check(whole_number())
-      ->capture_default_str();
+  add_number(*command, "--solves", arguments->solves, {0, largest_whole},
+             "number of solves to make again, drawn at random");
   command->footer(
       "Examples:\n"
       "  ikbench verify theirs.sqlite\n"
