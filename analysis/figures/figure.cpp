@@ -54,9 +54,8 @@ void complete_svg(std::string& svg, const Figure& figure) {
   boost::replace_all(size, " ", "pt\" height=\"");
   svg.insert(box, "width=\"" + size + "pt\" ");
   std::string title = one_line(figure.caption);
-  boost::replace_all(title, "&", "&amp;");
-  boost::replace_all(title, "<", "&lt;");
-  boost::replace_all(title, ">", "&gt;");
+  for (const auto& [mark, entity] : {std::pair("&", "&amp;"), {"<", "&lt;"}, {">", "&gt;"}})
+    boost::replace_all(title, mark, entity);
   boost::replace_all(svg, "<title>Gnuplot</title>", "<title>" + title + "</title>");
   boost::replace_all(svg, "font-family=\"Liberation Sans\"",
                      "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
