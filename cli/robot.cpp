@@ -62,20 +62,17 @@ std::string joint_table(const Robot& arm) {
   for (Eigen::Index j = 0; j < arm.joints(); ++j) {
     const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
     const bool is_endless = !std::isfinite(arm.limits.lower[j]);
+    const std::string unit = arm.chain.slides(j) ? "m" : "deg";
     rows.push_back({std::to_string(j + 1),
                     arm.chain.slides(j)            ? "slides"
                     : link.joint == Joint::coupled ? "coupled"
                                                    : "turns",
                     is_endless ? "without" : number(arm.limits.lower[j], units[j]),
-                    is_endless ? "end" : number(arm.limits.upper[j], units[j]),
-                    is_endless            ? ""
-                    : arm.chain.slides(j) ? "m"
-                                          : "deg",
-                    number(link.a), number(link.alpha, degree), number(link.d), number(link.offset, degree)});
+                    is_endless ? "end" : number(arm.limits.upper[j], units[j]), is_endless ? "" : unit, number(link.a),
+                    number(link.alpha, degree), number(link.d), number(link.offset, degree)});
     if (has_velocities)
       rows.back().push_back(arm.velocity[j] == 0 ? "not known"
-                                                 : fmt::format("{} {}/s", number(arm.velocity[j], units[j]),
-                                                               arm.chain.slides(j) ? "m" : "deg"));
+                                                 : fmt::format("{} {}/s", number(arm.velocity[j], units[j]), unit));
     if (!names.empty()) rows.back().push_back(names[static_cast<std::size_t>(j)]);
   }
   constexpr std::size_t any_width = 1000;  // digits do not break into lines
