@@ -29,6 +29,9 @@ std::string limit(double value, std::string_view unit) {
   return value > 0 ? fmt::format("{}{}", number_text(value), unit) : "";
 }
 
+// "1 iteration", "200 iterations"; empty for none.
+std::string limit(std::int64_t count, std::string_view nouns) { return count > 0 ? base::counted(count, nouns) : ""; }
+
 // "1 point", "2.5 cm".
 std::string with_unit(const std::string& text, const std::string& unit) {
   if (unit.empty()) return text;
@@ -563,9 +566,9 @@ std::string stops_of(const StudyResults& study) {
   const numerics::StopRule& stop = study.definition.stop;
   std::vector<std::string> tolerances{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg")};
   std::erase(tolerances, "");
-  std::vector<std::string> stops{listed(tolerances), base::counted(stop.iterations, "iterations"),
-                                 base::counted(stop.evaluations, "evaluations"), limit(1000 * stop.seconds, " ms")};
-  std::erase_if(stops, [](const std::string& each) { return each.empty() || each.starts_with("0 "); });  // no limit
+  std::vector<std::string> stops{listed(tolerances), limit(std::int64_t{stop.iterations}, "iterations"),
+                                 limit(stop.evaluations, "evaluations"), limit(1000 * stop.seconds, " ms")};
+  std::erase(stops, "");
   return listed(stops, " or ");
 }
 
