@@ -62,10 +62,6 @@ std::string study_details(const std::string& name) {
   return to_toml(load_study(name));
 }
 
-std::string path_details(const std::string& name) {
-  return to_toml(find_named("path", name, paths(), [](const Path& path) { return path->name(); }));
-}
-
 Rows list_of(std::string_view kind) {
   Rows rows;
   if (kind == "solvers") {
@@ -110,7 +106,7 @@ std::string listed(const std::string& kind, const std::string& name) {
   if (name.empty()) return aligned(list_of(kind));
   if (kind == "solvers") return solver_details(name);
   if (kind == "studies") return study_details(name);
-  if (kind == "paths") return path_details(name);
+  if (kind == "paths") return to_toml(find_named("path", name, paths(), [](const Path& path) { return path->name(); }));
   throw std::invalid_argument(kind == "robots" ? fmt::format("an arm is shown by: ikbench robot {}", name)
                                                : fmt::format("list {} takes no name; leave out {}", kind, name));
 }
