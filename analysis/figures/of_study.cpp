@@ -363,8 +363,7 @@ Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, co
   const std::string solver = drawn_solvers(study, look).front();
   const std::span<const SolveRecord> solves = study.first_run_of(solver);
   const auto corner_of = [](std::span<const double> metres) {
-    if (metres.size() != 3) return Corner{nowhere, nowhere, nowhere};
-    return Corner{metres[0] / centimetre, metres[1] / centimetre, metres[2] / centimetre};
+    return metres.size() == 3 ? Corner(Corner::Map(metres.data()) / centimetre) : Corner::Constant(nowhere);
   };
   PathRows rows{.targets = {}, .reached_label = "reached by " + look.names.at(solver), .style = look.lines.at(solver)};
   const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);

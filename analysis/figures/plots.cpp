@@ -373,13 +373,11 @@ std::optional<Figure> differences(const About& about, const std::vector<Interval
 
 Figure path(const About& about, const PathRows& rows) {
   Figure figure{.name = about.name, .caption = about.caption, .height_cm = 7};
-  Corner low{}, high{};  // of what is seen, the base among it
+  Corner low = Corner::Zero(), high = low;  // of what is seen, the base among it
   const auto see = [&](const std::vector<Corner>& corners) {
-    for (const Corner& corner : corners) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {  // fmin and fmax pass over NaN
-        low[axis] = std::fmin(low[axis], corner[axis]);
-        high[axis] = std::fmax(high[axis], corner[axis]);
-      }
+    for (const Corner& corner : corners) {  // fmin and fmax pass over NaN
+      low = low.binaryExpr(corner, [](double a, double b) { return std::fmin(a, b); });
+      high = high.binaryExpr(corner, [](double a, double b) { return std::fmax(a, b); });
     }
   };
   figure.data = "# target x, y, z; reached x, y, z [cm]\n";
@@ -416,14 +414,13 @@ Figure path(const About& about, const PathRows& rows) {
   }
   add_legend(figure, clauses.size());
   // A cube, seen from the front, above and the left. A key of splot begins at the top.
-  double side = 0.1;
-  for (std::size_t axis = 0; axis < 3; ++axis) side = std::max(side, 1.1 * (high[axis] - low[axis]));
+  const double side = std::max(0.1, 1.1 * (high - low).maxCoeff());
   figure.settings +=
       "set view equal xyz\nset view 65, 30, 1.3\nset origin 0, up(legend_rows_cm + 0.2)\n"
       "set size 1, 1 - up(legend_rows_cm + 0.2)\nset key at screen 0.5, screen up(legend_rows_cm + 0.1) top center\n"
       "set border 895 lw 0.5 lc rgb '#AAAAAA'\nset grid x y z vertical\n"
       "set xlabel offset 2.5, 0.2\nset xtics offset 0, 0\nset ylabel offset -2, 0\nset zlabel offset 1, 0 rotate\n";
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (const int axis : {0, 1, 2}) {
     const double middle = (low[axis] + high[axis]) / 2;
     figure.settings +=
         fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} textcolor rgb ink\nset {0}label '{0} [cm]'\n", "xyz"[axis],

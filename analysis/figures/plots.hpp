@@ -3,6 +3,7 @@
 // every figure (look.hpp).
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -74,7 +75,7 @@ struct IntervalRow {
 };
 std::optional<Figure> differences(const About& about, const std::vector<IntervalRow>& rows, bool are_ratios);
 
-using Corner = std::array<double, 3>;  // x, y, z [cm]
+using Corner = Eigen::Vector3d;  // [cm]
 struct PathRows {
   std::vector<Corner> targets = {}, reached = {}, late_or_too_fast = {};
   std::vector<std::pair<std::string, std::vector<Corner>>> arms = {};  // label, and corners from the base to the tool

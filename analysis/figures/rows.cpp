@@ -111,9 +111,7 @@ std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Aver
 
 std::vector<Corner> corners_of(const robots::Robot& arm, const Eigen::VectorXd& q) {
   std::vector<Corner> corners{{0, 0, 0}};
-  const auto add = [&](const Eigen::Vector3d& at) {
-    corners.push_back({at.x() / centimetre, at.y() / centimetre, at.z() / centimetre});
-  };
+  const auto add = [&](const Eigen::Vector3d& at) { corners.emplace_back(at / centimetre); };
   robots::Description joints;  // up to the corner
   for (const robots::DescribedJoint& joint : arm.description) {
     joints.push_back(joint);
