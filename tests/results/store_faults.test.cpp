@@ -94,12 +94,9 @@ TEST_CASE("an empty file is no store to a reader and a new store to a writer", "
   CHECK(Store(file, Store::Mode::read).solves("table-3").size() == 40);
 }
 
-TEST_CASE("a store of another version is refused and stays as it is", "[store][faults]") {
-  const ScratchFolder folder;
-  const auto file = folder.path / "a.ikb";
+TEST_CASE_METHOD(StoreFile, "a store of another version is refused and stays as it is", "[store][faults]") {
   for (const int version : {-1, 0, 1, 2, 700}) {
     CAPTURE(version);
-    write_store(file);
     SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(fmt::format("PRAGMA user_version = {}", version));
     const std::string before = text_in(file);
     for (const auto mode : {Store::Mode::read, Store::Mode::write, Store::Mode::write_shared})
@@ -107,7 +104,6 @@ TEST_CASE("a store of another version is refused and stays as it is", "[store][f
                  ContainsSubstring(fmt::format("{} is a store of version {}, and this ikbench reads version 3 alone",
                                                quoted(file), version)));
     CHECK(text_in(file) == before);
-    std::filesystem::remove(file);
   }
 }
 
@@ -171,12 +167,10 @@ TEST_CASE_METHOD(StoreFile, "a value that ikbench does not write is damage, and 
            {"label = 'other'", "the label of 'IK-BA' is another in its solves"},
            {"repeats = 5000000000", "repeats: 5000000000"}}) {
     CAPTURE(change);
-    const ScratchFolder folder;
-    const auto file = folder.path / "a.ikb";
-    write_store(file);
-    SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("UPDATE solves SET " + change);
-    const std::string said = complaint<std::invalid_argument>([&] { read_everything(file); });
-    CHECK_THAT(said, ContainsSubstring(quoted(file) + " is damaged") && ContainsSubstring(word));
+    const StoreFile other;
+    SQLite::Database(other.file.string(), SQLite::OPEN_READWRITE).exec("UPDATE solves SET " + change);
+    const std::string said = complaint<std::invalid_argument>([&] { read_everything(other.file); });
+    CHECK_THAT(said, ContainsSubstring(quoted(other.file) + " is damaged") && ContainsSubstring(word));
   }
   SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE);
   for (const char* change : {"position_error_cm = 'abc'", "seconds = x'00'", "iterations = 2.5", "run = 'two'"})
@@ -193,12 +187,10 @@ TEST_CASE("a store with other tables, views, indexes or triggers than ours is re
        "CREATE TRIGGER mine AFTER INSERT ON solves BEGIN DELETE FROM solves; END",
        "PRAGMA writable_schema = ON; UPDATE sqlite_master SET sql = replace(sql, 'STRICT', '') WHERE name = 'solves'"}) {
     CAPTURE(change);
-    const ScratchFolder folder;
-    const auto file = folder.path / "a.ikb";
-    write_store(file);
-    SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(change);
+    const StoreFile store;
+    SQLite::Database(store.file.string(), SQLite::OPEN_READWRITE).exec(change);
     for (const auto mode : {Store::Mode::read, Store::Mode::write})
-      CHECK_THAT(refusal(file, mode), ContainsSubstring("its tables and views are not those that ikbench makes"));
+      CHECK_THAT(refusal(store.file, mode), ContainsSubstring("its tables and views are not those that ikbench makes"));
   }
 }
 
@@ -210,11 +202,9 @@ TEST_CASE("studies that no study file makes are damage", "[store][faults]") {
        "SELECT name, x, 'k' || x, 'l' || x, 'a', '{}' FROM c, studies",
        "has more than 400 solvers"}};
   for (const auto& [change, word] : changes) {
-    const ScratchFolder folder;
-    const auto file = folder.path / "a.ikb";
-    write_store(file);
-    SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(change);
-    CHECK_THAT(complaint<std::invalid_argument>([&] { Store(file, Store::Mode::read).studies(); }),
+    const StoreFile store;
+    SQLite::Database(store.file.string(), SQLite::OPEN_READWRITE).exec(change);
+    CHECK_THAT(complaint<std::invalid_argument>([&] { Store(store.file, Store::Mode::read).studies(); }),
                ContainsSubstring("is damaged (") && ContainsSubstring(word));
   }
 }
@@ -310,8 +300,7 @@ TEST_CASE("two processes can write one store, opening and closing it as they lik
       return true;
     });
   };
-  const pid_t first = write_series("key-a");
-  const pid_t second = write_series("key-b");
+  const pid_t first = write_series("key-a"), second = write_series("key-b");
   CHECK(exit_code(first) == 0);
   CHECK(exit_code(second) == 0);
   const Store store(file, Store::Mode::read);
@@ -428,10 +417,9 @@ TEST_CASE_METHOD(StoreFile, "a store that a kill left half-written is told apart
   });
   CHECK(exit_code(writer) == -1);
   REQUIRE(std::filesystem::exists(file.string() + "-journal"));
-  const std::string said = refusal(file);
-  CHECK_THAT(said, ContainsSubstring("is half-written, because ikbench was killed"));
-  CHECK_THAT(said, ContainsSubstring(quoted(std::filesystem::path(file.string() + "-journal"))));
-  CHECK_THAT(said, ContainsSubstring("give the command that was killed again"));
+  CHECK_THAT(refusal(file), ContainsSubstring("is half-written, because ikbench was killed") &&
+                                ContainsSubstring(quoted(std::filesystem::path(file.string() + "-journal"))) &&
+                                ContainsSubstring("give the command that was killed again"));
   CHECK(Store(file, Store::Mode::write).finish() == std::vector{file});
   const std::vector<SolveRecord> solves = Store(file, Store::Mode::read).solves("table-3");
   REQUIRE(solves.size() == 40);

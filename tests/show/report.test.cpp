@@ -226,27 +226,23 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
     CHECK(std::ranges::find(json["files"], file) != json["files"].end());
 
   const std::string page = *base::read_file(written.page), text = *base::read_file(folder.path / "report.md");
-  CHECK(page.find("<script>alert") == std::string::npos);
-  CHECK(page.find("src=\"http") == std::string::npos);
+  for (const char* theirs : {"<script>alert", "src=\"http"}) CHECK_FALSE(contains(page, theirs));
   CHECK(contains(page, "{{"));  // the label's own, as text
   CHECK(text.find("<script>") == std::string::npos);
 }
 
 TEST_CASE("only files that a report has written are replaced or removed", "[show]") {
   const ScratchFolder folder;
-  for (const char* name : {"table-8.csv", "mine.csv", "results.xlsx"})
-    base::write_file(folder.path / "out" / "tables" / name, "");
-  base::write_file(folder.path / "out" / "store.sqlite", "");
-  base::write_file(folder.path / "precious", "");
-  base::write_file(
-      folder.path / "out" / "results.json",
-      R"({"files": ["results.json", "tables/table-8.csv", "tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious",
-                                     "tables/../../precious", 7]})");
-  publish(report_of(), folder.path / "out", {.render = false});
-  CHECK_FALSE(fs::exists(folder.path / "out" / "tables" / "table-8.csv"));
-  for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite"})
-    CHECK(fs::exists(folder.path / "out" / file));
-  CHECK(fs::exists(folder.path / "precious"));
+  const fs::path out = folder.path / "out", killed = folder.path / "killed";
+  for (const char* file :
+       {"tables/table-8.csv", "tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious"})
+    base::write_file(out / file, "");
+  base::write_file(out / "results.json", R"({"files": ["results.json", "tables/table-8.csv", "tables/mine.csv",
+      "tables/results.xlsx", "store.sqlite", "../precious", "tables/../../precious", 7]})");
+  publish(report_of(), out, {.render = false});
+  CHECK_FALSE(fs::exists(out / "tables" / "table-8.csv"));
+  for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious"})
+    CHECK(fs::exists(out / file));
   for (const char* name : {"report.html", "report.md", "results.json", "solves.csv", "article/main.tex",
                            "tables/results.csv", "figures/style.gp"}) {
     const fs::path other = folder.path / fs::path(name).filename();
@@ -257,14 +253,12 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
     CHECK(*base::read_file(other / name) == "not ours");
   }
   // A report that was killed is continued.
-  claim(folder.path / "killed", files_of({"results"}, {}));
-  base::write_file(folder.path / "killed" / "tables" / "results.csv", "");
-  CHECK_NOTHROW(refuse_others(folder.path / "killed"));
-  // What it had not written is nobody's by the next command.
-  claim(folder.path / "killed", files_of({"pairs"}, {}));
-  claim(folder.path / "killed", files_of({"solves"}, {}));
-  base::write_file(folder.path / "killed" / "tables" / "pairs.csv", "not ours");
-  CHECK_THROWS_WITH(refuse_others(folder.path / "killed"), ContainsSubstring("pairs.csv"));
+  claim(killed, files_of({"results", "pairs"}, {}));
+  base::write_file(killed / "tables" / "results.csv", "");
+  CHECK_NOTHROW(refuse_others(killed));
+  claim(killed, {});  // by the next command, to which what was not written is nobody's
+  base::write_file(killed / "tables" / "pairs.csv", "not ours");
+  CHECK_THROWS_WITH(refuse_others(killed), ContainsSubstring("pairs.csv"));
 }
 
 TEST_CASE("a report of three solvers is short", "[show]") {

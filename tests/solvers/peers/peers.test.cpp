@@ -5,6 +5,8 @@
 
 namespace {
 
+constexpr StopRule until_solved{.iterations = 500, .tolerance = 1e-4, .angle_tolerance = 1e-3};
+
 bool is_missing(std::string_view name) {
   const std::vector<MissingPeer> missing = missing_peers();
   return std::ranges::find(missing, name, &MissingPeer::name) != missing.end();
@@ -46,13 +48,12 @@ TEST_CASE("a peer says with which version of its library it was built", "[peers]
 }
 
 TEST_CASE("a peer solves a pose that is near, of arms that turn and that slide, in one step", "[peers]") {
-  constexpr StopRule stop{.iterations = 500, .tolerance = 1e-4, .angle_tolerance = 1e-3};
   for (const char* arm : {"franka_panda", "ur5e", "stanford"}) {
     for (const auto& [name, settings] :
          {std::pair<std::string, Settings>{"kdl_newton", {}}, {"nlopt", {}}, {"nlopt", {{"algorithm", "lbfgs"}}}}) {
       if (is_missing(name)) continue;
       CAPTURE(arm, name);
-      const Solution solution = solved(near_pose(arm), name, settings, stop);
+      const Solution solution = solved(near_pose(arm), name, settings, until_solved);
       CHECK(solution.stopped == StopReason::tolerance);
       CHECK(solution.iterations == 1);
     }
@@ -67,8 +68,7 @@ TEST_CASE("a peer that misses its target ends by itself", "[peers]") {
     task.goal.target.translation() *= 5;                    // out of reach
     task.problem.lower = task.problem.start.array() - 0.1;  // where Newton's method is stuck soon
     task.problem.upper = task.problem.start.array() + 0.1;
-    const Solution solution =
-        solved(task, info.name, {}, {.iterations = 500, .tolerance = 1e-4, .angle_tolerance = 1e-3});
+    const Solution solution = solved(task, info.name, {}, until_solved);
     CHECK(solution.stopped == StopReason::finished);
     CHECK((solution.iterations == 1 || info.name == "newton_slsqp"));  // which calls its library until it converges
     CHECK((solution.restarts >= solution.iterations) == (info.name == "newton_slsqp"));  // its Newton begins anew, too
@@ -134,8 +134,7 @@ TEST_CASE("NLopt with restarts goes on until it has found a pose", "[peers]") {
   if (is_missing("nlopt")) return;
   PeerTask task = near_pose("ur5e");
   task.problem.start = task.problem.lower;
-  const StopRule stop{.iterations = 500, .tolerance = 1e-4, .angle_tolerance = 1e-3};
-  const Solution solution = solved(task, "nlopt", {{"restarts", "random"}}, stop);
+  const Solution solution = solved(task, "nlopt", {{"restarts", "random"}}, until_solved);
   CHECK(solution.stopped == StopReason::tolerance);
   CHECK(solution.iterations > 1);
 }
