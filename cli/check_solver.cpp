@@ -236,7 +236,6 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
   command->add_option("--robot", *robot_name,
                       "an arm of ikbench list robots, for a solver that knows some kinds of arms alone");
   command->footer(
-      "Examples:\n"
       "  ikbench check-solver -- python3 my_solver.py\n"
       "  ikbench check-solver --robot ur5e -- python3 my_closed_form.py\n"
       "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"

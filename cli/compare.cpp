@@ -295,7 +295,6 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       ->check(not_empty());
   add_json_option(*command, arguments->is_json);
   command->footer(
-      "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
       "The exit code is 3 if something is shown to be worse, and not shown to be so by less than the margin; 1 after a "

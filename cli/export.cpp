@@ -34,7 +34,6 @@ void add_export(CLI::App& app, Invocation&) {
       ->check(CLI::IsMember({"csv", "fingerprint"}));
   add_option(*command, "-o,--output", arguments->file, "file to write; - for standard output");
   command->footer(
-      "Examples:\n"
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format fingerprint\n"
       "Columns: ikbench list columns");

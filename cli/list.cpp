@@ -125,7 +125,6 @@ void add_list(CLI::App& app, Invocation&) {
   command->add_option("NAME", arguments->name,
                       "show this solver in full; a study or a path is printed as TOML, ready to edit");
   command->footer(
-      "Examples:\n"
       "  ikbench list solvers\n"
       "  ikbench list solvers ik_bat              its options with defaults and ranges\n"
       "  ikbench list studies slim2023 > my.toml\n"

@@ -39,7 +39,7 @@ class Help : public CLI::Formatter {
     return fmt::format("{}", fmt::join(ikbench::show::broken(option->get_description(), width, width), "\n"));
   }
   std::string make_footer(const CLI::App* app) const override {
-    return ikbench::cli::wrapped(app->get_footer()) + '\n';
+    return ikbench::cli::wrapped("Examples:\n" + app->get_footer()) + '\n';
   }
 };
 
@@ -56,7 +56,6 @@ int main(int argc, char** argv) {
                "ikbench");
   app.formatter(std::make_shared<Help>());
   app.footer(
-      "Examples:\n"
       "  ikbench reproduce         repeats Slim et al. 2023: which of its claims hold?\n"
       "  ikbench run my.toml       compares the solvers of a study, and writes a report\n"
       "  ikbench stats my.csv      says which group of your own data is better\n"

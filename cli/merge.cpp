@@ -60,7 +60,6 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       ->required()
       ->check(not_empty());
   command->footer(
-      "Examples:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
       "A solve that two stores have must have the same bits in both. What is missing is counted; the exit code is "

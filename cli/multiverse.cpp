@@ -112,7 +112,6 @@ void add_multiverse(CLI::App& app, Invocation&) {
   command->add_option("--out", arguments->out, "folder for the table; default: out/PAPER-multiverse")
       ->check(not_empty());
   command->footer(
-      "Examples:\n"
       "  ikbench multiverse slim2023 --list\n"
       "  ikbench multiverse slim2023 --small --seeds 2 --out out/small\n"
       "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n"

@@ -91,7 +91,6 @@ void add_report(CLI::App& app, Invocation&) {
       ->check(not_empty());
   add_report_options(*command, arguments->report);
   command->footer(
-      "Examples:\n"
       "  ikbench report out/my/store.sqlite\n"
       "  ikbench report theirs.sqlite --out out/theirs\n"
       "  ikbench report out/panda/store.sqlite out/ur5e/store.sqlite --out out/both\n"

@@ -198,7 +198,6 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
              "number of seeds for the readings of what the paper leaves open; 0: skip them");
   add_report_options(*command, arguments->report);
   command->footer(
-      "Examples:\n"
       "  ikbench reproduce\n"
       "  ikbench reproduce beeson2015             TRAC-IK's table of solve rates\n"
       "  ikbench reproduce haviland2023           six rules of Levenberg and Marquardt's method\n"

@@ -151,7 +151,6 @@ void add_robot(CLI::App& app, Invocation&) {
   command->add_flag("--urdf", arguments->shows_urdf, "print the arm as a URDF file, and nothing else");
   command->add_option("--out", arguments->out, "also draw the arm into this folder: robot.svg, .pdf, .png");
   command->footer(
-      "Examples:\n"
       "  ikbench robot ur5e\n"
       "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45 --out out/panda\n"
       "  ikbench robot my_arm.urdf --base base_link --tip tool0");

@@ -68,7 +68,6 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("--shard", arguments->shard,
                       "I/N: solve the I-th of N parts, without a report; --out is then out/<study>/shards/I-of-N");
   command->footer(
-      "Examples:\n"
       "  ikbench run --robot my_arm.urdf\n"
       "  ikbench run my.toml\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"

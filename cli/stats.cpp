@@ -134,7 +134,6 @@ void add_stats(CLI::App& app, Invocation& invocation) {
   add_report_options(*command, arguments->report);
   for (const char* name : {"--figures", "--style"}) command->get_option(name)->needs(out);
   command->footer(
-      "Examples:\n"
       "  ikbench stats results.csv\n"
       "  ikbench stats benchmark.csv --value error --block target --run seed\n"
       "  ikbench stats --summaries published.csv\n\n"

@@ -30,7 +30,6 @@ void add_verify(CLI::App& app, Invocation&) {
   add_number(*command, "--solves", arguments->solves, {0, largest_whole},
              "number of solves to make again, drawn at random");
   command->footer(
-      "Examples:\n"
       "  ikbench verify theirs.sqlite\n"
       "  ikbench verify theirs.sqlite --solves 1000000     all of them");
   command->callback([arguments] {
