@@ -60,11 +60,13 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
   const std::filesystem::path folder = folder_for(paper.name + "-multiverse", arguments.out);
   const std::size_t departures = arguments.explain ? static_cast<std::size_t>(arguments.departures) : any_departures;
   using Names = std::vector<std::string>;
-  show::claim(folder,
-              show::files_of(arguments.explain ? Names{"explained", "rows", "readings"} : Names{"multiverse"}, {}));
+  const Names files =
+      show::files_of(arguments.explain ? Names{"explained", "rows", "readings"} : Names{"multiverse"}, {});
+  show::claim(folder, files);
   const papers::SolvedMultiverse multiverse = solved_multiverse(
       paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .departures = departures},
       arguments.jobs);
+  show::claim(folder, files);  // again: meanwhile another command may have found that none of them is there
   const auto tell = [&](const show::Table& table, const show::Table& on_screen,
                         const std::vector<std::string>& sentences = {}) {
     show::write_table(table, table, folder / "tables", program_name());
@@ -93,8 +95,8 @@ void add_multiverse(CLI::App& app, Invocation&) {
   command->add_flag("--list", arguments->list, "list the open questions and the size, without solving");
   CLI::Option* small =
       command->add_flag("--small", arguments->small, "fewer questions: what `ikbench reproduce` shows");
-  add_option(*command, "--dimensions", arguments->dimensions,
-             "vary these questions instead, with all their answers: bounds,population")
+  add_with_default(*command, "--dimensions", arguments->dimensions,
+                   "vary these questions instead, with all their answers: bounds,population")
       ->delimiter(',')
       ->excludes(small);
   CLI::Option* explain = command->add_flag(
@@ -108,7 +110,7 @@ void add_multiverse(CLI::App& app, Invocation&) {
              "number of seeds, counted from 1; each is a study of its own");
   add_number(*command, "--jobs", arguments->jobs, {1, 1024},
              "number of solvers at once; the results do not depend on it");
-  add_option(*command, "--set", arguments->overrides, "change a key in every reading: runs=5, path.points=10");
+  add_with_default(*command, "--set", arguments->overrides, "change a key in every reading: runs=5, path.points=10");
   command->add_option("--out", arguments->out, "folder for the table; default: out/PAPER-multiverse")
       ->check(not_empty());
   command->footer(

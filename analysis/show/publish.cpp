@@ -139,7 +139,9 @@ std::vector<std::string> claim(const fs::path& folder, std::vector<std::string> 
   Json results = results_of(folder);
   std::vector<std::string> earlier = files_of_earlier(results);
   std::error_code none;
-  std::erase_if(earlier, [&](const std::string& file) { return !fs::exists(folder / file, none); });
+  std::erase_if(earlier, [&](const std::string& file) {
+    return fs::symlink_status(folder / file, none).type() == fs::file_type::not_found;
+  });
   refuse_others(folder, earlier, files);
   std::set<std::string> all(earlier.begin(), earlier.end());
   all.insert(files.begin(), files.end());
@@ -166,7 +168,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
   std::vector<std::string> earlier = claim(folder, files);
   const auto of_others = std::ranges::partition(earlier, may_be_of_report).begin();
-  std::set<std::string> listed(of_others, earlier.end());  // what other commands wrote
+  std::set<std::string> listed(of_others, earlier.end());  // what is not a report's to remove
   earlier.erase(of_others, earlier.end());
   for (const std::string& file : earlier) base::refuse_input(folder / file);
   written.warnings = figures::write_figures(figures, folder / "figures", options);

@@ -66,10 +66,14 @@ for file in solves.csv article/main.tex tables/results.csv tables/studies.csv; d
   for into in "$stores" theirs/store.sqlite "$stores"; do succeeds report $into --out own; done
   rm -r own
 done
-# What another command wrote stays listed.
+# What other commands wrote stays, and stays listed, also if two of them run at once.
+readings=(multiverse slim2023 --dimensions search --set runs=2 --out both)
 for round in 1 2; do
-  succeeds multiverse slim2023 --explain --dimensions search --departures 1 --set runs=2 --out both
+  "$program" "${readings[@]}" >/dev/null &
+  succeeds "${readings[@]}" --explain --departures 1
+  wait $! || fail "two commands in one folder"
   succeeds report theirs/store.sqlite --out both
+  [ -e both/tables/multiverse.csv ] || fail "report removed the readings"
 done
 succeeds report theirs/store.sqlite
 install -D thief.py own/report.md
