@@ -12,6 +12,7 @@
 #include "analysis/papers/published.hpp"
 #include "analysis/papers/rules.hpp"
 #include "analysis/show/text.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::papers {
 
@@ -236,25 +237,29 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
   }
   const std::string readings = fmt::format("{:.0f} readings, each with {}", multiverse.readings(),
                                            seeds > 1 ? fmt::format("seeds 1 to {}", seeds) : "seed 1");
-  const std::size_t solvers = multiverse.solvers.size(), pairs = solvers * (solvers - 1) / 2;
+  const std::int64_t solvers = std::ssize(multiverse.solvers), pairs = solvers * (solvers - 1) / 2;
   const std::string rule = fmt::format(
       "A claim holds where its solvers are better than each rival, and fails where a rival is better, by Welch's t "
-      "(spreads: of distances from the median) at {:g} / {}, as there are {} pairs of solvers.",
-      plan.significance, pairs, pairs);
+      "(spreads: of distances from the median) at {:g} / {} ({} of solvers).",
+      plan.significance, pairs, base::counted(pairs, "pairs"));
   result.table.notes = {fmt::format("{}. {}", readings, rule)};
   show::Table on_page = result.table;  // without counts
   for (std::vector<show::Cell>& row : on_page.rows) row.erase(row.begin() + 1, row.begin() + 4);
   on_page.columns.erase(on_page.columns.begin() + 1, on_page.columns.begin() + 4);
   result.table.on_page = {on_page};
-  result.table.notes.emplace_back(
-      "A reading has one answer to each question that the paper leaves open (--list). Counts depend on these answers; "
-      "they are no probabilities.");
+  const auto about_readings = [](std::string_view where_listed) {
+    return fmt::format(
+        "A reading has one answer to each question that the paper leaves open{}. Counts depend on these "
+        "answers; they are no probabilities.",
+        where_listed);
+  };
+  result.table.notes.push_back(about_readings(""));
   result.on_screen.columns.assign(result.table.columns.begin(), result.table.columns.begin() + 4);
   result.on_screen.caption = fmt::format("The claims of {} in {}", paper.name, readings);
   for (const auto& [condition, claims] : conditions)
     result.sentences.push_back(
         fmt::format("{}: {}{}.", fmt::join(claims, "; "), claims.size() > 1 ? "each " : "", condition));
-  result.sentences.insert(result.sentences.end(), {rule, result.table.notes.back()});
+  result.sentences.insert(result.sentences.end(), {rule, about_readings(" (--list)")});
   return result;
 }
 

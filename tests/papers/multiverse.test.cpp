@@ -102,6 +102,23 @@ TEST_CASE("products count what every reading by itself has", "[papers]") {
   }
   CHECK(ids == std::vector<std::string>{"most_accurate", "least_variation", "better_than_ba", "least_spread"});
   for (const std::int64_t some : readings_in(result.table.rows.front())) CHECK(some > 0);
+  CHECK(result.on_screen.rows.size() == ids.size());
+}
+
+TEST_CASE("a condition is told once, with each claim that it holds for", "[papers]") {
+  const JudgedMultiverse result = judged(paper_named("slim2023"), small(few_runs), {});
+  std::map<std::string, int> conditions;
+  for (std::size_t i = 0; i + 2 < result.sentences.size(); ++i) {  // the last two are of all
+    const std::string& sentence = result.sentences[i];
+    const std::size_t colon = sentence.find(": ");
+    REQUIRE(colon != std::string::npos);
+    const bool of_several = sentence.substr(0, colon).find("; ") != std::string::npos;
+    std::string condition = sentence.substr(colon + 2);
+    CHECK(condition.starts_with("each ") == of_several);
+    if (of_several) condition.erase(0, 5);
+    CHECK(++conditions[condition] == 1);
+  }
+  CHECK_FALSE(conditions.empty());
 }
 
 TEST_CASE("the smallest sets of answers without which a claim does not fail are told", "[papers]") {
