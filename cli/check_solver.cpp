@@ -230,7 +230,7 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
   auto choice = std::make_shared<ProgramChoice>(ProgramChoice{.process = {}, .files = {}, .patience = 5});
   CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program");
   command->add_option("COMMAND", choice->process, "the program and its arguments, after --")->required();
-  add_option(*command, "--patience", choice->patience, "seconds after which a solve is given up")
+  add_with_default(*command, "--patience", choice->patience, "seconds after which a solve is given up")
       ->check(number_in({0.1, 3600}));
   auto robot_name = std::make_shared<std::string>();
   command->add_option("--robot", *robot_name,

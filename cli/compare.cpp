@@ -281,8 +281,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   command->add_option("B", arguments->b, "candidate: a store.sqlite, or with --store a label")->required();
   CLI::Option* store = command->add_option("--store", arguments->store, "store in which A and B are labels");
   add_study_option(*command, arguments->study);
-  add_option(*command, "--label", arguments->labels,
-             "with two stores: this solver alone; repeat for more; default: all of A")
+  add_with_default(*command, "--label", arguments->labels,
+                   "with two stores: this solver alone; repeat for more; default: all of A")
       ->excludes(store);
   command->add_option("--margin", arguments->margin,
                       "relative difference that matters, such as 10%; default: that of the baseline's plan");

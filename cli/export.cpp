@@ -29,10 +29,10 @@ void add_export(CLI::App& app, Invocation&) {
   CLI::App* command = app.add_subcommand("export", "Write all solves as CSV, or their fingerprint");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   add_study_option(*command, arguments->study);
-  add_option(*command, "--format", arguments->format,
-             "csv: a row for each solve; fingerprint: a hash of every bit but of times")
+  add_with_default(*command, "--format", arguments->format,
+                   "csv: a row for each solve; fingerprint: a hash of every bit but of times")
       ->check(CLI::IsMember({"csv", "fingerprint"}));
-  add_option(*command, "-o,--output", arguments->file, "file to write; - for standard output");
+  add_with_default(*command, "-o,--output", arguments->file, "file to write; - for standard output");
   command->footer(
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format fingerprint\n"

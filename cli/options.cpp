@@ -48,7 +48,7 @@ void add_paper_option(CLI::App& command, std::string& paper) {
   for (const papers::Paper& known : papers::papers())
     names.push_back(fmt::format("{} ({})", known.name, known.in_short));
   paper = papers::papers().front().name;
-  add_option(command, "PAPER", paper, fmt::format("one of: {}", fmt::join(names, ", ")));
+  add_with_default(command, "PAPER", paper, fmt::format("one of: {}", fmt::join(names, ", ")));
 }
 
 }  // namespace ikbench::cli

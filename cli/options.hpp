@@ -23,19 +23,19 @@ CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range = {0, la
 // Refuses an empty folder name: it comes from an unset variable of a script.
 CLI::Validator not_empty();
 
-// Adds an option of which --help shows the default, and which of a list is given for each value.
+// Adds an option of which --help shows the default; one that fills a list is given once for each value.
 template <class T>
-CLI::Option* add_option(CLI::App& command, const std::string& name, T& value, const std::string& meaning) {
+CLI::Option* add_with_default(CLI::App& command, const std::string& name, T& value, const std::string& meaning) {
   CLI::Option* const option = command.add_option(name, value, meaning);
   if constexpr (std::is_same_v<T, std::vector<std::string>>)
-    return option->allow_extra_args(!name.starts_with('-'));
+    return option->allow_extra_args(false);
   else
     return option->capture_default_str();
 }
 template <class T>
 CLI::Option* add_number(CLI::App& command, const std::string& name, T& value,
                         std::pair<std::int64_t, std::int64_t> range, const std::string& meaning) {
-  return add_option(command, name, value, meaning)->check(whole_number(range));
+  return add_with_default(command, name, value, meaning)->check(whole_number(range));
 }
 
 void add_json_option(CLI::App& command, bool& is_json);

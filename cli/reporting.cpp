@@ -96,7 +96,7 @@ bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find
 }  // namespace
 
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
-  add_option(command, "--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
+  add_with_default(command, "--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
       ->delimiter(',');
   command
       .add_option("--style", arguments.style,

@@ -144,8 +144,9 @@ void add_robot(CLI::App& app, Invocation&) {
                       "link of a URDF file from which the arm is read; default: the root");
   command->add_option("--tip", arguments->urdf.tip,
                       "link of a URDF file to which the arm is read; default: the end after most joints");
-  add_option(*command, "--snap-deg", arguments->snap_deg,
-             "angles of a URDF file this near a multiple of 15 deg, and axes this near parallel, are meant to be it")
+  add_with_default(
+      *command, "--snap-deg", arguments->snap_deg,
+      "angles of a URDF file this near a multiple of 15 deg, and axes this near parallel, are meant to be it")
       ->check(number_in({0, 1}));
   command->add_flag("--links", arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
   command->add_flag("--urdf", arguments->shows_urdf, "print the arm as a URDF file, and nothing else");

@@ -55,12 +55,13 @@ void add_run(CLI::App& app, Invocation& invocation) {
                                   "--robot {}",
                                   study_of_any_arm));
   command->add_option("--robot", arguments->robot, "solve it on this arm: my_arm.urdf, my_arm.toml, ur5e");
-  add_option(*command, "--set", arguments->set,
-             "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp");
-  add_option(*command, "--sweep", arguments->sweep,
-             fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
-                         most_solvers));
-  add_option(*command, "--only", arguments->only, "solve and report these labels alone: A,B; of a sweep also its label")
+  add_with_default(*command, "--set", arguments->set,
+                   "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp");
+  add_with_default(*command, "--sweep", arguments->sweep,
+                   fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
+                               most_solvers));
+  add_with_default(*command, "--only", arguments->only,
+                   "solve and report these labels alone: A,B; of a sweep also its label")
       ->delimiter(',');
   add_run_options(*command, arguments->run);
   add_report_options(*command, arguments->report);

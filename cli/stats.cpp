@@ -108,7 +108,7 @@ void add_stats(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("stats", "Compare groups in a CSV: which is better, by how much, how sure");
   csv::Request& csv = arguments->csv;
   const auto add = [&](const char* name, auto& value, const char* meaning) {
-    return add_option(*command, name, value, meaning);
+    return add_with_default(*command, name, value, meaning);
   };
   add("FILE", arguments->file,
       "CSV with a column of names and one of values, or one of values a solver; - for standard input")
