@@ -168,6 +168,7 @@ std::string csv_text(std::istream& stream, const std::string& source) {
     text += part;
     if (part.find('\0') != std::string_view::npos) break;  // no text, perhaps without an end
   }
+  // A failed read of standard input is its end to the stream, and a fault to C alone.
   if (stream.bad() || (&stream == &std::cin && std::ferror(stdin) != 0)) refuse_place("read", source, errno);
   return text;
 }

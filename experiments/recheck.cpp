@@ -97,14 +97,15 @@ void check(const Definition& study, const Robot& arm, const Left& before, bool i
   const auto joints = static_cast<std::size_t>(arm.joints());
   if (solve.target_position_m.size() != 3 || solve.reached_position_m.size() != 3 ||
       solve.target_rotation.size() != 9 || solve.start_rad.size() != joints || solve.answer_rad.size() != joints)
-    refuse(solve, fmt::format("its target, start or answer is not that of an arm with {} joints", joints));
+    refuse(solve,
+           fmt::format("its target, start or answer is not that of an arm with {}", counted(arm.joints(), "joints")));
   const bool is_next = before.label == solve.label && before.run == solve.run && before.point + 1 == solve.point;
   if (study.is_chained() && is_next && before.arm_rad != solve.start_rad)
     refuse(solve, "it does not start where the solve before it left the arm");
   if (stays(solve.status) && solve.answer_rad != solve.start_rad)
     refuse(solve, fmt::format("the arm moved, though status {} is stored", name_of(solve.status)));
   if (!may_spend(study.stop, is_built_in, solve))
-    refuse(solve, fmt::format("{} (counted by {}) in {} are stored, which no solve of this study makes",
+    refuse(solve, fmt::format("it has {} (counted by {}) in {}, which no solve of this study makes",
                               counted(solve.evaluations, "evaluations"), name_of(solve.counted_by),
                               counted(solve.iterations, "iterations")));
   const Verification computed = verify(arm, target_of(solve), vector_of(solve.start_rad), vector_of(solve.answer_rad),

@@ -395,7 +395,7 @@ Quantities values_in(std::string_view text, std::string_view source, const Reque
     for (const Value& item : items.values) {
       if (std::isinf(item.value) && (item.value < 0 || observed.better == Better::larger))
         sheet.refuse(item.row, item.column,
-                     "cannot be ranked: inf stands for no answer where smaller is better; otherwise write NA");
+                     "has no meaning: inf stands for no answer, where smaller is better; otherwise write NA");
     }
     fill(layout, items, observed);
     quantities.observed.push_back(std::move(observed));

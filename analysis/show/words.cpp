@@ -30,7 +30,7 @@ std::string limit(double value, std::string_view unit) {
 }
 
 // "1 iteration", "200 iterations"; empty for none.
-std::string limit(std::int64_t count, std::string_view nouns) { return count > 0 ? base::counted(count, nouns) : ""; }
+std::string limited(std::int64_t count, std::string_view nouns) { return count > 0 ? base::counted(count, nouns) : ""; }
 
 // "1 point", "2.5 cm".
 std::string with_unit(const std::string& text, const std::string& unit) {
@@ -315,7 +315,7 @@ std::string effect_words(const Finding& finding) {
                      number_text(100 * behind));
 }
 
-// What differs between two whose numbers look alike: ", smaller in 8 of 20 targets, larger in none".
+// What differs between two whose numbers look alike: ": both have 0.11 mm; better in 8, worse in 0 of 20 targets".
 std::string where_alike(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const std::size_t first = answer.order[0];
@@ -566,8 +566,8 @@ std::string stops_of(const StudyResults& study) {
   const numerics::StopRule& stop = study.definition.stop;
   std::vector<std::string> tolerances{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg")};
   std::erase(tolerances, "");
-  std::vector<std::string> stops{listed(tolerances), limit(std::int64_t{stop.iterations}, "iterations"),
-                                 limit(stop.evaluations, "evaluations"), limit(1000 * stop.seconds, " ms")};
+  std::vector<std::string> stops{listed(tolerances), limited(stop.iterations, "iterations"),
+                                 limited(stop.evaluations, "evaluations"), limit(1000 * stop.seconds, " ms")};
   std::erase(stops, "");
   return listed(stops, " or ");
 }

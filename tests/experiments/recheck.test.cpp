@@ -100,9 +100,9 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"reached_position_m", [](SolveRecord& solve) { solve.reached_position_m[1] += 1e-6; }},
       {"not start where the solve before", [](SolveRecord& solve) { solve.start_rad = solve.answer_rad; }},
       {"the arm moved, though status crashed", [](SolveRecord& solve) { solve.status = Status::crashed; }},
-      {": 0 evaluations (counted by suite) in ", [](SolveRecord& solve) { solve.evaluations = 0; }},
+      {": it has 0 evaluations (counted by suite) in ", [](SolveRecord& solve) { solve.evaluations = 0; }},
       {"(counted by nobody) in ", [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; }},
-      {" iterations are stored, which no solve",
+      {" iterations, which no solve",
        [&](SolveRecord& solve) { solve.iterations = study.stop.iterations + 1; }},
       {"status not_finite is stored", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
@@ -130,7 +130,7 @@ TEST_CASE("a solve of a program that kept its budget has not spent 1.5 times as 
   for (Series& series : entry.series) series.options = R"({"process":"./program"})";
   CHECK(refused_row(entry, {solve}) == "");
   solve.evaluations = 1501;
-  CHECK_THAT(refused_row(entry, {solve}), ContainsSubstring(": 1501 evaluations (counted by solver) in "));
+  CHECK_THAT(refused_row(entry, {solve}), ContainsSubstring(": it has 1501 evaluations (counted by solver) in "));
 }
 
 TEST_CASE("an arm that cannot be read is refused", "[recheck]") {

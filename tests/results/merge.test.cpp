@@ -178,6 +178,7 @@ TEST_CASE("a store that a kill left half-written is mended, and merged", "[merge
   const Merged merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b", folder.path / "c"});
   CHECK(merged.added == 42);
   CHECK(merged.stores == 2);
+  CHECK(merge(folder.path / "out", {folder.path / "a", folder.path / "out"}).stores == 1);
 }
 
 TEST_CASE("of two merges into a new store both have their solves in it, and a refused one removes nothing", "[merge]") {
