@@ -246,14 +246,15 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   return doubts;
 }
 
-std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
+std::vector<Doubt> doubts_of_clock(const StudyResults& study, bool takes_unsolved) {
   const double limit = study.definition.stop.seconds;
   if (limit == 0) return {};
   const auto is_ended = [=](const Solve& solve) {  // programs stop before it
-    return solve.seconds >= 0.9 * limit && !solve.had_enough_time;
+    return solve.seconds >= 0.9 * limit && (takes_unsolved || !solve.had_enough_time);
   };
   std::vector<Doubt> doubts = doubts_of_load(study);
-  if (!measured_apart(study).empty()) doubts.push_back({.what = "measured in different sessions"});
+  if (!study.are_in_turn && !measured_apart(study).empty())
+    doubts.push_back({.what = "measured in different sessions"});
   for (Doubt& doubt : doubts) {
     doubt.kind = DoubtKind::seconds_decide;
     if (doubt.who.empty()) doubt.who = study.labels;
@@ -336,7 +337,7 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::times_not_comparable:
       return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what, in_solves);
     case DoubtKind::seconds_decide:
-      return fmt::format("results of {} are not compared, since seconds end solves: {}{}", who, what, in_solves);
+      return fmt::format("results of {} that seconds decide are not compared: {}{}", who, what, in_solves);
     case DoubtKind::out_of_reach:
       return fmt::format("{} targets of a run out of reach, so no solver can solve them", share);
     case DoubtKind::solved_by_nobody:

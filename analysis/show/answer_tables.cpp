@@ -219,6 +219,8 @@ Table results_table(const Answer& answer) {
       const std::size_t place = place_of(observed, solver);
       if (place < judged.described.size()) solved.push_back(fmt::format("{} {}", solver, judged.described[place].n));
     }
+    const auto [least, most] = std::ranges::minmax(judged.described, {}, &Description::n);
+    if (least.n == most.n) solved = {fmt::format("{} each", least.n)};
     counts.add(fmt::format("{}s of the {} that each solved ({})", average, answer.noun, listed(solved, ", ")),
                observed.quantity);
   }

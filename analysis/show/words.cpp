@@ -376,7 +376,11 @@ Sentence sentence_of(const Answer& answer) {
   if (!best_of(judged).empty()) return best(answer);
   if (!head.best.empty()) return unbeaten(answer);
   if (!head.usual.empty()) return {usual(judged)};
-  if (const std::string equal = all_solved(answer); !equal.empty()) return {equal};
+  if (const std::string equal = all_solved(answer); !equal.empty()) {
+    const auto is_open = [](const Finding& finding) { return std::holds_alternative<Open>(finding.what); };
+    const bool is_untested = !judged.findings.empty() && std::ranges::all_of(judged.findings, is_open);
+    return {equal, is_untested ? "; not tested" + since(answer, answer.solvers()) : ""};
+  }
   if (judged.findings.empty()) {
     const bool is_solved = judged.observations.metric == "solved";
     return {(is_solved ? "" : judged.observations.groups[0].name + ": ") + numbers_of(answer, is_solved)};

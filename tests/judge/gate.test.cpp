@@ -324,4 +324,9 @@ TEST_CASE("what the study's time ended is compared if it had as many evaluations
   CHECK(few.worse.empty());
   CHECK_FALSE(few.is_compared);
   CHECK(exit_code({few}, false) == 1);
+
+  // Where both failed, neither is better, but the machine decided what that cost.
+  const Gate slower = gate_of(with_seconds(version(1, timed, late(5000))), with_seconds(version(1, timed, late(5500))));
+  CHECK(slower.worse.empty());
+  CHECK(std::ranges::count(slower.not_tested, "evaluations per solved") == 1);
 }

@@ -190,7 +190,7 @@ TEST_CASE("below the pairs of two solvers stands which metric decides", "[show]"
   two.metrics[1].observations.doubts.push_back(
       {.kind = judge::DoubtKind::seconds_decide, .who = {"A"}, .what = "slow"});
   CHECK(screen(two).starts_with("A is worse.\n\n"));
-  CHECK(screen(two).find("! results of A are not compared") != std::string::npos);
+  CHECK(screen(two).find("! results of A that seconds decide are not compared") != std::string::npos);
   CHECK(what_decides(two).find("effort") == std::string::npos);
   CHECK(what_decides(answer_of({of_two("error")})).empty());
   CHECK(is_told(answer_of(judged_study())));  // others have marks, too
