@@ -28,7 +28,6 @@ old=${OLD:-} turns=${TURNS:-20} time_margin=
 [[ -z $time_margin || $time_margin =~ ^[0-9]+(\.[0-9]+)?%$ ]] || refuse "TIME_MARGIN is $time_margin; expected 10%"
 [[ ${STRICT:-false} =~ ^(true|false)$ ]] || refuse "STRICT is $STRICT; expected true or false"
 [[ $(realpath -m "$baseline") != "$(realpath -m "$out/store.sqlite")" ]] || refuse "BASELINE is the new store; choose another OUT"
-rm -f -- "$out/verdict.md"  # of an earlier call
 solve() {
   "$1" run "$study" --shard "$i/$turns" --out="$2/shards/$i" && return
   local code=$?
@@ -49,6 +48,7 @@ else  # who begins a turn alternates
   for each in "$out/before" "$out"; do "$program" merge "$each" "$each/shards" || ended failed $?; done
 fi
 [[ -e $baseline || -L $baseline ]] || { echo "No baseline: keep $out/store.sqlite as $baseline."; ended no-baseline 0; }
+rm -f -- "$out/verdict.md"  # of an earlier call
 options=(${MARGIN:+--margin="$MARGIN"} ${time_margin:+--time-margin="$time_margin"})
 [[ ${STRICT:-} != true ]] || options+=(--strict)
 "$program" compare "$baseline" "$out/store.sqlite" -o "$out/verdict.md" "${options[@]}"
