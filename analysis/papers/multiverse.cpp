@@ -247,11 +247,11 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
   for (std::vector<show::Cell>& row : on_page.rows) row.erase(row.begin() + 1, row.begin() + 4);
   on_page.columns.erase(on_page.columns.begin() + 1, on_page.columns.begin() + 4);
   result.table.on_page = {on_page};
-  const auto about_readings = [](std::string_view where_listed) {
+  const auto about_readings = [&](std::string_view where_listed) {
     return fmt::format(
-        "A reading has one answer to each question that the paper leaves open{}. Counts depend on these "
-        "answers; they are no probabilities.",
-        where_listed);
+        "A reading answers {} of the questions that the paper leaves open{}. Counts depend on the answers listed; they "
+        "are no probabilities.",
+        multiverse.dimensions.size(), where_listed);
   };
   result.table.notes.push_back(about_readings(""));
   result.on_screen.columns.assign(result.table.columns.begin(), result.table.columns.begin() + 4);
@@ -259,7 +259,7 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
   for (const auto& [condition, claims] : conditions)
     result.sentences.push_back(
         fmt::format("{}: {}{}.", fmt::join(claims, "; "), claims.size() > 1 ? "each " : "", condition));
-  result.sentences.insert(result.sentences.end(), {rule, about_readings(" (--list)")});
+  result.sentences.insert(result.sentences.end(), {about_readings(" (--list)"), rule});
   return result;
 }
 

@@ -102,8 +102,7 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"the arm moved, though status crashed", [](SolveRecord& solve) { solve.status = Status::crashed; }},
       {": it has 0 evaluations (counted by suite) in ", [](SolveRecord& solve) { solve.evaluations = 0; }},
       {"(counted by nobody) in ", [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; }},
-      {" iterations, which no solve",
-       [&](SolveRecord& solve) { solve.iterations = study.stop.iterations + 1; }},
+      {" iterations, which no solve", [&](SolveRecord& solve) { solve.iterations = study.stop.iterations + 1; }},
       {"status not_finite is stored", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.target_rotation.clear(); }}};
