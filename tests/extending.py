@@ -46,10 +46,11 @@ with tempfile.TemporaryDirectory() as scratch:
     mine = pathlib.Path(scratch) / "mine"
     mine.mkdir()
     (mine / "my_arm.toml").write_text(after("An arm", "toml"))
-    (mine / "study.toml").write_text(after("A study", "toml"))
-    (mine / "path.csv").write_text(after("A study", "csv"))
+    study = re.search(r"```toml\n(.*?)```", (root / "docs/reference/study-file.md").read_text(), re.S)[1]
+    (mine / "study.toml").write_text(study)
+    (mine / "path.csv").write_text(after("Poses of your own", "csv"))
     small = ["--set", "runs=2", "--set", "stop.iterations=5", "--no-report", "--out", "out"]
     run(program, "robot", "my_arm.toml", cwd=mine)
     run(program, "run", "study.toml", "--set", "path.points=3", *small, cwd=mine)
-    (mine / "poses.toml").write_text(re.sub(r"(?s)\[path\].*?\n\n", '[path]\nkind = "csv"\nfile = "path.csv"\n\n', (mine / "study.toml").read_text()))
+    (mine / "poses.toml").write_text(re.sub(r"(?s)\[path\].*?\n\n", '[path]\nkind = "csv"\nfile = "path.csv"\n\n', study))
     run(program, "run", "poses.toml", "--set", "name=poses", *small, cwd=mine)
