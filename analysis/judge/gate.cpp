@@ -170,8 +170,7 @@ Gate gate(StudyResults study, const std::string& label) {
   study.definition.plan.control = baseline;  // shown second
   tell_enough_time(study);
   JudgedStudy& judged = gate.judged = observe_all(std::move(study));
-  const std::vector<Doubt>& doubts = judged.metrics[judged.deciding].observations.doubts;
-  const bool machine_decides = std::ranges::count(doubts, DoubtKind::seconds_decide, &Doubt::kind) > 0;
+  const bool machine_decides = !doubts_of_clock(judged.study, true).empty();
   judged.metrics.push_back(
       {.observations = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
   judged.study.solves = {}, judged.study.drawn = {};  // observed, and large
@@ -247,7 +246,9 @@ void decide(std::vector<Gate>& gates) {
       if (is_open && may_decide(gate, judged))
         (verdict == Verdict::not_tested ? gate.not_tested : gate.not_decided).push_back(observed.quantity);
       gate.are_times_missing |= is_time(judged) && verdict == Verdict::not_tested;
-      gate.is_compared |= !is_of_answers(judged) && verdict != Verdict::not_tested;
+      const bool is_of_nothing =  // 0 % solved by both
+          observed.scale == Scale::share && judged.described.front().mean == 0 && judged.described.back().mean == 0;
+      gate.is_compared |= !is_of_answers(judged) && !is_of_nothing && verdict != Verdict::not_tested;
     }
     gate.is_compared |= !gate.worse.empty() || !gate.better.empty();
   }

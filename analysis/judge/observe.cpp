@@ -181,7 +181,7 @@ Observations observe(const StudyResults& study, const Metric& metric) {
                                                              : definition.runs};
   std::vector<Group>& groups = observed.groups;
   for (const std::string& solver : study.labels) groups.push_back(group_of(study, metric, observed.is_paired, solver));
-  const bool takes_unsolved = metric.kind != Kind::share && !observed.is_of_solved;
+  const bool takes_unsolved = definition.is_chained() || (metric.kind != Kind::share && !observed.is_of_solved);
   observed.doubts = metric.unit == "s" ? doubts_of_times(study) : doubts_of_clock(study, takes_unsolved);
   if (metric.column.starts_with("evaluations"))
     std::ranges::move(doubts_of_evaluations(study), std::back_inserter(observed.doubts));

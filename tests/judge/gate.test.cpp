@@ -329,4 +329,11 @@ TEST_CASE("what the study's time ended is compared if it had as many evaluations
   const Gate slower = gate_of(with_seconds(version(1, timed, late(5000))), with_seconds(version(1, timed, late(5500))));
   CHECK(slower.worse.empty());
   CHECK(std::ranges::count(slower.not_tested, "evaluations per solved") == 1);
+  // 0 % solved by both compares nothing.
+  const auto lost = [&](std::int64_t evaluations) {
+    return with_seconds(version(1, timed, [=](SolveRecord& solve) {
+      solve.status = Status::tolerance_missed, solve.evaluations = evaluations, solve.seconds = 0.0049;
+    }));
+  };
+  CHECK(exit_code({gate_of(lost(5000), lost(5500))}, false) == 1);
 }
