@@ -47,8 +47,8 @@ else  # who begins a turn alternates
   done >/dev/null
   for each in "$out/before" "$out"; do "$program" merge "$each" "$each/shards" || ended failed $?; done
 fi
-[[ -e $baseline || -L $baseline ]] || { echo "No baseline: keep $out/store.sqlite as $baseline."; ended no-baseline 0; }
 rm -f -- "$out/verdict.md"  # of an earlier call
+[[ -e $baseline || -L $baseline ]] || { echo "No baseline: keep $out/store.sqlite as $baseline."; ended no-baseline 0; }
 options=(${MARGIN:+--margin="$MARGIN"} ${time_margin:+--time-margin="$time_margin"})
 [[ ${STRICT:-} != true ]] || options+=(--strict)
 "$program" compare "$baseline" "$out/store.sqlite" -o "$out/verdict.md" "${options[@]}"

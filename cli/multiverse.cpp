@@ -60,13 +60,11 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
   const std::filesystem::path folder = folder_for(paper.name + "-multiverse", arguments.out);
   const std::size_t departures = arguments.explain ? static_cast<std::size_t>(arguments.departures) : any_departures;
   using Names = std::vector<std::string>;
-  const Names files =
-      show::files_of(arguments.explain ? Names{"explained", "rows", "readings"} : Names{"multiverse"}, {});
-  show::claim(folder, files);
+  show::claim(folder,
+              show::files_of(arguments.explain ? Names{"explained", "rows", "readings"} : Names{"multiverse"}, {}));
   const papers::SolvedMultiverse multiverse = solved_multiverse(
       paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .departures = departures},
       arguments.jobs);
-  show::claim(folder, files);  // again: meanwhile another command may have found that none of them is there
   const auto tell = [&](const show::Table& table, const show::Table& on_screen,
                         const std::vector<std::string>& sentences = {}) {
     show::write_table(table, table, folder / "tables", program_name());

@@ -259,7 +259,7 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
   for (const auto& [condition, claims] : conditions)
     result.sentences.push_back(
         fmt::format("{}: {}{}.", fmt::join(claims, "; "), claims.size() > 1 ? "each " : "", condition));
-  result.sentences.insert(result.sentences.end(), {about_readings(" (--list)"), rule});
+  result.sentences.insert(result.sentences.end(), {about_readings(" (add --list)"), rule});
   return result;
 }
 

@@ -116,15 +116,18 @@ std::vector<Doubt> Answer::all_doubts() const {
   std::vector<Doubt> all = doubts;
   for (const JudgedMetric& judged : metrics) {
     for (const Doubt& doubt : judged.observations.doubts) {
-      const bool names_metric = doubt.kind == DoubtKind::few_decide_mean;
+      const bool names_metric = doubt.kind == DoubtKind::few_decide_mean,
+                 is_of_clock = doubt.kind == DoubtKind::seconds_decide;  // of shares it names fewer
       const auto known = std::ranges::find_if(all, [&](const Doubt& other) {
-        return other.kind == doubt.kind && other.who == doubt.who && other.count == doubt.count &&
-               other.of == doubt.of && (names_metric || other.what == doubt.what);
+        const bool is_one = other.who == doubt.who && other.count == doubt.count && other.of == doubt.of;
+        return other.kind == doubt.kind && (is_one || is_of_clock) && (names_metric || other.what == doubt.what);
       });
       if (known == all.end()) {
         all.push_back(doubt);
       } else if (names_metric) {
         known->what += ", " + doubt.what;
+      } else if (known->who.size() < doubt.who.size()) {
+        *known = doubt;
       }
     }
   }

@@ -138,10 +138,6 @@ std::vector<std::string> claim(const fs::path& folder, std::vector<std::string> 
   files.emplace_back(own_files[2]);
   Json results = results_of(folder);
   std::vector<std::string> earlier = files_of_earlier(results);
-  std::error_code none;
-  std::erase_if(earlier, [&](const std::string& file) {
-    return fs::symlink_status(folder / file, none).type() == fs::file_type::not_found;
-  });
   refuse_others(folder, earlier, files);
   std::set<std::string> all(earlier.begin(), earlier.end());
   all.insert(files.begin(), files.end());
@@ -167,7 +163,12 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
     if (file != "references.bib" || !report.keys.empty()) files.push_back("article/" + file);
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
   std::vector<std::string> earlier = claim(folder, files);
-  const auto of_others = std::ranges::partition(earlier, may_be_of_report).begin();
+  // The readings of claims are those of a command of their own, unless this report judges the claims.
+  const bool judges_claims = std::ranges::count(names, "claims") > 0;
+  const auto is_earlier = [&](const fs::path& file) {
+    return may_be_of_report(file) && (judges_claims || file.stem() != "multiverse");
+  };
+  const auto of_others = std::ranges::partition(earlier, is_earlier).begin();
   std::set<std::string> listed(of_others, earlier.end());  // what is not a report's to remove
   earlier.erase(of_others, earlier.end());
   for (const std::string& file : earlier) base::refuse_input(folder / file);

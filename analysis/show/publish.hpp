@@ -30,7 +30,7 @@ void refuse_others(const std::filesystem::path& folder);
 // Those of tables and figures of these names.
 std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<std::string>& figures);
 // Before these files are written: refuses those that results.json does not list, and lists them there, so that after a
-// kill they are known. Returns what it listed before and is there.
+// kill they are known. Returns what it listed before.
 std::vector<std::string> claim(const std::filesystem::path& folder, std::vector<std::string> files);
 // Writes report.html, report.md, results.json, tables/ and figures/ beside the study's solves.csv, which whoever reads
 // its solves has written (results/export.hpp); removes what an earlier report wrote, and this one does not. `program`

@@ -253,12 +253,9 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
     CHECK(*base::read_file(other / name) == "not ours");
   }
   // A report that was killed is continued.
-  claim(killed, files_of({"results", "pairs"}, {}));
+  claim(killed, files_of({"results"}, {}));
   base::write_file(killed / "tables" / "results.csv", "");
   CHECK_NOTHROW(refuse_others(killed));
-  claim(killed, {});  // by the next command, to which what was not written is nobody's
-  base::write_file(killed / "tables" / "pairs.csv", "not ours");
-  CHECK_THROWS_WITH(refuse_others(killed), ContainsSubstring("pairs.csv"));
 }
 
 TEST_CASE("a report of three solvers is short", "[show]") {
