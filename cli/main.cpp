@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
       "  ikbench stats my.csv      says which group of your own data is better\n"
       "  ikbench COMMAND --help    has more\n\n"
       "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system, "
-      "3 something is worse, 4 something is not decided (compare), 5 solves are missing (merge), 128 + a signal's number.");
+      "3 something is worse, 4 something is not decided or tested (compare --strict), 5 solves are missing (merge), 128 + a signal's number.");
   app.set_version_flag("--version", program_name());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
