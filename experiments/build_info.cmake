@@ -1,7 +1,8 @@
-# Writes what was built, and from which commit, into a header; only where it changed, so that nothing is rebuilt.
+# Writes what was built, and from which commit, into a header; only where it changed, so that nothing is rebuilt. A repository
+# above this source is another one.
 set(commit "unknown")
 if(GIT)
-  execute_process(COMMAND ${GIT} -C ${SOURCE} describe --always --dirty --abbrev=12
+  execute_process(COMMAND ${GIT} --git-dir=${SOURCE}/.git --work-tree=${SOURCE} describe --always --dirty --abbrev=12
                   OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
   if(failed)
     set(commit "unknown")
