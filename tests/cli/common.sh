@@ -109,5 +109,12 @@ column() {
     $column["label"] == label { print $column[name] }'
 }
 
+# words FOLDER: of its report.md, where a processor's name counts as one.
+words() {
+  local text cpu
+  text=$(<"$1/report.md") cpu=$(sqlite3 "$1/store.sqlite" "SELECT value FROM environment WHERE key = 'cpu' LIMIT 1")
+  tr -s '[:space:]' '\n' <<<"${text//"$cpu"/machine}" | grep -c '[[:alnum:]]'
+}
+
 # counted: counts each line of the input.
 counted() { sort | uniq -c | sed 's/^ *//'; }

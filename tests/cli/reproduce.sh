@@ -19,8 +19,7 @@ quiet
 sed -n '/./,$p' .out >screen
 [ "$(wc -l <screen)" -le 40 ] && [ "$(wc -L <screen)" -le 100 ] || fail "not one screen: $(<screen)"
 equal "last line" "$(tail -n 1 screen)" "Report: whole/report.html"
-words=$(tr -s '[:space:]' '\n' <whole/report.md | grep -c '[[:alnum:]]')
-[ "$words" -le 3550 ] || fail "report.md has $words words"
+[ "$(words whole)" -le 3550 ] || fail "report.md has $(words whole) words"
 for study in "${studies[@]}"; do
   equal "fingerprint of $study" "$(fingerprint whole/store.sqlite "$study")" "$(reference "$study")"
   numbers whole/store.sqlite "$study" |
