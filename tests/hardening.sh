@@ -1,12 +1,10 @@
 #!/usr/bin/env bash
 # hardening.sh PROGRAM: what a released program is linked and compiled with, read from its own bytes.
-set -euo pipefail
-export LC_ALL=C.UTF-8
-program=$1
-command -v readelf >/dev/null && command -v objdump >/dev/null || { echo "skipped: readelf and objdump are missing"; exit 77; }
+source "$(dirname "$0")/cli/common.sh"
+needs readelf objdump
 
 has() {  # has WHAT PATTERN TEXT
-  grep -qE "$2" <<<"$3" || { echo "$program has no $1: nothing matches '$2'"; exit 1; }
+  grep -qE "$2" <<<"$3" || fail "$program has no $1: nothing matches '$2'"
 }
 has "position-independent code" "Type: +DYN" "$(readelf -h "$program")"
 dynamic=$(readelf -d "$program")

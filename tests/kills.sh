@@ -14,7 +14,7 @@ RANDOM=$seed
 echo "kills.sh: $rounds of each, IKBENCH_KILLS_SEED=$seed"
 ends=(TERM INT)
 # A program that nohup starts ignores SIGHUP.
-[ -n "$(trap -p HUP)" ] && echo "SIGHUP is ignored here and left out" || ends+=(HUP)
+[ -n "$(trap -p HUP)" ] && echo "skipped in part: SIGHUP is ignored here" || ends+=(HUP)
 
 # at_work FILES SIGNAL COMMAND...: the signal as soon as FILES are there, which the command makes long before its end. It
 # ends by it; all but SIGKILL let it say so.
@@ -116,7 +116,7 @@ kill_merge() { # into a store that is there; a new one: merge.test.cpp
 
 kill_report() { # while it is drawn
   local signal
-  for signal in "${ends[@]}"; do
+  ! can gnuplot || for signal in "${ends[@]}"; do
     rm -rf drawn
     at_work "drawn/figures/.ikbench-*" $signal report whole/store.sqlite --out drawn
     equal "SIG$signal left" "$(find drawn -name '.ikbench-*')" ""
@@ -197,7 +197,7 @@ pause_all() { # for longer than its program may take for a solve
 kill_disk() { # full while solves are stored, merged, exported and drawn: exit code 2, the name, and later all goes on
   local format picture
   mkdir small
-  mount -t tmpfs -o size=256k none small 2>/dev/null || { echo "no full disk: only root can make a small one"; return; }
+  mount -t tmpfs -o size=256k none small 2>/dev/null || { echo "skipped in part: only root can make a small disk"; return; }
   trap 'cd /; umount "$work/small"; rm -rf "$work"' EXIT
   ends 2 "${study[@]}" --out small/run
   has "$err" small/run/store.sqlite

@@ -4,7 +4,7 @@
 # --with-all check installs it).
 source "$(dirname "$0")/common.sh"
 browser=$(command -v chromium chromium-browser google-chrome | head -n 1)
-[ -n "$browser" ] || { echo "skipped: no chromium"; exit 77; }
+needs "${browser:-chromium}"
 
 # These would leave a mark on the page if any of it ran.
 mark="document.documentElement.setAttribute('marked',1)"

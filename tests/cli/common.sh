@@ -1,5 +1,5 @@
 # Shared by the tests of the program: a folder that vanishes with the test, and checks that print what they saw.
-# Every script takes the path of the program as its argument; exit code 77 means skipped.
+# Every script takes the path of the program as its first argument; exit code 77 means skipped.
 set -uo pipefail
 export LC_ALL=C.UTF-8 # else, where no locale is set, bash writes $'\u202e' as letters
 PATH=/usr/bin:$PATH   # Debian's python3, which has what ./setup installs, and no shim that takes 0.2 s to find another
@@ -9,12 +9,21 @@ root=$(realpath "$scripts"/../..)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
-for tool in python3 sqlite3; do command -v $tool >/dev/null || { echo "skipped: no $tool"; exit 77; }; done
 
 fail() {
   echo "FAILED: $*" >&2
   exit 1
 }
+skip() {
+  echo "skipped: $*"
+  exit 77
+}
+# is_here TOOL: or a file of TeX.
+is_here() { command -v "$1" || { [[ $1 == *.* ]] && kpsewhich "$1"; }; } >/dev/null 2>&1
+# needs TOOL...: without one the test is skipped. can TOOL...: without one a part of it is, which says so.
+needs() { local tool; for tool in "$@"; do is_here "$tool" || skip "no $tool"; done; }
+can() { local tool; for tool in "$@"; do is_here "$tool" || { echo "skipped in part: no $tool"; return 1; }; done; }
+for tool in python3 sqlite3 pgrep; do is_here $tool || fail "no $tool; ./setup check installs it"; done
 
 # run_it ARGUMENTS...: puts the exit code into $code, the output into $out and $err.
 run_it() {

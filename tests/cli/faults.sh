@@ -2,12 +2,12 @@
 # Each system call by which a run writes fails once: the run ends well or in one sentence and code 2, then the same command
 # completes it, to the same bits.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-command -v strace >/dev/null || { echo "skipped: no strace"; exit 77; }
+needs strace
 
 study few
 few=(run few.toml --figures none --out)
 succeeds "${few[@]}" whole
-strace -f -o calls "$program" "${few[@]}" counted >.out 2>.err || { echo "skipped: strace may not trace"; exit 77; }
+strace -f -o calls "$program" "${few[@]}" counted >.out 2>.err || skip "strace may not trace"
 for call in unlink fdatasync ftruncate fsync rename mkdir; do
   for ((i = 1; i <= $(grep -c " $call(" calls); i += i < 6 ? 1 : 7)); do
     rm -rf broken

@@ -40,7 +40,7 @@ equal "files with letters that turn" "$(grep -lP "$turning" screen "$folder"/rep
 for table in "$folder"/tables/*.md; do
   equal "columns of $table" "$(sed 's/\\|//g' "$table" | grep '^|' | tr -cd '|\n' | sort -u | wc -l)" 1
 done
-if command -v gnuplot >/dev/null; then
+if can gnuplot; then
   [ -s "$folder/figures/error-boxes.svg" ] || fail "no figure of the error: $(<.err)"
   ! grep -l '<b>\|<script>' "$folder"/figures/*.svg || fail "a figure has HTML of the user's making"
 fi

@@ -13,7 +13,7 @@ for file in copyright README.md CITATION.cff docs/reference/api.md docs/examples
 done
 ! grep -rlF "$tree" prefix/lib*/cmake prefix/lib*/*/cmake 2>/dev/null || fail "the package holds the path of its source"
 # No path of the source is in it, but for the lines that a debugger or a sanitizer tells.
-if [ -z "$sanitizers" ] && command -v strip >/dev/null; then
+if [ -z "$sanitizers" ] && can strip; then
   strip -o stripped prefix/bin/ikbench
   ! grep -aoE "(^|[^.[:alnum:]])$tree/.{9}" stripped || fail "the program holds the path of its source"
 fi
@@ -21,10 +21,10 @@ fi
 version=$("$program" --version | cut -d' ' -f 2)
 equal "version of CITATION.cff" "$(sed -n 's/^version: //p' "$tree/CITATION.cff")" "$version"
 equal "first version of CHANGELOG.md" "$(sed -n 's/^## \([0-9.]*\).*/\1/p' "$tree/CHANGELOG.md" | head -n 1)" "$version"
-equal "tags of this commit" "$(git -C "$tree" tag --list --points-at HEAD 'v*' 2>/dev/null | grep -vxF "v$version" || true)" ""
+! can git || equal "tags of this commit" "$(git -C "$tree" tag --list --points-at HEAD 'v*' 2>/dev/null | grep -vxF "v$version" || true)" ""
 
 # The packages, as ./setup --with-package release package makes them: the program, with the libraries that it needs.
-if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null && command -v python3 >/dev/null; then
+if can dpkg-shlibdeps file; then
   for folder in again package; do
     "$(dirname "$cmake")/cpack" --config "$(dirname "$program")/CPackConfig.cmake" -B "$work/$folder" >.log 2>&1 || fail "no package: $(<.log)"
   done
@@ -37,6 +37,8 @@ if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null && command
   if python3 -c 'import ensurepip, venv' 2>/dev/null; then
     prefixes+=(venv)
     python3 -m venv venv && venv/bin/pip install -q --no-index --no-deps package/ikbench-*.whl >.log 2>&1 || fail "no wheel: $(<.log)"
+  else
+    echo "skipped in part: no ensurepip"
   fi
   for folder in "${prefixes[@]}"; do
     equal "program in $folder" "$(env -i "$folder/bin/ikbench" --version)" "$("$program" --version)"
@@ -48,10 +50,12 @@ fi
 away=()
 if unshare --map-root-user --mount true 2>/dev/null; then
   away=(unshare --map-root-user --mount bash -c 'mount -t tmpfs none "$0" && [ -z "$(ls -A "$0")" ] && exec "$@"' "$tree")
+else
+  echo "skipped in part: no unshare of what is mounted"
 fi
 "${away[@]}" "$work/prefix/bin/ikbench" run slim2023 "${small[@]}" --out made >.out 2>.err || fail "installed: $(<.err)"
 for file in store.sqlite report.md report.html tables/results.csv figures/style.gp; do [ -s "made/$file" ] || fail "no $file"; done
-! command -v gnuplot >/dev/null || [ -s made/figures/error-boxes.svg ] || fail "no figure"
+! can gnuplot || [ -s made/figures/error-boxes.svg ] || fail "no figure"
 
 # A project of somebody else's. Sanitizers are asked of it by the libraries.
 cp -r "$tree/tests/install" project

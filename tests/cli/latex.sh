@@ -2,8 +2,7 @@
 # Every LaTeX table of a report and its paragraphs compile, and fit an A4 page with margins of 2 cm. That of the results
 # fits a column. The example of an article compiles with all, and knows all that it refers to.
 source "$(dirname "$0")/common.sh"
-for tool in pdflatex mf; do command -v $tool >/dev/null || { echo "skipped: no $tool"; exit 77; }; done # mf makes fonts
-for package in booktabs graphicx geometry; do kpsewhich "$package.sty" >/dev/null || { echo "skipped: no $package.sty"; exit 77; }; done
+needs pdflatex bibtex mf {booktabs,graphicx,geometry}.sty IEEEtran.cls # mf makes fonts
 export HOME=$PWD # where fonts are kept
 
 # compiles CLASS OPTIONS TABLE...: all in one document, of which nothing sticks out.
@@ -40,7 +39,7 @@ for folder in labels paper; do
       cd $folder/article || exit 1
       [ $class = IEEEtran ] || sed -i 's/^\\IfFileExists.*/\\plain/' main.tex
       for tool in pdflatex bibtex pdflatex pdflatex; do
-        command -v $tool >/dev/null && [ $tool != bibtex ] || [ -e references.bib ] || continue
+        [ $tool != bibtex ] || [ -e references.bib ] || continue
         case $tool in bibtex) bibtex main ;; *) pdflatex -interaction=nonstopmode -halt-on-error main.tex ;; esac >.tex 2>&1 ||
           fail "$folder as $class, $tool: $(grep -A 5 '^!' main.log) $(tail -n 3 .tex)"
       done
@@ -50,13 +49,12 @@ for folder in labels paper; do
   cp $folder/article/{methods,results}.tex . # paragraphs
   compiles '[a4paper]{article}' '\usepackage[margin=2cm]{geometry}' "$folder"/tables/*.tex
   for class in '[twocolumn,a4paper]{article}' '{IEEEtran}'; do
-    [ "$class" != '{IEEEtran}' ] || kpsewhich IEEEtran.cls >/dev/null || continue
     compiles "$class" "" $folder/tables/results.tex
   done
 done
 
 # Letters beyond Latin take another engine.
-command -v xelatex >/dev/null && kpsewhich fontspec.sty >/dev/null || exit 0
+can xelatex fontspec.sty || exit 0
 sed 's/WWWWWWWWWW/Ж θ/' labels.toml >greek.toml
 succeeds run greek.toml --set name=greek --figures none --out greek
 cd greek/article && xelatex -interaction=nonstopmode -halt-on-error main.tex >.tex 2>&1 || fail "greek: $(grep -A 5 '^!' main.log)"

@@ -21,7 +21,7 @@ files=$(find mine -type f | wc -l)
 for file in report.html results.json solves.csv store.sqlite tables/{results,pairs,descriptives}.{csv,md,tex}; do
   [ -s "mine/$file" ] || fail "no $file"
 done
-if command -v gnuplot >/dev/null; then
+if can gnuplot; then
   for type in svg pdf png; do equal ".$type" "$(ls mine/figures/*.$type | wc -l)" $((5 - debug)); done
   for figure in mine/figures/*.svg; do
     grep -qFf <(base64 -w0 "$figure") mine/report.html || fail "the page shows another $figure"
@@ -29,6 +29,17 @@ if command -v gnuplot >/dev/null; then
   grep -q '^colours.*#00FF00' mine/figures/style.gp || fail "a solver has not its colour"
   succeeds report mine/store.sqlite --figures error,differences --out few
   equal "chosen figures" "$(cd few/figures && echo *.svg)" "differences.svg error-shares.svg"
+  # Every figure can be asked for alone, and no other is drawn.
+  echo 'formats = ["svg"]' >svg.toml
+  drawn=
+  for figure in $("$program" list figures | sed -n '2,/^$/s/^\([a-z][^ ]*\) .*/\1/p'); do
+    succeeds report mine/store.sqlite --figures "$figure" --style svg.toml --out "only-$figure"
+    [ -z "$err" ] || { has "$err" "warning: there is nothing to draw for $figure: it is "; continue; }
+    drawn+=" $figure"
+    equal "drawn for $figure" "$(cd "only-$figure/figures" && echo *.svg)" "$figure.svg"
+  done
+  by_time=" solved-by-time"
+  equal "figures of the tutorial's study" "$drawn" " error-shares solved-by-evaluations${by_time:$((debug * 20))} ranks differences"
 fi
 golden tutorial mine/results.json
 ends 3 compare PSO mine --store mine/store.sqlite
@@ -85,17 +96,7 @@ json '{("damped_least_squares", 92), ("newton", 75)} <= {(row["solver"], round(r
 succeeds run "$scripts/studies/sweep.toml" --figures none --sweep population=4,8,200 --sweep mine.alpha=0.5,0.9 --json
 json 'len({row["solver"] for row in of["groups"]}) == 9'
 
-# Every figure can be asked for alone, and no other is drawn; where solves were made by two machines, times are not compared.
-echo 'formats = ["svg"]' >svg.toml
-drawn=
-for figure in $("$program" list figures | sed -n '2,/^$/s/^\([a-z][^ ]*\) .*/\1/p'); do
-  succeeds report mine/store.sqlite --figures "$figure" --style svg.toml --out "only-$figure"
-  [ -z "$err" ] || { has "$err" "warning: there is nothing to draw for $figure: it is "; continue; }
-  drawn+=" $figure"
-  equal "drawn for $figure" "$(cd "only-$figure/figures" && echo *.svg)" "$figure.svg"
-done
-by_time=" solved-by-time"
-equal "figures of the tutorial's study" "$drawn" " error-shares solved-by-evaluations${by_time:$((debug * 20))} ranks differences"
+# Where solves were made by two machines, times are not compared.
 sqlite3 made/store.sqlite "UPDATE environment SET value = 'another' WHERE key = 'cpu' AND session = (SELECT max(session) FROM environment)"
 succeeds report made/store.sqlite --figures none --out machines --json
 [ $debug = 1 ] || json 'any("machine" in doubt and "times" in doubt for doubt in of["doubts"])'

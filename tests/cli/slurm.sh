@@ -3,10 +3,8 @@
 # (killed ones: merge.sh). It waits for Slurm most of a minute. Skipped where Slurm is not installed (./setup --with-all check) or this is
 # not root.
 source "$(dirname "$0")/common.sh"
-for daemon in munged slurmctld slurmd sbatch; do
-  command -v $daemon >/dev/null || { echo "skipped: no $daemon (./setup --with-all check)"; exit 77; }
-done
-[ $EUID = 0 ] || { echo "skipped: only root starts slurmd with jobs of its own"; exit 77; }
+needs munged slurmctld slurmd sbatch
+[ $EUID = 0 ] || skip "only root starts slurmd with jobs of its own"
 host=$(hostname -s) run=$work/slurm
 mkdir -p "$run"/{state,spool,log,munge}
 
