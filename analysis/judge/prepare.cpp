@@ -11,15 +11,18 @@ namespace {
 // Relative: smaller than a difference in the fifteenth digit, the last that every double can tell.
 constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon();
 
-// Makes values equal that lie within the rounding above the smallest of them: the metric's, or that of doubles.
-void remove_rounding(std::vector<double>& values, double rounding) {
-  std::vector<std::pair<double, double*>> order;  // pairs stay in the cache, which places alone would not
+// Makes values equal that lie within the rounding above the smallest of them: the larger of the two.
+void remove_rounding(std::vector<double>& values, const std::vector<double>& roundings) {
+  std::vector<std::pair<double, std::size_t>> order;  // pairs stay in the cache, which places alone would not
   order.reserve(values.size());
-  for (double& value : values) order.emplace_back(value, &value);
-  std::ranges::sort(order, {}, &std::pair<double, double*>::first);
+  for (const double value : values) order.emplace_back(value, order.size());
+  std::ranges::sort(order, {}, &std::pair<double, std::size_t>::first);
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
-    const double least = order[first].first, most = least + std::max(rounding, rounding_of_doubles * std::abs(least));
-    for (; next < order.size() && order[next].first <= most; ++next) *order[next].second = least;
+    const auto [least, its] = order[first];
+    const auto is_equal = [&](const auto& other) {
+      return other.first <= least + std::max(roundings[its], roundings[other.second]);
+    };
+    for (; next < order.size() && is_equal(order[next]); ++next) values[order[next].second] = least;
   }
 }
 
@@ -34,18 +37,20 @@ Summary summary_of(const Group& group, const std::vector<double>& values) {
 }
 
 std::vector<double> differences_of(const Group& first, const Group& second, const Prepared& numbers, bool are_logs) {
-  std::vector<double> differences, sizes{0};
-  double largest = are_logs ? 1 : 0;
+  std::vector<double> differences, sizes, roundings;
   const bool is_one_of_first = is_one_value(first), is_one_of_second = is_one_value(second);
   const std::size_t n = is_one_of_first ? numbers.second.size() : numbers.first.size();
   for (std::size_t i = 0; i < n; ++i) {
     const double x = numbers.first[is_one_of_first ? 0 : i], y = numbers.second[is_one_of_second ? 0 : i];
+    // By the size of these two: a huge pair hides no difference of the others, nor does its 0 equal them.
+    const double rounding = rounding_of_doubles * std::max({are_logs ? 1.0 : 0.0, std::abs(x), std::abs(y)});
+    const bool are_equal = std::abs(x - y) <= rounding;
     differences.push_back(x - y);
-    sizes.push_back(std::abs(x - y));
-    largest = std::max({largest, std::abs(x), std::abs(y)});
+    sizes.push_back(are_equal ? 0 : std::abs(x - y));
+    roundings.push_back(are_equal ? 0 : rounding);
   }
-  remove_rounding(sizes, rounding_of_doubles * largest);
-  for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = std::copysign(sizes[i + 1], differences[i]);
+  remove_rounding(sizes, roundings);
+  for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = std::copysign(sizes[i], differences[i]);
   return differences;
 }
 
@@ -61,8 +66,12 @@ std::vector<double> values_in(const std::vector<int>& blocks, const Measured& gr
 }
 
 void settle(std::vector<double>& values, const Observations& observed, bool has_floor) {
-  for (double& value : values) value = has_floor ? std::max(value, observed.floor) : value;
-  remove_rounding(values, observed.rounding);
+  std::vector<double> roundings;
+  for (double& value : values) {
+    value = has_floor ? std::max(value, observed.floor) : value;
+    roundings.push_back(std::max(observed.rounding, rounding_of_doubles * std::abs(value)));
+  }
+  remove_rounding(values, roundings);
 }
 
 Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,
