@@ -118,8 +118,12 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
   } else if (numbers.are_all_equal) {
     interval.reset();
   }
+  // Of what is tested and shown: a mean may be that of one huge value.
+  const auto centre = [&](const std::vector<double>& values, const Summary& its) {
+    return std::abs(pair.method->is_by_ranks() ? described(values).median : its.mean);
+  };
   const double relative =
-      numbers.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(first.mean), std::abs(second.mean));
+      numbers.no_answer > 0 ? 0 : plan.margin * std::min(centre(numbers.first, first), centre(numbers.second, second));
   trial.margin = observed.scale == Scale::share    ? plan.margin
                  : takes_logs || observed.are_logs ? std::log1p(plan.margin)
                  : pair.takes_logs                 ? observed.absolute_margin

@@ -332,10 +332,52 @@ TEST_CASE("differences that rounding alone keeps apart are equal", "[compare]") 
                by_ranks));
   CHECK(*found.p == 2 / 64.0);
   CHECK(found.interval->low == found.interval->high);
+  const Seen far = only(  // and so in larger numbers, which round more
+      compared(
+          paired(groups_of({{100.3, 200.4, 300.5, 400.6, 500.7, 600.8}, {100.1, 200.2, 300.3, 400.4, 500.5, 600.6}},
+                           Scale::difference)),
+          by_ranks));
+  CHECK(far.interval->low == far.interval->high);
   Observations of = groups_of({ramp(6, 1, 1e-10), ramp(6, 1 + 1e-11, 1e-10)});
   CHECK_FALSE(only(compared(of, by_ranks)).are_all_equal);
   of.rounding = 1e-9;
   CHECK(only(compared(of, by_ranks)).are_all_equal);
+}
+
+TEST_CASE("one huge block makes nothing small that is large in the others, nor equal that differs", "[compare]") {
+  const std::vector<double> one{0,     1.37,  1.626, 1.013, 1.259, 1.996, 1.836, 1.639, 1.635, 1.523,
+                                1.671, 1.758, 1.301, 1.866, 1.719, 1.714, 1.395, 1.445, 1.879};
+  const std::vector<double> other{2.01,  2.172, 2.159, 1.932, 1.876, 2.731, 2.574, 2.214, 2.569, 2.394,
+                                  2.203, 2.554, 1.817, 2.602, 2.658, 2.675, 2.295, 2.413, 2.428};
+  const auto found = [&](double block, bool is_paired, const Plan& plan, double unit = 1) {
+    Lists lists{one, other};
+    for (std::vector<double>& values : lists) {
+      for (double& value : values) value *= unit;
+      values.push_back(block);
+    }
+    Observations of = groups_of(lists, Scale::difference);
+    of.is_paired = is_paired;
+    return only(compared(of, plan));
+  };
+  for (const double block : {1000.0, 1e12, 1e30}) {
+    const Seen in_blocks = found(block, true, by_ranks);
+    CHECK(*in_blocks.p == std::exp2(-18));  // as SciPy's wilcoxon, exact; the normal approximation has 0.00013
+    CHECK(in_blocks.verdict == Verdict::better);
+    CHECK(*in_blocks.effect == 19.5 / 20);
+    CHECK(std::get<Tested>(in_blocks.what).size == Size::matters);
+    const Seen unpaired = found(block, false, by_ranks);
+    CHECK(unpaired.verdict == Verdict::better);
+    CHECK(std::get<Tested>(unpaired.what).size == Size::matters);
+    CHECK(found(block, true, by_means).why == Why::few_decide);
+    CHECK(*found(block, true, by_means).estimate == Approx(-0.78155).epsilon(1e-12));
+  }
+  CHECK(found(1e12, true, by_ranks, 1e-4).verdict == Verdict::better);
+  CHECK(found(1e12, true, by_ranks, 1e-4).p == found(1000, true, by_ranks).p);
+  // Medians 56 % apart, and an interval that is wider.
+  const Lists wide{
+      {1000, 0.7748, 0.6108, 2.535, 1.412, 2.046, 0.5603, 0.8586, 2.377, 0.4169, 0.5043, 1.638, 0.7504, 1.776, 0},
+      {1000, 1.234, 0.3959, 1.6, 1.561, 1.135, 0.7438, 1.345, 2.113, 0.3311, 1.532, 4.174, 1.327, 2.379, 0}};
+  CHECK(only(compared(paired(groups_of(wide, Scale::difference)), by_ranks)).verdict == Verdict::undecided);
 }
 
 // Means.
