@@ -48,9 +48,10 @@ constexpr Method signs_and_ranks{
       return outcome;
     }};
 constexpr Method paired_t{"paired t", By::means, true, smallest_of_means,
-                          [](auto& its, double alpha) { return t_test(its.differences, alpha); }};
-constexpr Method unpaired_t{"Welch's t", By::means, false, smallest_of_means,
-                            [](auto& its, double alpha) { return welch(its.of_first, its.of_second, alpha); }};
+                          [](auto& its, double alpha) { return t_test(its.differences, alpha, its.worth); }};
+constexpr Method unpaired_t{"Welch's t", By::means, false, smallest_of_means, [](auto& its, double alpha) {
+                              return welch(its.of_first, its.of_second, alpha, its.worth);
+                            }};
 constexpr Method paired_shares{"McNemar's exact", By::shares, true, smallest_of_differences,
                                [](auto& its, double alpha) { return mcnemar(its.first, its.second, alpha); }};
 // The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other, or
@@ -200,6 +201,11 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
     tested.amount.emplace().value = shown(outcome.estimate);
     if (outcome.interval) interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
   }
+  // Of logarithms p itself would be that of few.
+  if (pair.method->by == By::means && observed.scale != Scale::share &&
+      (observed.are_logs || tested.p < plan.significance) &&
+      (does_one_value_decide(pair.a) || does_one_value_decide(pair.b)))
+    return Open{.why = Open::Why::few_decide, .n = pair.n, .amount = tested.amount};
   if (tested.p >= plan.significance) {
     tested.verdict = is_same ? Verdict::same : trial.numbers.are_all_equal ? Verdict::equal : Verdict::undecided;
     if (interval) interval = Interval{std::min(none, interval->low), std::max(none, interval->high)};
@@ -209,9 +215,6 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
     if (tested.amount) tested.amount->interval = interval;
     return tested;
   }
-  if (pair.method->by == By::means && observed.scale != Scale::share && !observed.are_logs &&
-      (does_one_value_decide(pair.a) || does_one_value_decide(pair.b)))
-    return Open{.why = Open::Why::few_decide, .n = pair.n, .amount = tested.amount};
   const int direction = outcome.direction;
   tested.verdict = (direction > 0) == (observed.better == Better::larger) ? Verdict::better : Verdict::worse;
   if (tested.amount && (tested.amount->value - none) * direction <= 0) tested.amount.reset();
@@ -373,6 +376,9 @@ bool are_equal(const Finding& finding) {
 }
 
 bool does_one_value_decide(const Group& group) {
+  const auto* const measured = std::get_if<Measured>(&group.sample);
+  if (measured && measured->worth > 0)
+    return measured->worth < std::min(4.0, static_cast<double>(measured->values.size()) / 2);
   const std::span<const double> values = values_of(group);
   std::vector<double> sizes(values.begin(), values.end());
   for (double& size : sizes) size = std::abs(size);

@@ -345,7 +345,7 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::too_few_joints:
       return what;
     case DoubtKind::few_decide_mean:
-      return fmt::format("few values decide the mean {} of {}: nothing is called better by it", what, who);
+      return fmt::format("few values decide the {} of {}: nothing is called better by it", what, who);
     case DoubtKind::plan_changed:
       return fmt::format("the plan was changed after {} solves were made{}: {}", share, of_whom, what);
     case DoubtKind::repeats_itself:

@@ -13,7 +13,8 @@ namespace {
 
 // Of all findings that few values of a mean leave open.
 void add_doubt(JudgedMetric& judged) {
-  Doubt doubt{.kind = DoubtKind::few_decide_mean, .what = judged.observations.quantity};
+  Doubt doubt{.kind = DoubtKind::few_decide_mean,
+              .what = (judged.observations.are_logs ? "" : "mean ") + judged.observations.quantity};
   for (const Group& group : judged.observations.groups) {
     const auto concerns = [&](const Finding& finding) {
       return is_open(finding, Open::Why::few_decide) && (finding.first == group.name || finding.second == group.name);

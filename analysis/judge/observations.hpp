@@ -24,6 +24,7 @@ struct Measured {
   std::vector<double> values = {};  // infinite: no answer, worse than any
   std::vector<int> blocks = {};     // where paired: of each value, rising; none: those of all groups are the same
   bool may_repeat = false;          // all values are equal, and nobody knows whether the solver repeats itself
+  double worth = 0;                 // of logarithms of costs: how many equal ones would tell as much
 };
 struct Copies {  // of one value, since the solver repeats itself
   double value = 0;
@@ -44,7 +45,7 @@ struct Untold {     // not compared; what there is can be described
     no_answer,      // all values of both groups are infinite
     // Of two groups that are both told:
     too_few,    // no data of this size could decide
-    few_decide  // one value is more than half of a group's sum, so the means would show nothing better
+    few_decide  // one value is so much of a group's sum that its mean shows nothing better
   };
   Why why = Why::lost;
   int lost = 0;  // observations without a value

@@ -125,15 +125,20 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   const std::vector<Value> all = values_of(study, metric, solver, by_turn);
   if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.at_most = least;
   std::vector<Value> values = means_of(all, metric.kind == Kind::time);
+  Measured measured;
   if (metric.kind == Kind::spent || is_of_answers(study, metric)) {
     const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver, by_turn));
     if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
       group.sample = Untold{.why = Untold::Why::none};
       return group;
     }
-    if (metric.kind == Kind::spent) values = spent_by_solved(std::move(values), solved);
+    if (metric.kind == Kind::spent) {
+      double sum = 0, squares = 0;  // Kish, Survey Sampling, 1965
+      for (const Value& each : values) sum += each.value, squares += each.value * each.value;
+      measured.worth = sum * sum / squares;
+      values = spent_by_solved(std::move(values), solved);
+    }
   }
-  Measured measured;
   int lost = 0;
   for (const auto& [block, value] : values) {
     if (!std::isfinite(value)) {

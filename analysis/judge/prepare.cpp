@@ -93,6 +93,10 @@ Prepared prepared(const Group& first, const Group& second, const Observations& o
   numbers.second.assign(all.begin() + std::ssize(of_first), all.end());
   numbers.of_first = summary_of(first, numbers.first);
   numbers.of_second = summary_of(second, numbers.second);
+  for (const Group* const group : {&first, &second}) {
+    const auto* const measured = std::get_if<Measured>(&group->sample);
+    if (measured && measured->worth > 0) numbers.worth = std::min(numbers.worth, measured->worth);
+  }
   if (is_by_difference) {
     numbers.differences = differences_of(first, second, numbers, takes_logs);
     numbers.are_all_equal = std::ranges::count(numbers.differences, 0.0) == std::ssize(numbers.differences);

@@ -310,11 +310,12 @@ Outcome rank_test(Values first, Values second, double alpha) {
   return outcome;
 }
 
-Outcome welch(const Summary& first, const Summary& second, double alpha) {
+Outcome welch(const Summary& first, const Summary& second, double alpha, double worth) {
   const double m = first.n, n = second.n;
   const double u = first.sd * first.sd / m, v = second.sd * second.sd / n;
   const double smallest = smallest_p_unpaired(static_cast<std::size_t>(first.n), static_cast<std::size_t>(second.n));
-  return t_of(first.mean - second.mean, std::sqrt(u + v), df_of(u, m, v, n), smallest, alpha);
+  return t_of(first.mean - second.mean, std::sqrt(u + v), df_of(u, std::min(m, worth), v, std::min(n, worth)), smallest,
+              alpha);
 }
 
 Outcome signed_rank_test(Values differences, double alpha) {
@@ -336,10 +337,11 @@ Outcome signed_rank_test(Values differences, double alpha) {
   return outcome;
 }
 
-Outcome t_test(Values differences, double alpha) {
+Outcome t_test(Values differences, double alpha, double worth) {
   const Summary summary = summarise(differences);
   const double n = summary.n;
-  return t_of(summary.mean, summary.sd / std::sqrt(n), n - 1, smallest_p_paired(differences.size()), alpha);
+  return t_of(summary.mean, summary.sd / std::sqrt(n), std::max(1.0, std::min(n, worth) - 1),
+              smallest_p_paired(differences.size()), alpha);
 }
 
 Outcome sign_test(Values differences, double alpha) {

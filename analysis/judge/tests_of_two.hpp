@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -55,8 +56,11 @@ double mann_whitney(Values first, Values second);
 // The larger p of the two, with Hodges and Lehmann's shift (Annals of Mathematical Statistics 34 (1963) 598). The
 // interval has the shifts that either test keeps, Mann-Whitney as if without ties.
 Outcome rank_test(Values first, Values second, double alpha);
+// Values that are made of a sum may be worth fewer: so many less one are the degrees of freedom, if they are at
+// least 1.
+constexpr double all_of_them = std::numeric_limits<double>::infinity();
 // Biometrika 34 (1947) 28. Two constant groups have the p of the permutations, 2 / C(m + n, m).
-Outcome welch(const Summary& first, const Summary& second, double alpha);
+Outcome welch(const Summary& first, const Summary& second, double alpha, double worth = all_of_them);
 
 // Numbers, paired: by the differences first - second.
 
@@ -64,7 +68,7 @@ Outcome welch(const Summary& first, const Summary& second, double alpha);
 // the median of all means of two differences.
 Outcome signed_rank_test(Values differences, double alpha);
 // Student's t (Biometrika 6 (1908) 1). Equal differences have the p of the permutations, 2^(1 - n).
-Outcome t_test(Values differences, double alpha);
+Outcome t_test(Values differences, double alpha, double worth = all_of_them);
 // The signs of the differences that are not 0 (Dixon and Mood, JASA 41 (1946) 557); the median, with the interval of
 // its order statistics.
 Outcome sign_test(Values differences, double alpha);

@@ -499,7 +499,7 @@ ReasonWords words_of(Open::Why why) {
        {"none", "one or both solved nothing", "nothing was solved"},
        {"no_answer", "neither has an answer", "no answer"},
        {"too_few", "no values", "too few to compare"},
-       {"few_decide", "few values decide the mean", "too few to compare"}}};
+       {"few_decide", "few values decide", "too few to compare"}}};
   return all[static_cast<std::size_t>(why)];
 }
 
