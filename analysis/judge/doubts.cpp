@@ -230,7 +230,7 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
     add_of(measured_apart(study), "measured in another session");
     add_of(copies_of_others(study), "all solves are another's, bit for bit");
   }
-  std::vector<std::string> silent, short_ones, alone;
+  std::vector<std::string> silent, short_ones, alone, programs;
   for (const std::string& solver : study.labels) {
     const Solves all = study.of(solver);
     const auto tells_none = [](const Solve& solve) {
@@ -239,10 +239,13 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
     if (std::ranges::any_of(all, tells_none)) silent.push_back(solver);
     if (10 * std::ranges::count_if(all, &Solve::is_told_short) > std::ssize(all)) short_ones.push_back(solver);
     if (10 * std::ranges::count_if(all, &Solve::is_told_alone) > std::ssize(all)) alone.push_back(solver);
+    if (std::ranges::any_of(all, is_timed(Timing::process))) programs.push_back(solver);
   }
   if (silent.size() < study.labels.size()) add_of(std::move(silent), "messages are in them");
   add_of(std::move(short_ones), "it tells less than half of its processor time");
   add_of(std::move(alone), "nothing is known of its processor time, as behind a wrapper that does not exec it");
+  // Memory, hashes and cores were drawn once for all of its targets, so their number says nothing of two processes.
+  if (!study.are_in_turn) add_of(std::move(programs), "each is of one process");
   return doubts;
 }
 

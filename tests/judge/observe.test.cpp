@@ -264,8 +264,15 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
     };
   };
   CHECK(apart(times(study(chained, in_process("B")))) == "B");
-  CHECK(apart(times(study(chained, in_process("AB")))).empty());
-  // What a program tells is its time, if its processor time leaves room for it.
+  CHECK(apart(times(study(chained, in_process("AB")))) == "AB");
+  // One process is one draw, unless both were solved in turn. There what a program tells is its time, if its processor
+  // time leaves room for it.
+  const auto in_turn = [](StudyResults of) {
+    of.are_in_turn = true;
+    return of;
+  };
+  CHECK(apart(times(in_turn(study(chained, in_process("AB"))))).empty());
+  CHECK(apart(times(in_turn(study(chained, in_process("B"))))) == "B");
   const auto told = [](double seconds, double cpu) {
     return [=](SolveRecord& solve) {
       if (solve.label != "B") return;
@@ -274,10 +281,13 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
       solve.cpu_seconds = cpu;
     };
   };
-  CHECK(apart(times(study(chained, told(0.01, 0.0105)))).empty());
+  CHECK(apart(times(study(chained, told(0.01, 0.0105)))) == "B");
+  const Asked to_solve{.start = "middle", .targets = "drawn", .tolerance_cm = 1};
+  CHECK(apart(observe(study(to_solve, told(0.01, 0.0105)), metric_named("seconds_per_solved"))) == "B");
+  CHECK(apart(times(in_turn(study(chained, told(0.01, 0.0105))))).empty());
   CHECK(list_of(group(times(study(chained, told(0.01, 0.0105))), "B")).front() == 0.01);
-  CHECK(apart(times(study(chained, told(0.01, 0.05)))) == "B");   // of more threads, or told too short
-  CHECK(apart(times(study(chained, told(0.01, 0.005)))) == "B");  // it waited
+  CHECK(apart(times(in_turn(study(chained, told(0.01, 0.05))))) == "B");   // of more threads, or told too short
+  CHECK(apart(times(in_turn(study(chained, told(0.01, 0.005))))) == "B");  // it waited
 }
 
 TEST_CASE("Who stops just beyond the tolerance is asked whether it knows it") {
