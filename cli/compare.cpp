@@ -113,7 +113,8 @@ std::string why_open(const show::Answer& answer, const JudgedMetric& judged) {
   return open ? show::reason_of(*open, show::noun_of(answer, judged)) : "the warnings say why";
 }
 
-// "mine is worse than PSO: in solved and error. Not decided: joint motion."
+// "mine is worse than PSO: in solved and error. Not decided: joint motion.", "mine against PSO: new: 1 solve without an
+// answer."
 std::string verdict_of(const Gate& gate, const show::Answer& answer) {
   const std::vector<std::string>& solvers = gate.judged.study.labels;
   const std::string candidate = gate.label.empty() ? solvers.front() : gate.label,
@@ -121,17 +122,21 @@ std::string verdict_of(const Gate& gate, const show::Answer& answer) {
   if (!gate.is_compared)
     return fmt::format("{} is not compared with {}: {}.", candidate, baseline,
                        why_open(answer, gate.judged.metrics[gate.judged.deciding]));
-  const bool is_worse = !gate.worse.empty(), is_open = !gate.not_decided.empty() || !gate.not_tested.empty(),
+  std::vector<std::string> parts, worse = gate.worse;
+  if (gate.newly_missing > 0) worse.pop_back();  // chance may do that, so no test calls it worse
+  const bool is_worse = !worse.empty(), is_open = !gate.not_decided.empty() || !gate.not_tested.empty(),
              is_within = !gate.worse_by_little.empty();
-  std::vector<std::string> parts;
-  if (is_worse) parts.push_back("in " + show::listed(gate.worse));
+  if (is_worse) parts.push_back("in " + show::listed(worse));
   if (!gate.better.empty()) parts.push_back((is_worse ? "better in " : "in ") + show::listed(gate.better));
-  std::string text = fmt::format("{} is {} {}{}{}.", candidate,
-                                 is_worse               ? "worse than"
-                                 : !gate.better.empty() ? "better than"
-                                 : is_open              ? "not shown to be worse than"
-                                 : is_within            ? "not worse by more than the margin than"
-                                                        : "not worse than",
+  if (gate.newly_missing > 0)
+    parts.push_back(fmt::format("new: {} without an answer", base::counted(gate.newly_missing, "solves")));
+  std::string text = fmt::format("{} {} {}{}{}.", candidate,
+                                 is_worse                 ? "is worse than"
+                                 : !gate.better.empty()   ? "is better than"
+                                 : gate.newly_missing > 0 ? "against"
+                                 : is_open                ? "is not shown to be worse than"
+                                 : is_within              ? "is not worse by more than the margin than"
+                                                          : "is not worse than",
                                  baseline, parts.empty() ? "" : ": ", show::listed(parts, ", "));
   if (!gate.worse_by_little.empty())
     text += fmt::format(" Worse by less than the margin: {}.", show::listed(gate.worse_by_little));
@@ -176,15 +181,15 @@ show::Answer answer_of(const Gate& gate) {
   return answer;
 }
 
-// "mine: these 100 targets show a loss of 14 points or more; 5 points take 700", of one label without its name. Of
-// solves that are the same nothing is left to show.
+// "mine: these 100 targets show a loss of 14 points or more with a chance of 0.8; 5 points take 700", of one label
+// without its name. Of solves that are the same nothing is left to show.
 std::string sights_of(const std::vector<Gate>& all) {
   show::ByWord shown;
   for (const Gate& gate : all) {
     if (!gate.sight || gate.are_same) continue;
     const auto& [smallest, n, of_margin] = *gate.sight;
-    shown.add(fmt::format("these {} show a loss of {:.2g} points or more{}", base::counted(n, answer_of(gate).noun),
-                          std::ceil(100 * smallest),
+    shown.add(fmt::format("these {} show a loss of {:.2g} points or more with a chance of 0.8{}",
+                          base::counted(n, answer_of(gate).noun), std::ceil(100 * smallest),
                           of_margin > n ? fmt::format("; {:.2g} points take {}",
                                                       100 * gate.judged.metrics.front().plan.margin, of_margin)
                                         : ""),
@@ -297,8 +302,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   command->footer(
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
-      "The exit code is 3 if something is shown to be worse, and not shown to be so by less than the margin; 1 after a "
-      "mistake, or else if A and B, or the times that --time-margin asks for, could not be compared; else 4 with "
+      "The exit code is 3 if something is shown to be worse, and not shown to be so by less than the margin, or if "
+      "solves without an answer are new; 1 after a mistake, or else if A and B, or the times that --time-margin asks for, could not be compared; else 4 with "
       "--strict, if something is not decided or not tested; else 0.\n"
       "Times are shown and decide nothing without --time-margin.");
   command->callback([arguments, &invocation] {

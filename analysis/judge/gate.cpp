@@ -89,17 +89,18 @@ bool may_decide(const Gate& gate, const JudgedMetric& judged) {
 
 bool is_of_answers(const JudgedMetric& judged) { return judged.observations.metric == "answers"; }
 
-// Without chance any loss of answers is a loss where none was missing or none is left.
-bool lost_answers_for_sure(const JudgedMetric& judged) {
+// How many answers are missing where before none was, or where now none is left. Chance may do that, too.
+int newly_missing(const JudgedMetric& judged) {
   const Description &candidate = judged.described.front(), &baseline = judged.described.back();
-  return is_of_answers(judged) && candidate.mean < baseline.mean && (baseline.mean == 1 || candidate.mean == 0);
+  const bool is_new = is_of_answers(judged) && (baseline.mean == 1 || candidate.mean == 0);
+  return is_new ? static_cast<int>(std::lround((baseline.mean - candidate.mean) * baseline.n)) : 0;
 }
 
 // The observations that show this loss: the root of n d^2 = (z_alpha sqrt(s) + z_beta sqrt(s - d^2))^2, where s is the
 // mean square of a difference. It holds for McNemar's test (Connor, Biometrics 43 (1987) 207) and in large samples for
-// t. A difference is at least one trial, so a loss makes s at least its share of that.
+// t. A difference is at least one trial, and a loss comes on top of what differs anyway.
 double needed_for(double loss, double square, int trials, double alpha) {
-  const double s = std::max(loss / trials, square);
+  const double s = square + loss / trials;
   return std::pow(
       (critical_z(alpha) * std::sqrt(s) + critical_z(0.4) * std::sqrt(std::max(0.0, s - loss * loss))) / loss, 2);
 }
@@ -229,11 +230,14 @@ void decide(std::vector<Gate>& gates) {
       Finding& finding = judged.findings.front();
       if (gate.are_same && !is_time(judged) && std::holds_alternative<Tested>(finding.what))
         finding.what = Fact{.amount = {finding.scale == Scale::ratio ? 1.0 : 0.0}};
-      if (lost_answers_for_sure(judged))
-        finding.what = Fact{Verdict::worse, {judged.described.front().mean - judged.described.back().mean}};
       if (&judged == &gate.judged.metrics[gate.judged.deciding])
         gate.sight = sight_of(judged, static_cast<double>(std::max<std::size_t>(tests, 1)));
       if (is_time(judged) && !gate.judged.study.are_in_turn) continue;
+      gate.newly_missing += newly_missing(judged);
+      if (newly_missing(judged) > 0) {
+        gate.worse.push_back(observed.quantity);
+        continue;
+      }
       const Verdict verdict = verdict_of(finding);
       const auto* const tested = std::get_if<Tested>(&finding.what);
       // Equal shares of runs may be those of other targets.

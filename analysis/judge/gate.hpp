@@ -9,7 +9,7 @@
 
 namespace ikbench::judge {
 
-// Of the share that is solved, what these observations could show, by a chance of about three in four.
+// Of the share that is solved, what these observations could show, with a chance of 0.8.
 struct Sight {
   double smallest = 0;  // loss, a share
   int n = 0;            // these observations
@@ -24,6 +24,7 @@ struct Gate {
   // Quantities; time only if the two were solved in turn. worse_by_little: by less than the margin, which is no loss.
   std::vector<std::string> worse, better, worse_by_little, not_decided, not_tested;
   std::optional<Sight> sight = {};  // none where shares are not tested
+  int newly_missing = 0;            // answers, where before none was or now none is left: worse, even if by chance
   bool are_same = false;            // all solves, bit for bit: then nothing is left to decide but time
   bool are_times_missing = false;   // though the two solved in turn, so that times decide
   bool is_compared = true;          // some quantity besides the share of answers was compared, or something is worse

@@ -68,7 +68,14 @@ TEST_CASE("5 crashes in 100 solves are worse where the baseline had none") {
     const auto crash = [](SolveRecord& solve) { solve.status = solve.point % 20 == 0 ? Status::crashed : Status::ok; };
     const Gate gate = gate_of(version(1, asked, solved), version(1, asked, crash));
     CHECK(gate.worse == Names{"answered"});
+    CHECK(gate.newly_missing == 5);
     CHECK(exit_code({gate}, false) == 3);
+    // As chance may do: its p is not small, and nothing is certain.
+    const auto crash_once = [](SolveRecord& solve) { solve.status = solve.point == 7 ? Status::crashed : Status::ok; };
+    const Gate once = gate_of(version(1, asked, solved), version(1, asked, crash_once));
+    CHECK(once.newly_missing == 1);
+    CHECK(seen(once.judged.metrics.back().findings.front()).p == 1);
+    CHECK(exit_code({once}, false) == 3);
     CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, solved))}, false) == 0);
     CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, crash))}, false) == 0);
     const auto crash_always = [](SolveRecord& solve) { solve.status = Status::crashed; };
@@ -184,14 +191,20 @@ TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
   CHECK(red <= compares / 20);
 }
 
-TEST_CASE("of losses as large as its sight says, a gate finds about three of four") {
-  for (const Asked& asked :
-       {of_100, drawn_100, Asked{.start = "initial", .runs = 20, .points = 40, .tolerance_cm = 0.1},
-        Asked{.runs = 60, .points = 5, .tolerance_cm = 0.1}, Asked{.runs = 100, .points = 1, .tolerance_cm = 0.1}}) {
+TEST_CASE("of losses as large as its sight says, a gate finds about four of five, also where targets flip by chance") {
+  const Asked of_20_runs{.start = "initial", .runs = 20, .points = 40, .tolerance_cm = 0.1},
+      of_paths{.runs = 60, .points = 5, .tolerance_cm = 0.1}, of_one{.runs = 100, .points = 1, .tolerance_cm = 0.1};
+  struct Case {
+    Asked asked;
+    double least;  // share that is solved
+  };
+  for (const auto& [asked, least] :
+       {Case{of_100, 0.6}, Case{drawn_100, 0.6}, Case{of_20_runs, 0.6}, Case{of_paths, 0.6}, Case{of_one, 0.6},
+        Case{of_100, 0.92}, Case{drawn_100, 0.96}}) {
     std::mt19937 random(7);
     const auto solves = [&](double loss) {
       return [&, loss](SolveRecord& solve) {
-        const double share = 0.6 + 0.3 * (solve.point % 7) / 6 - loss;
+        const double share = least + (1 - least) * 0.75 * (solve.point % 7) / 6 - loss;
         solve.status = std::bernoulli_distribution(share)(random) ? Status::ok : Status::tolerance_missed;
       };
     };
@@ -205,9 +218,9 @@ TEST_CASE("of losses as large as its sight says, a gate finds about three of fou
     for (int i = 0; i < 100; ++i)
       found +=
           std::ranges::count(gate_of(version(1, asked, solves(0)), version(2, asked, solves(loss))).worse, "solved");
-    INFO(asked.runs << " runs of " << asked.points << ": " << loss);
-    CHECK(found >= 60);
-    CHECK(found <= 85);
+    INFO(least << " of " << asked.runs << " runs of " << asked.points << ": " << loss << ", found " << found);
+    CHECK(found >= 70);
+    CHECK(found <= 95);
   }
 }
 
