@@ -62,9 +62,9 @@ void complete_svg(std::string& svg, const Figure& figure) {
   boost::replace_all(svg, "]]>", "]]&gt;");  // gnuplot leaves the > of a label as it is, and XML forbids ]]> in a text
 }
 
-// Draws in the workshop, then writes the pictures to their place. Throws std::invalid_argument with the reason if it
-// could not, std::runtime_error if a disk is full.
-void draw(const Figure& figure, const std::filesystem::path& workshop, const RenderOptions& options) {
+// Draws in the workshop, then writes the pictures to their place. Returns what gnuplot warns of, such as data that it
+// cannot read. Throws std::invalid_argument with the reason if it could not draw, std::runtime_error if a disk is full.
+std::string draw(const Figure& figure, const std::filesystem::path& workshop, const RenderOptions& options) {
   const std::string& gnuplot = options.gnuplot;
   // -d gives the same look whatever ~/.gnuplot says; the zone is in the date of a PDF.
   const ChildProcess::Ran result = ChildProcess::run({gnuplot, "-d", figure.name + ".gp"}, workshop, {"TZ=UTC0"});
@@ -84,6 +84,7 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
     if (type == "svg") complete_svg(*picture, figure);
     write_file(workshop.parent_path() / file, *picture);
   }
+  return result.output.find("warning:") == std::string::npos ? "" : result.output;
 }
 
 // The complete script of a figure.
@@ -168,10 +169,11 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
   std::mutex one_at_a_time;
   std::int64_t done = 0;
   std::vector<std::exception_ptr> failures(figures.size());
+  std::vector<std::string> warnings(figures.size());
   const auto work = [&] {
     for (std::size_t i = next++; i < figures.size(); i = next++) {
       try {
-        draw(figures[i], workshop.path(), options);
+        warnings[i] = draw(figures[i], workshop.path(), options);
       } catch (...) {
         failures[i] = std::current_exception();
       }
@@ -186,6 +188,7 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
   other.get();
   std::vector<std::string> errors;
   for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (!warnings[i].empty()) errors.push_back(fmt::format("{} may lack something: {}", figures[i].name, warnings[i]));
     try {
       if (failures[i]) std::rethrow_exception(failures[i]);
     } catch (const std::invalid_argument& error) {  // others end the report

@@ -153,6 +153,16 @@ TEST_CASE("a figure that is not drawn is told, and its old picture goes", "[file
   CHECK_FALSE(fs::exists(folder.path / "g.svg"));
 }
 
+TEST_CASE("what gnuplot warns of is told beside the picture", "[files][figure]") {
+  const ScratchFolder folder;
+  const Figure figure{
+      .name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat', 'gone.dat'", .data = "1 1\n2 2\n"};
+  const auto warnings = write_figures({figure}, folder.path, {});
+  REQUIRE(warnings.size() == 1);
+  CHECK(contains(warnings[0], "gone.dat"));
+  CHECK(fs::exists(folder.path / "f.svg"));
+}
+
 TEST_CASE("a picture has its caption as title, a width in points, and the same bytes each time", "[files][figure]") {
   const ScratchFolder folder;
   const Figure figure{.name = "f",
