@@ -72,15 +72,17 @@ std::set<fs::path> temporary_folders;
 
 constexpr std::string_view scratch_name = ".ikbench-scratch-XXXXXX";
 
-// Removes what killed processes left: scratch folders of ours that are a day old. Younger ones may be those of another
-// machine or container.
-void remove_litter(const fs::path& folder) {
+// Removes what killed processes left: scratch folders of ours a day older than this new one, by the clock of the file
+// system. Younger ones may be those of another machine or container.
+void remove_litter(const fs::path& folder, const fs::path& scratch) {
   std::error_code error, ignored;
+  const fs::file_time_type now = fs::last_write_time(scratch, error);
+  if (error) return;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     if (name.size() != scratch_name.size() || !name.starts_with(scratch_name.substr(0, scratch_name.find('X'))))
       continue;
-    const bool is_old = entry->last_write_time(ignored) < fs::file_time_type::clock::now() - std::chrono::hours(24);
+    const bool is_old = entry->last_write_time(ignored) < now - std::chrono::hours(24);
     if (is_old && entry->symlink_status(ignored).type() == fs::file_type::directory)
       fs::remove_all(entry->path(), ignored);
   }
@@ -165,11 +167,11 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent, const fs::path& result)
   const std::scoped_lock lock(temporary_mutex);
   std::error_code error;
   fs::create_directories(parent, error);
-  remove_litter(parent);
   std::string name = (parent / scratch_name).string();
   if (!error && ::mkdtemp(name.data()) == nullptr) error = last_error();
   if (error) refuse_place("write", result.empty() ? parent : result, error.value());
   path_ = name;
+  remove_litter(parent, path_);
   temporary_folders.insert(path_);
 }
 

@@ -76,6 +76,13 @@ TEST_CASE("a scratch folder is its owner's alone and gone at the end", "[files]"
     write_file(first / "figure.gp", "plot");
   }
   CHECK(fs::is_empty(folder.path));
+  for (const int hours : {23, 25}) {  // what a killed process left goes after a day
+    const fs::path left = folder.path / fmt::format(".ikbench-scratch-left{}", hours);
+    fs::create_directory(left);
+    fs::last_write_time(left, fs::last_write_time(left) - std::chrono::hours(hours));
+    const TemporaryFolder scratch(folder.path);
+    CHECK(fs::exists(left) == (hours == 23));
+  }
 }
 
 TEST_CASE("a file that is replaced keeps who may read it", "[files]") {
