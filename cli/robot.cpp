@@ -162,7 +162,7 @@ void add_robot(CLI::App& app, Invocation&) {
           fmt::format("{} is about a URDF file, but the arm is {}; leave it out", option, arguments->robot));
     }
     if (arguments->shows_links)
-      return fmt::print("{}", link_tree(text_of_arm_file(arguments->robot), arguments->robot));
+      return fmt::print("{}", printable(link_tree(text_of_arm_file(arguments->robot), arguments->robot)));
     arguments->urdf.snap = arguments->snap_deg * degree;
     const Robot arm =
         is_arm_file(arguments->robot) ? load_robot(arguments->robot, arguments->urdf) : robot(arguments->robot);

@@ -35,6 +35,12 @@ equal "tool of the written arm" "$(unwrapped | tail -n 1)" "$where"
 succeeds robot gen3.urdf --out picture
 [ -s picture/robot.gp ] && [ -s picture/robot.dat ] || fail "there is no picture"
 
+# What turns text around is printed nowhere, in the tree of links neither.
+sed $'s/name="wrist_3_link"/name="wrist\u202e_3_link"/; s/link="wrist_3_link"/link="wrist\u202e_3_link"/' ur5e.urdf >turned.urdf
+succeeds robot turned.urdf --links
+has "$out" "_3_link"
+has_no "$out" $'\u202e'
+
 # An arm of the library as a URDF file is the same arm.
 "$program" robot dobot_magician --urdf | grep -q '<mimic joint="joint_2" multiplier="-1"/>' || fail "no joint mimics"
 "$program" robot franka_panda --urdf >panda.urdf
