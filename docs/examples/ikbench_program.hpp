@@ -217,7 +217,7 @@ class Timer {
 };
 
 // Says hello and answers until the input ends. `options` and `goals` are JSON as in the message `hello`; empty: none,
-// and all. An answer {} is the best candidate that was evaluated.
+// and all. An answer {} is the best candidate that was evaluated, or the start where none was.
 template <class Prepare, class Solve>
 void run(const std::string& name, const std::string& options, Prepare prepare, Solve solve,
          const std::string& goals = {}) {
@@ -258,7 +258,7 @@ void run(const std::string& name, const std::string& options, Prepare prepare, S
       say(R"({"message":"solved","seed":)" + json_of(told["seed"].number) +
           (problem.has_asked ? "" : ",\"seconds\":" + json_of(seconds)) +
           (problem.extras.empty() ? "" : ",\"extras\":{" + problem.extras + '}') +
-          (q.empty() ? "" : ",\"q\":" + json_of(q)) + '}');
+          (q.empty() && problem.has_asked ? "" : ",\"q\":" + json_of(q.empty() ? problem.start : q)) + '}');
     } catch (const Declined& declined) {
       why = declined.why;
       if (!is_robot) say(R"({"message":"declined","why":)" + json_of(why) + '}');

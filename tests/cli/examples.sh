@@ -89,6 +89,18 @@ if can c++; then
   for wrong in '' '{' '{"a"' '{"a":' '{"a":1' '{"a":1,}' '[1,]' '["a' '["a\' '["\u12' '["\q"]' '[nul]' '{]' '[}' '[-]' '[1 2]' x; do
     equal "what it says of $wrong" "$(./hostile "$wrong" 2>&1)" "a line that is no JSON"
   done
+  # A library that finds nothing has answered: the arm stays, and its solves are not lost.
+  cat >none.cpp <<'CPP'
+#include "ikbench_program.hpp"
+int main() {
+  ikbench::run("none", {}, [](const ikbench::Robot& robot) { return robot; },
+               [](ikbench::Robot&, ikbench::Problem&) -> ikbench::Values { return {}; });
+}
+CPP
+  c++ -std=c++17 -o none none.cpp || fail 'none.cpp does not compile'
+  study none "$(printf '[[solvers]]\nlabel = "none"\nprocess = ["./none"]\n')"
+  succeeds run none.toml --no-report --out none-of-it
+  has_no "$(column none-of-it/store.sqlite status none)" broke_protocol
 fi
 
 # A library: by the Python that has it.
