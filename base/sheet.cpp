@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 #include "base/names.hpp"
@@ -77,17 +78,6 @@ std::optional<double> truth(std::string_view text) {
   if (is_one_of(text, {"true", "yes"})) return 1;
   if (is_one_of(text, {"false", "no"})) return 0;
   return std::nullopt;
-}
-
-// "76 us", "95 %", "1.2 (0.3)", "<0.001"
-bool begins_with_number(std::string_view text) {
-  const bool is_marked = text.starts_with('<') || text.starts_with('>') || text.starts_with('~');
-  if (is_marked) text = trimmed(text.substr(1));
-  const std::string_view number = text.substr(0, text.find_first_not_of("0123456789.,+-eE"));
-  const std::string_view rest = text.substr(number.size());
-  if (!is_number(number) || rest.empty()) return is_number(number) && is_marked;
-  return (rest.find_first_of("0123456789") == std::string_view::npos || trimmed(rest).starts_with('(') ||
-          static_cast<unsigned char>(trimmed(rest)[0]) >= 0x80);
 }
 
 // What the first line has most often outside quotes; blanks if nothing else parts it.
@@ -210,7 +200,7 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   if (rows_.empty()) refuse("no rows below the header; expected at least one");
 }
 
-void Sheet::choose(std::string_view condition) {
+std::size_t Sheet::choose(std::string_view condition) {
   std::size_t equals = condition.find('=');
   if (equals == std::string_view::npos) refuse(fmt::format("--where {}; expected COLUMN=VALUE", in_quotes(condition)));
   for (std::size_t at = equals; at != std::string_view::npos; at = condition.find('=', at + 1))  // a title may have it
@@ -222,6 +212,7 @@ void Sheet::choose(std::string_view condition) {
   if (rows_.empty())
     refuse(
         fmt::format("no row has {}; the first has {}", in_quotes(condition), in_quotes(titles_[chosen] + "=" + first)));
+  return chosen;
 }
 
 std::string_view Sheet::cell(std::size_t row, std::size_t column) const {
@@ -242,7 +233,7 @@ std::size_t Sheet::column(std::string_view name) {
     return titles_.size() - 1;
   }
   const auto first = static_cast<std::size_t>(std::ranges::find(titles_, name) - titles_.begin());
-  if (name == "row" && first < table_.header.size() && !counts_rows(first))
+  if (name == "row" && first < table_.header.size())
     refuse("a column 'row', which is the name of the number of each row; rename it");
   if (number > 1) refuse(fmt::format("{} columns {}; give them different names", number, in_quotes(name)));
   if (number == 0)
@@ -283,33 +274,14 @@ std::optional<std::size_t> Sheet::column_like(const Words& names) const {
 bool Sheet::is_missing(std::size_t row, std::size_t column) const { return means_none(cell(row, column)); }
 
 bool Sheet::has_numbers(std::size_t column) const {
+  constexpr std::size_t enough = 1000;  // rows
   std::size_t filled = 0, numbers = 0, truths = 0;
-  for (const std::uint32_t row : rows_) {
+  for (const std::uint32_t row : std::span(rows_).first(std::min(rows_.size(), enough))) {
     filled += !is_missing(row, column);
     numbers += is_number(cell(row, column));
     truths += truth(cell(row, column)).has_value();
   }
   return 2 * numbers > filled || (filled > 0 && truths == filled);
-}
-
-std::optional<std::uint32_t> Sheet::broken_number(std::size_t column) const {
-  const auto is_broken = [&](std::uint32_t row) { return begins_with_number(cell(row, column)); };
-  if (2 * std::ranges::count_if(rows_, is_broken) <= std::ssize(rows_)) return std::nullopt;
-  return *std::ranges::find_if(rows_, is_broken);
-}
-
-bool Sheet::counts_rows(std::size_t column) const {
-  std::optional<double> before;
-  std::size_t rows = 0;
-  for (std::size_t row = 0; row < table_.rows(); ++row) {
-    if (cell(row, column).empty()) continue;
-    const auto number = number_from(cell(row, column));
-    if (!number || !std::isfinite(*number) || *number != std::floor(*number) || (before && *number != *before + 1))
-      return false;
-    before = number;
-    ++rows;
-  }
-  return rows > 2;  // any two may
 }
 
 char Sheet::decimal_of(std::size_t column) {

@@ -35,8 +35,8 @@ class Sheet {
   // The mark of decimals is found where it is 0. The text must outlive the sheet.
   Sheet(std::string_view text, std::string_view source, char decimal, Header header = Header::required);
 
-  // Takes the rows with this value in this column alone: "metric=error".
-  void choose(std::string_view condition);
+  // Takes the rows with this value in this column alone, "metric=error"; returns the column.
+  std::size_t choose(std::string_view condition);
 
   const std::vector<std::string>& titles() const { return titles_; }
   // Rows that have a text: spreadsheets leave empty ones.
@@ -49,10 +49,8 @@ class Sheet {
   std::size_t joined(const std::vector<std::string>& names);
   std::optional<std::size_t> column_like(const Words& names) const;  // named so; earlier names first
   bool is_missing(std::size_t row, std::size_t column) const;
-  bool has_numbers(std::size_t column) const;  // most cells but those missing, or all are True and False
-  // The first row with a number and more, such as its unit, where most cells are so.
-  std::optional<std::uint32_t> broken_number(std::size_t column) const;
-  bool counts_rows(std::size_t column) const;  // each number is one more than that of the row before in the file
+  // Of the first 1000 cells most but those missing, or all are True and False.
+  bool has_numbers(std::size_t column) const;
   // Not a number where it is missing. "1.020" may be 1.02 or 1020: other cells of the column say which mark is of
   // decimals, else those of the file, else the comma that parts cells, else the column is refused.
   double number(std::size_t row, std::size_t column);

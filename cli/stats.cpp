@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -95,7 +96,6 @@ void stats(const StatsArguments& arguments) {
   show::Report reported = judged(arguments, style);
   if (!arguments.out.empty()) return announce(std::move(reported), arguments.out, arguments.report, style);
   if (arguments.report.is_json) return show_json(show::to_json(reported.answer));
-  if (arguments.csv.better.empty()) reported.answer.direction += " (--better larger turns it)";
   if (reported.answer.decisive().findings.size() > show::most_pairs)
     reported.answer.notes.emplace_back("--out FOLDER writes a report with all pairs.");
   fmt::print("{}", printable(show::screen(reported.answer, "")));
@@ -113,15 +113,14 @@ void add_stats(CLI::App& app, Invocation& invocation) {
   add("FILE", arguments->file,
       "CSV with a column of names and one of values, or one of values a solver; - for standard input")
       ->required();
-  add("--value", csv.values, "column of values; repeat for several; not needed if there is one");
-  add("--label", csv.label, "column of names, or several; not needed if it is the only text");
-  add("--block", csv.block,
-      "column of targets that all groups had, or several: compares within them; row: each row is one");
+  add("--better", csv.better, "smaller or larger is better: always asked for; COLUMN=larger: of one of several");
+  add("--label", csv.label, "column of who is compared, or several; `columns`: each column of numbers is one");
+  add("--value", csv.values, "column of values; repeat for several; not needed if one is left");
+  add("--block", csv.block, "column of what each of them did, or several: compares within them; row: each row is one");
   add("--run", csv.run,
       "column of runs: averages the rows of a run (within a block), which are no repetitions; row: each row is one")
       ->check(not_empty());
   add("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
-  add("--better", csv.better, "smaller or larger is better; COLUMN=larger: of this column [smaller]");
   command->add_flag("--summaries", csv.are_summaries,
                     "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
   add("--decimal", arguments->decimal, "mark in numbers [found]")->check(CLI::IsMember({".", ","}));
@@ -134,10 +133,10 @@ void add_stats(CLI::App& app, Invocation& invocation) {
   add_report_options(*command, arguments->report);
   for (const char* name : {"--figures", "--style"}) command->get_option(name)->needs(out);
   command->footer(
-      "  ikbench stats results.csv\n"
-      "  ikbench stats benchmark.csv --value error --block target --run seed\n"
-      "  ikbench stats --summaries published.csv\n\n"
-      "docs/your-own-csv.md explains which rows are yours.");
+      "  ikbench stats results.csv --better smaller\n"
+      "  ikbench stats benchmark.csv --label solver --value error --block target --run seed --better smaller\n"
+      "  ikbench stats --summaries published.csv --better smaller\n\n"
+      "docs/your-own-csv.md has a command for each of eight kinds of tables.");
   command->callback([arguments, &invocation] {
     if (arguments->test == "means" || arguments->csv.are_summaries) arguments->plan.test = results::Plan::Test::means;
     if (!arguments->decimal.empty()) arguments->csv.decimal = arguments->decimal[0];
@@ -145,7 +144,13 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       stats(*arguments);
     } catch (const csv::Question& question) {
       say_mistake(question.what());
-      for (const csv::Options& answer : question.answers) say_command(shell_command(invocation.command, answer));
+      if (!question.columns.empty()) {
+        const std::string table = aligned(question.columns);
+        say(std::string_view(table).substr(0, table.size() - 1));
+        const bool is_open = std::ranges::count(question.options, "--better") > 0;
+        say_command(shell_command(invocation.command, question.options) + (is_open ? "     (or larger)" : ""));
+        say(question.advice + " Examples: docs/your-own-csv.md");
+      }
       invocation.exit_code = 1;
     }
   });

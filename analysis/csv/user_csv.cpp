@@ -1,13 +1,16 @@
 #include "analysis/csv/user_csv.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -23,8 +26,7 @@ using namespace judge;
 using base::lower_case;
 using Index = std::uint32_t;
 
-constexpr std::size_t most_last = 4;          // rows that sum up others
-constexpr std::size_t most_values = 100'000;  // nobody adds such rows to more
+constexpr std::size_t most_groups = 100;
 
 struct Value {
   Index group, unit, row, column;  // unit: block, run or the value itself
@@ -62,13 +64,17 @@ std::string as_seen(std::string_view name) {
   return std::string(base::trimmed(text));
 }
 
-Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
+Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const Request& request) {
   const Column unit = layout.block ? layout.block : layout.run;
   std::unordered_map<std::string_view, Index> groups, units;
   Items items;
   items.values.reserve(columns.size() * sheet.rows().size());
   for (const std::size_t column : columns) {
-    for (const Index row : sheet.rows()) {
+    std::size_t end = sheet.rows().size();
+    if (!layout.label && !unit)  // columns of unequal length
+      while (end > 0 && sheet.cell(sheet.rows()[end - 1], column).empty()) --end;
+    if (end == 0) sheet.refuse(fmt::format("{} is empty", in_quotes(sheet.titles()[column])));
+    for (const Index row : std::span(sheet.rows()).first(end)) {
       const std::string_view name = layout.label ? sheet.cell(row, *layout.label) : sheet.titles()[column];
       items.unlabelled += name.empty();
       if (name.empty()) continue;
@@ -86,7 +92,9 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
            .value = sheet.number(row, column)});
     }
   }
-  if (items.values.empty()) sheet.refuse("no row has a label");
+  if (items.unlabelled > items.values.size())
+    sheet.refuse(fmt::format("{} is empty in {} of {} rows; write it in each, also where cells are merged",
+                             in_quotes(sheet.titles()[*layout.label]), items.unlabelled, sheet.rows().size()));
   std::set<std::string> shown;
   for (const std::string& name : items.groups)
     if (!shown.insert(as_seen(name)).second)
@@ -96,36 +104,42 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns) {
   for (const Value& item : items.values) {
     if (items.means.empty() || items.means.back().group != item.group || items.means.back().unit != item.unit)
       items.means.push_back({.group = item.group, .unit = item.unit});
+    else if (layout.block && request.run.empty())
+      sheet.refuse(item.row, *layout.block,
+                   fmt::format("is a second row of {}; --run says which are its runs (--run row: each row is one)",
+                               in_quotes(items.groups[item.group])));
     items.means.back().sum += item.value;
     ++items.means.back().rows;
   }
   return items;
 }
 
-// Of one of the titles. Asks where the values are shares.
-Better better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles,
-                 const std::string& title, bool are_shares) {
-  std::string_view said, of_all;
+// Of each of the titles. Asks where nobody said it: no name or number does.
+std::vector<Better> better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles) {
+  std::map<std::string_view, std::string_view> said;  // "": of all
   for (const std::string_view option : request.better) {
     const std::size_t equals = option.rfind('=');
     const bool is_of_all = equals == std::string_view::npos;
-    const std::string_view way = is_of_all ? option : option.substr(equals + 1), column = option.substr(0, equals);
+    const std::string_view way = is_of_all ? option : option.substr(equals + 1),
+                           column = is_of_all ? "" : option.substr(0, equals);
     if (way != "smaller" && way != "larger")
       sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(option)));
     if (!is_of_all && std::ranges::count(titles, column) == 0)
       sheet.refuse(
           fmt::format("--better {}: {}", in_quotes(option), base::unknown_name("column of values", column, titles)));
-    if (!is_of_all && column != title) continue;
-    std::string_view& before = is_of_all ? of_all : said;
-    if (!before.empty() && before != way)
+    if (said.try_emplace(column, way).first->second != way)
       sheet.refuse(fmt::format("--better {} contradicts an earlier --better; expected one of them", in_quotes(option)));
-    before = way;
   }
-  if (said.empty()) said = of_all;
-  if (said.empty() && are_shares)
-    throw Question(sheet.said(fmt::format("all values of {} are 0 or 1; say which is better", in_quotes(title))),
-                   {{"--better", title + "=larger"}, {"--better", title + "=smaller"}});
-  return said == "larger" ? Better::larger : Better::smaller;
+  std::vector<Better> better;
+  for (const std::string& title : titles) {
+    const std::string_view way = said.contains(title) ? said[title] : said[""];
+    if (way.empty())
+      throw Question(
+          sheet.said(fmt::format("is smaller or larger better in {0}? Say --better {1}smaller or --better {1}larger",
+                                 in_quotes(title), titles.size() > 1 ? title + "=" : "")));
+    better.push_back(way == "larger" ? Better::larger : Better::smaller);
+  }
+  return better;
 }
 
 Observations quantity_of(const std::string& title) {
@@ -206,132 +220,58 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
   }
 }
 
-// Refuses a row that is the first of each group, or one of the last, or so in each unit of a group, and has a statistic
-// of the others there, or of ranks or wins of the groups, where each row has a value of all.
-void refuse_totals(Sheet& sheet, const Layout& layout, const Items& items) {
-  constexpr std::size_t fewest = 3;
-  if (items.groups.size() < 2 || items.values.size() > most_values) return;
-  for (const bool by_unit : {false, true}) {
-    std::vector<Lists> kinds(1);  // values, then from either end their ranks and who is first
-    std::vector<std::vector<Value>> rows;
-    for (const Value& item : items.values) {
-      if (rows.empty() || rows.back().back().group != item.group || (by_unit && rows.back().back().unit != item.unit))
-        rows.emplace_back(), kinds[0].emplace_back();
-      rows.back().push_back(item);
-      kinds[0].back().push_back(printed(sheet, item.row, item.column));
-    }
-    const std::size_t least = std::ranges::min(rows, {}, &std::vector<Value>::size).size();
-    const auto is_complete = [&](const std::vector<Value>& of) {
-      return !by_unit && (layout.block || !layout.label) &&
-             std::ranges::equal(of, rows.front(), {}, &Value::unit, &Value::unit);
-    };
-    for (const double sign : std::ranges::all_of(rows, is_complete) ? std::vector{1.0, -1.0} : std::vector<double>()) {
-      Lists ranks(rows.size()), firsts(rows.size());
-      for (std::size_t unit = 0; unit < least; ++unit) {
-        std::vector<double> row;
-        for (const std::vector<Printed>& group : kinds[0])
-          row.push_back(std::isnan(group[unit].value) ? std::numeric_limits<double>::infinity()
-                                                      : sign * group[unit].value);
-        row = midranks(row).ranks;
-        for (std::size_t g = 0; g < rows.size(); ++g) {
-          ranks[g].push_back({row[g], 0.5});
-          firsts[g].push_back({row[g] == std::ranges::min(row) ? 1.0 : 0.0, 0.5});
-        }
-      }
-      kinds.insert(kinds.end(), {ranks, firsts});
-    }
-    for (std::size_t after = most_last + 1; after-- > 0;) {  // as many rows; if all, it is the first
-      const bool is_first = after == most_last;
-      if (least < fewest + (is_first ? 1 : after + 1)) continue;
-      for (std::size_t k = 0; k < kinds.size(); ++k) {
-        Lists lists = kinds[0], of = kinds[k];
-        for (Lists* each : {&lists, &of}) {
-          for (std::vector<Printed>& list : *each) {
-            const auto place = static_cast<std::ptrdiff_t>(is_first ? 0 : list.size() - 1 - after);
-            list.push_back(list[static_cast<std::size_t>(place)]);
-            list.erase(list.begin() + place, is_first ? list.begin() + 1 : list.end() - 1);
-          }
-        }
-        const auto is_limit = [&](const auto& list) { return list.back().value == lists.front().back().value; };
-        constexpr double tried = most_last + 1;
-        if (!std::ranges::all_of(lists, is_limit) &&
-            (k == 0 ? are_computed(lists, tried)
-                    : are_computed(lists, 4 * tried, of, k % 2 == 0)))  // mean rank, sum of firsts
-          sheet.refuse(
-              rows.front()[is_first ? 0 : rows.front().size() - 1 - after].row, rows.front()[0].column,
-              fmt::format("sums up those {} it, as those of the other groups do; leave such rows out of the file",
-                          is_first ? "below" : "above"));
-      }
-    }
-    if (items.means.size() == items.values.size()) return;
-  }
+// The value of its last digit.
+double digit_of(std::string_view text) {
+  const std::size_t mark = text.find_last_of(".,"), exponent = std::min(text.find_first_of("eEdD"), text.size());
+  const double shift = exponent < text.size() ? base::number_from(text.substr(exponent + 1)).value_or(0) : 0;
+  return std::pow(10, shift - (mark < exponent ? static_cast<double>(exponent - mark - 1) : 0));
 }
 
-// Refuses groups of one value that is a statistic of all others, at an end of the file, or of another's, whose name
-// theirs begins with: "A", "A_mean".
-void refuse_aggregates(Sheet& sheet, const Items& items, std::size_t label) {
-  constexpr std::size_t fewest = 3;
-  if (items.groups.size() < 2 || items.values.size() > most_values) return;
-  for (const Index row : {sheet.rows().front(), sheet.rows().back()}) {
-    const auto its = std::ranges::find(items.values, row, &Value::row);
-    if (its == items.values.end() || items.values.size() <= fewest * (items.groups.size() - 1) ||
-        std::ranges::count(items.values, its->group, &Value::group) > 1)
-      continue;
-    std::vector<Printed> list;
-    for (const Value& item : items.values)
-      if (item.row != row) list.push_back(printed(sheet, item.row, item.column));
-    list.push_back(printed(sheet, row, its->column));
-    constexpr double tried = 0.3;  // its name makes a sum likely
-    if (are_computed({list}, tried))
-      sheet.refuse(row, its->column,
-                   "is a statistic of all others, and has a name of its own; leave it out of the file");
-  }
-  Lists groups(items.groups.size());
-  std::vector<Index> rows(groups.size());
+// Refuses a row, the first or one of the last of each group (or of each of its units), that has in all of them the sum
+// or the mean of those below or above it to the last digit, and hardly by chance.
+void refuse_sums(Sheet& sheet, const Items& items, bool by_unit) {
+  constexpr std::size_t most_last = 4, fewest = 2, most_values = 100'000;  // nobody adds such rows to more
+  constexpr double by_chance = 1e-4;
+  std::vector<std::vector<Value>> lists;
   for (const Value& item : items.values) {
-    groups[item.group].push_back(printed(sheet, item.row, item.column));
-    rows[item.group] = item.row;
+    if (lists.empty() || lists.back().back().group != item.group || (by_unit && lists.back().back().unit != item.unit))
+      lists.emplace_back();
+    lists.back().push_back(item);
   }
-  std::map<std::string, Lists> ends;
-  for (std::size_t i = 0; i < groups.size(); ++i)
-    for (std::size_t of = 0; of < groups.size() && groups[i].size() == 1; ++of) {
-      if (groups[of].size() < fewest || !items.groups[i].starts_with(items.groups[of])) continue;
-      Lists& lists = ends[items.groups[i].substr(items.groups[of].size())];
-      lists.push_back(groups[of]);
-      lists.back().push_back(groups[i].front());
-      if (are_computed(lists, static_cast<double>(groups.size())))
-        sheet.refuse(rows[i], label,
-                     fmt::format("sums up {}; leave such rows out of the file", in_quotes(items.groups[of])));
+  const std::size_t least = std::ranges::min(lists, {}, &std::vector<Value>::size).size();
+  for (std::size_t last = 0; last <= most_last && items.values.size() <= most_values; ++last) {
+    if (lists.size() < 2 || least < fewest + std::max<std::size_t>(last, 1)) return;
+    std::array<double, 2> chances{1, 1};  // of the sum, of the mean
+    for (const std::vector<Value>& list : lists) {
+      const Value& one = last == 0 ? list.front() : list[list.size() - last];
+      const std::span others = last == 0 ? std::span(list).subspan(1) : std::span(list).first(list.size() - last);
+      std::vector<double> values;
+      double sum = 0, digit = std::numeric_limits<double>::infinity();
+      for (const Value& other : others) {
+        if (std::isnan(other.value)) continue;
+        values.push_back(other.value), sum += other.value;
+        digit = std::min(digit, digit_of(sheet.cell(other.row, other.column)));
+      }
+      if (values.size() < fewest || std::isnan(one.value)) continue;
+      std::uint64_t grain = 0;  // whole tens are no finer than tens
+      for (const double value : values)
+        grain = std::gcd(grain, static_cast<std::uint64_t>(std::min(std::round(std::abs(value) / digit), 1e18)));
+      const auto [low, high] = std::ranges::minmax(values);
+      const double coarse = digit * static_cast<double>(grain), steps = one.value / coarse,
+                   its_digit = digit_of(sheet.cell(one.row, one.column)),
+                   step = std::abs(steps - std::round(steps)) < 1e-6 ? std::max(coarse, its_digit) : its_digit,
+                   chance = high > low ? std::min(1.0, step / (high - low)) : 1;
+      for (const bool is_mean : {false, true}) {
+        const double distance = std::abs(one.value - (is_mean ? sum / static_cast<double>(values.size()) : sum));
+        chances[is_mean] *= distance <= its_digit * 0.501 ? chance : std::numeric_limits<double>::infinity();
+      }
     }
-}
-
-// Refuses a few blocks or runs without a number where the others have one.
-void refuse_unnumbered(const Sheet& sheet, std::size_t unit) {
-  std::set<std::string_view> numbered, others;
-  Index last = 0;
-  for (const Index row : sheet.rows()) {
-    const std::string_view name = sheet.cell(row, unit);
-    const bool has_digit = name.find_first_of("0123456789") != std::string_view::npos;
-    (has_digit ? numbered : others).insert(name);
-    if (!has_digit) last = row;
+    const Value& one = last == 0 ? lists.front().front() : lists.front()[lists.front().size() - last];
+    if (std::ranges::min(chances) < by_chance)
+      sheet.refuse(one.row, one.column,
+                   fmt::format("is the {} of those {} it, as in the other groups; leave such rows out of the file",
+                               chances[0] < chances[1] ? "sum" : "mean", last == 0 ? "below" : "above"));
   }
-  if (!others.empty() && others.size() <= most_last && 4 * others.size() < numbered.size())
-    sheet.refuse(last, unit,
-                 "has no number, as the others have: leave rows that sum up others out of the file, or rename it");
-}
-
-// Asks where rows are no observations of their own, as steps of one run.
-void ask_of_steps(const Sheet& sheet, const Items& items) {
-  std::vector<std::vector<double>> groups(items.groups.size());
-  for (const Value& item : items.values)
-    if (!std::isnan(item.value)) groups[item.group].push_back(item.value);
-  std::erase_if(groups, [](const auto& group) {  // somebody sorted it
-    return std::ranges::is_sorted(group) || std::ranges::is_sorted(group, std::greater());
-  });
-  if (following(groups) > 4)
-    throw Question(sheet.said("values follow those above them, as steps of a run do, and then each run has one value; "
-                              "or rows are unrelated (--run row)"),
-                   {{"--run", "row"}});
 }
 
 // What the rows were taken for.
@@ -345,53 +285,53 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   const Index most = std::ranges::max(items.means, {}, &Mean::rows).rows;
   if (most > 1) text += fmt::format(", means of {} rows", most);
   if (!layout.block && !layout.run) text += ", rows unrelated";
-  for (const std::size_t column : layout.counting)
-    text += fmt::format("; {} counts rows and is left out", title_of(column));
+  std::vector<std::string> unused;
+  for (const std::size_t column : layout.unused) unused.push_back(title_of(column));
   for (const std::string& condition : where) text += fmt::format("; only rows with {}", in_quotes(condition));
+  if (!unused.empty()) text += fmt::format("; not used: {}", listed(unused));
   return text + '.';
 }
 
-struct Means {
-  Column n, mean, sd;
-};
-Means means_in(const Sheet& sheet) {
-  return {.n = sheet.column_like({"n", "count", "n_runs"}),
-          .mean = sheet.column_like({"mean", "avg", "average"}),
-          .sd = sheet.column_like({"sd", "std", "stddev", "std_dev"})};
+// Of too few blocks for any verdict: which column makes more of them.
+std::string more_blocks(const Sheet& sheet, const Layout& layout, const Items& items, const Request& request) {
+  constexpr double alpha = 0.05;
+  if (!layout.block || smallest_p_paired(items.units) <= alpha) return "";
+  Columns others = layout.unused;
+  if (layout.run) others.push_back(*layout.run);
+  for (const std::size_t column : others) {
+    std::set<std::pair<std::string_view, std::string_view>> blocks;
+    for (const Value& item : items.values)
+      blocks.emplace(sheet.cell(item.row, *layout.block), sheet.cell(item.row, column));
+    if (layout.label && blocks.size() * items.groups.size() == items.values.size())
+      return fmt::format("If all groups had the same {}: --block {} --block {} makes {} blocks of {}.",
+                         in_quotes(sheet.titles()[column]), fmt::join(request.block, " --block "),
+                         sheet.titles()[column], blocks.size(), items.units);
+  }
+  return "";
 }
 
-Quantities values_in(std::string_view text, std::string_view source, const Request& request) {
-  Sheet sheet(text, source, request.decimal);
+Quantities values_in(Sheet& sheet, const Request& request) {
   if (sheet.column_like({"stop_reason"}) && sheet.column_like({"series"}))
     sheet.refuse("solves of a study, which a CSV does not say all of; `ikbench report` judges its store");
-  for (const std::string& condition : request.where) sheet.choose(condition);
-  if (const auto [n, mean, sd] = means_in(sheet); request.values.empty() && mean && sd) {
-    std::vector<Options> answers{{"--summaries"}, {"--value", sheet.titles()[*mean]}};
-    if (!n) answers.erase(answers.begin());
-    throw Question(
-        sheet.said("it has means and standard deviations, which --summaries compares if a column 'n' says of "
-                   "how many values they are"),
-        answers);
-  }
   const Layout layout = layout_of(sheet, request);
   Quantities quantities;
   std::vector<std::string> titles;
   for (const std::size_t column : layout.values) titles.push_back(sheet.titles()[column]);
   if (!layout.label) titles = {"value"};
+  const std::vector<Better> better = better_of(sheet, request, titles);
   for (std::size_t i = 0; i < titles.size(); ++i) {
-    const Items items = items_of(sheet, layout, layout.label ? Columns{layout.values[i]} : layout.values);
+    const Items items = items_of(sheet, layout, layout.label ? Columns{layout.values[i]} : layout.values, request);
     Observations observed = quantity_of(titles[i]);
     const auto name_of = [](const std::string& title) { return quantity_of(title).quantity; };
     if (std::ranges::count(titles, observed.quantity, name_of) > 1)
       observed.quantity = titles[i], observed.unit.clear();
-    refuse_totals(sheet, layout, items);
-    if (layout.label) refuse_aggregates(sheet, items, *layout.label);
-    const Column unit = layout.block ? layout.block : layout.run;
-    if (unit && i == 0) refuse_unnumbered(sheet, *unit);
-    if (!unit && request.run.empty()) ask_of_steps(sheet, items);
+    refuse_sums(sheet, items, false);
+    if (items.means.size() < items.values.size()) refuse_sums(sheet, items, true);
     if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items, request.where));
+    if (std::string more = i == 0 ? more_blocks(sheet, layout, items, request) : ""; !more.empty())
+      quantities.notes.push_back(std::move(more));
     settle(items, observed, quantities.notes);
-    observed.better = better_of(sheet, request, titles, titles[i], observed.scale == Scale::share);
+    observed.better = better[i];
     for (const Value& item : items.values) {
       if (std::isinf(item.value) && (item.value < 0 || observed.better == Better::larger))
         sheet.refuse(item.row, item.column,
@@ -403,35 +343,15 @@ Quantities values_in(std::string_view text, std::string_view source, const Reque
   return quantities;
 }
 
-Quantities summaries_in(std::string_view text, std::string_view source, const Request& request) {
-  Sheet sheet(text, source, request.decimal);
-  for (const std::string& condition : request.where) sheet.choose(condition);
-  const auto [n, mean, sd] = means_in(sheet);
+Quantities summaries_in(Sheet& sheet, const Request& request) {
+  const Column n = sheet.column_like({"n", "count", "n_runs"}), mean = sheet.column_like({"mean", "avg", "average"}),
+               sd = sheet.column_like({"sd", "std", "stddev", "std_dev"}), quantity = sheet.column_like({"metric"});
   for (const auto& [name, found] : {std::pair("n", n), {"mean", mean}, {"sd", sd}})
     if (!found) sheet.refuse(fmt::format("no column {}; expected name, n, mean and sd", name));
-  const Column quantity = sheet.column_like({"metric"});
-  std::vector<std::string> texts = request.label;
-  for (std::size_t i = 0; request.label.empty() && i < sheet.titles().size(); ++i) {
-    if (i != quantity && !sheet.has_numbers(i)) texts.push_back(sheet.titles()[i]);
-  }
-  if (texts.empty()) sheet.refuse("no column of text; name that of the groups with --label");
-  if (request.label.empty() && texts.size() > 1) {
-    std::vector<Options> answers;
-    for (const std::string& name : texts) {
-      const std::size_t groups = sheet.column(name);
-      answers.push_back({"--label", name});
-      const auto is_again = [&](Index row) {
-        return row != sheet.rows()[0] && sheet.cell(row, groups) == sheet.cell(sheet.rows()[0], groups);
-      };
-      for (const std::string& other : std::ranges::any_of(sheet.rows(), is_again) ? texts : std::vector<std::string>())
-        if (other != name)
-          answers.back().insert(
-              answers.back().end(),
-              {"--where", fmt::format("{}={}", other, sheet.cell(sheet.rows()[0], sheet.column(other)))});
-    }
-    throw Question(sheet.said(fmt::format("{} may name the groups", listed(texts))), answers);
-  }
-  const std::size_t label = sheet.joined(texts);
+  Request known = request;
+  known.values = {sheet.titles()[*n], sheet.titles()[*mean], sheet.titles()[*sd]}, known.run = "row";
+  if (quantity) known.block = {sheet.titles()[*quantity]};
+  const std::size_t label = *layout_of(sheet, known).label;
   Quantities quantities;
   std::vector<std::string> titles;
   for (const Index row : sheet.rows()) {
@@ -461,39 +381,16 @@ Quantities summaries_in(std::string_view text, std::string_view source, const Re
       observed.doubts.push_back(
           {.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
   }
-  for (std::size_t i = 0; i < titles.size(); ++i)
-    quantities.observed[i].better = better_of(sheet, request, titles, titles[i], false);
+  const std::vector<Better> better = better_of(sheet, request, titles);
+  for (std::size_t i = 0; i < titles.size(); ++i) quantities.observed[i].better = better[i];
   return quantities;
-}
-
-// With each answer, and more that it is asked for, tried: what is likeliest may be refused as a whole.
-Quantities answered(std::string_view text, std::string_view source, const Request& request, int asked) {
-  try {
-    return request.are_summaries ? summaries_in(text, source, request) : values_in(text, source, request);
-  } catch (const Question& question) {
-    constexpr int most_asked = 3;
-    std::vector<Options> answers;
-    for (const Options& answer : asked < most_asked ? question.answers : std::vector<Options>()) {
-      try {
-        answered(text, source, with(request, answer), asked + 1);
-        answers.push_back(answer);
-      } catch (const Question& further) {
-        for (const Options& more : further.answers) {
-          answers.push_back(answer);
-          answers.back().insert(answers.back().end(), more.begin(), more.end());
-        }
-      } catch (const std::invalid_argument&) {
-        if (answers.empty()) throw;
-      }
-    }
-    throw Question(question.what(), answers);
-  }
 }
 
 }  // namespace
 
 Quantities read(std::string_view text, std::string_view source, const Request& request) {
-  return answered(text, source, request, 0);
+  Sheet sheet(text, source, request.decimal);
+  return request.are_summaries ? summaries_in(sheet, request) : values_in(sheet, request);
 }
 
 Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {

@@ -30,9 +30,9 @@ for ((i = 1; i <= $(grep -c pread64 calls); ++i)); do
     "2 ikbench: cannot read 'whole/store.sqlite': Input/output error; try again, or read a copy on another disk "
 done
 { echo A,B; paste -d, <(seq 10000) <(seq 2 10001); } >long.csv
-strace -o traced -P "$PWD/long.csv" -e inject=read:error=EIO:when=2 "$program" stats long.csv --run row >.out 2>.err
+strace -o traced -P "$PWD/long.csv" -e inject=read:error=EIO:when=2 "$program" stats long.csv --better smaller >.out 2>.err
 equal "code and sentence of a CSV that cannot be read" "$? $(grep -c "^ikbench: cannot read 'long.csv'" .err)" "2 1"
-strace -o calls -e trace=read "$program" stats - <long.csv >.out 2>.err
+strace -o calls -e trace=read "$program" stats - --better smaller <long.csv >.out 2>.err
 last=$(grep -c '^read(' calls)
-strace -o traced -e inject=read:error=EIO:when="$last" "$program" stats - <long.csv >.out 2>.err
+strace -o traced -e inject=read:error=EIO:when="$last" "$program" stats - --better smaller <long.csv >.out 2>.err
 equal "code and sentence of an input that cannot be read" "$? $(grep -c "^ikbench: cannot read 'standard input'" .err)" "2 1"

@@ -56,7 +56,7 @@ ends 1 compare "${labels[1]}" "${labels[4]}" --store "$store" -o verdict.md  # t
 quiet
 ! grep '<b>' verdict.md || fail "the verdict has HTML of the user's making"
 printf 's,v\n"\e[31mred<b>",1\nB|%s,2\n' "$long$long" >coloured.csv
-succeeds stats coloured.csv --out stats
+succeeds stats coloured.csv --better smaller --out stats
 quiet
 ! grep -r 'red<b>' stats/report.* || fail "a label of a CSV is HTML"
 

@@ -18,7 +18,7 @@ while IFS='|' read -r word command; do
   eval "refused $word $command"
   quiet
 done < <(grep -v '^#' "$root/tests/data/mistakes/commands")
-! can fc-list || refused "U+0378" stats glyph.csv --out glyph
+! can fc-list || refused "U+0378" stats glyph.csv --better smaller --out glyph
 for command in report export "compare made/store.sqlite"; do
   refused none.sqlite $command none.sqlite
   refused made/store.sqlite $command made

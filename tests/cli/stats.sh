@@ -15,30 +15,30 @@ judged() {
   golden "stats-$1"
   [ ! -e out ] || fail "a report that nobody asked for"
 }
-judged two-columns "$data/runmeans.csv" # it needs no options
-judged constant "$data/const2.csv"
-judged negative "$data/drift.csv" --margin 1
-succeeds stats "$data/drift.csv"
+judged two-columns "$data/runmeans.csv" --better smaller # no column has to be named
+judged constant "$data/const2.csv" --better smaller
+judged negative "$data/drift.csv" --better smaller --margin 1
+succeeds stats "$data/drift.csv" --better smaller
 has "$out" "no margin is used"
-judged paired "$data/ten.csv" --block problem
-judged unpaired "$data/ten.csv" --label solver --run row
-judged control "$data/zero.csv" --control B --significance 0.01
-judged zeros "$data/zero0.csv"
-judged means "$data/zero.csv" --test means
-judged where "$data/mixed-metrics.csv" --where metric=error --run row
+judged paired "$data/ten.csv" --block problem --better smaller
+judged unpaired "$data/ten.csv" --label solver --run row --better smaller
+judged control "$data/zero.csv" --better smaller --control B --significance 0.01
+judged zeros "$data/zero0.csv" --better smaller
+judged means "$data/zero.csv" --better smaller --test means
+judged where "$data/mixed-metrics.csv" --label solver --value value --where metric=error --run row --better smaller
 judged larger comma.csv --better larger
-judged comma comma.csv
-judged summaries --summaries "$root/results/published/slim2023/table-3.csv"
-judged many many.csv --value error --run run --control S1
-(ulimit -s 64; "$program" stats comma.csv) >.out 2>.err || fail "with a stack of 64 kB: exit code $?: $(<.err)"
-"$program" stats - --json <comma.csv >.input || fail "standard input: exit code $?"
+judged comma comma.csv --better smaller
+judged summaries --summaries "$root/results/published/slim2023/table-3.csv" --better smaller
+judged many many.csv --run run --better smaller --control S1
+(ulimit -s 64; "$program" stats comma.csv --better smaller) >.out 2>.err || fail "with a stack of 64 kB: exit code $?: $(<.err)"
+"$program" stats - --better smaller --json <comma.csv >.input || fail "standard input: exit code $?"
 golden stats-comma .input
 printf 'solver,error\nA,inf\nA,inf\nB,inf\nB,inf\n' >none.csv
-succeeds stats none.csv
+succeeds stats none.csv --better smaller
 has "$out" "Not tested, since neither has an answer"
 
 # A report, and its files.
-succeeds stats comma.csv --out new/report --json
+succeeds stats comma.csv --better smaller --out new/report --json
 golden stats-comma
 golden stats-comma new/report/results.json
 json '{"report.html", "tables/descriptives.tex", "figures/boxes.png", "figures/differences.pdf"} <= set(of["files"])'
@@ -49,39 +49,54 @@ done
 for file in $(python3 -c 'import json; print(*json.load(open(".out"))["files"])'); do [ -s "new/report/$file" ] || fail "no $file"; done
 [ ! -e new/report/solves.csv ] || fail "solves of a file that has none"
 
-succeeds stats comma.csv --out boxes --figures boxes --json
+succeeds stats comma.csv --better smaller --out boxes --figures boxes --json
 json '"figures/boxes.svg" in of["files"] and "figures/differences.svg" not in of["files"]'
-succeeds stats comma.csv --out boxes --figures overview
+succeeds stats comma.csv --better smaller --out boxes --figures overview
 has "$err" "nothing to draw for overview"
 
-# A question is a mistake, whose lines are commands that work.
-printf 'solver,my problem,error\n' >asked.csv
-for problem in x y z; do for run in 1 2 3; do printf 'A,%s,1.%d\nB,%s,2.%d\n' $problem $run $problem $run; done; done >>asked.csv
-refused "--label" stats asked.csv --better smaller
-grep '^    ikbench ' .err | sed 's/^    ikbench/"$program"/' >commands
-equal "commands" "$(wc -l <commands)" 4
-grep -qF -- "stats asked.csv --better smaller --label solver --block 'my problem' --run row" commands || fail "no command: $err"
-while read -r command; do eval "$command" >.out || fail "$command: exit code $?"; done <commands
-printf 'id,solver,solved\n' >index.csv
-for id in $(seq 9); do printf '%d,A,1\n%d,B,0\n' $id $((id + 9)); done | sort -n >>index.csv
-refused "--better solved=larger" stats index.csv
+# Which way is better is always asked, whatever else is said.
+refused "--better larger" stats "$data/accuracy.csv"
+for options in --json "--out asked" "--test means" "--control A"; do refused "--better larger" stats "$data/accuracy.csv" $options; done
+refused "--better larger" stats --summaries "$root/results/published/slim2023/table-3.csv"
+[ ! -e asked ] || fail "a report of what was not said"
+succeeds stats "$data/accuracy.csv" --better larger
+has "$out" "A is better than B"
+
+# asked WORD ARGUMENTS...: a question of one page, with the word; nothing is read.
+asked() {
+  ends 1 stats "${@:2}"
+  has "$err" "$1"
+  has "$err" docs/your-own-csv.md
+  [ -z "$out" ] || fail "$* wrote $out"
+  [ "$(wc -l <.err)" -le 20 ] || fail "a long question: $err"
+}
+asked "--label LABEL --value VALUE --better smaller     (or larger)" "$data/versions.csv"
+asked "--label solver --value runtime --block BLOCK --run RUN" "$data/versions.csv" --label solver --value runtime
+cp "$data/two-factors.csv" 'my file.csv'
+asked "stats 'my file.csv' --better larger --label LABEL --value VALUE" 'my file.csv' --better larger
+asked "--label LABEL --value VALUE" "$data/two-factors.csv"
+awk 'BEGIN { for (i = 0; i < 300; ++i) printf "c%d,", i; print "who"; for (r = 0; r < 4; ++r) { for (i = 0; i < 300; ++i) printf "%d,", i; print r % 2 } }' >broad.csv
+asked "and 287 more" broad.csv
+succeeds stats "$data/names-without-digits.csv" --label solver --block problem --better smaller
+printf 'solver,solved\n' >shares.csv
+for id in $(seq 9); do printf 'A,1\nB,0\n'; done >>shares.csv
 for option in run control margin; do refused "--$option: it is empty" stats comma.csv --$option ''; done
-succeeds stats index.csv --better larger
-has "$out" "'id' counts rows and is left out"
+succeeds stats shares.csv --better larger
+has "$out" "shares are compared"
 
 # Quantities may have any name, also one that a table of ours has for itself.
 { echo "solver,remark,verdict"; for i in 1.3 1.1 1.7 1.9 1.2; do echo "A,$i,1$i"; echo "B,2$i,2$i"; done; } >names.csv
-succeeds stats names.csv --value remark --value verdict --run row --out names --figures none
+succeeds stats names.csv --value remark --value verdict --better smaller --out names --figures none
 grep -q '^A & .*1.3.* & 11.3 ' names/tables/results.tex || fail "no numbers: $(cat names/tables/results.tex)"
 ! grep -q 'class="pill">1' names/report.html || fail "a number is shown as a verdict"
 
 # An input is no output.
 mkdir in && cp comma.csv in/report.md
-refused "in/report.md" stats in/report.md --out in
+refused "in/report.md" stats in/report.md --better smaller --out in
 cmp comma.csv in/report.md || fail "an input was replaced"
 # Nor is a file that nobody but the user can have written replaced; of a study before it is solved.
 mkdir notes && echo mine >notes/report.md
-refused "notes/report.md" stats comma.csv --out notes
+refused "notes/report.md" stats comma.csv --better smaller --out notes
 refused "notes/report.md" run slim2023 "${small[@]}" --out notes
 equal "files beside notes" "$(ls notes; cat notes/report.md)" $'report.md\nmine'
 # An export of ours is for its report.
