@@ -42,9 +42,18 @@ Pose target_of(const SolveRecord& solve) {
 
 [[noreturn]] void refuse(const SolveRecord& solve, const std::string& what) {
   throw std::invalid_argument(
-      fmt::format("study {}, {}, run {}, point {}: {}; the solve was changed since it was stored: solve it again into "
-                  "another folder",
-                  solve.study, solve.label, solve.run, solve.point, what));
+      fmt::format("study {}, {}, run {}, point {}: {}", solve.study, solve.label, solve.run, solve.point, what));
+}
+
+// Says of what is refused that it was stored.
+template <class Action>
+void of_stored(Action&& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("{}; the solve was changed since it was stored: solve it again into another folder", error.what()));
+  }
 }
 
 // The same number up to rounding, or no number twice. An arm from a URDF file was verified by its origins and axes, but
@@ -52,7 +61,7 @@ Pose target_of(const SolveRecord& solve) {
 void expect(const char* column, const SolveRecord& solve, double stored, double computed, double rounding) {
   const bool is_same = std::isfinite(computed) ? std::abs(stored - computed) <= rounding * (1 + std::abs(computed))
                                                : !std::isfinite(stored);
-  if (!is_same) refuse(solve, fmt::format("{} {} is stored, but {} follows from the answer", column, stored, computed));
+  if (!is_same) refuse(solve, fmt::format("{} is {}, but {} follows from the answer", column, stored, computed));
 }
 
 // Where a solve left the arm.
@@ -61,6 +70,9 @@ struct Left {
   int run = 0, point = 0;
   std::vector<double> arm_rad;
 };
+
+// One of our solvers, a library or a class of anybody's, of which a step is one call, or a program.
+enum class Kind { ours, called, program };
 
 // The entry of one of our own solvers; a program may have the name of one.
 std::optional<SolverEntry> built_in(const Series& series) {
@@ -85,29 +97,29 @@ std::optional<SolverEntry> built_in(const Series& series) {
 }
 
 // True if a solve of the study may have spent this. Our solvers are stopped after each iteration; others stop
-// themselves.
-bool may_spend(const StopRule& stop, bool is_built_in, const SolveRecord& solve) {
+// themselves, but only programs count their own iterations.
+bool may_spend(const StopRule& stop, Kind kind, const SolveRecord& solve) {
   if (solve.evaluations == 0 && solve.counted_by == CountedBy::suite) return false;
-  if (is_built_in) return solve.counted_by == CountedBy::suite && solve.iterations <= stop.iterations;
+  if (kind == Kind::ours)
+    return solve.counted_by == CountedBy::suite && solve.iterations <= stop.iterations;
   return !is_in_order(solve.status) ||
          !is_over({.evaluations = solve.evaluations, .iterations = solve.iterations}, stop);
 }
 
-void check(const Definition& study, const Robot& arm, const Left& before, bool is_built_in, const SolveRecord& solve) {
+void check(const Definition& study, const Robot& arm, Kind kind, const SolveRecord& solve) {
+  if (const std::string_view column = negative_column(solve); !column.empty())
+    refuse(solve, fmt::format("{} is below 0", column));
   const auto joints = static_cast<std::size_t>(arm.joints());
   if (solve.target_position_m.size() != 3 || solve.reached_position_m.size() != 3 ||
       solve.target_rotation.size() != 9 || solve.start_rad.size() != joints || solve.answer_rad.size() != joints)
     refuse(solve,
            fmt::format("its target, start or answer is not that of an arm with {}", counted(arm.joints(), "joints")));
-  const bool is_next = before.label == solve.label && before.run == solve.run && before.point + 1 == solve.point;
-  if (study.is_chained() && is_next && before.arm_rad != solve.start_rad)
-    refuse(solve, "it does not start where the solve before it left the arm");
   if (stays(solve.status) && solve.answer_rad != solve.start_rad)
-    refuse(solve, fmt::format("the arm moved, though status {} is stored", name_of(solve.status)));
-  if (!may_spend(study.stop, is_built_in, solve))
-    refuse(solve, fmt::format("it has {} (counted by {}) in {}, which no solve of this study makes",
+    refuse(solve, fmt::format("the arm moved, but its status is {}", name_of(solve.status)));
+  if (!may_spend(study.stop, kind, solve))
+    refuse(solve, fmt::format("it has {} (counted by {}) in {} and stops by {}, which no solve of this study does",
                               counted(solve.evaluations, "evaluations"), name_of(solve.counted_by),
-                              counted(solve.iterations, "iterations")));
+                              counted(solve.iterations, "iterations"), name_of(solve.stop_reason)));
   const Verification computed = verify(arm, target_of(solve), vector_of(solve.start_rad), vector_of(solve.answer_rad),
                                        study.search == Search::axis, study.motion_joints);
   expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);
@@ -123,7 +135,7 @@ void check(const Definition& study, const Robot& arm, const Left& before, bool i
            1e-8 * (1 + far));
   if (solve.status == Status::not_finite && solve.stop_reason != StopReason::not_finite &&
       std::isfinite(computed.position_error + computed.orientation_error))
-    refuse(solve, "status not_finite is stored, but its numbers are finite");
+    refuse(solve, "its status is not_finite, but its numbers are finite");
   if (!is_in_order(solve.status) && solve.status != Status::limit_violated)
     return;  // what was answered is not stored: the arm stayed, or the claim decided
   const auto status = [&](double rounding) {
@@ -134,25 +146,37 @@ void check(const Definition& study, const Robot& arm, const Left& before, bool i
                                 .angle_tolerance = about(study.stop.angle_tolerance)});
   };
   if (solve.status != status(1e-8) && solve.status != status(-1e-8))
-    refuse(solve, fmt::format("status {} is stored, but {} follows from the answer", name_of(solve.status),
-                              name_of(status(0))));
+    refuse(solve,
+           fmt::format("status is {}, but {} follows from the answer", name_of(solve.status), name_of(status(0))));
 }
 
 }  // namespace
 
-TakeSolve recheck_of(const StoredStudy& study) {
+TakeSolve check_of(const StoredStudy& study) {
   std::optional<Robot> stored = robots::stored_arm(study.definition.arm);
   if (!stored)
     throw std::invalid_argument(fmt::format(
         "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", study.name));
-  std::set<std::string> ours;
+  std::map<std::string, Kind> kinds;  // by label
   for (const Series& series : study.series)
-    if (built_in(series)) ours.insert(series.label);
-  return [definition = study.definition, arm = std::make_shared<const Robot>(std::move(*stored)), ours,
-          before = std::make_shared<Left>()](const SolveRecord& solve) {
-    check(definition, *arm, *before, ours.contains(solve.label), solve);
-    *before = {solve.label, solve.run, solve.point,
-               moves_arm(solve, definition.start) ? solve.answer_rad : solve.start_rad};
+    kinds[series.label] = built_in(series)                                  ? Kind::ours
+                          : parsed_json(series.options).contains("process") ? Kind::program
+                                                                            : Kind::called;
+  return [definition = study.definition, arm = std::move(*stored), kinds](const SolveRecord& solve) {
+    check(definition, arm, kinds.at(solve.label), solve);
+  };
+}
+
+TakeSolve recheck_of(const StoredStudy& study) {
+  return [check = check_of(study), start = study.definition.start, is_chained = study.definition.is_chained(),
+          before = Left()](const SolveRecord& solve) mutable {
+    of_stored([&] {
+      const bool is_next = before.label == solve.label && before.run == solve.run && before.point + 1 == solve.point;
+      if (is_chained && is_next && before.arm_rad != solve.start_rad)
+        refuse(solve, "it does not start where the solve before it left the arm");
+      check(solve);
+    });
+    before = {solve.label, solve.run, solve.point, moves_arm(solve, start) ? solve.answer_rad : solve.start_rad};
   };
 }
 
@@ -189,16 +213,18 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
     const SolveRunner& runner = runners.at(solve.label);
     const SolveRecord again =
         runner.solve(*runner.make_solver(), target_of(solve), vector_of(solve.start_rad), solve.run, solve.point);
-    const auto compare = [&](const char* column, const auto& made, const auto& of_store) {
-      if (made != of_store) refuse(solve, fmt::format("made again, it has {} {}, not {}", column, made, of_store));
-    };
-    compare("status", name_of(again.status), name_of(solve.status));
-    compare("stop_reason", name_of(again.stop_reason), name_of(solve.stop_reason));
-    compare("evaluations", again.evaluations, solve.evaluations);
-    compare("iterations", again.iterations, solve.iterations);
-    compare("restarts", again.restarts, solve.restarts);
-    if (again.improved_at != solve.improved_at) refuse(solve, "made again, it has another improved_at");
-    if (!same_bits(again.answer_rad, solve.answer_rad)) refuse(solve, "made again, it has another answer");
+    of_stored([&] {
+      const auto compare = [&](const char* column, const auto& made, const auto& of_store) {
+        if (made != of_store) refuse(solve, fmt::format("made again, it has {} {}, not {}", column, made, of_store));
+      };
+      compare("status", name_of(again.status), name_of(solve.status));
+      compare("stop_reason", name_of(again.stop_reason), name_of(solve.stop_reason));
+      compare("evaluations", again.evaluations, solve.evaluations);
+      compare("iterations", again.iterations, solve.iterations);
+      compare("restarts", again.restarts, solve.restarts);
+      if (again.improved_at != solve.improved_at) refuse(solve, "made again, it has another improved_at");
+      if (!same_bits(again.answer_rad, solve.answer_rad)) refuse(solve, "made again, it has another answer");
+    });
     ++found.solves;
   }
   return found;

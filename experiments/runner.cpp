@@ -1,15 +1,18 @@
 #include "experiments/runner.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "base/json.hpp"
+#include "base/names.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/solve_runner.hpp"
@@ -149,8 +152,10 @@ std::optional<SolveRecord> undisturbed(PauseWatch& pauses, const IsOver& is_over
                   most_tries));
 }
 
-// Solves the rest of every chain, `jobs` chains at once. What is solved is passed on, whatever ends this.
-void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, RecordQueue& record_queue) {
+// Solves the rest of every chain, `jobs` chains at once. What is solved is passed on, whatever ends this, such as a
+// solve that `check` refuses.
+void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, const TakeSolve& check,
+                RecordQueue& record_queue) {
   PauseWatch pauses;
   std::vector<RunTask> tasks(static_cast<std::size_t>(jobs));
   const auto work_on = [&](std::size_t turn, std::size_t worker, const IsOver& is_over) {
@@ -173,6 +178,7 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
       std::optional<SolveRecord> record = undisturbed(
           pauses, is_over, [&] { return solve_runner.solve(*solver, target(point), start(point), run, point); });
       if (!record) return;
+      check(*record);
       if (!is_over()) solve_runner.count_failure(*solver);
       move_on(chain, *record, work.study.start);
       record_queue.hand_in(std::move(*record));
@@ -187,23 +193,45 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
   record_queue.flush();
 }
 
-// Describes the programs' behaviour, in the session and as sentences.
-std::vector<std::string> tell_of_programs(const Work& work, Store& store, std::int64_t session) {
+// What is odd about solvers that others wrote, by label.
+using Oddities = std::map<std::string, std::set<std::string>>;
+
+// Cuts what no reader takes of a solve by a class of whoever calls us, and notes what is to be told.
+void tidy(SolveRecord& solve, std::set<std::string>& odd) {
+  if (solve.status == Status::not_finite)
+    odd.insert("errors or answers are not finite, or have not one number for each joint");
+  if (solve.counted_by == CountedBy::nobody)
+    odd.insert("it did not ask the objective, so nobody counts its evaluations");
+  const std::map<std::string, double> notes = std::exchange(solve.extras, {});
+  for (const auto& [name, value] : notes) {
+    const std::string cut(base::front(base::one_line(name), 200));
+    if (cut != name) odd.insert(fmt::format("names of its notes are cut to {}", base::plain_text));
+    solve.extras[cut] = value;
+  }
+}
+
+// Describes how programs and classes behaved, in the session and as sentences.
+std::vector<std::string> tell_of(const Work& work, Oddities& odd, Store& store, std::int64_t session) {
   std::vector<std::string> sentences;
-  for (const SolveRunner& solve_runner : work.solve_runners) {
-    const std::string odd = solve_runner.odd();
-    if (odd.empty()) continue;
-    sentences.push_back(fmt::format("{}: {}", solve_runner.label(), odd));
-    store.add_to_session(session, {{"program." + solve_runner.label(), odd}});
+  for (const SolveRunner& solve_runner : work.solve_runners)
+    if (const std::string of_program = solve_runner.odd(); !of_program.empty())
+      odd[solve_runner.label()].insert(of_program);
+  for (const auto& [label, what] : odd) {
+    if (what.empty()) continue;
+    const std::string all = fmt::format("{}", fmt::join(what, "; "));
+    sentences.push_back(fmt::format("{}: {}", label, all));
+    store.add_to_session(session, {{"solver." + label, all}});
   }
   return sentences;
 }
 
-void solve_missing(Work& work, Store& store, const RunRequest& request, Progress& progress) {
+void solve_missing(Work& work, const StoredStudy& stored, Store& store, const RunRequest& request, Progress& progress) {
   std::map<std::string, std::string> session = environment();
+  Oddities odd;
   for (const SolverEntry& entry : work.study.solvers) {
     session["source." + entry.solver] = source_digest_of(entry);
     if (const std::string library = library_of(entry); !library.empty()) session["library." + entry.solver] = library;
+    if (entry.own) odd[entry.label];
   }
   for (const LeftOut& left_out : work.study.left_out) session["left_out." + left_out.label] = left_out.why;
   session["jobs"] = std::to_string(request.jobs);
@@ -215,7 +243,10 @@ void solve_missing(Work& work, Store& store, const RunRequest& request, Progress
   const std::int64_t session_id = store.begin_session(session);
   const double stolen_before = stolen_seconds();
   const auto store_them = [&](std::vector<SolveRecord>& records) {
-    for (SolveRecord& record : records) record.session = session_id;
+    for (SolveRecord& record : records) {
+      record.session = session_id;
+      if (const auto own = odd.find(record.label); own != odd.end()) tidy(record, own->second);
+    }
     store.append(records);
     for (std::size_t i = 0; i < records.size(); ++i) {
       ++progress.done;
@@ -223,8 +254,15 @@ void solve_missing(Work& work, Store& store, const RunRequest& request, Progress
     }
   };
   RecordQueue record_queue(store_them, request.patience);
-  solve_rest(work, request.jobs, request.cancelled, record_queue);
-  progress.notes = tell_of_programs(work, store, session_id);
+  const auto check = [of_study = check_of(stored)](const SolveRecord& record) {
+    try {
+      of_study(record);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(fmt::format("{}; it is not stored, as no reader would take it", error.what()));
+    }
+  };
+  solve_rest(work, request.jobs, request.cancelled, check, record_queue);
+  progress.notes = tell_of(work, odd, store, session_id);
   if (const double stolen = stolen_seconds() - stolen_before; stolen >= 0) {
     store.add_to_session(session_id, {{"stolen_seconds", fmt::format("{:.2f}", stolen)}});
   }
@@ -253,7 +291,7 @@ Progress run(const Study& study, const StoredStudy& stored, Store& store, const 
   Progress progress{.total = solves_of(request.shard, study)};
   progress.done = progress.reused = move_past_stored(work, store);
   if (request.progress) request.progress(progress);
-  if (progress.done < progress.total) solve_missing(work, store, request, progress);
+  if (progress.done < progress.total) solve_missing(work, stored, store, request, progress);
   if (progress.done == progress.total) refuse_another(stored, store.study(study.name));
   return progress;
 }
@@ -275,7 +313,8 @@ void solve_study(const Study& study, int jobs, const std::function<void(SolveRec
   RecordQueue record_queue([&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
-  solve_rest(work, jobs, cancelled, record_queue);
+  solve_rest(
+      work, jobs, cancelled, [](const SolveRecord&) {}, record_queue);
 }
 
 bool moves_arm(const SolveRecord& solve, Start start) {

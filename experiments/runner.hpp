@@ -27,6 +27,8 @@ struct RunRequest {
 // The points of a run are chained (the arm starts where the previous answer left it) unless the study starts each
 // elsewhere; runs are independent. Numbers do not depend on `jobs` (unless a solve ends by its wall time), on the order
 // of solvers, or on what the store already had.
+// The names of a class's notes are cut to what the store takes. A solve that no reader would take (check_of), as after
+// a jump of the clock, ends the run with std::runtime_error and its place; those before are stored.
 // Each solve is timed as often as the study says, and its time is the median, if times are comparable: one job, no
 // debug build, and no end by wall time. Otherwise it is solved once.
 // A row is only what the solver did: a solve in which the process stood still for long (PauseWatch) is made anew, and
@@ -58,8 +60,11 @@ bool moves_arm(const results::SolveRecord& solve, Start start);
 results::SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target);
 
 // A check (recheck.cpp) that computes errors, joint motion and status of a study's solves again, from arm, target,
-// start and answer of each, which come by solver, run and point. It throws std::invalid_argument, with the solve's
-// place, where they differ, or where an arm jumped between two solves of a chain; recheck_of throws it without an arm.
+// start and answer of each. It throws std::invalid_argument, with the solve's place, where they differ, or where no
+// solver spends so much; check_of throws it without an arm. `run` stores nothing that it refuses.
+results::TakeSolve check_of(const results::StoredStudy& study);
+// The same of stored solves, which come by solver, run and point: it also refuses an arm that jumped between two of a
+// chain.
 results::TakeSolve recheck_of(const results::StoredStudy& study);
 
 // What solve_again did. A label is left out if its solver is a program or of a library, or of another source.

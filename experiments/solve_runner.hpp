@@ -42,7 +42,7 @@ class SolveRunner {
   void count_failure(solvers::Solver& solver) const;
   std::string odd() const;  // of its program: a failure, or answers that it does not repeat; empty: nothing
   // Both throw std::runtime_error, with label, run and point, if the solver throws (std::invalid_argument, if it throws
-  // that) or answers with other than one number for each joint.
+  // that).
   // Solves once, untimed, if repeats are timed, so that the first is no slower than the others.
   void warm_up(solvers::Solver& solver, const Pose& target, const Configuration& start, int run, int point) const;
   // Also throws if a repeat has another answer, to the bit. Where the solver ends the process by `exit`, that prints a

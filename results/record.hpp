@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "numerics/stop_rule.hpp"
@@ -85,6 +86,16 @@ constexpr void for_each_column(Visit&& visit) {
 #define COLUMN(type, name, initial, meaning) visit(#name, &SolveRecord::name, meaning);
 #include "results/columns.inc"
 #undef COLUMN
+}
+
+// The name of the first column that has a number below 0, which only claims may have; empty: none. None is stored.
+inline std::string_view negative_column(const SolveRecord& solve) {
+  std::string_view found;
+  for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
+    if constexpr (std::is_arithmetic_v<Value>)
+      if (solve.*member < 0 && !name.starts_with("claimed_")) found = name;
+  });
+  return found;
 }
 
 }  // namespace ikbench::results

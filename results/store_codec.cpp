@@ -91,10 +91,9 @@ template <class Value>
 void read(const SQLite::Column& column, Value& value) {
   if constexpr (std::is_floating_point_v<Value>) {
     value = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
-    if (value < 0 && !std::string_view(column.getName()).starts_with("claimed_")) throw Damage(fmt::to_string(value));
   } else if constexpr (std::is_integral_v<Value>) {
     const std::int64_t number = column.getInt64();
-    if (number < 0 || !std::in_range<Value>(number)) throw Damage(fmt::to_string(number));
+    if (!std::in_range<Value>(number)) throw Damage(fmt::to_string(number));
     value = static_cast<Value>(number);
   } else if constexpr (std::is_enum_v<Value>) {
     const auto& names = names_of(value);
@@ -159,6 +158,8 @@ void read_solve(SQLite::Statement& row, SolveRecord& record) {
       throw Damage(fmt::format("{}: {}", name, error.what()));
     }
   });
+  if (const std::string_view column = negative_column(record); !column.empty())
+    throw Damage(fmt::format("{} is below 0", column));
 }
 
 }  // namespace ikbench::results

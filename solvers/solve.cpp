@@ -48,7 +48,8 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   solver.start(told, objective, random);
   if (trace == Trace::best_error) add_start(improved, problem, objective, solver.best().error);
   const auto end = [&]() -> std::optional<StopReason> {
-    if (!std::isfinite(solver.best().error)) return StopReason::not_finite;
+    if (!std::isfinite(solver.best().error) || solver.best().q.size() != problem.joints())
+      return StopReason::not_finite;
     if (tolerance.is_reached(solver.best())) return StopReason::tolerance;
     if (solver.finished()) return solver.gave_up() ? StopReason::gave_up : StopReason::finished;
     return spent(stop, solution.iterations, objective.evaluations(), started);
@@ -64,6 +65,8 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   }
   solution.stopped = *stopped;
   solution.best = solver.best();
+  if (solution.best.q.size() != problem.joints())
+    solution.best.q = Configuration::Constant(problem.joints(), std::numeric_limits<double>::quiet_NaN());
   if (!solution.best.q.allFinite()) solution.stopped = StopReason::not_finite;
   const bool is_directed = objective.goal().has_direction() && solution.stopped != StopReason::not_finite;
   solution.position_error = is_directed ? objective.deviation(solution.best.q).position : solution.best.error;

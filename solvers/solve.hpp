@@ -64,7 +64,8 @@ class Tolerance {
 std::optional<StopReason> spent(const StopRule& stop, std::int64_t iterations, std::int64_t evaluations,
                                 std::chrono::steady_clock::time_point started);
 
-// Stops with `not_finite` if the best error or the answer is not finite.
+// Stops with `not_finite` if the best error or the answer is not finite, or the answer has not one number for each
+// joint: then all are NaN.
 Solution solve(Solver& solver, const Problem& problem, Objective& objective, numerics::Random& random,
                const StopRule& stop, Trace trace = Trace::none);
 

@@ -1,10 +1,14 @@
-// A C++ class as a solver that does not do what a solver has to do: the run ends with its label, run and point.
+// A C++ class as a solver that does not do what a solver has to do: what comes of it is a row that every reader takes,
+// or the run ends with its label, run and point.
+#include <cfenv>
+
+#include "base/names.hpp"
 #include "tests/base/processes.hpp"
 #include "tests/experiments/samples.hpp"
 
 namespace {
 
-// From its second solve on it does `fault` where it is asked for.
+// From its second solve on it does `fault` where it is asked for, notes under that name, and may ask nothing.
 class Faulty final : public Solver {
  public:
   struct Options {
@@ -12,8 +16,9 @@ class Faulty final : public Solver {
   };
   explicit Faulty(Options) {}
   void start(const Problem& problem, Objective& objective, numerics::Random&) override {
-    best_ = {problem.start, objective.error(problem.start)};
     is_faulty_ = solves_++ > 0;
+    best_ = {problem.start, is_faulty_ && !asks ? 1 : objective.error(problem.start)};
+    if (is_faulty_ && !noted.empty()) objective.note(noted, 1);
     if (is_faulty_ && place == "start") fault(best_);
   }
   void step(Objective&, numerics::Random&) override {
@@ -24,7 +29,10 @@ class Faulty final : public Solver {
     if (is_faulty_ && place == "best") fault(ignored);
     return best_;
   }
+  bool finished() const override { return is_faulty_ && place == "finished"; }
 
+  static inline bool asks = true;
+  static inline std::string noted;
   static inline std::string place;
   static inline std::function<void(Best&)> fault;
 
@@ -63,15 +71,85 @@ std::string said_of(const std::string& place, const std::function<void(Best&)>& 
 
 }  // namespace
 
-TEST_CASE("an answer that has not one number for each joint is told of with solver, run and point", "[own_solver]") {
-  for (const Eigen::Index size : {0, 6, 10}) {
-    const auto resize = [size](Best& best) { best.q = Eigen::VectorXd::Zero(size); };
-    for (const char* place : {"start", "step"})
-      CHECK(said_of<std::runtime_error>(place, resize) ==
-            fmt::format("mine, run 1, point 2: the solver's answer has {} numbers; expected 7, one for each joint",
-                        size));
-    CHECK_THAT(said_of<std::invalid_argument>("step", resize, "pose"), StartsWith("mine, run 1, point 2: "));
+TEST_CASE("whatever a class answers, every reader takes the store, and its neighbour has the same solves",
+          "[own_solver]") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  struct Odd {
+    std::string place;
+    std::function<void(Best&)> fault;
+    Status status;
+    std::string told = "", noted = "";
+    bool asks = true;
+  };
+  const auto fill = [](double value) { return [value](Best& best) { best.q.setConstant(value); }; };
+  const auto claim = [](double error) { return [error](Best& best) { best.error = error; }; };
+  const auto resize = [](Eigen::Index size) { return [size](Best& best) { best.q = Eigen::VectorXd::Zero(size); }; };
+  const auto nothing = [](Best&) {};
+  const std::string finite = "not finite", cut = "are cut";
+  const std::vector<Odd> all{{"step", nothing, Status::ok},
+                             {"finished", nothing, Status::ok},
+                             {"", nothing, Status::claimed_but_wrong, "nobody counts", "", false},
+                             {"step", fill(nan), Status::not_finite, finite},
+                             {"step", fill(infinity), Status::not_finite, finite},
+                             {"step", fill(1e308), Status::not_finite, finite},
+                             {"step", fill(100), Status::claimed_but_wrong},
+                             {"step", claim(nan), Status::not_finite, finite},
+                             {"start", claim(infinity), Status::not_finite, finite},
+                             {"step", claim(0), Status::claimed_but_wrong},
+                             {"step", claim(-1), Status::claimed_but_wrong},
+                             {"step", resize(0), Status::not_finite, finite},
+                             {"start", resize(6), Status::not_finite, finite},
+                             {"step", resize(10), Status::not_finite, finite},
+                             {"step", [](Best&) { std::fesetround(FE_UPWARD); }, Status::ok},
+                             {"", nothing, Status::ok, cut, "my\tcount"},
+                             {"", nothing, Status::ok, cut, std::string(100'000, 'x')},
+                             {"", nothing, Status::ok, cut, "\x1b]0;x\x07\xc2\x9b\xff"},
+                             {"", nothing, Status::ok, cut, std::string(199, 'x') + "\u00e9"}};
+  for (const std::string search : {"all_joints", "pose"}) {
+    Study study = study_of_faulty(search);
+    study.wrap = Wrap::no;  // which would turn a huge angle to a near one
+    study.solvers.push_back({.label = "RS", .solver = "random_search"});
+    const StoredStudy stored = stored_study(study);
+    std::vector<SolveRecord> neighbours;
+    for (const auto& [place, fault, status, told, noted, asks] : all) {
+      INFO(search << ", " << place << ", " << name_of(status) << ", " << one_line(front(noted, 40)));
+      Faulty::place = place, Faulty::fault = fault, Faulty::noted = noted, Faulty::asks = asks;
+      const ScratchFolder folder;
+      Progress progress;
+      {
+        Store store(folder.path / "store.sqlite", Store::Mode::write);
+        progress = run(study, stored, store, {.jobs = told.size() % 2 == 0 ? 1 : 2});
+      }
+      const Store store(folder.path / "store.sqlite", Store::Mode::read);
+      const std::vector<SolveRecord> solves = store.solves(study.name), odd = only("mine", solves);
+      CHECK(complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, recheck_of(stored)); }) == "");
+      if (neighbours.empty()) neighbours = only("RS", solves);
+      CHECK(same_numbers(only("RS", solves), neighbours));
+      REQUIRE(odd.size() == 4);
+      CHECK(odd.back().status == status);
+      CHECK((odd.back().counted_by == CountedBy::suite) == asks);
+      for (const std::string& name : store.names_of_extras(stored)) CHECK(is_plain(name));
+      CHECK(store.names_of_extras(stored).empty() == noted.empty());
+      REQUIRE(progress.notes.size() == (told.empty() ? 0 : 1));
+      if (!told.empty()) CHECK_THAT(progress.notes[0], StartsWith("mine: ") && ContainsSubstring(told));
+    }
+    Faulty::noted = "", Faulty::asks = true;
   }
+}
+
+TEST_CASE("a solve that no reader would take ends the run with its place, and those before are stored",
+          "[own_solver]") {
+  Study study = study_of_faulty("all_joints");
+  study.solvers.front().solver = "newton";  // whose evaluations are always counted
+  const StoredStudy stored = stored_study(study);
+  Faulty::place = "", Faulty::asks = false;
+  const ScratchFolder folder;
+  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  const auto request = RunRequest{.patience = std::chrono::milliseconds(10'000)};
+  CHECK_THAT(complaint<std::runtime_error>([&] { run(study, stored, store, request); }),
+             ContainsSubstring("mine, run 1, point 2: it has 0 evaluations"));
+  CHECK(store.solves(study.name).size() == 1);
+  Faulty::asks = true;
 }
 
 TEST_CASE("a number that a solver notes is kept beside its answer", "[own_solver]") {

@@ -89,21 +89,22 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
   const std::vector<SolveRecord> good = solves_of(study);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::pair<std::string, std::function<void(SolveRecord&)>>> changes{
-      {"position_error_cm -1 is stored, but ", [](SolveRecord& solve) { solve.position_error_cm = -1; }},
+      {"position_error_cm is below 0", [](SolveRecord& solve) { solve.position_error_cm = -1; }},
       {"position_error_cm", [](SolveRecord& solve) { solve.position_error_cm *= 1.0001; }},
-      {"position_error_cm nan is stored", [](SolveRecord& solve) { solve.position_error_cm = nan; }},
+      {"position_error_cm is nan, but ", [](SolveRecord& solve) { solve.position_error_cm = nan; }},
       {"position_error_cm", [](SolveRecord& solve) { solve.target_position_m[2] += 1e-6; }},
       {"position_error_cm", [](SolveRecord& solve) { solve.answer_rad[2] += 1e-6; }},
-      {"orientation_error 0 is stored", [](SolveRecord& solve) { solve.orientation_error = 0; }},
+      {"orientation_error is 0, but ", [](SolveRecord& solve) { solve.orientation_error = 0; }},
       {"orientation_error", [](SolveRecord& solve) { solve.target_rotation[4] += 1e-6; }},
       {"largest_move_deg", [](SolveRecord& solve) { solve.largest_move_deg = 0; }},
       {"reached_position_m", [](SolveRecord& solve) { solve.reached_position_m[1] += 1e-6; }},
       {"not start where the solve before", [](SolveRecord& solve) { solve.start_rad = solve.answer_rad; }},
-      {"the arm moved, though status crashed", [](SolveRecord& solve) { solve.status = Status::crashed; }},
+      {"the arm moved, but its status is crashed", [](SolveRecord& solve) { solve.status = Status::crashed; }},
       {": it has 0 evaluations (counted by suite) in ", [](SolveRecord& solve) { solve.evaluations = 0; }},
       {"(counted by nobody) in ", [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; }},
-      {" iterations, which no solve", [&](SolveRecord& solve) { solve.iterations = study.stop.iterations + 1; }},
-      {"status not_finite is stored", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
+      {" iterations and stops by ", [&](SolveRecord& solve) { solve.iterations = study.stop.iterations + 1; }},
+      {"seconds is below 0", [](SolveRecord& solve) { solve.seconds = -1; }},
+      {"status is not_finite, but ", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.target_rotation.clear(); }}};
   for (const auto& [what, change] : changes) {
