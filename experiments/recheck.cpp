@@ -100,8 +100,11 @@ std::optional<SolverEntry> built_in(const Series& series) {
 // themselves, but only programs count their own iterations.
 bool may_spend(const StopRule& stop, Kind kind, const SolveRecord& solve) {
   if (solve.evaluations == 0 && solve.counted_by == CountedBy::suite) return false;
+  if (kind != Kind::program && solve.stop_reason == StopReason::iterations && solve.iterations != stop.iterations)
+    return false;
   if (kind == Kind::ours)
-    return solve.counted_by == CountedBy::suite && solve.iterations <= stop.iterations;
+    return solve.counted_by == CountedBy::suite && solve.iterations <= stop.iterations &&
+           (solve.stop_reason != StopReason::evaluations || solve.evaluations >= stop.evaluations);
   return !is_in_order(solve.status) ||
          !is_over({.evaluations = solve.evaluations, .iterations = solve.iterations}, stop);
 }

@@ -103,6 +103,7 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {": it has 0 evaluations (counted by suite) in ", [](SolveRecord& solve) { solve.evaluations = 0; }},
       {"(counted by nobody) in ", [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; }},
       {" iterations and stops by ", [&](SolveRecord& solve) { solve.iterations = study.stop.iterations + 1; }},
+      {" and stops by iterations", [](SolveRecord& solve) { --solve.iterations; }},
       {"seconds is below 0", [](SolveRecord& solve) { solve.seconds = -1; }},
       {"status is not_finite, but ", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
