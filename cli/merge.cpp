@@ -14,6 +14,7 @@
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "cli/running.hpp"
+#include "experiments/runner.hpp"
 
 namespace ikbench::cli {
 
@@ -63,22 +64,24 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
       "A solve that two stores have must have the same bits in both. What is missing is counted; the exit code is "
-      "then 5. After a merge that was killed give the same command again.");
+      "then 5. A store with a wrong solve is named and left out; the exit code is then 1. After a merge that was killed "
+      "give the same command again.");
   command->callback([arguments, &invocation] {
     const fs::path out = store_in(arguments->out);
     std::vector<fs::path> stores;
     for (const std::string& place : arguments->places) std::ranges::copy(stores_in(place), std::back_inserter(stores));
     const Merged merged = [&] {
       ProgressBar bar("merging", "stores");
-      return merge(out, stores, [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });
+      return merge(out, stores, experiments::recheck_of,
+                   [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });
     }();
     fmt::print("{}\n", wrapped(fmt::format("{}: {} added from {}, {} were there with the same bits", out.string(),
                                            base::counted(merged.added, "solves"),
                                            base::counted(merged.stores, "stores"), merged.known)));
-    for (const auto& [study, solves, of_all] : merged.lacks) {
-      say(fmt::format("{} lacks {} of {} solves; solve its missing shards, then merge again", study, solves, of_all));
-      invocation.exit_code = 5;
-    }
+    for (const std::string& lack : merged.lacks) say(lack + "; solve its missing shards, then merge again");
+    for (const std::string& why : merged.left_out) say("left out: " + why);
+    if (!merged.lacks.empty()) invocation.exit_code = 5;
+    if (!merged.left_out.empty()) invocation.exit_code = 1;
   });
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -61,11 +62,24 @@ std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
 // The first study of each name, with its place.
 using Studies = std::map<std::string, std::pair<StoredStudy, fs::path>>;
 
-void refuse_another_study(Studies& known, const fs::path& place, const fs::path& out) {
+// The studies of a store, of which the check takes every solve.
+std::vector<StoredStudy> checked_studies(const fs::path& place, const CheckOf& check_of) {
   const Store store = opened(place);
-  for (const StoredStudy& study : store.studies()) {
-    if (place != out)
-      store.each_of_study(study, [](SolveRecord&) {});  // refuses what no reader accepts, before it is copied
+  std::vector<StoredStudy> studies = store.studies();
+  for (StoredStudy study : studies) {
+    study.definition.runs = std::numeric_limits<int>::max();  // with another store's definition all may count
+    try {
+      store.each_of_study(study, check_of(study));
+    } catch (const std::invalid_argument& error) {
+      const std::string said = error.what();
+      throw std::invalid_argument(said.starts_with(quoted(place)) ? said : fmt::format("{}: {}", quoted(place), said));
+    }
+  }
+  return studies;
+}
+
+void refuse_another_study(Studies& known, const std::vector<StoredStudy>& studies, const fs::path& place) {
+  for (const StoredStudy& study : studies) {
     const auto& [first, first_place] = known.try_emplace(study.name, study, place).first->second;
     if (const std::string why = why_not_one(first, study); !why.empty())
       throw std::invalid_argument(
@@ -151,17 +165,35 @@ std::string difference_in_solves(const std::string& first, const std::string& se
   return "";
 }
 
-Merged merge(const fs::path& out, std::vector<fs::path> stores, const MergeProgress& progress) {
+std::string lack_of(const Store& store, const StoredStudy& study) {
+  const std::int64_t asked = std::int64_t{study.definition.runs} * study.definition.points * std::ssize(study.series);
+  const std::int64_t there = store.number_of_solves(study);
+  return there < asked ? fmt::format("lacks {} of {} solves", asked - there, asked) : "";
+}
+
+Merged merge(const fs::path& out, std::vector<fs::path> stores, const CheckOf& check_of,
+             const MergeProgress& progress) {
   Studies studies;
+  Merged merged;
   std::error_code none;
   const auto is_empty = [&](const fs::path& place) { return fs::file_size(place, none) == 0 && !none; };
   if (std::ranges::all_of(stores, is_empty))
     for (const fs::path& place : stores) static_cast<void>(Store(place, Store::Mode::read));  // which refuses it
   std::erase_if(stores, is_empty);
-  if (fs::exists(out, none)) refuse_another_study(studies, out, out);
-  for (const fs::path& place : stores) refuse_another_study(studies, place, out);
+  if (fs::exists(out, none)) refuse_another_study(studies, checked_studies(out, check_of), out);
+  std::erase_if(stores, [&](const fs::path& place) {
+    std::vector<StoredStudy> of_store;
+    try {
+      of_store = checked_studies(place, check_of);
+    } catch (const std::invalid_argument& error) {
+      merged.left_out.push_back(error.what());
+      return true;
+    }
+    refuse_another_study(studies, of_store, place);
+    return false;
+  });
+  if (stores.empty()) throw std::invalid_argument(fmt::format("{}", fmt::join(merged.left_out, "; ")));
   Store all(out, Store::Mode::write_shared);
-  Merged merged;
   for (const fs::path& place : stores) {
     if (progress) progress(merged.stores, std::ssize(stores));
     if (fs::equivalent(place, out, none)) continue;
@@ -173,11 +205,8 @@ Merged merge(const fs::path& out, std::vector<fs::path> stores, const MergeProgr
       merged.known += sqlite.execAndGet("SELECT count(*) FROM source.solves").getInt64() - added;
     });
   }
-  for (const StoredStudy& study : all.studies()) {
-    const std::int64_t asked = std::int64_t{study.definition.runs} * study.definition.points * std::ssize(study.series);
-    const std::int64_t there = all.number_of_solves(study);
-    if (there < asked) merged.lacks.push_back({study.name, asked - there, asked});
-  }
+  for (const StoredStudy& study : all.studies())
+    if (const std::string lack = lack_of(all, study); !lack.empty()) merged.lacks.push_back(study.name + ' ' + lack);
   return merged;
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Shards, merged, are what one machine gives, bit for bit, though some were killed; a merge adds all or nothing. How stores
+# Shards, merged, are what one machine gives, bit for bit, though some were killed; a store is added whole or not. How stores
 # are merged: merge.test.cpp; how a study is divided: shard.test.cpp.
 source "$(dirname "$0")/common.sh"
 cp "$scripts/studies/drawn.toml" .
@@ -39,6 +39,19 @@ same_fingerprint holes/store.sqlite drawn/one/store.sqlite
 for i in 1 2; do succeeds run drawn.toml --set runs=6 --shard $i/2 --out more/shards/$i-of-2; done
 succeeds merge drawn/7 more/shards
 counts 18 90
+
+# A store with a wrong row is named and left out, and so is one with a broken definition; with the others' solves a report
+# can be written. What is edited into its definition is told, and nothing runs without end.
+cp -r drawn/7/shards broken
+sqlite3 broken/3-of-7/store.sqlite "UPDATE solves SET position_error_cm = position_error_cm / 2 WHERE rowid = 2"
+sqlite3 broken/4-of-7/store.sqlite "UPDATE studies SET definition = json_remove(definition, '$.arm.links')"
+ends 1 merge others broken
+counts 64 0
+has "$err" "broken/3-of-7/store.sqlite"
+has "$err" "broken/4-of-7/store.sqlite"
+succeeds report others/store.sqlite --figures none
+sqlite3 broken/1-of-7/store.sqlite "UPDATE studies SET definition = json_set(definition, '$.stop.iterations', 1000000000)"
+for command in verify "report --figures none"; do refused "stops by iterations" $command broken/1-of-7/store.sqlite; done
 
 # Other bits and no store are refused; of several stores those before are there.
 cp -r drawn/7/shards/2-of-7 edited

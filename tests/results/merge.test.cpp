@@ -37,6 +37,11 @@ void make_half_written(const fs::path& file) {
   REQUIRE(fs::exists(file.string() + "-journal"));
 }
 
+// Without a check of the made-up solves.
+Merged merge(const fs::path& out, const std::vector<fs::path>& stores) {
+  return results::merge(out, stores, [](const StoredStudy&) { return [](const SolveRecord&) {}; });
+}
+
 std::vector<std::string> machines(const Store& store) {
   std::vector<std::string> list;
   for (const Session& session : store.sessions()) list.push_back(session.environment.at("machine"));
@@ -108,6 +113,33 @@ TEST_CASE("a solve with other bits is named, with both stores, and its store is 
                                      quoted(folder.path / "out")));
   CHECK_THAT(said, ContainsSubstring("(evaluations)"));
   CHECK(series_of(Store(folder.path / "out", Store::Mode::read), "key-a").size() == 2);
+}
+
+TEST_CASE("a store with a solve that the check refuses is named and left out, and the others are merged", "[merge]") {
+  const ScratchFolder folder;
+  for (const char* name : {"a", "b", "c", "d"}) make_store(folder.path / name, name, {name[0] - 'a' + 1});
+  edit(folder.path / "b", "UPDATE solves SET evaluations = 7, run = 99");  // beyond the study's runs
+  edit(folder.path / "c", "UPDATE studies SET definition = '{'");
+  const CheckOf check_of = [](const StoredStudy&) {
+    return [](const SolveRecord& solve) {
+      if (solve.evaluations == 7) throw std::invalid_argument("wrong");
+    };
+  };
+  const auto merging = [&](const std::vector<fs::path>& stores) {
+    return results::merge(folder.path / "out", stores, check_of);
+  };
+  CHECK(complaint<std::invalid_argument>([&] { merging({folder.path / "b"}); }) ==
+        quoted(folder.path / "b") + ": wrong");
+  CHECK_FALSE(fs::exists(folder.path / "out"));
+  const Merged merged = merging({folder.path / "a", folder.path / "b", folder.path / "c", folder.path / "d"});
+  CHECK(merged.added == 2);
+  CHECK(merged.stores == 2);
+  REQUIRE(merged.left_out.size() == 2);
+  CHECK_THAT(merged.left_out[0], StartsWith(quoted(folder.path / "b")));
+  CHECK_THAT(merged.left_out[1], StartsWith(quoted(folder.path / "c")));
+  edit(folder.path / "out", "UPDATE solves SET evaluations = 7 WHERE run = 4");
+  CHECK_THAT(complaint<std::invalid_argument>([&] { merging({folder.path / "a"}); }),
+             StartsWith(quoted(folder.path / "out")));
 }
 
 TEST_CASE("times and what a NaN was may differ and be the same", "[merge]") {
