@@ -50,7 +50,7 @@ void watch(const sigset_t& set) {
       write_at_once("\nStopping after the current solve. Once more: at once.\n");
       continue;
     }
-    write_at_once("\nStopped. What is stored is kept.\n");
+    write_at_once(may_cancel ? "\nStopped. What is stored is kept.\n" : "\nStopped.\n");
     base::remove_temporary_folders();
     _exit(128 + number);
   }

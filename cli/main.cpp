@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
     cli::say_mistake(error.what());
     return 2;
   } catch (const std::bad_alloc&) {
-    cli::say_mistake("there is not enough memory (ulimit -v, or the machine's); what is stored is kept");
+    cli::say_mistake("there is not enough memory (ulimit -v, or the machine's)");
     return 2;
   } catch (const std::exception& error) {
     cli::say_mistake(fmt::format("internal error: {}", error.what()));

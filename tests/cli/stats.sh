@@ -103,3 +103,11 @@ equal "files beside notes" "$(ls notes; cat notes/report.md)" $'report.md\nmine'
 succeeds run slim2023 "${small[@]}" --set runs=4 --no-report --out mine
 "$program" export mine/store.sqlite >solves.csv
 refused "ikbench report" stats solves.csv --value position_error_cm
+
+# What is stopped and stores nothing speaks of no store.
+mkfifo held && exec 3<>held
+"$program" stats - <held >.out 2>.err &
+until [ "$(ls "/proc/$!/task" | wc -l)" -ge 2 ]; do sleep 0.01; done
+kill $!
+wait $!
+equal "code and words after SIGTERM" "$? $(tr -d '\n' <.err)" "143 Stopped."
