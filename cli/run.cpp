@@ -61,8 +61,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
                    fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
                                most_solvers));
   add_with_default(*command, "--only", arguments->only,
-                   "solve and report these labels alone: A,B; of a sweep also its label")
-      ->delimiter(',');
+                   "solve and report these labels alone: A,B; of a sweep also its label");
   add_run_options(*command, arguments->run);
   add_report_options(*command, arguments->report);
   command->add_flag("--no-report", arguments->without_report, "solve, but write no report");

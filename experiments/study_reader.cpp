@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "base/embedded_file.hpp"
@@ -255,16 +256,23 @@ std::filesystem::path folder_of(const TomlReader& reader, std::string_view key) 
   return is_of_file ? reader.source().parent_path() : std::filesystem::path();
 }
 
-void keep_only(Study& study, const std::vector<std::string>& labels) {
-  const auto is_of = [](const SolverEntry& entry, const std::string& label) {
-    return entry.label == label || entry.family == label;
-  };
-  for (const std::string& label : labels) {
-    if (std::ranges::none_of(study.solvers, [&](const SolverEntry& entry) { return is_of(entry, label); }))
-      throw std::invalid_argument(unknown_name("label", label, labels_of(study)));
+void keep_only(Study& study, const std::vector<std::string>& lists) {
+  std::set<std::string> labels;
+  for (std::string rest : lists) {
+    do {
+      std::string longest;  // of which the list may be, or begin with it: a label may have commas
+      const auto take = [&](const std::string& label) {
+        if (label.size() > longest.size() && (rest + ',').starts_with(label + ',')) longest = label;
+      };
+      for (const SolverEntry& entry : study.solvers) take(entry.label), take(entry.family);
+      if (longest.empty())
+        throw std::invalid_argument(unknown_name("label", rest.substr(0, rest.find(',')), labels_of(study)));
+      rest.erase(0, longest.size() + 1);
+      labels.insert(longest);
+    } while (!rest.empty());
   }
   std::erase_if(study.solvers, [&](const SolverEntry& entry) {
-    return std::ranges::none_of(labels, [&](const std::string& label) { return is_of(entry, label); });
+    return !labels.contains(entry.label) && !labels.contains(entry.family);
   });
   std::erase_if(study.figures.solvers, [kept = labels_of(study)](const std::string& label) {
     return std::ranges::find(kept, label) == kept.end();

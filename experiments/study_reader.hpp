@@ -24,7 +24,8 @@ Study parse_study(std::string_view toml, std::string_view source, const Override
 std::vector<Study> studies();
 // Loads a built-in study by its name, or else a file. Throws as parse_study does.
 Study load_study(const std::string& name_or_file, const Overrides& overrides = {});
-// Keeps the entries with these labels, or that a sweep made of these. Throws std::invalid_argument for an unknown one.
-void keep_only(Study& study, const std::vector<std::string>& labels);
+// Keeps the entries with these labels, or that a sweep made of these: lists with commas. Throws std::invalid_argument
+// for an unknown one.
+void keep_only(Study& study, const std::vector<std::string>& lists);
 
 }  // namespace ikbench::experiments

@@ -96,6 +96,10 @@ json '{("damped_least_squares", 92), ("newton", 75)} <= {(row["solver"], round(r
 succeeds run "$scripts/studies/sweep.toml" --figures none --sweep population=4,8,200 --sweep mine.alpha=0.5,0.9 --json
 json 'len({row["solver"] for row in of["groups"]}) == 9'
 
+# A label may have commas, and so has a list of labels.
+succeeds run baselines-panda --only "Newton, restarts,LM" --set runs=1 --set path.points=2 --no-report --out only
+equal "labels" "$(sqlite3 only/store.sqlite "SELECT group_concat(label, ';') FROM series")" "LM;Newton, restarts"
+
 # Where solves were made by two machines, times are not compared.
 sqlite3 made/store.sqlite "UPDATE environment SET value = 'another' WHERE key = 'cpu' AND session = (SELECT max(session) FROM environment)"
 succeeds report made/store.sqlite --figures none --out machines --json

@@ -82,6 +82,21 @@ TEST_CASE("a study has at most 400 entries, swept ones too", "[sweep]") {
   CHECK(contains(complaint_about(two_bats, each), "the entries make more than 400 solvers; expected at most 400"));
 }
 
+TEST_CASE("a label that is kept may have commas", "[sweep]") {
+  std::string text = two_bats;
+  text.replace(text.find("\"BA\""), 4, "\"IK-BA, twice\"");
+  for (const SweptLabels& lists : {SweptLabels{"IK-BA, twice,IK-BA"}, {"IK-BA", "IK-BA, twice"}}) {
+    Study both = swept(text);
+    keep_only(both, lists);
+    CHECK(both.solvers.size() == 2);
+  }
+  Study one = swept(text);
+  keep_only(one, {"IK-BA, twice"});
+  CHECK(labels_of(one) == SweptLabels{"IK-BA, twice"});
+  CHECK(contains(complaint<std::invalid_argument>([&] { keep_only(one, {"IK-BA, twice, IK-BA"}); }),
+                 "unknown label \" IK-BA\""));
+}
+
 TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]") {
   const std::string controlled = two_bats + "[analysis]\ncontrol = \"BA\"\n[figures]\nsolvers = [\"IK-BA\"]\n";
   Study split = swept(controlled, {sweep_override("BA.alpha=0.5,0.9")}), whole = swept(controlled);
@@ -90,7 +105,7 @@ TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]
   keep_only(split, {"BA"});
   CHECK(split.figures.solvers.empty());
   CHECK(labels_of(split) == SweptLabels{"BA alpha=0.5", "BA alpha=0.9"});
-  keep_only(whole, {"BA", "IK-BA"});
+  keep_only(whole, {"BA,IK-BA"});
   CHECK(whole.plan.control == "BA");
   CHECK(whole.notes.empty());
   CHECK(contains(complaint<std::invalid_argument>([&] { keep_only(whole, {"AB"}); }), "unknown label \"AB\""));
