@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "base/names.hpp"
@@ -314,10 +315,14 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
 std::optional<Figure> ranks_of(const JudgedMetric& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
                                const Look& look) {
   const Observations& observed = metric.observations;
+  std::map<std::pair<std::string_view, std::string_view>, const Finding*> findings;  // in either order
+  for (const Finding& each : metric.findings)
+    findings[{each.first, each.second}] = findings[{each.second, each.first}] = &each;
   // The share of comparisons in which the other is better, equal ones half; unknown of a pair that has none.
   const auto share_behind = [&](const std::string& name, const std::string& other) {
-    const Finding* const finding = finding_of(metric, name, other);
-    if (finding == nullptr || std::holds_alternative<Open>(finding->what)) return unknown;
+    const auto found = findings.find({name, other});
+    if (found == findings.end() || std::holds_alternative<Open>(found->second->what)) return unknown;
+    const Finding* const finding = found->second;
     const auto* const tested = std::get_if<Tested>(&finding->what);
     if (tested && !tested->effect) return unknown;
     const double larger = amount_of(*finding) ? amount_of(*finding)->value - (finding->scale == Scale::ratio) : 0;
@@ -343,7 +348,7 @@ std::optional<Figure> ranks_of(const JudgedMetric& metric, const DrawnUnit& unit
     for (const std::string& other : solvers) {
       if (other == name) continue;
       if (!are_means) row.place += share_behind(name, other);
-      if (is_difference(verdict_of(*finding_of(metric, name, other)))) row.apart.push_back(look.names.at(other));
+      if (is_difference(verdict_of(*findings.at({name, other})))) row.apart.push_back(look.names.at(other));
     }
   }
   const double sign = are_means && observed.better == Better::larger ? -1 : 1;

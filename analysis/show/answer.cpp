@@ -236,10 +236,11 @@ Shown shown_average(const JudgedMetric& judged, std::size_t group) {
 Shown shown(const JudgedMetric& judged, std::size_t group, double value) {
   const Observations& observed = judged.observations;
   const double at_most = observed.groups[group].at_most;
-  const bool has_ratios = !observed.are_logs && std::ranges::any_of(judged.findings, [](const Finding& finding) {
+  const auto is_ratio = [](const Finding& finding) {
     return finding.scale == Scale::ratio && amount_of(finding) != nullptr;
-  });
-  if (has_ratios && value < observed.floor) return {observed.floor, true};
+  };
+  if (value < observed.floor && !observed.are_logs && std::ranges::any_of(judged.findings, is_ratio))
+    return {observed.floor, true};
   return {value, at_most > 0 && value == at_most};
 }
 
