@@ -65,22 +65,16 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
   const papers::SolvedMultiverse multiverse = solved_multiverse(
       paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .departures = departures},
       arguments.jobs);
-  const auto tell = [&](const show::Table& table, const show::Table& on_screen,
-                        const std::vector<std::string>& sentences = {}) {
+  const auto tell = [&](const show::Table& table, bool is_on_screen = true) {
     show::write_table(table, table, folder / "tables", program_name());
-    if (!on_screen.rows.empty())
-      fmt::print("{}\n", printable(fmt::format("{}:\n\n{}", on_screen.caption, show::to_text(on_screen))));
-    for (const std::string& sentence : sentences) fmt::print("{}\n", printable(wrapped(sentence)));
+    if (is_on_screen) fmt::print("{}\n", printable(fmt::format("{}:\n\n{}", table.caption, show::to_text(table))));
     fmt::print("Table: {}\n", printable((folder / "tables" / (table.name + ".csv")).string()));
   };
-  if (!arguments.explain) {
-    const papers::JudgedMultiverse judged = papers::judged(paper, multiverse, plan);
-    return tell(judged.table, judged.on_screen, judged.sentences);
-  }
+  if (!arguments.explain) return tell(papers::judged(paper, multiverse, plan).table);
   const papers::Explanation explanation = papers::explained(paper, multiverse);
-  tell(explanation.numbers, explanation.numbers);
-  tell(explanation.rows, explanation.rows);
-  tell(explanation.readings, {});
+  tell(explanation.numbers);
+  tell(explanation.rows);
+  tell(explanation.readings, false);
 }
 
 }  // namespace

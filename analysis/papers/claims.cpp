@@ -20,30 +20,35 @@ std::vector<JudgedClaim> grouped(std::vector<JudgedClaim> claims, bool are_ours)
   return claims;
 }
 
+bool is_counted(const JudgedClaim& claim) { return claim.in_readings.all() > 0; }
+
 show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) {
   show::Table table{.name = are_ours ? "questions" : "claims",
                     .caption = are_ours ? "What the paper does not say" : "What the paper says",
-                    .columns = show::columns_of({"claim", "verdict", "number", "remark"}),
+                    .columns = show::columns_of({"claim", "verdict", "number", "in readings", "remark"}),
                     .is_of_study = false};
   table.columns.back().role = show::Role::remark;
+  const auto in_readings = [&](const InReadings& of) {
+    if (of.all() > 0) return fmt::format("{:.0f} hold, {:.0f} fail, {:.0f} open", of.hold, of.fail, of.open);
+    return std::string(std::ranges::any_of(claims, is_counted) ? "not counted" : "");
+  };
   for (const JudgedClaim& claim : claims) {
     std::vector<std::string> remarks;
     if (!claim.section.empty()) remarks.push_back(claim.section + '.');
-    if (!claim.in_readings.empty()) remarks.push_back(fmt::format("Of the readings it {}.", claim.in_readings));
     if (!claim.evidence.empty()) remarks.push_back(claim.evidence);
     const show::Tone tone = claim.holds == Holds::holds   ? show::Tone::good
                             : claim.holds == Holds::fails ? show::Tone::bad
                                                           : show::Tone::neutral;
     table.rows.push_back({claim.sentence, show::Judgement{std::string(name_of(claim.holds)), tone},
-                          show::text_cell(claim.number), fmt::format("{}", fmt::join(remarks, " "))});
+                          show::text_cell(claim.number), in_readings(claim.in_readings),
+                          fmt::format("{}", fmt::join(remarks, " "))});
   }
   return table;
 }
 
 }  // namespace
 
-std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
-                                       const std::map<std::string, std::string>& in_readings) {
+std::vector<JudgedClaim> judged_claims(const Repeated& repeated, const std::map<std::string, InReadings>& in_readings) {
   std::vector<JudgedClaim> all;
   for (const Claim& claim : repeated.paper.claims) {
     JudgedClaims parts = claim.rule ? claim.rule->verdict(claim, repeated) : JudgedClaims();
@@ -53,9 +58,8 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
     }
     for (JudgedClaim& judged : parts) {
       if (!claim.note.empty()) judged.evidence.insert(0, claim.note + (judged.evidence.empty() ? "" : " "));
-      if (const auto reading = in_readings.find(judged.id);
-          reading != in_readings.end() && judged.holds != Holds::undecided)
-        judged.in_readings = reading->second;
+      if (const auto counts = in_readings.find(judged.id); counts != in_readings.end())
+        judged.in_readings = counts->second;
       all.push_back(std::move(judged));
     }
   }
@@ -105,6 +109,8 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
   for (const std::string& sentence : sentences) add(sentence);
   text += fmt::format("\n{}\n{}\n", table.caption, show::to_text(table));
   std::vector<std::vector<std::string>> rows;
+  if (const auto one = std::ranges::find_if(claims, is_counted); one != claims.end())
+    rows.push_back({"", "", fmt::format("ours ({:.0f} readings: hold, fail, open)", one->in_readings.all())});
   std::vector<std::string> not_tested;  // sentences
   for (const JudgedClaim& claim : grouped(claims, false)) {
     if (claim.holds == Holds::not_tested) {
@@ -113,7 +119,10 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
     }
     const std::string verdict(name_of(claim.holds));
     const bool is_new = std::exchange(last, verdict) != verdict;
-    rows.push_back({is_new ? fmt::format("{:13}", verdict) : "", show::shortened(claim.sentence, 46), claim.number});
+    const InReadings& of = claim.in_readings;
+    rows.push_back(
+        {is_new ? fmt::format("{:13}", verdict) : "", show::shortened(claim.sentence, 46),
+         claim.number + (of.all() == 0 ? "" : fmt::format(" ({:.0f}, {:.0f}, {:.0f})", of.hold, of.fail, of.open))});
   }
   text += show::in_columns(rows, 2);
   if (!not_tested.empty())

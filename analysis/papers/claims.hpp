@@ -15,7 +15,7 @@ namespace ikbench::papers {
 // In the order of the paper's file, with what each does in readings, by its id. A claim that the report cannot judge is
 // not tested; our own questions are left out instead.
 std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
-                                       const std::map<std::string, std::string>& in_readings = {});
+                                       const std::map<std::string, InReadings>& in_readings = {});
 
 const JudgedClaim* claim_named(const std::vector<JudgedClaim>& claims, std::string_view id);  // null if it is not there
 std::string tally_words(const std::vector<JudgedClaim>& claims);  // "3 claims: holds 2, fails 1."

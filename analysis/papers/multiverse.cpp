@@ -116,22 +116,14 @@ std::vector<Part> parts_of(const SolvedMultiverse& multiverse, const Claim& clai
   return parts;
 }
 
-bool has_any(const Chosen& chosen, const Chosen& answers) {
-  return std::ranges::any_of(answers, [&](const Choice& answer) { return contains(chosen, answer); });
-}
-
-struct Readings {
-  double holds = 0, fails = 0, undecided = 0;
-};
-
-// Of a part, those that have none of these answers.
-Readings count(const Part& part, const Chosen& without) {
-  if (has_any(part.chosen, without)) return {};
+// Of a part, those that have another answer than this one.
+InReadings count(const Part& part, const Choice* without = nullptr) {
+  if (without != nullptr && contains(part.chosen, *without)) return {};
   double all = part.others, hold = all, fail_not = all;
   for (const std::vector<Against>& rival : part.rivals) {
     double options = 0, better = 0, worse = 0;
     for (const auto& [chosen, holds] : rival) {
-      if (has_any(*chosen, without)) continue;
+      if (without != nullptr && contains(*chosen, *without)) continue;
       ++options;
       better += holds == Holds::holds;
       worse += holds == Holds::fails;
@@ -143,55 +135,25 @@ Readings count(const Part& part, const Chosen& without) {
   return {hold, all - fail_not, fail_not - hold};
 }
 
-// Conditions.
-
-std::size_t number_of_seeds(const SolvedMultiverse& multiverse) {
-  return multiverse.studies[0].solvers[0][0].parts.size();
-}
-
-using Outcome = double Readings::*;
-bool happens(const std::vector<Part>& parts, Outcome outcome, const Chosen& without) {
-  return std::ranges::any_of(parts, [&](const Part& part) { return count(part, without).*outcome > 0; });
-}
-
-// "only where a=1 (..), or b=1 (..) and c=1 (..)": the smallest sets of one or two answers, other than defaults,
-// without which it never happens; of pairs their common answer first, or else each pair in brackets.
-std::string where(const SolvedMultiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
-  if (!happens(parts, outcome, {})) return "nowhere";
-  Chosen answers;  // all but the defaults
+InReadings in_readings(const SolvedMultiverse& multiverse, const std::vector<Part>& parts) {
+  InReadings of_all;
+  for (const Part& part : parts) {
+    const InReadings counts = count(part);
+    of_all.hold += counts.hold, of_all.fail += counts.fail, of_all.open += counts.open;
+  }
+  double fewest = of_all.fail;  // without one answer, other than a default
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
-    for (std::size_t a = 1; a < multiverse.dimensions[d].alternatives.size(); ++a) answers.push_back({d, a});
-  }
-  if (happens(parts, outcome, answers))
-    return number_of_seeds(multiverse) > 1 ? "in some seeds of the default, too" : "in the default, too";
-  const auto name_of = [&](const Choice& answer) {
-    const results::Alternative& its = multiverse.dimensions[answer.dimension].alternatives[answer.alternative];
-    return fmt::format("{} ({})", its.set, its.where);
-  };
-  Names ones;
-  std::vector<Names> twos;
-  for (const Choice& answer : answers) {
-    if (!happens(parts, outcome, {answer})) ones.push_back(name_of(answer));
-  }
-  for (std::size_t i = 0; i < answers.size() && ones.empty(); ++i) {
-    for (std::size_t j = i + 1; j < answers.size(); ++j) {
-      if (!happens(parts, outcome, {answers[i], answers[j]}))
-        twos.push_back({name_of(answers[i]), name_of(answers[j])});
+    for (std::size_t a = 1; a < multiverse.dimensions[d].alternatives.size(); ++a) {
+      const Choice answer{d, a};
+      double without = 0;
+      for (const Part& part : parts) without += count(part, &answer).fail;
+      if (without >= fewest) continue;
+      fewest = without;
+      const results::Alternative& its = multiverse.dimensions[d].alternatives[a];
+      of_all.most_fail = fmt::format("{:.0f} with {} ({})", of_all.fail - without, its.set, its.where);
     }
   }
-  if (!ones.empty()) return fmt::format("only where {}", fmt::join(ones, " and "));
-  if (twos.empty()) return "";
-  const auto any_of = [](const Names& two) { return fmt::format("{}", fmt::join(two, " or ")); };
-  if (twos.size() == 1) return "only where " + any_of(twos.front());
-  for (const std::string& common : Names(twos.front())) {
-    if (!std::ranges::all_of(twos, [&](const Names& two) { return contains(two, common); })) continue;
-    Names others;
-    for (const Names& two : twos) others.push_back(two[0] == common ? two[1] : two[0]);
-    return fmt::format("only where {}, or {}", common, fmt::join(others, " and "));
-  }
-  Names brackets;
-  for (const Names& two : twos) brackets.push_back('(' + any_of(two) + ')');
-  return fmt::format("only where {}", fmt::join(brackets, " and "));
+  return of_all;
 }
 
 }  // namespace
@@ -203,63 +165,33 @@ Group group_of(std::vector<double> runs) {
 }
 
 JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::Plan& plan) {
-  JudgedMultiverse result{
-      .in_readings = {},
-      .table = {.name = "multiverse",
-                .caption = "The claims in every reading",
-                .columns = {{"claim"}, {"holds"}, {"fails"}, {"not decided"}, {"it fails"}, {"it is not decided"}},
-                .is_of_study = false}};
-  const std::size_t seeds = number_of_seeds(multiverse);
-  std::vector<std::pair<std::string, Names>> conditions;  // each with its claims
-  const auto add = [&](const std::string& condition, const std::string& claim) {
-    const auto known = std::ranges::find(conditions, condition, &std::pair<std::string, Names>::first);
-    (known == conditions.end() ? conditions.emplace_back(condition, Names()) : *known).second.push_back(claim);
-  };
+  JudgedMultiverse result{.in_readings = {},
+                          .table = {.name = "multiverse",
+                                    .caption = "The claims in every reading",
+                                    .columns = show::columns_of(
+                                        {"claim", "holds", "fails", "not decided", "most failures with one answer"}),
+                                    .is_of_study = false}};
   for (const Claim& claim : paper.claims) {
     if (!hangs_on_reading(claim)) continue;
     const std::vector<Part> parts = parts_of(multiverse, claim, plan);
     if (parts.empty()) continue;
-    const auto all = [&](Outcome outcome) {
-      double sum = 0;
-      for (const Part& part : parts) sum += count(part, {}).*outcome;
-      return static_cast<std::int64_t>(sum);
-    };
-    const std::int64_t hold = all(&Readings::holds), fail = all(&Readings::fails), open = all(&Readings::undecided);
-    const std::string fails = where(multiverse, parts, &Readings::fails),
-                      undecided = where(multiverse, parts, &Readings::undecided);
-    result.in_readings[claim.id] = fmt::format("fails {}{}", fails.empty() ? "in some readings" : fails,
-                                               open == 0 ? "" : "; in some others it is not decided");
-    result.table.rows.push_back({claim.sentence, hold, fail, open, fails, undecided});
-    result.on_screen.rows.push_back({claim.sentence, hold, fail, open});
-    if (fail + open == 0) add("holds in all readings", claim.sentence);
-    if (fail > 0 && !fails.empty()) add("fails " + fails, claim.sentence);
-    if (open > 0 && !undecided.empty()) add("is not decided " + undecided, claim.sentence);
+    const InReadings& counts = result.in_readings[claim.id] = in_readings(multiverse, parts);
+    const auto number = [](double count) { return static_cast<std::int64_t>(count); };
+    result.table.rows.push_back({claim.sentence, number(counts.hold), number(counts.fail), number(counts.open),
+                                 counts.most_fail.empty() ? "none" : counts.most_fail});
   }
-  const std::string readings = fmt::format("{:.0f} readings, each with {}", multiverse.readings(),
-                                           seeds > 1 ? fmt::format("seeds 1 to {}", seeds) : "seed 1");
+  const std::size_t seeds = multiverse.studies[0].solvers[0][0].parts.size();
   const std::int64_t solvers = std::ssize(multiverse.solvers), pairs = solvers * (solvers - 1) / 2;
-  const std::string rule = fmt::format(
-      "A claim holds where its solvers are better than each rival, and fails where a rival is better, by Welch's t "
-      "(spreads: of distances from the median) at {:g} / {} ({} of solvers).",
-      plan.significance, pairs, base::counted(pairs, "pairs"));
-  result.table.notes = {fmt::format("{}. {}", readings, rule)};
-  show::Table on_page = result.table;  // without counts
-  for (std::vector<show::Cell>& row : on_page.rows) row.erase(row.begin() + 1, row.begin() + 4);
-  on_page.columns.erase(on_page.columns.begin() + 1, on_page.columns.begin() + 4);
-  result.table.on_page = {on_page};
-  const auto about_readings = [&](std::string_view where_listed) {
-    return fmt::format(
-        "A reading answers {} of the questions that the paper leaves open{}. Counts depend on the answers listed; they "
-        "are no probabilities.",
-        multiverse.dimensions.size(), where_listed);
-  };
-  result.table.notes.push_back(about_readings(""));
-  result.on_screen.columns.assign(result.table.columns.begin(), result.table.columns.begin() + 4);
-  result.on_screen.caption = fmt::format("The claims of {} in {}", paper.name, readings);
-  for (const auto& [condition, claims] : conditions)
-    result.sentences.push_back(
-        fmt::format("{}: {}{}.", fmt::join(claims, "; "), claims.size() > 1 ? "each " : "", condition));
-  result.sentences.insert(result.sentences.end(), {about_readings(" (add --list)"), rule});
+  result.table.notes = {
+      fmt::format(
+          "{:.0f} readings{}. A claim holds where its solvers are better than each rival, and fails where a rival is "
+          "better, by Welch's t (spreads: of distances from the median) at {:g} / {} ({} of solvers).",
+          static_cast<double>(seeds) * multiverse.readings(),
+          seeds > 1 ? fmt::format(": {:.0f}, each with seeds 1 to {}", multiverse.readings(), seeds) : "",
+          plan.significance, pairs, base::counted(pairs, "pairs")),
+      fmt::format("A reading answers {} of the questions that the paper leaves open. Counts depend on the answers "
+                  "listed; they are no probabilities.",
+                  multiverse.dimensions.size())};
   return result;
 }
 

@@ -1,5 +1,5 @@
 // A paper's claims in every reading of what it leaves open (Steegen et al., Perspectives on Psychological Science 11
-// (2016) 702): with which answers one fails. A reading is a choice for the study and one for each solver. Given the
+// (2016) 702): in how many one fails. A reading is a choice for the study and one for each solver. Given the
 // study's, the solvers are independent, and pairs are judged alone, so products count all readings exactly.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analysis/judge/observations.hpp"
-#include "analysis/papers/paper.hpp"
+#include "analysis/papers/rules.hpp"
 #include "analysis/show/table.hpp"
 #include "results/dimension.hpp"
 
@@ -27,11 +27,9 @@ struct SolvedMultiverse : results::Multiverse {
 };
 
 struct JudgedMultiverse {
-  std::map<std::string, std::string> in_readings;  // of claims, by id, as in JudgedClaim
-  show::Table table;                               // "multiverse"; readings, each seed of one by itself
-  show::Table on_screen = {};                      // its counts
-  std::vector<std::string> sentences = {};         // the rest of it
-  std::string explains = {};                       // Explanation::in_short
+  std::map<std::string, InReadings> in_readings;  // of claims, by id
+  show::Table table;                              // "multiverse"; readings, each seed of one by itself
+  std::string explains = {};                      // Explanation::in_short
 };
 
 // What readings explain of the table of means: which of its numbers may be theirs, with the runs of all seeds together.

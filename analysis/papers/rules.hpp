@@ -18,12 +18,20 @@ struct Repeated;  // repeated.hpp
 enum class Holds { holds, in_part, fails, undecided, not_tested };
 std::string_view name_of(Holds holds);
 
+// In how many readings of what a paper leaves open.
+struct InReadings {
+  double hold = 0, fail = 0, open = 0;
+  std::string most_fail = {};  // those of one answer, other than a default: "118 with a=1 (its reason)"
+
+  double all() const { return hold + fail + open; }
+};
+
 struct JudgedClaim : Claim {
   Holds holds = Holds::not_tested;
-  std::string number = {};       // the most telling one: "0.0017 cm, K-ABC 0.21"
-  std::string rival = {};        // its part of the best rival: "K-ABC 0.21"
-  std::string evidence = {};     // what tables do not say, in at most two sentences
-  std::string in_readings = {};  // "fails only where none is clamped", or empty
+  std::string number = {};      // the most telling one: "0.0017 cm, K-ABC 0.21"
+  std::string rival = {};       // its part of the best rival: "K-ABC 0.21"
+  std::string evidence = {};    // what tables do not say, in at most two sentences
+  InReadings in_readings = {};  // none: readings do not judge it
 };
 
 // What a rule finds; none if the report has nothing to judge; several if the sentence is about each "{solver}".

@@ -275,10 +275,11 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
         "IK-BA has the \"best compromise\" of error and joint motion: the least error, and with MO-PSO the least joint "
         "motion. Times, which the conclusion names too, are not compared";
   all.push_back(words + '.');
-  words = fmt::format("\"{}\" {}{} ({})", accurate->sentence, accurate->holds >= Holds::undecided ? "is " : "",
-                      name_of(accurate->holds), accurate->number);
-  if (!accurate->in_readings.empty())
-    words += fmt::format(". Of the readings that we tried it {}", accurate->in_readings);
+  words = fmt::format("\"{}\" {}{} in the default reading ({})", accurate->sentence,
+                      accurate->holds >= Holds::undecided ? "is " : "", name_of(accurate->holds), accurate->number);
+  if (const InReadings& of = accurate->in_readings; of.all() > 0)
+    words += fmt::format("; of {:.0f} readings it holds in {:.0f}, fails in {:.0f}{}, and is open in {:.0f}", of.all(),
+                         of.hold, of.fail, of.most_fail.empty() ? "" : ", of these " + of.most_fail, of.open);
   all.push_back(words + '.');
   if (classical != nullptr && classical->holds == Holds::fails)
     all.push_back(fmt::format("More accurate, and not in the paper: {} cm.", classical->rival));

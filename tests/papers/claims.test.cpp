@@ -245,10 +245,10 @@ TEST_CASE("the tally of pairs and of parts", "[papers]") {
   CHECK(holds_of(std::vector{Holds::not_tested}) == Holds::not_tested);
 }
 
-TEST_CASE("claims are told by verdict, with where they fail", "[papers]") {
+TEST_CASE("claims are told by verdict, with the whole count of readings", "[papers]") {
   const JudgedStudy study = study_of({});
   const std::vector<JudgedClaim> claims =
-      judged_claims(repeated(study), {{"most_accurate", "fails only where none is clamped"}});
+      judged_claims(repeated(study), {{"most_accurate", {.hold = 65, .fail = 460, .open = 339}}});
   const show::Blocks blocks = claims_section(claims);
   REQUIRE(blocks.size() == 4);
   const auto& table = std::get<show::Table>(blocks[1]);
@@ -256,11 +256,14 @@ TEST_CASE("claims are told by verdict, with where they fail", "[papers]") {
   const auto most = std::ranges::find_if(
       table.rows, [](const auto& row) { return std::get<std::string>(row[0]) == "IK-BA is the most accurate"; });
   REQUIRE(most != table.rows.end());
-  CHECK(std::get<std::string>((*most)[3]) == "Table 3. Of the readings it fails only where none is clamped.");
+  CHECK(std::get<std::string>((*most)[3]) == "65 hold, 460 fail, 339 open");
+  CHECK(std::get<std::string>(table.rows.back()[3]) == "not counted");
   CHECK(std::get<ikbench::show::Judgement>(table.rows.back()[1]).words == "not tested");
   CHECK(contains(show::to_text(means_table(repeated(study))), "0.00194 cm   0.0019 "));
   const std::string text = screen({"A sentence."}, {.caption = "Table"}, claims);
   CHECK(text.find("\nholds  ") < text.find("\nnot tested  "));
+  CHECK(contains(text, "864 readings"));
+  CHECK(contains(text, "(65, 460, 339)"));
   CHECK(tally_words({{.holds = Holds::holds}, {.holds = Holds::fails}, {.holds = Holds::holds}}) ==
         "3 claims: holds 2, fails 1.");
 }
