@@ -10,8 +10,8 @@ cp "$scripts/programs/planted.faults" table
 cut -d'|' -f1 table | xargs -P 4 -I{} env FAULT={} bash -c '[ $FAULT = hangs ] && patience=20 || patience=60
   "$0" check-solver --patience $patience -- python3 planted.py >$FAULT.said 2>$FAULT.err; echo $? >$FAULT.code' "$program"
 python3 "$scripts/programs/failed.py" <table || fail "see above: $(cat ./*.err)"
-has "$(<good.said)" "All 9 checks passed"
-has "$(<lies.said)" "2 of 9 checks failed"
+has "$(<good.said)" "All 11 checks passed"
+has "$(<lies.said)" "2 of 11 checks failed"
 has "$(<null.said)" 'expected "q"'
 
 # A NUL does not end what is said of a line.

@@ -7,7 +7,7 @@ def say(**message):
     print(json.dumps(message), flush=True)
 
 def position(q):  # from the tip to the base
-    x, y, z = robot["tool"][3:12:4]
+    x, y, z = robot["tool"][3:12:4] if "frame" != FAULT else (0.1, 0, 0)
     for (theta, c_alpha, s_alpha, a, d), turned in zip(reversed(links), reversed(q)):
         c, s = math.cos(theta + turned), math.sin(theta + turned)
         y, z = c_alpha * y - s_alpha * z, s_alpha * y + c_alpha * z + d
@@ -26,17 +26,21 @@ def answer(problem):
     last = target
     if "remembers" == FAULT: best[0] += 1e-6 * solves
     if "of-process" == FAULT: best[0] += 1e-9 * os.getpid()
-    error = math.dist(position(best), target)
-    for i in range(min(problem["budget"]["iterations"], 5 if len(best) > 7 else 10**9)):
+    error, steps, most = math.dist(position(best), target), 0, problem["budget"]["iterations"]
+    for steps in range(1, 1 + (60 if "iterations" == FAULT else most)):
+        if error < problem["tolerance"]["position"] or problem["budget"]["evaluations"] and "evaluations" != FAULT and steps * 8 > problem["budget"]["evaluations"]: break
         if timed and time.monotonic() - began > problem["budget"]["seconds"] / 5: break  # a busy machine takes the rest
-        q = [min(max(x + draw.gauss(0, 0.1), -3), 3) for x in best]
+        slopes = [(math.dist(position(best[:j] + [best[j] + 1e-6] + best[j + 1:]), target) - error) / 1e-6 for j in range(len(best))]
+        reach = draw.random() * error / (sum(slope * slope for slope in slopes) or 1)
+        q = [min(max(x - reach * slope, -3), 3) for x, slope in zip(best, slopes)]
         if math.dist(position(q), target) < error: best, error = q, math.dist(position(q), target)
     if "outside" == FAULT: best = [4.0] + best[1:]
     if "nan" == FAULT: best = [math.nan] + best[1:]
     claim = math.dist(position(best), target) if "nan" != FAULT else None
     if "lies" == FAULT: claim += 0.001
+    if "frame" == FAULT: claim = None
     if "null" == FAULT: return {"q": None, "error": claim}
-    return {"q": [None if x != x else x for x in best], "error": claim}
+    return {"q": [None if x != x else x for x in best], "error": claim, "iterations": steps, "evaluations": 8 * steps}
 
 solves, last = 0, None
 if "silent" == FAULT: sys.exit(3)
