@@ -165,17 +165,23 @@ std::vector<double> sorted(Values values) {
   return order;
 }
 
-// For each value of `own` less the shift, how many of the others are below it, equal ones half. Both are sorted.
+// For each value of `own` less the shift, how many of the others are below it, equal ones half. Both are sorted. Sums
+// of halves are exact, so nothing is kept and read twice.
 Summary placements(Values own, Values others, double shift) {
-  std::vector<double> counts;
-  counts.reserve(own.size());
-  auto below = others.begin(), up_to = below;
-  for (const double value : own) {
-    while (below < others.end() && *below < value - shift) ++below;
-    for (up_to = std::max(below, up_to); up_to < others.end() && *up_to <= value - shift;) ++up_to;
-    counts.push_back(number((below - others.begin()) + (up_to - others.begin())) / 2);
+  std::size_t below = 0, up_to = 0;
+  double first = 0, sum = 0, squares = 0;  // of distances to the first
+  for (const double& value : own) {
+    const double shifted = value - shift;
+    while (below < others.size() && others[below] < shifted) ++below;
+    for (up_to = std::max(below, up_to); up_to < others.size() && others[up_to] <= shifted;) ++up_to;
+    const double count = number(below + up_to) / 2;
+    if (&value == own.data()) first = count;
+    sum += count - first;
+    squares += (count - first) * (count - first);
   }
-  return summarise(counts);
+  const double n = number(own.size());
+  const double sd = n > 1 ? std::sqrt(std::max(0.0, squares - sum * sum / n) / (n - 1)) : 0;
+  return {.n = static_cast<int>(own.size()), .mean = first + sum / n, .sd = sd};
 }
 
 // Doubles in order as whole numbers; the function is its own inverse. Bisection of these ends at a double after at most
@@ -186,16 +192,26 @@ std::int64_t in_order(std::int64_t bits) {
 
 // Of all sums x_i + y_j, or only those with i <= j where y is x: the median, and the interval from the rank-th smallest
 // to the rank-th largest. The sums are not made: those up to a bound are counted, and the bound closes in, from one
-// sum to another.
+// sum to another. Of many, two bounds of three lie on either side of where the counts point to.
 Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std::size_t rank) {
   std::ranges::sort(x);
   std::ranges::sort(y);
+  const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
   const auto place_of = [](double sum) { return in_order(std::bit_cast<std::int64_t>(sum)); };
+  const auto sum_at = [](std::int64_t place) { return std::bit_cast<double>(in_order(place)); };
   const auto smallest = [&](std::size_t at) {  // from 1
     std::int64_t low = place_of(x.front() + y.front()), high = place_of(x.back() + y.back());
-    while (low < high) {
-      const std::int64_t middle = std::midpoint(low, high);
-      const auto bound = std::bit_cast<double>(in_order(middle));
+    double up_to_low = 0, up_to_high = number(all), aside = 0.125;
+    for (int step = 0; low < high; ++step) {
+      std::int64_t middle = std::midpoint(low, high);
+      const bool is_pointed = step % 3 != 0 && std::isfinite(sum_at(low)) && std::isfinite(sum_at(high)),
+                 is_above = step % 3 == 1;
+      if (is_pointed) {
+        const double part = (number(at) - up_to_low) / (up_to_high - up_to_low) + (is_above ? aside : -aside);
+        const double bound = sum_at(low) + std::clamp(part, 0.0, 1.0) * (sum_at(high) - sum_at(low));
+        middle = std::clamp(place_of(bound), low, high - 1);
+      }
+      const double bound = sum_at(middle);
       double below = x.front() + y.front(), above = x.back() + y.back();  // the sums beside the bound
       std::size_t count = 0, left = y.size();
       for (const double value : x) {
@@ -205,14 +221,15 @@ Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std
       }
       const auto twice = [&](double value) { return value + value <= bound; };
       if (are_same) count = (count + static_cast<std::size_t>(std::ranges::count_if(x, twice))) / 2;
-      if (count >= at)
-        high = std::min(middle, place_of(below));
+      const bool is_high = count >= at;
+      if (is_high)
+        high = std::min(middle, place_of(below)), up_to_high = number(count);
       else
-        low = std::max(middle + 1, place_of(above));
+        low = std::max(middle + 1, place_of(above)), up_to_low = number(count);
+      if (is_pointed) aside = is_high == is_above ? aside / 8 : std::min(0.25, aside * 16);
     }
-    return std::bit_cast<double>(in_order(low)) + 0.0;  // 0, not -0
+    return sum_at(low) + 0.0;  // 0, not -0
   };
-  const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
   Outcome outcome{.estimate = (smallest((all + 1) / 2) + smallest(all / 2 + 1)) / 2};
   if (rank >= 1 && rank <= all) outcome.interval = Interval{smallest(rank), smallest(all + 1 - rank)};
   return outcome;
@@ -294,19 +311,26 @@ Outcome rank_test(Values first, Values second, double alpha) {
   const std::size_t rank = sum.critical(number(few) * number(few + 1) / 2, alpha);
   Outcome outcome = of_sums(first_rising, std::move(negative), false, rank);
   // From an end of Mann-Whitney's, by bisection, as far as Brunner-Munzel reaches; more steps would lie within
-  // rounding.
+  // rounding. Of many values, whose p has no steps to speak of, most of the way is halved at once.
   const auto reached = [&](double from, double beyond) {
-    for (int step = 0; step < 40; ++step) {
+    constexpr int most = 40;
+    constexpr std::size_t many = 10'000;
+    const auto is_kept = [&](double shift) { return brunner_munzel(first_rising, second_rising, shift) >= alpha; };
+    const auto at = [&](int halved) { return from + std::ldexp(beyond - from, -halved); };
+    int halved = few < many ? 0 : is_kept(at(most)) ? 0 : most;
+    for (const int more : {16, 8, 4, 2, 1})
+      if (few >= many && halved < most && !is_kept(at(halved + more))) halved += more;
+    for (beyond = at(halved); halved < most; ++halved) {
       const double shift = from + (beyond - from) / 2;
-      (brunner_munzel(first_rising, second_rising, shift) >= alpha ? from : beyond) = shift;
+      (is_kept(shift) ? from : beyond) = shift;
     }
     return from;
   };
   if (const auto interval = outcome.interval)
     outcome.interval = Interval{reached(interval->low, first_rising.front() - second_rising.back()),
                                 reached(interval->high, first_rising.back() - second_rising.front())};
-  outcome.p = std::max(brunner_munzel(first_rising, second_rising), mann_whitney(first, second));
-  outcome.direction = sign_of(a12(first, second) - 0.5);
+  outcome.p = std::max(brunner_munzel(first_rising, second_rising), mann_whitney(first_rising, second_rising));
+  outcome.direction = sign_of(placements(first_rising, second_rising, 0).mean - number(second.size()) / 2);
   return outcome;
 }
 

@@ -309,3 +309,25 @@ TEST_CASE("a hundred thousand values a group have a shift and its interval", "[t
   while ((n + d) * (n + d + 1) / 2 < rank) ++d;
   check_interval(test.interval, d - 0.25, -d - 0.25, 2);  // Brunner-Munzel reaches a little farther
 }
+
+TEST_CASE("of many values an interval goes as far as either test keeps", "[tests_of_two]") {
+  std::mt19937 engine(3);
+  std::lognormal_distribution<> draw(0, 2);
+  SomeValues a(12'000), b(11'000);
+  for (SomeValues* sample : {&a, &b}) std::ranges::generate(*sample, [&] { return draw(engine); });
+  for (double& value : b) value *= 1.1;
+  std::ranges::sort(a);
+  std::ranges::sort(b);
+  constexpr double alpha = 0.05;
+  const Interval interval = *rank_test(a, b, alpha).interval;
+  const auto is_kept = [&](double shift) {
+    SomeValues shifted = a;
+    for (double& value : shifted) value -= shift;
+    return std::max(brunner_munzel(a, b, shift), mann_whitney(shifted, b)) >= alpha;
+  };
+  constexpr double little = 1e-7;
+  CHECK(is_kept(interval.low + little));
+  CHECK(is_kept(interval.high - little));
+  CHECK_FALSE(is_kept(interval.low - little));
+  CHECK_FALSE(is_kept(interval.high + little));
+}
