@@ -37,8 +37,9 @@ class Fields {
     on_text({key, meaning, in_key}, field);
   }
 
-  void texts(std::string_view key, std::vector<std::string>& field, std::string_view meaning = "") {
-    on_texts({key, meaning, InKey::by_name}, field);
+  void texts(std::string_view key, std::vector<std::string>& field, std::string_view meaning = "",
+             InKey in_key = InKey::by_name) {
+    on_texts({key, meaning, in_key}, field);
   }
 
   // `choices` are the names of an enum, in its order.

@@ -57,8 +57,11 @@ struct ColumnName {
 // Where a file has what, by the structure of its columns' names: w, x, y and z of one thing are a quaternion.
 class PoseColumns {
  public:
-  explicit PoseColumns(Sheet& sheet) : sheet_(sheet) {
-    for (const std::string& title : sheet.titles()) names_.emplace_back(title);
+  PoseColumns(Sheet& sheet, const std::vector<std::string>& said) : sheet_(sheet), are_said_(!said.empty()) {
+    const std::vector<std::string>& titles = are_said_ ? said : sheet.titles();
+    if (titles.size() != sheet.titles().size())
+      sheet.refuse(fmt::format("it has {} columns, but `columns` names {}", sheet.titles().size(), titles.size()));
+    for (const std::string& title : titles) names_.emplace_back(title);
     for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {  // after a column of times
       const std::size_t size = names_.size() - first;
       if (matrix_.empty() && (size == 12 || size == 16) && (first == 0 || rises(0)) && are_matrices(first))
@@ -106,6 +109,7 @@ class PoseColumns {
 
  private:
   Sheet& sheet_;
+  bool are_said_;
   std::vector<ColumnName> names_;
   Group position_, quaternion_, rpy_, matrix_;
   Group not_matrix_;  // row and first column of as many numbers as a matrix has, which are none
@@ -234,6 +238,8 @@ class PoseColumns {
         return std::ranges::count(*group, column) > 0;
       });
       is_before = is_before && !is_used;
+      const bool may_be_out = are_said_ || names_[column].whole.find("stamp") != std::string::npos;
+      if (!is_used && may_be_out && names_[column].part.empty()) continue;
       // A single row rises in every column, so that one alone may be its time.
       const bool may_rise = column == 0 || sheet_.rows().size() > 1;
       if (is_used && !names_[column].other_unit.empty() && std::ranges::count(quaternion_, column) == 0)
@@ -288,10 +294,14 @@ class CsvPath final : public Poses {
 
   // The key has the poses, so the file's name does not matter.
   void list_fields(Fields& io) override {
-    io.text("file", file_,
-            "beside the study. Columns: x, y, z in _m, _cm or _mm; then qw, qx, qy, qz, or roll, pitch, yaw in _deg or "
-            "_rad; without these the tool points straight down. Or the 12 or 16 numbers of a matrix",
-            InKey::no);
+    io.text(
+        "file", file_,
+        "beside the study, or a full path. Columns: x, y, z in _m, _cm or _mm; then qw, qx, qy, qz, or roll, pitch, yaw in _deg or "
+        "_rad; without these the tool points straight down. Or the 12 or 16 numbers of a matrix",
+        InKey::no);
+    io.texts("columns", columns_,
+             "names in place of the header's, \"\" for what is no part of a pose: [\"\", \"x\", \"y\", \"z\"]",
+             InKey::no);
   }
 
   // Lengths in cm or mm that were taken for metres.
@@ -316,24 +326,26 @@ class CsvPath final : public Poses {
     }
     const std::filesystem::path home = std::filesystem::canonical(folder.empty() ? "." : folder),
                                 meant = std::filesystem::canonical(file);
-    if (std::mismatch(home.begin(), home.end(), meant.begin(), meant.end()).first != home.end()) {
-      throw std::invalid_argument(
-          fmt::format("path.file is \"{}\", which is outside the study's folder; expected a CSV file in it", file_));
+    if (std::filesystem::path(file_).is_relative() &&
+        std::mismatch(home.begin(), home.end(), meant.begin(), meant.end()).first != home.end()) {
+      throw std::invalid_argument(fmt::format(
+          "path.file is \"{}\", which is outside the study's folder; write its full path, {}", file_, meant.string()));
     }
     constexpr std::uintmax_t most_bytes = 16'000'000;
-    poses_ = poses_from_csv(text_of_file(file, most_bytes), file.string());
+    poses_ = poses_from_csv(text_of_file(file, most_bytes), file.string(), columns_);
   }
 
  private:
   std::string file_;
+  std::vector<std::string> columns_;
 };
 
 }  // namespace
 
-std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file) {
+std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file, const std::vector<std::string>& said) {
   Sheet sheet(text, file, 0, Sheet::Header::optional);
   if (sheet.rows().size() > most_rows) sheet.refuse(fmt::format("expected at most {} poses", most_rows));
-  PoseColumns columns(sheet);
+  PoseColumns columns(sheet, said);
   columns.expect_degrees();
   std::vector<Pose> poses;
   for (const std::size_t row : sheet.rows()) poses.push_back(columns.pose_in(row));
