@@ -143,6 +143,8 @@ std::string listed(const std::vector<std::string>& titles) {
   return std::string(front(fmt::format("{}", fmt::join(titles, ", ")), 300));
 }
 
+std::string unnamed(std::size_t column) { return fmt::format("column {}", column + 1); }
+
 Title::Title(std::string_view title) : name(title) {
   const bool is_open = title.ends_with(']'), is_bracketed = is_open || title.ends_with(')');
   const std::size_t at = is_bracketed ? title.find_last_of("[(") : title.rfind('_');
@@ -176,7 +178,7 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   if (const auto empty = std::ranges::count(titles_, ""); empty > 1 && empty + 1 == std::ssize(titles_))
     refuse(fmt::format("{} stands alone in the header; begin a title above it with #", in_quotes(titles_.front())));
   for (std::size_t i = 0; i < titles_.size(); ++i)
-    if (titles_[i].empty()) titles_[i] = fmt::format("column {}", i + 1);  // as an index of pandas
+    if (titles_[i].empty()) titles_[i] = unnamed(i);  // as an index of pandas
   const auto number = std::ranges::find_if(titles_, is_number);
   if (form.has_header && number != titles_.end())
     refuse(fmt::format("{} in the header; expected names of columns in the first line{}", in_quotes(*number),

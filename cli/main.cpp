@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   app.footer(
       "  ikbench reproduce         repeats Slim et al. 2023: which of its claims hold?\n"
       "  ikbench run my.toml       compares the solvers of a study, and writes a report\n"
-      "  ikbench stats my.csv      says which group of your own data is better\n"
+      "  ikbench stats my.csv      says which group of your own data is better, or asks\n"
       "  ikbench COMMAND --help    has more\n\n"
       "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system, "
       "3 something is worse, 4 something is not decided or tested (compare --strict), 5 solves are missing (merge), 128 + a signal's number.");

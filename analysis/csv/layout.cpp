@@ -23,39 +23,46 @@ std::size_t different_in(const Sheet& sheet, std::size_t column, std::size_t row
   return texts.size();
 }
 
-// The first columns of the file, as a question tells them; what may be a label or a value comes first of many.
-std::vector<std::vector<std::string>> described(const Sheet& sheet, std::size_t columns, std::size_t rows) {
-  std::vector<std::pair<int, std::vector<std::string>>> all;
-  for (std::size_t column = 0; column < columns; ++column) {
-    const bool has_numbers = sheet.has_numbers(column);
-    bool is_whole = true;
-    for (std::size_t i = 0; i < rows; ++i)
-      is_whole = is_whole && sheet.cell(sheet.rows()[i], column).find_first_of(".,eEnN") == std::string_view::npos;
-    const std::size_t different = different_in(sheet, column, rows);
-    const bool is_label = !has_numbers && different > 1 && different < rows, is_value = has_numbers && different > 1;
-    all.push_back(
-        {is_label                ? 0
-         : is_value && !is_whole ? 1
-         : is_value              ? 2
-                                 : 3,
-         {"  " + base::shortened(sheet.titles()[column], 30),
-          !has_numbers ? "text"
-          : is_whole   ? "whole"
-                       : "number",
-          fmt::format("{} different", different), base::shortened(sheet.cell(sheet.rows().front(), column), 30)}});
+// Those of the file, without what stands outside the bars of a Markdown table.
+Columns columns_of(const Sheet& sheet) {
+  Columns columns;
+  for (std::size_t column = 0; column < sheet.titles().size(); ++column) {
+    const auto is_empty = [&](std::uint32_t row) { return sheet.cell(row, column).empty(); };
+    if (sheet.titles()[column] != base::unnamed(column) || !std::ranges::all_of(sheet.rows(), is_empty))
+      columns.push_back(column);
   }
-  if (columns > most_shown) std::ranges::stable_sort(all, {}, [](const auto& each) { return each.first; });
-  std::vector<std::vector<std::string>> shown;
-  for (auto& each : all) shown.push_back(std::move(each.second));
-  if (columns <= most_shown) return shown;
+  return columns;
+}
+
+// The columns, as a question tells them, of many those first that may be labels or values.
+std::vector<std::vector<std::string>> described(const Sheet& sheet, const Columns& columns, std::size_t rows) {
+  std::vector<std::vector<std::string>> shown, others;
+  for (const std::size_t column : columns) {
+    const bool has_numbers = sheet.has_numbers(column);
+    const auto is_whole = [&](std::uint32_t row) {
+      return sheet.cell(row, column).find_first_of(".,eEnN") == std::string_view::npos;
+    };
+    const char* kind =
+        std::all_of(sheet.rows().begin(), sheet.rows().begin() + static_cast<std::ptrdiff_t>(rows), is_whole)
+            ? "whole"
+            : "number";
+    const std::size_t different = different_in(sheet, column, rows);
+    const bool may_be = different > 1 && (has_numbers || different < rows);
+    (may_be || columns.size() <= most_shown ? shown : others)
+        .push_back({"  " + base::shortened(sheet.titles()[column], 30), has_numbers ? kind : "text",
+                    fmt::format("{} different", different),
+                    base::shortened(sheet.cell(sheet.rows().front(), column), 30)});
+  }
+  shown.insert(shown.end(), others.begin(), others.end());
+  if (shown.size() <= most_shown) return shown;
   shown.resize(most_shown - 1);
-  shown.push_back({fmt::format("  and {} more", columns - shown.size())});
+  shown.push_back({fmt::format("  and {} more", columns.size() - shown.size())});
   return shown;
 }
 
-[[noreturn]] void ask(const Sheet& sheet, const Request& request, std::size_t columns, std::string_view what,
+[[noreturn]] void ask(const Sheet& sheet, const Request& request, const Columns& columns, std::string_view what,
                       bool is_of_rows) {
-  const bool is_long = sheet.rows().size() * columns > most_counted;
+  const bool is_long = sheet.rows().size() * columns.size() > most_counted;
   const std::size_t rows = is_long ? few_rows : sheet.rows().size();
   Question question(sheet.said(fmt::format("{} It has {} rows{} of", what, sheet.rows().size(),
                                            is_long ? fmt::format(", counted in the first {},", rows) : "")));
@@ -79,9 +86,10 @@ std::vector<std::vector<std::string>> described(const Sheet& sheet, std::size_t 
 }  // namespace
 
 Layout layout_of(Sheet& sheet, const Request& request) {
-  const std::size_t columns = sheet.titles().size();  // of the file
+  const Columns columns = columns_of(sheet);
   const auto has_title = [&](std::string_view title) { return std::ranges::count(sheet.titles(), title) > 0; };
-  const bool is_wide = request.label == std::vector<std::string>{"columns"} && !has_title("columns");
+  const bool is_wide =
+      !request.are_summaries && request.label == std::vector<std::string>{"columns"} && !has_title("columns");
   const bool is_each_row = request.run == "row" && !has_title("row");
   Columns named, texts, numbers;
   for (const std::string& condition : request.where) named.push_back(sheet.choose(condition));
@@ -90,34 +98,29 @@ Layout layout_of(Sheet& sheet, const Request& request) {
     named.push_back(sheet.column(value));
     if (!has(layout.values, named.back())) layout.values.push_back(named.back());
   }
-  for (const std::string& part : request.label)
-    if (!is_wide) named.push_back(sheet.column(part));
-  for (const std::string& part : request.block) named.push_back(sheet.column(part));
-  if (!request.run.empty() && !is_each_row) named.push_back(*(layout.run = sheet.column(request.run)));
-  if (!request.label.empty() && !is_wide) layout.label = sheet.joined(request.label);
+  std::vector<std::string> others = request.block;
+  if (!is_wide) others.insert(others.end(), request.label.begin(), request.label.end());
+  if (!is_each_row && !request.run.empty()) others.push_back(request.run), layout.run = sheet.column(request.run);
+  for (const std::string& title : others) named.push_back(sheet.column(title));
+  if (!is_wide && !request.label.empty()) layout.label = sheet.joined(request.label);
   if (!request.block.empty()) layout.block = sheet.joined(request.block);
-  for (std::size_t column = 0; column < columns; ++column)
+  for (const std::size_t column : columns)
     if (!has(named, column)) (sheet.has_numbers(column) ? numbers : texts).push_back(column);
   const bool has_no_other = request.are_summaries || numbers.size() == (layout.values.empty() ? 1 : 0);
   if (request.label.empty() && texts.size() == 1 && has_no_other) layout.label = texts.front(), texts.clear();
   if (layout.values.empty() && (is_wide || (layout.label && numbers.size() == 1))) layout.values.swap(numbers);
   if ((!is_wide && !layout.label) || layout.values.size() < (is_wide ? 2 : 1))
     ask(sheet, request, columns, "which columns are what?", false);
-  for (const std::size_t column : is_wide ? layout.values : Columns()) {
-    sheet.column(sheet.titles()[column]);  // refuses a title of two columns
-    const auto unit_of = [&](std::size_t at) { return base::Title(sheet.titles()[at]).unit; };
-    if (unit_of(column) != unit_of(layout.values.front()))
-      sheet.refuse(fmt::format("{} and {} have different units; convert them",
-                               in_quotes(sheet.titles()[layout.values.front()]), in_quotes(sheet.titles()[column])));
+  const auto& titles = sheet.titles();
+  for (std::size_t i = 0, first = layout.values[0]; is_wide && i < layout.values.size(); ++i) {
+    const std::string& title = titles[sheet.column(titles[layout.values[i]])];  // refuses a title of two columns
+    if (base::Title(title).unit != base::Title(titles[first]).unit)
+      sheet.refuse(fmt::format("{} and {} differ in units; convert them", in_quotes(titles[first]), in_quotes(title)));
   }
   layout.unused = texts;
   layout.unused.insert(layout.unused.end(), numbers.begin(), numbers.end());
   if (!layout.block && request.run.empty() && (is_wide || !layout.unused.empty()))
     ask(sheet, request, columns, "what is a row?", true);
-  const std::size_t rows = sheet.rows().size();
-  if (layout.label && !request.are_summaries && rows > 2 && different_in(sheet, *layout.label, rows) == rows)
-    sheet.refuse(fmt::format("{} names each row, so no group has two values; did you mean --block?",
-                             in_quotes(sheet.titles()[*layout.label])));
   return layout;
 }
 

@@ -4,11 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -54,13 +52,8 @@ Index number_of(std::string_view text, std::unordered_map<std::string_view, Inde
 // Without what nobody sees.
 std::string as_seen(std::string_view name) {
   std::string text = base::one_line(name);
-  base::replace_marks(text, {{"\u00a0", " "},
-                             {"\u2007", " "},
-                             {"\u202f", " "},
-                             {"\u2010", "-"},
-                             {"\u2011", "-"},
-                             {"\u2212", "-"},
-                             {"  ", " "}});
+  for (const char* blank : {"\u00a0", "\u2007", "\u202f", "  "}) base::replace_marks(text, {{blank, " "}});
+  for (const char* dash : {"\u2010", "\u2011", "\u2212"}) base::replace_marks(text, {{dash, "-"}});
   return std::string(base::trimmed(text));
 }
 
@@ -83,7 +76,8 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
       const Index group = number_of(name, groups);
       if (group == items.groups.size()) items.groups.emplace_back(name);
       if (group == most_groups)
-        sheet.refuse(fmt::format("more than {} groups, the last {}; is --label right?", most_groups, in_quotes(name)));
+        sheet.refuse(
+            fmt::format("more than {} groups, the last {}; did you mean --block?", most_groups, in_quotes(name)));
       items.values.push_back(
           {.group = group,
            .unit = unit ? number_of(sheet.cell(row, *unit), units) : static_cast<Index>(items.values.size()),
@@ -99,6 +93,9 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
   for (const std::string& name : items.groups)
     if (!shown.insert(as_seen(name)).second)
       sheet.refuse(fmt::format("two groups look alike, both as {}; rename one", in_quotes(name)));
+  if (layout.label && items.groups.size() == items.values.size() && items.values.size() > 2)  // two may be a sketch
+    sheet.refuse(fmt::format("{} names each row, so no group has two values; did you mean --block?",
+                             in_quotes(sheet.titles()[*layout.label])));
   items.units = static_cast<Index>(units.size());
   std::ranges::stable_sort(items.values, {}, [](const Value& item) { return std::tuple(item.group, item.unit); });
   for (const Value& item : items.values) {
@@ -134,9 +131,9 @@ std::vector<Better> better_of(const Sheet& sheet, const Request& request, const 
   for (const std::string& title : titles) {
     const std::string_view way = said.contains(title) ? said[title] : said[""];
     if (way.empty())
-      throw Question(
-          sheet.said(fmt::format("is smaller or larger better in {0}? Say --better {1}smaller or --better {1}larger",
-                                 in_quotes(title), titles.size() > 1 ? title + "=" : "")));
+      throw Question(sheet.said(
+          fmt::format("is smaller or larger better in {}? Say --better smaller or --better larger{}", in_quotes(title),
+                      titles.size() > 1 ? fmt::format("; of this column alone --better {}=larger", title) : "")));
     better.push_back(way == "larger" ? Better::larger : Better::smaller);
   }
   return better;
@@ -227,50 +224,40 @@ double digit_of(std::string_view text) {
   return std::pow(10, shift - (mark < exponent ? static_cast<double>(exponent - mark - 1) : 0));
 }
 
-// Refuses a row, the first or one of the last of each group (or of each of its units), that has in all of them the sum
-// or the mean of those below or above it to the last digit, and hardly by chance.
+// Refuses a row, one of the last of each group (or of each of its units), that has in all of them the sum or the mean
+// of those above it to the last digit, and hardly by chance.
 void refuse_sums(Sheet& sheet, const Items& items, bool by_unit) {
   constexpr std::size_t most_last = 4, fewest = 2, most_values = 100'000;  // nobody adds such rows to more
-  constexpr double by_chance = 1e-4;
+  constexpr double by_chance = 1e-4, never = std::numeric_limits<double>::infinity();
   std::vector<std::vector<Value>> lists;
   for (const Value& item : items.values) {
     if (lists.empty() || lists.back().back().group != item.group || (by_unit && lists.back().back().unit != item.unit))
       lists.emplace_back();
     lists.back().push_back(item);
   }
-  const std::size_t least = std::ranges::min(lists, {}, &std::vector<Value>::size).size();
-  for (std::size_t last = 0; last <= most_last && items.values.size() <= most_values; ++last) {
-    if (lists.size() < 2 || least < fewest + std::max<std::size_t>(last, 1)) return;
-    std::array<double, 2> chances{1, 1};  // of the sum, of the mean
+  std::size_t least = std::ranges::min(lists, {}, &std::vector<Value>::size).size();
+  if (lists.size() < 2 || items.values.size() > most_values) least = 0;
+  for (std::size_t last = 1; last <= most_last && fewest + last <= least; ++last) {
+    double of_sum = 1, of_mean = 1;  // chances
     for (const std::vector<Value>& list : lists) {
-      const Value& one = last == 0 ? list.front() : list[list.size() - last];
-      const std::span others = last == 0 ? std::span(list).subspan(1) : std::span(list).first(list.size() - last);
-      std::vector<double> values;
-      double sum = 0, digit = std::numeric_limits<double>::infinity();
-      for (const Value& other : others) {
-        if (std::isnan(other.value)) continue;
-        values.push_back(other.value), sum += other.value;
-        digit = std::min(digit, digit_of(sheet.cell(other.row, other.column)));
+      const Value& one = list[list.size() - last];
+      double sum = 0, n = 0, low = never, high = -never;
+      for (const Value& above : std::span(list).first(list.size() - last)) {
+        if (std::isnan(above.value)) continue;
+        sum += above.value, ++n, low = std::min(low, above.value), high = std::max(high, above.value);
       }
-      if (values.size() < fewest || std::isnan(one.value)) continue;
-      std::uint64_t grain = 0;  // whole tens are no finer than tens
-      for (const double value : values)
-        grain = std::gcd(grain, static_cast<std::uint64_t>(std::min(std::round(std::abs(value) / digit), 1e18)));
-      const auto [low, high] = std::ranges::minmax(values);
-      const double coarse = digit * static_cast<double>(grain), steps = one.value / coarse,
-                   its_digit = digit_of(sheet.cell(one.row, one.column)),
-                   step = std::abs(steps - std::round(steps)) < 1e-6 ? std::max(coarse, its_digit) : its_digit,
-                   chance = high > low ? std::min(1.0, step / (high - low)) : 1;
-      for (const bool is_mean : {false, true}) {
-        const double distance = std::abs(one.value - (is_mean ? sum / static_cast<double>(values.size()) : sum));
-        chances[is_mean] *= distance <= its_digit * 0.501 ? chance : std::numeric_limits<double>::infinity();
-      }
+      if (n < fewest || std::isnan(one.value)) continue;
+      const double digit = digit_of(sheet.cell(one.row, one.column)),
+                   place = (2 * one.value - low - high) / (high - low),
+                   chance = high > low ? digit / (high - low) / std::max(1.0, place * place) : 1;
+      const auto is = [&](double statistic) { return std::abs(one.value - statistic) <= digit * 0.501; };
+      of_sum *= is(sum) ? std::min(1.0, chance) : never;
+      of_mean *= is(sum / n) ? std::min(1.0, chance) : never;
     }
-    const Value& one = last == 0 ? lists.front().front() : lists.front()[lists.front().size() - last];
-    if (std::ranges::min(chances) < by_chance)
+    if (const Value& one = lists[0][lists[0].size() - last]; std::min(of_sum, of_mean) < by_chance)
       sheet.refuse(one.row, one.column,
-                   fmt::format("is the {} of those {} it, as in the other groups; leave such rows out of the file",
-                               chances[0] < chances[1] ? "sum" : "mean", last == 0 ? "below" : "above"));
+                   fmt::format("is the {} of those above, as in the other groups; leave such rows out of the file",
+                               of_sum < of_mean ? "sum" : "mean"));
   }
 }
 
@@ -292,22 +279,18 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   return text + '.';
 }
 
-// Of too few blocks for any verdict: which column makes more of them.
-std::string more_blocks(const Sheet& sheet, const Layout& layout, const Items& items, const Request& request) {
-  constexpr double alpha = 0.05;
-  if (!layout.block || smallest_p_paired(items.units) <= alpha) return "";
+// Adds which column makes more blocks, where they are too few for any verdict.
+void note_blocks(const Sheet& sheet, const Layout& layout, const Items& items, std::vector<std::string>& notes) {
   Columns others = layout.unused;
   if (layout.run) others.push_back(*layout.run);
   for (const std::size_t column : others) {
     std::set<std::pair<std::string_view, std::string_view>> blocks;
     for (const Value& item : items.values)
       blocks.emplace(sheet.cell(item.row, *layout.block), sheet.cell(item.row, column));
-    if (layout.label && blocks.size() * items.groups.size() == items.values.size())
-      return fmt::format("If all groups had the same {}: --block {} --block {} makes {} blocks of {}.",
-                         in_quotes(sheet.titles()[column]), fmt::join(request.block, " --block "),
-                         sheet.titles()[column], blocks.size(), items.units);
+    if (blocks.size() * items.groups.size() == items.values.size() && layout.label)
+      notes.push_back(fmt::format("With --block {} too there are {} blocks, if it is the same for all groups.",
+                                  sheet.titles()[column], blocks.size()));
   }
-  return "";
 }
 
 Quantities values_in(Sheet& sheet, const Request& request) {
@@ -328,8 +311,8 @@ Quantities values_in(Sheet& sheet, const Request& request) {
     refuse_sums(sheet, items, false);
     if (items.means.size() < items.values.size()) refuse_sums(sheet, items, true);
     if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items, request.where));
-    if (std::string more = i == 0 ? more_blocks(sheet, layout, items, request) : ""; !more.empty())
-      quantities.notes.push_back(std::move(more));
+    if (constexpr double alpha = 0.05; i == 0 && layout.block && smallest_p_paired(items.units) > alpha)
+      note_blocks(sheet, layout, items, quantities.notes);
     settle(items, observed, quantities.notes);
     observed.better = better[i];
     for (const Value& item : items.values) {
