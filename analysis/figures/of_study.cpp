@@ -289,7 +289,6 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
       if (amount->interval) row.low = factor * amount->interval->low, row.high = factor * amount->interval->high;
     }
     row.verdict = name_of(verdict);
-    if (verdict == Verdict::equal) row.verdict += fmt::format(" in all {}", std::get<Tested>(finding.what).n);
     if (is_difference(verdict)) row.style = look.lines.at(verdict == Verdict::better ? finding.first : finding.second);
   }
   if (std::ranges::all_of(findings, are_equal)) return std::nullopt;

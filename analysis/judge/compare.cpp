@@ -103,7 +103,7 @@ struct Trial {
   Prepared numbers;
   Outcome outcome;
   double margin = 0;
-  bool is_small = false, is_same = false;  // as it is shown; and in the means, if no rare failure can be missed
+  bool is_same = false;
 };
 
 Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair, bool takes_logs, double alpha) {
@@ -135,7 +135,7 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
     return held.low >= -trial.margin - rounding && held.high <= trial.margin + rounding;
   };
   const Method& by_means = pair.method->is_by_difference ? paired_t : unpaired_t;
-  trial.is_small = lies_within(trial.outcome);
+  const bool is_small = lies_within(trial.outcome);
   trial.outcome.estimate = numbers.unbound(trial.outcome.estimate);
   if (interval) interval->low = numbers.unbound(interval->low), interval->high = numbers.unbound(interval->high);
   // Equal values, and few that differ by one number, say nothing of failures that are rarer than so many can show.
@@ -144,8 +144,8 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
   const double rare = plan.margin > 0 ? plan.margin : Plan().margin;  // an absolute margin is none of shares
   const bool can_fail = (are_equal || (!has_width && trial.outcome.p >= alpha)) &&
                         1 - wilson(1, std::min(first.n, second.n), alpha).low > rare;
-  trial.is_same =
-      trial.is_small && !can_fail && (!pair.method->is_by_ranks() || lies_within(by_means.test(numbers, alpha)));
+  // Ranks alone would not see that rare values are far apart.
+  trial.is_same = is_small && !can_fail && (!pair.method->is_by_ranks() || lies_within(by_means.test(numbers, alpha)));
   return trial;
 }
 
@@ -207,18 +207,18 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
       (does_one_value_decide(pair.a) || does_one_value_decide(pair.b)))
     return Open{.why = Open::Why::few_decide, .n = pair.n, .amount = tested.amount};
   if (tested.p >= plan.significance) {
-    tested.verdict = is_same ? Verdict::same : trial.numbers.are_all_equal ? Verdict::equal : Verdict::undecided;
+    tested.verdict = is_same ? Verdict::same : Verdict::undecided;
     if (interval) interval = Interval{std::min(none, interval->low), std::max(none, interval->high)};
     const bool has_width = interval && interval->low < interval->high;
     if (!is_same && !has_width) interval.reset();  // most values are equal, but not all
-    if (tested.verdict == Verdict::undecided) tested.enough = enough_of(trial, outcome.p, alpha, pair.n);
+    if (!is_same && !trial.numbers.are_all_equal) tested.enough = enough_of(trial, outcome.p, alpha, pair.n);
     if (tested.amount) tested.amount->interval = interval;
     return tested;
   }
   const int direction = outcome.direction;
   tested.verdict = (direction > 0) == (observed.better == Better::larger) ? Verdict::better : Verdict::worse;
   if (tested.amount && (tested.amount->value - none) * direction <= 0) tested.amount.reset();
-  tested.size = is_same ? Size::small : trial.is_small && tested.amount ? Size::usually_small : Size::matters;
+  tested.is_small = is_same;
   if (!interval || !tested.amount) return tested;
   const double width = interval->high - interval->low, rounding = std::isinf(width) ? 0 : 1e-9 * width;  // of bisection
   if (direction > 0 && interval->low <= none + rounding) interval->low = none, interval->excludes_low = true;
@@ -292,20 +292,6 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
   return pairs;
 }
 
-// Empty unless the mean or the median of the better one lies the other way.
-Headline usually_better(const Observations& observed, const Plan& plan, const std::string& winner,
-                        const std::string& loser) {
-  if (observed.are_logs) return {};
-  Group better = observed.groups[place_of(observed, winner)], other = observed.groups[place_of(observed, loser)];
-  keep_common_blocks(better, other);
-  const auto is_worse = [&](double one, double two) { return is_worse_than_margin(observed, plan, one, two); };
-  const Description its = describe(better), theirs = describe(other);
-  const bool is_median_worse =
-      method_of(observed, plan, better, other).is_by_ranks() && is_worse(its.median, theirs.median);
-  if (!is_median_worse && !is_worse(its.mean, theirs.mean)) return {};
-  return {.usual = winner, .other = loser, .is_median_worse = is_median_worse};
-}
-
 // How many pairs data of this size can decide, before any p is known: those that cannot leave, the least able first.
 std::size_t testable(std::vector<Pair>& pairs, double significance) {
   std::vector<Pair*> family;
@@ -345,7 +331,7 @@ auto* amount_in(auto& finding) {
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  constexpr std::array<std::string_view, 6> names{"better", "worse", "same", "equal", "not decided", "not tested"};
+  constexpr std::array<std::string_view, 5> names{"better", "worse", "same", "not decided", "not tested"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
@@ -460,25 +446,21 @@ bool is_worse_than_margin(const Observations& observed, const Plan& plan, double
   return loss > std::max(observed.absolute_margin, relative) + observed.rounding;
 }
 
-Headline headline(const Observations& observed, const Plan& plan, const std::vector<Finding>& findings) {
+Headline headline(const Observations& observed, const std::vector<Finding>& findings) {
   const std::set<std::string> losers = losers_of(findings);
   const std::size_t best = observed.groups.size() - losers.size();
   if (losers.empty() || best == 0) return {.is_circle = !losers.empty()};
-  Headline said;
   std::size_t known = 0;  // pairs of two unbeaten ones that were tested, and of one that beats a loser
   for (const Finding& finding : findings) {
     const bool is_first_best = !losers.contains(finding.first), is_second_best = !losers.contains(finding.second);
     const Verdict verdict = verdict_of(finding);
     if (is_first_best && is_second_best) known += verdict != Verdict::not_tested;
-    if (is_first_best == is_second_best || !is_difference(verdict)) continue;
-    ++known;
-    if (said.usual.empty() && std::holds_alternative<Tested>(finding.what))
-      said = usually_better(observed, plan, is_first_best ? finding.first : finding.second,
-                            is_first_best ? finding.second : finding.first);
+    if (is_first_best != is_second_best) known += is_difference(verdict);
   }
   if (known < best * losers.size() + best * (best - 1) / 2) return {};
+  Headline said;
   for (const Group& group : observed.groups) {
-    if (said.usual.empty() && !losers.contains(group.name)) said.best.push_back(group.name);
+    if (!losers.contains(group.name)) said.best.push_back(group.name);
   }
   return said;
 }

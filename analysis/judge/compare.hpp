@@ -17,14 +17,9 @@ namespace ikbench::judge {
 
 using results::Plan;
 
-// Of the first. same: within the margin. equal: no value differs, and so few do not exclude that rare ones do.
-// undecided: p decides nothing. not_tested: an open finding says why.
-enum class Verdict { better, worse, same, equal, undecided, not_tested };
+// Of the first. same: within the margin. undecided: p decides nothing. not_tested: an open finding says why.
+enum class Verdict { better, worse, same, undecided, not_tested };
 std::string_view name_of(Verdict verdict);
-
-// A difference: larger than the margin for all that is known; within it as it is shown, but not in the means, so rare
-// values are far apart; within it.
-enum class Size { matters, usually_small, small };
 
 struct Amount {
   double value = 0;
@@ -40,7 +35,7 @@ struct Effect {
 
 struct Tested {
   Verdict verdict = Verdict::undecided;
-  Size size = Size::matters;
+  bool is_small = false;              // a difference within the margin
   double p = 1;                       // times the tested pairs; below the significance it decides
   std::optional<Amount> amount = {};  // none if it would refute the verdict
   std::optional<Effect> effect = {};  // none of summaries and of logarithms
@@ -113,12 +108,8 @@ Finding better_first(Finding finding, std::string_view control, bool is_second_a
 // Of one metric.
 struct Headline {
   std::vector<std::string> best = {};  // nobody is better, and each is better than all who are not among them
-  // None is best where `usual` is better than `other` while its median (by ranks), or else its mean, is worse by more
-  // than the margin.
-  std::string usual = {}, other = {};
-  bool is_median_worse = false;
-  bool is_circle = false;  // each is worse than another
+  bool is_circle = false;              // each is worse than another
 };
-Headline headline(const Observations& observed, const Plan& plan, const std::vector<Finding>& findings);
+Headline headline(const Observations& observed, const std::vector<Finding>& findings);
 
 }  // namespace ikbench::judge

@@ -349,6 +349,9 @@ std::string words_of(const Doubt& doubt) {
       return what;
     case DoubtKind::few_decide_mean:
       return fmt::format("few values decide the {} of {}: nothing is called better by it", what, who);
+    case DoubtKind::ranks_disagree:
+      return fmt::format("{} is better than {} by ranks, though its {} is worse", doubt.who.front(), doubt.who.back(),
+                         what);
     case DoubtKind::plan_changed:
       return fmt::format("the plan was changed after {} solves were made{}: {}", share, of_whom, what);
     case DoubtKind::repeats_itself:

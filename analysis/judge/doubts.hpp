@@ -28,6 +28,7 @@ enum class DoubtKind {
   too_few_joints,        // for all conditions of a target
   repeats_itself,        // every run gave the same, so they count as one
   few_decide_mean,       // one value is most of a sum
+  ranks_disagree,        // better by ranks, worse by its median or mean
 };
 
 struct Doubt {

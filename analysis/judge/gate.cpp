@@ -233,18 +233,16 @@ void decide(std::vector<Gate>& gates) {
       if (&judged == &gate.judged.metrics[gate.judged.deciding])
         gate.sight = sight_of(judged, static_cast<double>(std::max<std::size_t>(tests, 1)));
       if (is_time(judged) && !gate.judged.study.are_in_turn) continue;
-      gate.newly_missing += newly_missing(judged);
-      if (newly_missing(judged) > 0) {
+      if (const int missing = newly_missing(judged); missing > 0) {
+        gate.newly_missing = missing;
         gate.worse.push_back(observed.quantity);
         continue;
       }
       const Verdict verdict = verdict_of(finding);
       const auto* const tested = std::get_if<Tested>(&finding.what);
-      // Equal shares of runs may be those of other targets.
-      const bool is_open = verdict == Verdict::undecided || verdict == Verdict::not_tested ||
-                           (verdict == Verdict::equal && !observed.is_paired && observed.scale == Scale::share &&
-                            !is_of_answers(judged));
-      const bool matters = is_difference(verdict) && !(tested && tested->size == Size::small);
+      const bool are_all_answered = is_of_answers(judged) && are_equal(finding);  // what is new was told
+      const bool is_open = verdict == Verdict::not_tested || (verdict == Verdict::undecided && !are_all_answered);
+      const bool matters = is_difference(verdict) && !(tested && tested->is_small);
       if (matters) (verdict == Verdict::worse ? gate.worse : gate.better).push_back(observed.quantity);
       if (!matters && verdict == Verdict::worse) gate.worse_by_little.push_back(observed.quantity);
       if (is_open && may_decide(gate, judged))

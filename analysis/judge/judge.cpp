@@ -24,6 +24,25 @@ void add_doubt(JudgedMetric& judged) {
   if (!doubt.who.empty()) judged.observations.doubts.push_back(std::move(doubt));
 }
 
+// Of the first that is better by ranks, though its median, or else its mean, is worse by more than the margin. Where
+// each has its own targets, these say nothing of two.
+void add_doubt_of_ranks(JudgedMetric& judged) {
+  const Observations& observed = judged.observations;
+  if (observed.is_of_solved || judged.plan.test == Plan::Test::means) return;
+  for (const Finding& finding : judged.findings) {
+    if (!std::holds_alternative<Tested>(finding.what) || !is_difference(verdict_of(finding))) continue;
+    const Finding its = better_first(finding, "");
+    const Description &one = judged.described[place_of(observed, its.first)],
+                      &two = judged.described[place_of(observed, its.second)];
+    const bool is_median_worse = is_worse_than_margin(observed, judged.plan, one.median, two.median);
+    if (!is_median_worse && !is_worse_than_margin(observed, judged.plan, one.mean, two.mean)) continue;
+    judged.observations.doubts.push_back({.kind = DoubtKind::ranks_disagree,
+                                          .who = {its.first, its.second},
+                                          .what = (is_median_worse ? "median " : "mean ") + observed.quantity});
+    return;
+  }
+}
+
 // Some observation has a value, and if this is no share one is not 0.
 bool has_meaning(const Observations& observed) {
   return std::ranges::any_of(observed.groups, [&](const Group& group) {
@@ -42,8 +61,9 @@ JudgedMetric judge(Observations observations, const Plan& plan, std::size_t metr
     judged.described.push_back(observed.are_logs ? Description{.n = its.n, .mean = std::exp(its.mean)} : its);
   }
   judged.findings = compare(observed, plan, metrics);
-  judged.headline = headline(observed, plan, judged.findings);
+  judged.headline = headline(observed, judged.findings);
   add_doubt(judged);
+  add_doubt_of_ranks(judged);
   return judged;
 }
 

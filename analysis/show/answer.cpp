@@ -116,7 +116,7 @@ std::vector<Doubt> Answer::all_doubts() const {
   std::vector<Doubt> all = doubts;
   for (const JudgedMetric& judged : metrics) {
     for (const Doubt& doubt : judged.observations.doubts) {
-      const bool names_metric = doubt.kind == DoubtKind::few_decide_mean,
+      const bool names_metric = doubt.kind == DoubtKind::few_decide_mean || doubt.kind == DoubtKind::ranks_disagree,
                  is_of_clock = doubt.kind == DoubtKind::seconds_decide;  // of shares it names fewer
       const auto known = std::ranges::find_if(all, [&](const Doubt& other) {
         const bool is_one = other.who == doubt.who && other.count == doubt.count && other.of == doubt.of;
@@ -205,7 +205,6 @@ Answer with_short_names(Answer answer, std::size_t length) {
     for (Group& group : judged.observations.groups) shorten(group.name);
     for (Finding& finding : judged.findings) shorten(finding.first), shorten(finding.second);
     std::ranges::for_each(judged.headline.best, shorten);
-    for (std::string* name : {&judged.headline.usual, &judged.headline.other}) shorten(*name);
     shorten(judged.plan.control);
     shorten_all(judged.observations.doubts);
   }

@@ -82,8 +82,7 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
       untold(group) != nullptr || (is_of_all && !judged.findings.empty() ? std::ranges::count(apart, solver) > 0
                                                                          : pair && verdict == Verdict::not_tested);
   // Within the margin only what a headline tells is marked, so not of other metrics, nor in a gate what is no loss.
-  const bool matters = !tested || tested->size == Size::matters ||
-                       (answer.verdict.empty() ? is_deciding : tested->size == Size::usually_small);
+  const bool matters = !tested || !tested->is_small || (answer.verdict.empty() && is_deciding);
   const bool is_worse = is_of_all ? losers.contains(solver) : matters && verdict == Verdict::worse;
   const bool is_better = matters && verdict == Verdict::better;
   Marked cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
@@ -131,8 +130,7 @@ Tone tone_of(Verdict verdict) {
 // The same members for every pair, null where nothing is known.
 base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
   using Json = base::OrderedJson;
-  constexpr std::array<const char*, 6> verdicts{"better", "worse", "same", "equal", "undecided", "not_tested"};
-  constexpr std::array<const char*, 3> sizes{"matters", "usually_small", "small"};
+  constexpr std::array<const char*, 5> verdicts{"better", "worse", "same", "undecided", "not_tested"};
   const Amount* const amount = amount_of(finding);
   const auto* const ends = amount && amount->interval ? &*amount->interval : nullptr;
   const auto* const tested = std::get_if<Tested>(&finding.what);
@@ -161,7 +159,7 @@ base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
                        : Json()},
           {"n_that_could_decide", enough > 0 ? Json(enough) : Json()},
           {"verdict", verdicts[static_cast<std::size_t>(verdict)]},
-          {"size", tested && is_difference(verdict) ? Json(sizes[static_cast<std::size_t>(tested->size)]) : Json()},
+          {"size", tested && is_difference(verdict) ? Json(tested->is_small ? "small" : "matters") : Json()},
           {"reason", tested ? Json()
                      : open ? Json(words_of(open->why).key)
                             : Json("certain")}};
@@ -331,7 +329,7 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
     }
     std::vector<std::string> counts;
     for (const Verdict verdict :
-         {Verdict::better, Verdict::worse, Verdict::same, Verdict::equal, Verdict::undecided, Verdict::not_tested}) {
+         {Verdict::better, Verdict::worse, Verdict::same, Verdict::undecided, Verdict::not_tested}) {
       if (count(verdict) > 0) counts.push_back(fmt::format("{} {}", count(verdict), name_of(verdict)));
     }
     verdicts.add(fmt::format("against the control {}, {}", control, listed(counts)), names[s]);

@@ -72,8 +72,8 @@ std::string at_once(const JudgedMetric& judged) {
 
 // The pairs of a metric: all, or of many how many are decided, and those of the reference, of many with their ends.
 std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
-  constexpr std::array<std::string_view, 6> words{"is better than", "is worse than",          "is the same as",
-                                                  "is equal to",    "is not decided against", "is not tested against"};
+  constexpr std::array<std::string_view, 5> words{"is better than", "is worse than", "is the same as",
+                                                  "is not decided against", "is not tested against"};
   std::vector<Finding> findings = judged.findings;
   const std::string tests = tests_of(noun_of(answer, judged), findings), reference = reference_of(answer);
   std::vector<std::string> parts, counts, names;

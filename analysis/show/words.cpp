@@ -78,7 +78,7 @@ std::string with_number(const Answer& answer, const std::string& name, std::size
 
 bool is_by_little(const Finding& finding) {
   const auto* const tested = std::get_if<Tested>(&finding.what);
-  return tested && is_difference(tested->verdict) && tested->size == Size::small;
+  return tested && is_difference(tested->verdict) && tested->is_small;
 }
 
 // How many of the first in this order have its number.
@@ -125,31 +125,6 @@ std::string all_solved(const Answer& answer) {
   std::vector<std::string> names;
   for (const Group& group : judged.observations.groups) names.push_back(group.name);
   return fmt::format("{}{} solved {}", names_of(names), names.size() == 2 ? " both" : "", what);
-}
-
-std::string usual(const JudgedMetric& judged) {
-  const Observations& observed = judged.observations;
-  const Headline& head = judged.headline;
-  const std::size_t i = place_of(observed, head.usual), j = place_of(observed, head.other);
-  const Description &its = judged.described[i], &theirs = judged.described[j];
-  const auto two = [&](double first, double second) {
-    return fmt::format("{} and {}", number_text(first), with_unit(number_text(second), observed.unit));
-  };
-  const auto [usually, not_so] =
-      observed.better == Better::smaller ? std::pair("smaller", "larger") : std::pair("larger", "smaller");
-  const std::string medians = two(its.median, theirs.median), means = two(its.mean, theirs.mean);
-  std::string how = "medians " + medians, but = fmt::format("mean is {} ({})", not_so, means);
-  if (head.is_median_worse) {
-    const Finding& finding = *finding_of(judged, head.usual, head.other);
-    const Effect effect = *std::get<Tested>(finding.what).effect;
-    const double ahead = finding.first == head.usual ? effect.ahead : effect.behind;
-    how = ahead > 0.5 ? fmt::format("in {:.0f} % of comparisons", 100 * ahead) : "by ranks";
-    but = fmt::format("median is {} ({})", not_so, medians);
-  } else if (does_one_value_decide(observed.groups[i]) || does_one_value_decide(observed.groups[j])) {
-    but += ": one value decides it";
-  }
-  return fmt::format("{} usually has {} {} than {} ({}), but its {}", head.usual, usually, observed.quantity,
-                     head.other, how, but);
 }
 
 std::string against_control(const Answer& answer) {
@@ -222,13 +197,7 @@ Sentence unbeaten(const Answer& answer) {
       std::ranges::all_of(others, [&](const std::string& name) { return is_to_same(name, Verdict::undecided); });
   Sentence sentence;
   bool are_numbers_told = false, are_losers_told = false;
-  if (rest.size() > 1 && are_all(judged, rest, are_equal)) {
-    const auto& found = std::get_if<Tested>(&judged.findings.front().what);
-    sentence.subject =
-        fmt::format("{} are {}: {} {}", names_of(rest),
-                    found ? fmt::format("equal in all {}", base::counted(found->n, answer.noun)) : "the same",
-                    quantity_of(answer), number_of(answer, judged, first, first));
-  } else if (same.size() > 1 && are_undecided) {
+  if (same.size() > 1 && are_undecided) {
     sentence = {fmt::format("{} are the same within {}{}", names_of(same), margin_words(judged),
                             others.empty() ? "" : ", not decided against " + names_of(others)),
                 ": " + numbers_of(answer, true)};
@@ -241,6 +210,8 @@ Sentence unbeaten(const Answer& answer) {
     are_losers_told = true;
   } else if (rest.size() > 1 && are_all(judged, rest, is_undecided)) {
     sentence.subject = "Not decided between " + told(rest);
+    if (are_all(judged, rest, are_equal))
+      sentence.rest = fmt::format(": all {} equal", std::get<Tested>(finding_of(judged, rest[0], rest[1])->what).n);
   } else if (!rest.empty()) {
     sentence.subject = "Nobody is shown to beat " + told(rest);
   }
@@ -315,13 +286,17 @@ std::string effect_words(const Finding& finding) {
                      number_text(100 * behind));
 }
 
-// What differs between two whose numbers look alike: ": both have 0.11 mm; better in 8, worse in 0 of 20 targets".
+// What differs between two whose numbers look alike or lie the other way: ": both have 0.11 mm; better in 8, worse in 0
+// of 20 targets".
 std::string where_alike(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const std::size_t first = answer.order[0];
   const auto* const tested = std::get_if<Tested>(&judged.findings.front().what);
   if (answer.order.size() != 2 || !tested || !tested->effect) return "";
   const auto its = shown_average(judged, first), other = shown_average(judged, answer.order[1]);
+  const bool is_smaller = its.value < other.value, is_smaller_better = judged.observations.better == Better::smaller;
+  if (is_difference(tested->verdict) && is_smaller != is_smaller_better && its.value != other.value)
+    return ": " + effect_words(judged.findings.front());
   if (number_text(its.value) != number_text(other.value) || counts(judged)) return "";
   const auto& [ahead, behind] = *tested->effect;
   return fmt::format(": both have {} {}; {}", quantity_of(answer), number_of(answer, judged, first, first),
@@ -375,7 +350,6 @@ Sentence sentence_of(const Answer& answer) {
   const Headline& head = judged.headline;
   if (!best_of(judged).empty()) return best(answer);
   if (!head.best.empty()) return unbeaten(answer);
-  if (!head.usual.empty()) return {usual(judged)};
   if (const std::string equal = all_solved(answer); !equal.empty()) {
     const auto is_open = [](const Finding& finding) { return std::holds_alternative<Open>(finding.what); };
     const bool is_untested = !judged.findings.empty() && std::ranges::all_of(judged.findings, is_open);
@@ -473,14 +447,12 @@ std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
       return judged.described[place_of(judged.observations, name)].n;
     };
     const int n = judged.observations.is_paired ? tested->n : size_of(finding.first), other = size_of(finding.second);
+    if (tested->verdict == Verdict::same) return "same within " + margin;
     if (are_equal(finding))
       return fmt::format(
-          "{} in all {}", verdict,
+          "{}: all {} equal", verdict,
           judged.observations.is_paired || n == other ? fmt::to_string(n) : fmt::format("{} and {}", n, other));
-    if (tested->verdict == Verdict::same) return "same within " + margin;
-    return verdict + (tested->size == Size::small           ? ", by less than " + margin
-                      : tested->size == Size::usually_small ? ", usually by less than " + margin
-                                                            : "");
+    return verdict + (tested->is_small ? ", by less than " + margin : "");
   }
   if (std::holds_alternative<Fact>(finding.what))
     return verdict + (are_equal(finding) || is_difference(verdict_of(finding)) ? "" : " within " + margin) +

@@ -43,7 +43,7 @@ inline Seen seen(const Finding& finding) {
   if (const Amount* const amount = amount_of(finding)) all.estimate = amount->value, all.interval = amount->interval;
   if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
     all.test = tested->test, all.n = tested->n;
-    all.is_within_margin = tested->size == Size::small || tested->verdict == Verdict::same;
+    all.is_within_margin = tested->is_small || tested->verdict == Verdict::same;
     if (tested->effect) all.effect = tested->effect->a12();
   } else if (const auto* const open = std::get_if<Open>(&finding.what)) {
     all.n = open->n, all.needed = open->needed;
@@ -64,8 +64,8 @@ inline std::vector<Seen> compared(const Observations& observed, const Plan& plan
 inline Seen better_first(const Seen& all, std::string_view control) {
   return seen(judge::better_first(static_cast<const Finding&>(all), control));
 }
-inline Headline headline(const Observations& observed, const Plan& plan, const std::vector<Seen>& all) {
-  return judge::headline(observed, plan, std::vector<Finding>(all.begin(), all.end()));
+inline Headline headline(const Observations& observed, const std::vector<Seen>& all) {
+  return judge::headline(observed, std::vector<Finding>(all.begin(), all.end()));
 }
 inline Measured& measured(Group& group) { return std::get<Measured>(group.sample); }
 inline std::vector<double>& values_in(Group& group) { return std::get<Measured>(group.sample).values; }

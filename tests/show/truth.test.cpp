@@ -8,25 +8,35 @@ namespace {
 
 using What = std::variant<Tested, Fact, Open>;
 
-Tested tested(Verdict verdict, Size size = Size::matters) {
+Tested tested(Verdict verdict, bool is_small = false) {
   const bool is_better = verdict == Verdict::better, is_worse = verdict == Verdict::worse;
-  Tested of{.verdict = verdict, .size = size, .p = is_better || is_worse ? 0.001 : 0.6, .test = "a test", .n = 20};
-  if (verdict == Verdict::equal) of.p = 1;
+  Tested of{
+      .verdict = verdict, .is_small = is_small, .p = is_better || is_worse ? 0.001 : 0.6, .test = "a test", .n = 20};
   of.effect = is_better ? Effect{0.8, 0.1} : is_worse ? Effect{0.1, 0.8} : Effect{0, 0};
   if (verdict == Verdict::undecided || verdict == Verdict::same) of.effect = Effect{0.5, 0.4};
-  if (verdict != Verdict::better || size != Size::usually_small)  // those have none now and then
-    of.amount = Amount{is_better ? 0.5 : is_worse ? 2.0 : 1.0};
+  of.amount = Amount{is_better ? 0.5 : is_worse ? 2.0 : 1.0};
+  return of;
+}
+
+Tested without_amount(Tested of) {  // its estimate would refute it
+  of.amount.reset();
+  return of;
+}
+
+Tested all_equal() {
+  Tested of = tested(Verdict::undecided);
+  of.p = 1, of.effect = Effect{0, 0};
   return of;
 }
 
 const std::vector<What>& all_kinds() {
   static const std::vector<What> kinds{tested(Verdict::better),
-                                       tested(Verdict::better, Size::small),
-                                       tested(Verdict::better, Size::usually_small),
+                                       tested(Verdict::better, true),
+                                       without_amount(tested(Verdict::better)),
                                        tested(Verdict::worse),
                                        tested(Verdict::same),
-                                       tested(Verdict::equal),
                                        tested(Verdict::undecided),
+                                       all_equal(),
                                        Fact{Verdict::better, {0.5}},
                                        Fact{Verdict::worse, {2}},
                                        Fact{Verdict::same, {1.01}},
@@ -55,7 +65,7 @@ Answer answer_with(const std::vector<double>& numbers, const std::vector<What>& 
       judged.findings.push_back({.first = first, .second = second, .scale = Scale::ratio, .what = kinds[pair++]});
     }
   }
-  judged.headline = headline(judged.observations, judged.plan, judged.findings);
+  judged.headline = headline(judged.observations, judged.findings);
   return answer_of({std::move(judged)});
 }
 
@@ -172,8 +182,8 @@ std::string wrong_in_results(const Answer& answer) {
     ++counts[is_difference(verdict) ? "decided" : std::string(judge::name_of(verdict))];
     const bool is_first = finding.first == reference;
     if (!is_first && finding.second != reference) continue;
-    constexpr std::array words{"is better than", "is worse than",          "is the same as",
-                               "is equal to",    "is not decided against", "is not tested against"};
+    constexpr std::array words{"is better than", "is worse than", "is the same as", "is not decided against",
+                               "is not tested against"};
     of_reference[words[static_cast<std::size_t>(is_first ? verdict : turned(verdict))]].insert(
         is_first ? finding.second : finding.first);
   }

@@ -99,8 +99,8 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   add("too few", of(errors({{"A", {1, 2, 3}}, {"B", {4, 5, 6}}})));
   add("without values", of(errors({{"A", {1, 2, 3}}, {"B", {}}})));
   add("by means, few decide", of(errors({{"A", heavy(1)}, {"B", b}}), {.test = results::Plan::Test::means}));
-  add("usually better", of(errors({{"A", heavy(1)}, {"B", b}})));
-  add("usually better, by the median worse",
+  add("better by ranks, by the mean worse", of(errors({{"A", heavy(1)}, {"B", b}})));
+  add("better by ranks, by the median worse",
       of(errors({{"A", two_modes(0.5, 48, 5.5)}, {"B", two_modes(1, 55, 10.6)}})));
   add("two best, of shares",
       of(shares({{"LM", solved(20)}, {"PSO", solved(4)}, {"DLS", solved(20)}, {"mine", solved(2)}})));
