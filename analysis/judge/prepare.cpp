@@ -69,7 +69,8 @@ void settle(std::vector<double>& values, const Observations& observed, bool has_
   std::vector<double> roundings;
   for (double& value : values) {
     value = has_floor ? std::max(value, observed.floor) : value;
-    roundings.push_back(std::max(observed.rounding, rounding_of_doubles * std::abs(value)));
+    // No answer is no number, so none is equal to it.
+    roundings.push_back(std::isinf(value) ? 0 : std::max(observed.rounding, rounding_of_doubles * std::abs(value)));
   }
   remove_rounding(values, roundings);
 }
