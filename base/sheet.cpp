@@ -273,13 +273,11 @@ std::optional<std::size_t> Sheet::column_like(const Words& names) const {
   return std::nullopt;
 }
 
-bool Sheet::is_missing(std::size_t row, std::size_t column) const { return means_none(cell(row, column)); }
-
 bool Sheet::has_numbers(std::size_t column) const {
   constexpr std::size_t enough = 1000;  // rows
   std::size_t filled = 0, numbers = 0, truths = 0;
   for (const std::uint32_t row : std::span(rows_).first(std::min(rows_.size(), enough))) {
-    filled += !is_missing(row, column);
+    filled += !means_none(cell(row, column));
     numbers += is_number(cell(row, column));
     truths += truth(cell(row, column)).has_value();
   }
@@ -287,7 +285,7 @@ bool Sheet::has_numbers(std::size_t column) const {
 }
 
 char Sheet::decimal_of(std::size_t column) {
-  const auto is_truth = [&](std::uint32_t row) { return is_missing(row, column) || truth(cell(row, column)); };
+  const auto is_truth = [&](std::uint32_t row) { return means_none(cell(row, column)) || truth(cell(row, column)); };
   if (std::ranges::all_of(rows_, is_truth)) return of_truth;
   if (decimal_ != 0) return decimal_;
   std::optional<std::uint32_t> doubtful;      // row of a cell that is two numbers

@@ -49,14 +49,12 @@ class Sheet {
   // The column of this name; of several a new one, of their texts joined by " / ", empty where one of them is.
   std::size_t joined(const std::vector<std::string>& names);
   std::optional<std::size_t> column_like(const Words& names) const;  // named so; earlier names first
-  bool is_missing(std::size_t row, std::size_t column) const;
   // Of the first 1000 cells most but those missing, or all are True and False.
   bool has_numbers(std::size_t column) const;
   // Not a number where it is missing. "1.020" may be 1.02 or 1020: other cells of the column say which mark is of
   // decimals, else those of the file, else the comma that parts cells, else the column is refused.
   double number(std::size_t row, std::size_t column);
 
-  std::size_t line(std::size_t row) const { return table_.line(row); }
   std::string said(std::string_view what) const;  // of the file
   [[noreturn]] void refuse(std::string_view what) const;
   [[noreturn]] void refuse(std::size_t row, std::size_t column, std::string_view what) const;

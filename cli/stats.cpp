@@ -45,14 +45,14 @@ std::string contents_of(const std::string& file) {
   return base::csv_text(stream, file);
 }
 
-// "smaller is better, of quality larger"
+// "smaller is better (quality: larger)"
 std::string direction_of(const std::vector<judge::JudgedMetric>& metrics) {
   std::vector<std::string> larger;
   for (const judge::JudgedMetric& metric : metrics) {
     if (metric.observations.better == judge::Better::larger) larger.push_back(metric.observations.quantity);
   }
   if (larger.size() == metrics.size()) return "larger is better";
-  return "smaller is better" + (larger.empty() ? "" : fmt::format(", of {} larger", fmt::join(larger, ", ")));
+  return "smaller is better" + (larger.empty() ? "" : fmt::format(" ({}: larger)", fmt::join(larger, ", ")));
 }
 
 // Tests of many values take some seconds.
@@ -123,12 +123,13 @@ void add_stats(CLI::App& app, Invocation& invocation) {
   add("FILE", arguments->file,
       "CSV with a column of names and one of values, or one of values a solver; - for standard input")
       ->required();
-  add("--better", csv.better, "smaller or larger is better: always asked for; COLUMN=larger: of one of several");
+  add("--better", csv.better,
+      "smaller or larger is better: always asked for; COLUMN=larger: of one of several; repeat");
   add("--label", csv.label, "column of who is compared, or several; `columns`: each column of numbers is one");
   add("--value", csv.values, "column of values; repeat for several; not needed if one is left");
-  add("--block", csv.block, "column of what each of them did, or several: compares within them; row: each row is one");
-  add("--run", csv.run,
-      "column of runs: averages the rows of a run (within a block), which are no repetitions; row: each row is one")
+  add("--block", csv.block,
+      "column of what each of them did, or several: compares within them; row, with --label columns: each row is one");
+  add("--run", csv.run, "column of repeats, whose rows count once, by their mean; row: each row is one")
       ->check(not_empty());
   add("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
   command->add_flag("--summaries", csv.are_summaries,

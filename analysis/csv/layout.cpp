@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 #include <unordered_set>
 
@@ -17,40 +18,21 @@ constexpr std::size_t most_shown = 15;           // columns
 
 bool has(const Columns& columns, std::size_t column) { return std::ranges::count(columns, column) > 0; }
 
-std::size_t different_in(const Sheet& sheet, std::size_t column, std::size_t rows) {
-  std::unordered_set<std::string_view> texts;
-  for (std::size_t i = 0; i < rows; ++i) texts.insert(sheet.cell(sheet.rows()[i], column));
-  return texts.size();
-}
-
-// Those of the file, without what stands outside the bars of a Markdown table.
-Columns columns_of(const Sheet& sheet) {
-  Columns columns;
-  for (std::size_t column = 0; column < sheet.titles().size(); ++column) {
-    const auto is_empty = [&](std::uint32_t row) { return sheet.cell(row, column).empty(); };
-    if (sheet.titles()[column] != base::unnamed(column) || !std::ranges::all_of(sheet.rows(), is_empty))
-      columns.push_back(column);
-  }
-  return columns;
-}
-
 // The columns, as a question tells them, of many those first that may be labels or values.
 std::vector<std::vector<std::string>> described(const Sheet& sheet, const Columns& columns, std::size_t rows) {
   std::vector<std::vector<std::string>> shown, others;
   for (const std::size_t column : columns) {
+    std::unordered_set<std::string_view> texts;
+    bool are_whole = true;
+    for (const std::uint32_t row : std::span(sheet.rows()).first(rows)) {
+      const std::string_view text = *texts.insert(sheet.cell(row, column)).first;
+      are_whole = are_whole && text.find_first_of(".,eEnN") == std::string_view::npos;
+    }
     const bool has_numbers = sheet.has_numbers(column);
-    const auto is_whole = [&](std::uint32_t row) {
-      return sheet.cell(row, column).find_first_of(".,eEnN") == std::string_view::npos;
-    };
-    const char* kind =
-        std::all_of(sheet.rows().begin(), sheet.rows().begin() + static_cast<std::ptrdiff_t>(rows), is_whole)
-            ? "whole"
-            : "number";
-    const std::size_t different = different_in(sheet, column, rows);
-    const bool may_be = different > 1 && (has_numbers || different < rows);
+    const bool may_be = texts.size() > 1 && (has_numbers || texts.size() < rows);
+    const char* const kind = !has_numbers ? "text" : are_whole ? "whole" : "number";
     (may_be || columns.size() <= most_shown ? shown : others)
-        .push_back({"  " + base::shortened(sheet.titles()[column], 30), has_numbers ? kind : "text",
-                    fmt::format("{} different", different),
+        .push_back({"  " + base::shortened(sheet.titles()[column], 30), kind, fmt::format("{} different", texts.size()),
                     base::shortened(sheet.cell(sheet.rows().front(), column), 30)});
   }
   shown.insert(shown.end(), others.begin(), others.end());
@@ -64,7 +46,7 @@ std::vector<std::vector<std::string>> described(const Sheet& sheet, const Column
                       bool is_of_rows) {
   const bool is_long = sheet.rows().size() * columns.size() > most_counted;
   const std::size_t rows = is_long ? few_rows : sheet.rows().size();
-  Question question(sheet.said(fmt::format("{} It has {} rows{} of", what, sheet.rows().size(),
+  Question question(sheet.said(fmt::format("{} It has {}{} of", what, base::counted(std::ssize(sheet.rows()), "rows"),
                                            is_long ? fmt::format(", counted in the first {},", rows) : "")));
   question.columns = described(sheet, columns, rows);
   const auto add = [&](bool is_open, std::initializer_list<const char*> options) {
@@ -75,8 +57,8 @@ std::vector<std::vector<std::string>> described(const Sheet& sheet, const Column
   add(is_of_rows, {"--block", "BLOCK", "--run", "RUN"});
   add(request.better.empty(), {"--better", "smaller"});
   question.advice = fmt::format(
-      "{}LABEL: who is compared, or `columns` if each column of numbers is one. BLOCK: what each of them "
-      "did, such as a problem. RUN: repeats, whose mean counts; `row` if each row is one.{}",
+      "{}LABEL: who is compared, or `columns` if each column of numbers is one. --block: what each of them did, such "
+      "as a problem. --run: repeats, which count by their mean; `--run row`: each row is one.{}",
       is_of_rows ? "One of --block and --run is enough. " : "",
       !request.are_summaries && sheet.column_like({"sd", "std", "stddev", "std_dev"}) ? " Printed means: --summaries."
                                                                                       : "");
@@ -86,7 +68,11 @@ std::vector<std::vector<std::string>> described(const Sheet& sheet, const Column
 }  // namespace
 
 Layout layout_of(Sheet& sheet, const Request& request) {
-  const Columns columns = columns_of(sheet);
+  Columns columns;  // without what stands outside the bars of a Markdown table
+  for (std::size_t i = 0; i < sheet.titles().size(); ++i) {
+    const auto is_empty = [&](std::uint32_t row) { return sheet.cell(row, i).empty(); };
+    if (sheet.titles()[i] != base::unnamed(i) || !std::ranges::all_of(sheet.rows(), is_empty)) columns.push_back(i);
+  }
   const auto has_title = [&](std::string_view title) { return std::ranges::count(sheet.titles(), title) > 0; };
   const bool is_wide =
       !request.are_summaries && request.label == std::vector<std::string>{"columns"} && !has_title("columns");
@@ -103,13 +89,18 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   if (!is_each_row && !request.run.empty()) others.push_back(request.run), layout.run = sheet.column(request.run);
   for (const std::string& title : others) named.push_back(sheet.column(title));
   if (!is_wide && !request.label.empty()) layout.label = sheet.joined(request.label);
+  if (!is_wide && request.block == std::vector<std::string>{"row"} && !has_title("row"))
+    sheet.refuse("a block of one row has one label alone; say --run row, or --label columns");
   if (!request.block.empty()) layout.block = sheet.joined(request.block);
   for (const std::size_t column : columns)
     if (!has(named, column)) (sheet.has_numbers(column) ? numbers : texts).push_back(column);
   const bool has_no_other = request.are_summaries || numbers.size() == (layout.values.empty() ? 1 : 0);
   if (request.label.empty() && texts.size() == 1 && has_no_other) layout.label = texts.front(), texts.clear();
   if (layout.values.empty() && (is_wide || (layout.label && numbers.size() == 1))) layout.values.swap(numbers);
-  if ((!is_wide && !layout.label) || layout.values.size() < (is_wide ? 2 : 1))
+  if (is_wide && layout.values.size() == 1)
+    sheet.refuse(fmt::format("--label columns compares columns of numbers, and {} is the only one",
+                             in_quotes(sheet.titles()[layout.values.front()])));
+  if ((!is_wide && !layout.label) || layout.values.empty())
     ask(sheet, request, columns, "which columns are what?", false);
   const auto& titles = sheet.titles();
   for (std::size_t i = 0, first = layout.values[0]; is_wide && i < layout.values.size(); ++i) {

@@ -116,9 +116,8 @@ std::vector<Better> better_of(const Sheet& sheet, const Request& request, const 
   std::map<std::string_view, std::string_view> said;  // "": of all
   for (const std::string_view option : request.better) {
     const std::size_t equals = option.rfind('=');
-    const bool is_of_all = equals == std::string_view::npos;
-    const std::string_view way = is_of_all ? option : option.substr(equals + 1),
-                           column = is_of_all ? "" : option.substr(0, equals);
+    const bool is_of_all = equals == std::string_view::npos;  // whose next place is 0
+    const std::string_view way = option.substr(equals + 1), column = is_of_all ? "" : option.substr(0, equals);
     if (way != "smaller" && way != "larger")
       sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(option)));
     if (!is_of_all && std::ranges::count(titles, column) == 0)
@@ -197,9 +196,8 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
               .count = unlabelled,
               .of = unlabelled + static_cast<double>(items.values.size()),
               .what = "rows without a label, left out"};
-  for (Doubt* doubt : {&lost, &without, &stray}) {
+  for (Doubt* doubt : {&lost, &without, &stray})
     if (doubt->count > 0) observed.doubts.push_back(std::move(*doubt));
-  }
 }
 
 // Chooses shares, ratios or differences by all values.
@@ -228,7 +226,7 @@ double digit_of(std::string_view text) {
 // of those above it to the last digit, and hardly by chance.
 void refuse_sums(Sheet& sheet, const Items& items, bool by_unit) {
   constexpr std::size_t most_last = 4, fewest = 2, most_values = 100'000;  // nobody adds such rows to more
-  constexpr double by_chance = 1e-4, never = std::numeric_limits<double>::infinity();
+  constexpr double by_chance = 1e-6, never = std::numeric_limits<double>::infinity();
   std::vector<std::vector<Value>> lists;
   for (const Value& item : items.values) {
     if (lists.empty() || lists.back().back().group != item.group || (by_unit && lists.back().back().unit != item.unit))
@@ -288,7 +286,7 @@ void note_blocks(const Sheet& sheet, const Layout& layout, const Items& items, s
     for (const Value& item : items.values)
       blocks.emplace(sheet.cell(item.row, *layout.block), sheet.cell(item.row, column));
     if (blocks.size() * items.groups.size() == items.values.size() && layout.label)
-      notes.push_back(fmt::format("With --block {} too there are {} blocks, if it is the same for all groups.",
+      notes.push_back(fmt::format("If all groups had the same {0}, add --block {0}: that makes {1} blocks.",
                                   sheet.titles()[column], blocks.size()));
   }
 }
@@ -315,11 +313,10 @@ Quantities values_in(Sheet& sheet, const Request& request) {
       note_blocks(sheet, layout, items, quantities.notes);
     settle(items, observed, quantities.notes);
     observed.better = better[i];
-    for (const Value& item : items.values) {
+    for (const Value& item : items.values)
       if (std::isinf(item.value) && (item.value < 0 || observed.better == Better::larger))
         sheet.refuse(item.row, item.column,
                      "has no meaning: inf stands for no answer, where smaller is better; otherwise write NA");
-    }
     fill(layout, items, observed);
     quantities.observed.push_back(std::move(observed));
   }
@@ -357,12 +354,11 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
     const Summary summary{.n = static_cast<int>(size),
                           .mean = number(*mean, std::numeric_limits<double>::lowest()),
                           .sd = number(*sd, 0)};
-    const bool is_constant = summary.sd == 0;  // or its spread was rounded away: it would decide everything
     groups.push_back({.name = name, .sample = summary});
-    if (is_constant) groups.back().sample = Untold{.why = Untold::Why::no_spread, .printed = summary};
-    if (is_constant)
-      observed.doubts.push_back(
-          {.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
+    if (summary.sd > 0) continue;  // else its spread may have been rounded away: it would decide everything
+    groups.back().sample = Untold{.why = Untold::Why::no_spread, .printed = summary};
+    observed.doubts.push_back(
+        {.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
   }
   const std::vector<Better> better = better_of(sheet, request, titles);
   for (std::size_t i = 0; i < titles.size(); ++i) quantities.observed[i].better = better[i];

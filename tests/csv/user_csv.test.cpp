@@ -363,7 +363,7 @@ TEST_CASE("of too few blocks it is said which column makes more") {
   const std::string text = text_in("tests/data/csv/two-factors.csv");
   const std::vector<std::string> notes =
       csv::read(text, "d.csv", smaller({.label = {"solver"}, .block = {"robot"}, .run = "seed"})).notes;
-  CHECK(contains(fmt::format("{}", fmt::join(notes, " ")), "With --block seed too there are 24 blocks"));
+  CHECK(contains(fmt::format("{}", fmt::join(notes, " ")), "add --block seed: that makes 24 blocks"));
   CHECK(finding(text, {.block = {"robot", "seed"}}).verdict != Verdict::not_tested);
   CHECK(observations(text, {.label = {"solver", "robot"}, .run = "seed"}).groups.size() == 4);
 }
