@@ -112,6 +112,8 @@ bool may_spend(const StopRule& stop, Kind kind, const SolveRecord& solve) {
 void check(const Definition& study, const Robot& arm, Kind kind, const SolveRecord& solve) {
   if (const std::string_view column = negative_column(solve); !column.empty())
     refuse(solve, fmt::format("{} is below 0", column));
+  if (solve.run < 1 || solve.point < 1 || solve.point > study.points)
+    refuse(solve, fmt::format("a study of {} has no such solve", counted(study.points, "targets")));
   const auto joints = static_cast<std::size_t>(arm.joints());
   if (solve.target_position_m.size() != 3 || solve.reached_position_m.size() != 3 ||
       solve.target_rotation.size() != 9 || solve.start_rad.size() != joints || solve.answer_rad.size() != joints)

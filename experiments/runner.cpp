@@ -178,7 +178,7 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
       std::optional<SolveRecord> record = undisturbed(
           pauses, is_over, [&] { return solve_runner.solve(*solver, target(point), start(point), run, point); });
       if (!record) return;
-      check(*record);
+      if (check) check(*record);
       if (!is_over()) solve_runner.count_failure(*solver);
       move_on(chain, *record, work.study.start);
       record_queue.hand_in(std::move(*record));
@@ -313,8 +313,7 @@ void solve_study(const Study& study, int jobs, const std::function<void(SolveRec
   RecordQueue record_queue([&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
-  solve_rest(
-      work, jobs, cancelled, [](const SolveRecord&) {}, record_queue);
+  solve_rest(work, jobs, cancelled, {}, record_queue);
 }
 
 bool moves_arm(const SolveRecord& solve, Start start) {

@@ -93,7 +93,7 @@ inline std::string_view negative_column(const SolveRecord& solve) {
   std::string_view found;
   for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
     if constexpr (std::is_arithmetic_v<Value>)
-      if (solve.*member < 0 && !name.starts_with("claimed_")) found = name;
+      if (found.empty() && solve.*member < 0 && !name.starts_with("claimed_")) found = name;
   });
   return found;
 }
