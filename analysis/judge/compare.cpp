@@ -120,15 +120,15 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
     interval.reset();
   }
   // Of what is tested and shown: a mean may be that of one huge value.
-  const auto centre = [&](const std::vector<double>& values, const Summary& its) {
-    return std::abs(pair.method->is_by_ranks() ? described(values).median : its.mean);
+  const auto relative_to = [&](const std::vector<double>& values, const Summary& its) {
+    if (numbers.no_answer > 0) return 0.0;
+    return plan.margin * std::abs(pair.method->is_by_ranks() ? described(values).median : its.mean);
   };
-  const double relative =
-      numbers.no_answer > 0 ? 0 : plan.margin * std::min(centre(numbers.first, first), centre(numbers.second, second));
   trial.margin = observed.scale == Scale::share    ? plan.margin
                  : takes_logs || observed.are_logs ? std::log1p(plan.margin)
                  : pair.takes_logs                 ? observed.absolute_margin
-                                                   : std::max(observed.absolute_margin, relative);
+                                   : std::max(observed.absolute_margin, std::min(relative_to(numbers.first, first),
+                                                                                 relative_to(numbers.second, second)));
   const auto lies_within = [&](const Outcome& outcome) {  // values without spread have their difference alone
     const Interval held = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
     const double rounding = 1e-9 * trial.margin;

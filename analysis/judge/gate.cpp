@@ -240,8 +240,9 @@ void decide(std::vector<Gate>& gates) {
       }
       const Verdict verdict = verdict_of(finding);
       const auto* const tested = std::get_if<Tested>(&finding.what);
-      const bool are_all_answered = is_of_answers(judged) && are_equal(finding);  // what is new was told
-      const bool is_open = verdict == Verdict::not_tested || (verdict == Verdict::undecided && !are_all_answered);
+      // A budget makes equal evaluations; what is new of answers was told.
+      const bool is_no_news = are_equal(finding) && (is_of_answers(judged) || observed.metric == "evaluations");
+      const bool is_open = verdict == Verdict::not_tested || (verdict == Verdict::undecided && !is_no_news);
       const bool matters = is_difference(verdict) && !(tested && tested->is_small);
       if (matters) (verdict == Verdict::worse ? gate.worse : gate.better).push_back(observed.quantity);
       if (!matters && verdict == Verdict::worse) gate.worse_by_little.push_back(observed.quantity);

@@ -24,8 +24,8 @@ void add_doubt(JudgedMetric& judged) {
   if (!doubt.who.empty()) judged.observations.doubts.push_back(std::move(doubt));
 }
 
-// Of the first that is better by ranks, though its median, or else its mean, is worse by more than the margin. Where
-// each has its own targets, these say nothing of two.
+// Of the first that is better by ranks, though its median, or else its mean, is worse by more than the margin (a best
+// one's median: at all). Where each has its own targets, these say nothing of two.
 void add_doubt_of_ranks(JudgedMetric& judged) {
   const Observations& observed = judged.observations;
   if (observed.is_of_solved || judged.plan.test == Plan::Test::means) return;
@@ -34,7 +34,10 @@ void add_doubt_of_ranks(JudgedMetric& judged) {
     const Finding its = better_first(finding, "");
     const Description &one = judged.described[place_of(observed, its.first)],
                       &two = judged.described[place_of(observed, its.second)];
-    const bool is_median_worse = is_worse_than_margin(observed, judged.plan, one.median, two.median);
+    const bool is_best = std::ranges::count(judged.headline.best, its.first) > 0;  // and its median stands beside it
+    const bool is_median_worse = is_best && one.median != two.median
+                                     ? (one.median > two.median) == (observed.better == Better::smaller)
+                                     : is_worse_than_margin(observed, judged.plan, one.median, two.median);
     if (!is_median_worse && !is_worse_than_margin(observed, judged.plan, one.mean, two.mean)) continue;
     judged.observations.doubts.push_back({.kind = DoubtKind::ranks_disagree,
                                           .who = {its.first, its.second},

@@ -11,7 +11,7 @@ namespace {
 // Relative: smaller than a difference in the fifteenth digit, the last that every double can tell.
 constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon();
 
-// Makes values equal that lie within the rounding above the smallest of them: the larger of the two.
+// Makes values equal that lie above the smallest of them by no more than its own rounding or theirs.
 void remove_rounding(std::vector<double>& values, const std::vector<double>& roundings) {
   std::vector<std::pair<double, std::size_t>> order;  // pairs stay in the cache, which places alone would not
   order.reserve(values.size());
