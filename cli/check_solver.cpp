@@ -197,9 +197,9 @@ class Checks {
          others > 0                    ? fmt::format("{} differ in another process", others)
          : usually.once().q != first.q ? "not when it solves again"
                                        : "");
-    const std::string seen = fmt::format("{}, within {:g} m and {:g} rad; {} of the others are within twice of it",
-                                         reached, usual.tolerance, usual.angle_tolerance, near);
-    line(fmt::format("it reaches some of the {} of {} poses that LM solves", solvable, poses),
+    const std::string seen = fmt::format("{} within {:g} m and {:g} rad, {} more within twice that", reached,
+                                         usual.tolerance, usual.angle_tolerance, near);
+    line(fmt::format("it reaches some of the {} poses that LM solves, of {}", solvable, poses),
          reached == 0 && solvable > 0 ? seen : "", seen);
   }
 
@@ -225,6 +225,7 @@ class Checks {
     std::string wrong;
     for (const StopRule& counts : {StopRule{.iterations = 100, .tolerance = 1e-4, .evaluations = 40},
                                    StopRule{.iterations = 10, .tolerance = 1e-4}}) {
+      if (!wrong.empty()) break;
       const Account account = solving.once(counts).account;
       if (account.failure)
         wrong = solving.all.last_failure();
@@ -240,10 +241,10 @@ class Checks {
     if (last.child) last.child->end_input();
     const Trouble heard = last.child ? unasked(*last.child, std::chrono::seconds(2))
                                      : Trouble{Trouble::Kind::declined, "it had ended before"};
-    line("it answers once, and ends with its standard input", heard.kind == Trouble::Kind::crashed ? ""
-                                                              : heard.kind == Trouble::Kind::timed_out
-                                                                  ? "it still ran after 2 s"
-                                                                  : heard.why);
+    line("it answers once, and ends when its input does", heard.kind == Trouble::Kind::crashed ? ""
+                                                          : heard.kind == Trouble::Kind::timed_out
+                                                              ? "it still ran after 2 s"
+                                                              : heard.why);
   }
 };
 

@@ -82,9 +82,9 @@ std::string fingerprints_of(const Store& store, const std::vector<judge::JudgedS
     if (fingerprint(store, study).text != reference) different.push_back(study.name);
   }
   if (compared == 0) return "Solves: no fingerprints to compare with for this seed and number of runs";
-  return fmt::format(
-      "Solves: those of {} of {} studies are the same here as where they were published, bit for bit{}{}",
-      compared - different.size(), compared, different.empty() ? "" : "; different: ", fmt::join(different, ", "));
+  return fmt::format("Solves: those of {} of {} studies are those published, bit for bit{}{}",
+                     compared - different.size(), compared,
+                     different.empty() ? "" : "; different: ", fmt::join(different, ", "));
 }
 
 // It measures no time, so all processors may work.
@@ -164,7 +164,7 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   }
   if (!sentences.empty() && !readings.explains.empty())
     sentences.push_back(
-        fmt::format("Of the other numbers one other setting explains, with seed 1, {}.", readings.explains));
+        fmt::format("One changed setting explains more printed numbers (seed 1): {}.", readings.explains));
   if (sentences.empty()) sentences = papers::rates_sentences(repeated);
   if (sentences.empty()) sentences = {papers::tally_words(claims)};
   reported.first = papers::beginning(paper, sentences, means);

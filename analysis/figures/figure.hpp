@@ -48,8 +48,8 @@ void refuse_missing_font(const results::FigureStyle& style, const std::vector<st
 
 // Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png, as the style says; no
 // script that was there is ever run. Removes old pictures that do not show these data. Returns a sentence for each
-// figure that could not be drawn or of which gnuplot warns, or one if gnuplot does not start. Throws std::invalid_argument if the folder cannot
-// be written to, std::runtime_error if a disk is full.
+// figure that could not be drawn or of which gnuplot warns, or one if gnuplot does not start. Throws
+// std::invalid_argument if the folder cannot be written to, std::runtime_error if a disk is full.
 std::vector<std::string> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                                        const RenderOptions& options);
 

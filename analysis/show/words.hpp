@@ -33,7 +33,7 @@ struct Sentence {
 Sentence headline_of(const Answer& answer);
 std::string headline(const Answer& answer);
 
-// "better", "same within 5 %", "equal in all 20", "not decided", "not tested: it takes 5"
+// "better", "same within 5 %", "not decided: all 20 equal", "not decided", "not tested: it takes 5"
 std::string verdict_words(const judge::Finding& finding, const judge::JudgedMetric& judged);
 // Why a pair is not tested: in JSON, behind its verdict, and in place of a solver's number.
 struct ReasonWords {

@@ -266,7 +266,7 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   if (best == nullptr || accurate == nullptr || accurate->number.empty()) return {};
   std::vector<std::string> all{first_sentence(best->holds, numbers, claims)};
   if (const auto& [reading, explained, count, missed] = numbers.front(); !missed.empty())
-    all.push_back(fmt::format("IK-BA's own mean {} {} not repeat{}.", show::listed(missed, " and mean "),
+    all.push_back(fmt::format("IK-BA's mean {} {} not repeat{}.", show::listed(missed, " and mean "),
                               missed.size() == 1 ? "does" : "do", with(reading)));
   std::string words =
       fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
@@ -278,8 +278,8 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   words = fmt::format("\"{}\" {}{} in the default reading ({})", accurate->sentence,
                       accurate->holds >= Holds::undecided ? "is " : "", name_of(accurate->holds), accurate->number);
   if (const InReadings& of = accurate->in_readings; of.all() > 0)
-    words += fmt::format("; of {:.0f} readings it holds in {:.0f}, fails in {:.0f}{}, and is open in {:.0f}", of.all(),
-                         of.hold, of.fail, of.most_fail.empty() ? "" : ", of these " + of.most_fail, of.open);
+    words += fmt::format(". It holds in {:.0f} of {:.0f} readings, is open in {:.0f} and fails in {:.0f}{}", of.hold,
+                         of.all(), of.open, of.fail, of.most_fail.empty() ? "" : ", of these " + of.most_fail);
   all.push_back(words + '.');
   if (classical != nullptr && classical->holds == Holds::fails)
     all.push_back(fmt::format("More accurate, and not in the paper: {} cm.", classical->rival));

@@ -1,5 +1,5 @@
-// Loaded before everything else (LD_PRELOAD): makes the date jump by days, back and forth, at every look, and always ahead
-// of the clock of the files. Clocks that only run forward stay as they are.
+// Loaded before everything else (LD_PRELOAD): makes the date jump by days, back and forth, at every look, and always
+// ahead of the clock of the files. Clocks that only run forward stay as they are.
 #include <sys/syscall.h>
 #include <sys/time.h>
 #include <time.h>
