@@ -75,9 +75,32 @@ std::optional<TestOfAll> anova_of_blocks(Columns columns) {
                  .ss_within = 0};
   for (std::size_t g = 0; g < k; ++g) {
     test.ss_between += static_cast<double>(n) * (of_group[g] - mean) * (of_group[g] - mean);
-    for (std::size_t i = 0; i < n; ++i) test.ss_within += std::pow(columns[g][i] - of_group[g] - of_block[i] + mean, 2);
+    for (std::size_t i = 0; i < n; ++i) {
+      columns[g][i] -= of_group[g] + of_block[i] - mean;
+      test.ss_within += columns[g][i] * columns[g][i];
+    }
   }
+  double squares = 0;  // of the covariances of what is left
+  for (const auto& one : columns) {
+    for (const auto& other : columns)
+      squares += std::pow(std::inner_product(one.begin(), one.end(), other.begin(), 0.0) / test.ss_within, 2);
+  }
+  test.epsilon = 1 / (test.df * squares);
   return with_f(test);
+}
+
+// The groups' own, or printed, less a common value, which keeps the digits that many equal leading ones would cost.
+std::vector<Summary> summaries_of(const Observations& observed) {
+  const std::span<const double> of_first = values_of(observed.groups.front());
+  const double shift = of_first.empty() ? 0 : of_first.front();
+  std::vector<Summary> summaries;
+  for (const Group& group : observed.groups) {
+    std::vector<double> shifted(values_of(group).begin(), values_of(group).end());
+    for (double& value : shifted) value -= shift;
+    const auto* const printed = std::get_if<Summary>(&group.sample);
+    summaries.push_back(printed ? *printed : summarise(shifted));
+  }
+  return summaries;
 }
 
 }  // namespace
@@ -128,19 +151,9 @@ std::optional<double> hedges_g(const Summary& first, const Summary& second) {
 std::optional<TestOfAll> anova(const Observations& observed) {
   if (observed.is_paired) return anova_of_blocks(columns_of(observed));
   if (observed.groups.size() < 2 || !std::ranges::all_of(observed.groups, has_chance)) return {};
-  // Means less a common value keep the digits that many equal leading ones would cost.
-  const std::span<const double> of_first = values_of(observed.groups.front());
-  const double shift = of_first.empty() ? 0 : of_first.front();
-  std::vector<Summary> groups;
+  const std::vector<Summary> groups = summaries_of(observed);
   double n = 0, sum = 0;
-  for (const Group& group : observed.groups) {
-    std::vector<double> shifted(values_of(group).begin(), values_of(group).end());
-    for (double& value : shifted) value -= shift;
-    const auto* const printed = std::get_if<Summary>(&group.sample);
-    groups.push_back(printed ? *printed : summarise(shifted));
-    n += groups.back().n;
-    sum += groups.back().n * groups.back().mean;
-  }
+  for (const Summary& group : groups) n += group.n, sum += group.n * group.mean;
   TestOfAll test{.name = "ANOVA",
                  .df = static_cast<double>(groups.size()) - 1,
                  .df_within = n - static_cast<double>(groups.size()),
@@ -151,6 +164,36 @@ std::optional<TestOfAll> anova(const Observations& observed) {
     test.ss_within += (group.n - 1) * group.sd * group.sd;
   }
   return with_f(test);
+}
+
+std::optional<TestOfAll> anova_of_unequal(const Observations& observed) {
+  std::optional<TestOfAll> plain = anova(observed);
+  if (!plain || (observed.is_paired && plain->df < 2)) return {};
+  TestOfAll test{.name = "Greenhouse-Geisser",
+                 .statistic = plain->statistic,
+                 .df = plain->df * plain->epsilon,
+                 .df_within = plain->df_within * plain->epsilon,
+                 .epsilon = plain->epsilon};
+  if (!observed.is_paired) {
+    const double k = plain->df + 1;
+    double weights = 0, mean = 0, lost = 0;
+    const std::vector<Summary> groups = summaries_of(observed);
+    const auto weight = [](const Summary& group) { return group.n / (group.sd * group.sd); };
+    for (const Summary& group : groups) {
+      if (group.n < 2 || !(group.sd > 0)) return {};
+      weights += weight(group), mean += weight(group) * group.mean;
+    }
+    mean /= weights;
+    test = {.name = "Welch's ANOVA", .statistic = 0, .df = plain->df};
+    for (const Summary& group : groups) {
+      lost += std::pow(1 - weight(group) / weights, 2) / (group.n - 1);
+      test.statistic += weight(group) * std::pow(group.mean - mean, 2) / test.df;
+    }
+    test.statistic /= 1 + 2 * (k - 2) / (k * k - 1) * lost;
+    test.df_within = (k * k - 1) / (3 * lost);
+  }
+  test.p = p_of(boost::math::fisher_f(test.df, test.df_within), test.statistic);
+  return test;
 }
 
 std::optional<TestOfAll> test_of_ranks(const Observations& observed) {
@@ -198,8 +241,11 @@ TestsOfAll tests_of_all(Observations observed) {
     if (!has_chance(group)) all.without.push_back(group.name);
     return !has_chance(group);
   });
-  for (const auto test : {anova, test_of_ranks}) {
+  for (const auto test : {anova, anova_of_unequal, test_of_ranks}) {
     if (const auto found = test(observed)) all.tests.push_back(*found);
+  }
+  for (std::size_t g = 0; !observed.is_paired && g < observed.groups.size(); ++g) {
+    if (!(describe(observed.groups[g]).sd > 0)) all.equal.push_back(observed.groups[g].name);
   }
   return all;
 }

@@ -37,20 +37,25 @@ struct TestOfAll {
   double statistic = unknown;
   double df = unknown, df_within = unknown;
   double p = unknown;
-  double ss_between = unknown, ss_within = unknown;
+  double ss_between = unknown, ss_within = unknown;  // within: of blocks the error, group x block
+  double epsilon = unknown;  // of blocks: how far the spreads of differences are alike, 1 / (k - 1) to 1
 
-  double eta_squared() const { return ss_between / (ss_between + ss_within); }  // of blocks partial
+  double partial_eta_squared() const { return ss_between / (ss_between + ss_within); }
 };
 
-// One-way, of paired groups that of repeated measures (Fisher 1925). None for fewer than two groups, copies, lost or
-// infinite values, or groups without spread.
+// One-way, of paired groups that of repeated measures (Fisher 1925), which assume equal spreads. None for fewer than
+// two groups, copies, lost or infinite values, or groups without spread.
 std::optional<TestOfAll> anova(const Observations& observed);
+// The same without that: one-way Welch's F (Biometrika 38 (1951) 330), none where a group has no spread; of more than
+// two paired groups with the degrees of freedom of Greenhouse and Geisser (Psychometrika 24 (1959) 95).
+std::optional<TestOfAll> anova_of_unequal(const Observations& observed);
 // Kruskal and Wallis (J. Am. Stat. Assoc. 47 (1952) 583), of paired groups Friedman (32 (1937) 675); both with ties.
 std::optional<TestOfAll> test_of_ranks(const Observations& observed);
-// Both, of the groups with chance in their values, and the names of the others; none of shares and of logarithms.
+// All three, of the groups with chance in their values, and the names of the others; none of shares and of logarithms.
 struct TestsOfAll {
   std::vector<TestOfAll> tests = {};
   std::vector<std::string> without = {};
+  std::vector<std::string> equal = {};  // groups without spread, for which Welch's F is not defined
 };
 TestsOfAll tests_of_all(Observations observed);
 

@@ -516,28 +516,33 @@ Table descriptives_table(const Answer& answer) {
 Table anova_table(const Answer& answer) {
   Table table{.name = "anova",
               .caption = "Do the solvers differ at all?",
-              .columns = columns_of({"metric", "test", "source", "SS", "df", "MS", "statistic", "p", "eta squared"})};
+              .columns = columns_of(
+                  {"metric", "test", "source", "SS", "df", "MS", "statistic", "p", "partial eta squared", "epsilon"})};
   table.columns[7].role = Role::p;
-  ByWord left_out;
+  ByWord left_out, equal;
   for (const JudgedMetric& judged : answer.metrics) {
-    const auto [tests, without] = tests_of_all(judged.observations);
+    const auto [tests, without, without_spread] = tests_of_all(judged.observations);
     const std::string& quantity = judged.observations.quantity;
+    const auto known = [](double value) { return std::isnan(value) ? Cell() : Cell(value); };
+    const auto degrees = [](double df) { return df == std::round(df) ? Cell(std::llround(df)) : Cell(df); };
     for (const TestOfAll& test : tests) {
-      const double ss = test.ss_between;
-      const bool is_f = !std::isnan(ss);
-      table.rows.push_back({quantity, std::string(test.name), "between", is_f ? Cell(ss) : Cell(),
-                            std::llround(test.df), is_f ? Cell(ss / test.df) : Cell(), test.statistic, test.p,
-                            is_f ? Cell(test.eta_squared()) : Cell()});
-      if (is_f)
-        table.rows.push_back({quantity, std::string(test.name), "within", test.ss_within, std::llround(test.df_within),
-                              test.ss_within / test.df_within, Cell(), Cell(), Cell()});
+      table.rows.push_back({quantity, std::string(test.name), "between", known(test.ss_between), degrees(test.df),
+                            known(test.ss_between / test.df), test.statistic, test.p, known(test.partial_eta_squared()),
+                            known(test.epsilon)});
+      if (!std::isnan(test.df_within))
+        table.rows.push_back({quantity, std::string(test.name),
+                              judged.observations.is_paired ? "error (solver x block)" : "within",
+                              known(test.ss_within), degrees(test.df_within), known(test.ss_within / test.df_within),
+                              Cell(), Cell(), Cell(), Cell()});
     }
+    if (!without_spread.empty() && !tests.empty()) equal.add(names_of(without_spread), quantity);
     if (without.empty() || tests.empty()) continue;
     left_out.add(names_of(without), quantity);
   }
   table.notes = {"Statistics: F of ANOVA, chi-squared of ranks. The pairs decide, whatever these say."};
   std::ranges::move(left_out.told("Without {}: no chance in the values, or not compared ({})."),
                     std::back_inserter(table.notes));
+  std::ranges::move(equal.told("Welch's ANOVA is not defined: no spread in {} ({})."), std::back_inserter(table.notes));
   return table;
 }
 

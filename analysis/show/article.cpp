@@ -54,16 +54,16 @@ std::string tests_of(const std::string& noun, const std::vector<Finding>& findin
 }
 
 std::string at_once(const JudgedMetric& judged) {
-  const auto [tests, without] = tests_of_all(judged.observations);
+  const auto [tests, without, equal] = tests_of_all(judged.observations);
   std::vector<std::string> all;
   for (const TestOfAll& test : tests) {
     const bool is_f = !std::isnan(test.df_within);
     all.push_back(fmt::format(
         "{}: {} = {}, df = {:g}{}, {}{}", test.name, is_f ? "F" : "chi-squared", number_text(test.statistic), test.df,
         is_f ? fmt::format(" and {:g}", test.df_within) : "", p_sentence(test.p, {judged.plan.significance}),
-        is_f ? fmt::format(", {}eta squared = {}", judged.observations.is_paired ? "partial " : "",
-                           number_text(test.eta_squared()))
-             : ""));
+        std::isnan(test.ss_between)
+            ? ""
+            : fmt::format(", partial eta squared = {}", number_text(test.partial_eta_squared()))));
   }
   if (all.empty()) return "";
   return fmt::format("All at once{}: {}.", without.empty() ? "" : ", without " + names_of(without),
