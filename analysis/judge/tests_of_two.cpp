@@ -165,15 +165,15 @@ std::vector<double> sorted(Values values) {
   return order;
 }
 
-// For each value of `own` less the shift, how many of the others are below it, equal ones half. Both are sorted. Sums
-// of halves are exact, so nothing is kept and read twice.
+// For each value of `own` less the shift, how many of the others are below it, equal ones half. Both are sorted.
+// Differences are held against the shift, which would vanish in a huge value. Sums of halves are exact, so nothing is
+// kept and read twice.
 Summary placements(Values own, Values others, double shift) {
   std::size_t below = 0, up_to = 0;
   double first = 0, sum = 0, squares = 0;  // of distances to the first
   for (const double& value : own) {
-    const double shifted = value - shift;
-    while (below < others.size() && others[below] < shifted) ++below;
-    for (up_to = std::max(below, up_to); up_to < others.size() && others[up_to] <= shifted;) ++up_to;
+    while (below < others.size() && value - others[below] > shift) ++below;
+    for (up_to = std::max(below, up_to); up_to < others.size() && value - others[up_to] >= shift;) ++up_to;
     const double count = number(below + up_to) / 2;
     if (&value == own.data()) first = count;
     sum += count - first;
@@ -189,6 +189,8 @@ Summary placements(Values own, Values others, double shift) {
 std::int64_t in_order(std::int64_t bits) {
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits - 1 : bits;
 }
+std::int64_t place_of(double value) { return in_order(std::bit_cast<std::int64_t>(value)); }
+double value_at(std::int64_t place) { return std::bit_cast<double>(in_order(place)); }
 
 // Of all sums x_i + y_j, or only those with i <= j where y is x: the median, and the interval from the rank-th smallest
 // to the rank-th largest. The sums are not made: those up to a bound are counted, and the bound closes in, from one
@@ -197,21 +199,19 @@ Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std
   std::ranges::sort(x);
   std::ranges::sort(y);
   const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
-  const auto place_of = [](double sum) { return in_order(std::bit_cast<std::int64_t>(sum)); };
-  const auto sum_at = [](std::int64_t place) { return std::bit_cast<double>(in_order(place)); };
   const auto smallest = [&](std::size_t at) {  // from 1
     std::int64_t low = place_of(x.front() + y.front()), high = place_of(x.back() + y.back());
     double up_to_low = 0, up_to_high = number(all), aside = 0.125;
     for (int step = 0; low < high; ++step) {
       std::int64_t middle = std::midpoint(low, high);
-      const bool is_pointed = step % 3 != 0 && std::isfinite(sum_at(low)) && std::isfinite(sum_at(high)),
+      const bool is_pointed = step % 3 != 0 && std::isfinite(value_at(low)) && std::isfinite(value_at(high)),
                  is_above = step % 3 == 1;
       if (is_pointed) {
         const double part = (number(at) - up_to_low) / (up_to_high - up_to_low) + (is_above ? aside : -aside);
-        const double bound = sum_at(low) + std::clamp(part, 0.0, 1.0) * (sum_at(high) - sum_at(low));
+        const double bound = value_at(low) + std::clamp(part, 0.0, 1.0) * (value_at(high) - value_at(low));
         middle = std::clamp(place_of(bound), low, high - 1);
       }
-      const double bound = sum_at(middle);
+      const double bound = value_at(middle);
       double below = x.front() + y.front(), above = x.back() + y.back();  // the sums beside the bound
       std::size_t count = 0, left = y.size();
       for (const double value : x) {
@@ -228,7 +228,7 @@ Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std
         low = std::max(middle + 1, place_of(above)), up_to_low = number(count);
       if (is_pointed) aside = is_high == is_above ? aside / 8 : std::min(0.25, aside * 16);
     }
-    return sum_at(low) + 0.0;  // 0, not -0
+    return value_at(low) + 0.0;  // 0, not -0
   };
   Outcome outcome{.estimate = (smallest((all + 1) / 2) + smallest(all / 2 + 1)) / 2};
   if (rank >= 1 && rank <= all) outcome.interval = Interval{smallest(rank), smallest(all + 1 - rank)};
@@ -310,21 +310,12 @@ Outcome rank_test(Values first, Values second, double alpha) {
   for (const double value : second_rising) negative.push_back(-value);
   const std::size_t rank = sum.critical(number(few) * number(few + 1) / 2, alpha);
   Outcome outcome = of_sums(first_rising, std::move(negative), false, rank);
-  // From an end of Mann-Whitney's, by bisection, as far as Brunner-Munzel reaches; more steps would lie within
-  // rounding. Of many values, whose p has no steps to speak of, most of the way is halved at once.
+  // From an end of Mann-Whitney's as far as Brunner-Munzel reaches: to a difference, however large the largest is.
   const auto reached = [&](double from, double beyond) {
-    constexpr int most = 40;
-    constexpr std::size_t many = 10'000;
-    const auto is_kept = [&](double shift) { return brunner_munzel(first_rising, second_rising, shift) >= alpha; };
-    const auto at = [&](int halved) { return from + std::ldexp(beyond - from, -halved); };
-    int halved = few < many ? 0 : is_kept(at(most)) ? 0 : most;
-    for (const int more : {16, 8, 4, 2, 1})
-      if (few >= many && halved < most && !is_kept(at(halved + more))) halved += more;
-    for (beyond = at(halved); halved < most; ++halved) {
-      const double shift = from + (beyond - from) / 2;
-      (is_kept(shift) ? from : beyond) = shift;
-    }
-    return from;
+    std::int64_t kept = place_of(from), out = place_of(beyond);
+    for (auto next = std::midpoint(kept, out); next != kept; next = std::midpoint(kept, out))
+      (brunner_munzel(first_rising, second_rising, value_at(next)) >= alpha ? kept : out) = next;
+    return std::abs(value_at(kept)) < std::numeric_limits<double>::min() ? 0 : value_at(kept);  // beside 0
   };
   if (const auto interval = outcome.interval)
     outcome.interval = Interval{reached(interval->low, first_rising.front() - second_rising.back()),
