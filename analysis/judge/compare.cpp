@@ -220,9 +220,8 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
   if (tested.amount && (tested.amount->value - none) * direction <= 0) tested.amount.reset();
   tested.is_small = is_same;
   if (!interval || !tested.amount) return tested;
-  const double width = interval->high - interval->low, rounding = std::isinf(width) ? 0 : 1e-9 * width;  // of bisection
-  if (direction > 0 && interval->low <= none + rounding) interval->low = none, interval->excludes_low = true;
-  if (direction < 0 && interval->high >= none - rounding) interval->high = none, interval->excludes_high = true;
+  if (direction > 0 && interval->low <= none) interval->low = none, interval->excludes_low = true;
+  if (direction < 0 && interval->high >= none) interval->high = none, interval->excludes_high = true;
   tested.amount->interval = interval;
   return tested;
 }
