@@ -203,7 +203,7 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
   }
   // Of logarithms p itself would be that of few.
   if (pair.method->by == By::means && observed.scale != Scale::share &&
-      (observed.are_logs || tested.p < plan.significance) &&
+      (observed.are_logs || is_same || tested.p < plan.significance) &&
       (does_one_value_decide(pair.a) || does_one_value_decide(pair.b)))
     return Open{.why = Open::Why::few_decide, .n = pair.n, .amount = tested.amount};
   if (tested.p >= plan.significance) {
