@@ -119,16 +119,16 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
   } else if (numbers.are_all_equal) {
     interval.reset();
   }
-  // Of what is tested and shown: a mean may be that of one huge value.
-  const auto relative_to = [&](const std::vector<double>& values, const Summary& its) {
-    if (numbers.no_answer > 0) return 0.0;
-    return plan.margin * std::abs(pair.method->is_by_ranks() ? described(values).median : its.mean);
+  // As shown: a mean may be that of one huge value.
+  const auto centre = [&](const std::vector<double>& values, const Summary& its) {
+    return pair.method->is_by_ranks() ? described(values).median : its.mean;
   };
+  const double one = centre(numbers.first, first), other = centre(numbers.second, second);
+  const double relative = numbers.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(one), std::abs(other));
   trial.margin = observed.scale == Scale::share    ? plan.margin
                  : takes_logs || observed.are_logs ? std::log1p(plan.margin)
                  : pair.takes_logs                 ? observed.absolute_margin
-                                   : std::max(observed.absolute_margin, std::min(relative_to(numbers.first, first),
-                                                                                 relative_to(numbers.second, second)));
+                                                   : std::max(observed.absolute_margin, relative);
   const auto lies_within = [&](const Outcome& outcome) {  // values without spread have their difference alone
     const Interval held = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
     const double rounding = 1e-9 * trial.margin;
@@ -144,8 +144,9 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
   const double rare = plan.margin > 0 ? plan.margin : Plan().margin;  // an absolute margin is none of shares
   const bool can_fail = (are_equal || (!has_width && trial.outcome.p >= alpha)) &&
                         1 - wilson(1, std::min(first.n, second.n), alpha).low > rare;
-  // Ranks alone would not see that rare values are far apart.
-  trial.is_same = is_small && !can_fail && (!pair.method->is_by_ranks() || lies_within(by_means.test(numbers, alpha)));
+  // Ranks alone would not see that rare values are far apart, nor ratios in blocks that the medians shown are.
+  trial.is_same = is_small && !can_fail && lies_within({.estimate = one - other}) &&
+                  (!pair.method->is_by_ranks() || lies_within(by_means.test(numbers, alpha)));
   return trial;
 }
 
