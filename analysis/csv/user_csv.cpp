@@ -226,7 +226,7 @@ double digit_of(std::string_view text) {
 // of those above it to the last digit, and hardly by chance.
 void refuse_sums(Sheet& sheet, const Items& items, bool by_unit) {
   constexpr std::size_t most_last = 4, fewest = 2, most_values = 100'000;  // nobody adds such rows to more
-  constexpr double by_chance = 1e-6, never = std::numeric_limits<double>::infinity();
+  constexpr double by_chance = 1e-4, never = std::numeric_limits<double>::infinity();
   std::vector<std::vector<Value>> lists;
   for (const Value& item : items.values) {
     if (lists.empty() || lists.back().back().group != item.group || (by_unit && lists.back().back().unit != item.unit))

@@ -110,8 +110,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
   text += fmt::format("\n{}\n{}\n", table.caption, show::to_text(table));
   std::vector<std::vector<std::string>> rows;
   if (const auto one = std::ranges::find_if(claims, is_counted); one != claims.end())
-    rows.push_back(
-        {"", "", fmt::format("ours ({:.0f} readings: hold, fail, open; none: not counted)", one->in_readings.all())});
+    rows.push_back({"", "", fmt::format("ours ({:.0f} readings: hold, fail, open)", one->in_readings.all())});
   std::vector<std::string> not_tested;  // sentences
   for (const JudgedClaim& claim : grouped(claims, false)) {
     if (claim.holds == Holds::not_tested) {

@@ -7,7 +7,7 @@ for label in of.get("worse", [None]):
             "findings": "metric first second estimate low high p test verdict"}
     for kind, names in keys.items():
         for row in of[kind]:
-            if row.get("source") == "within": continue
+            if row.get("source", "between") != "between": continue
             if row.get("excluded"): row[row["excluded"]] = {"low": ">", "high": "<"}[row["excluded"]] + text(row[row["excluded"]])
             if not row["metric"].startswith("time") and row.get("label") == label: print(kind[:-1], *(text(row.get(name)) for name in names.split()))
     for kind in ("worse", "undecided"):
