@@ -168,16 +168,10 @@ std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, 
   return observed.better == Better::larger ? Effect{larger, smaller} : Effect{smaller, larger};
 }
 
-// About how many observations could decide what these did not, with a chance of 0.8: that the difference is as large
-// as here, by the root law of every test here; or that it lies within the margin, by that of the interval.
-int enough_of(const Trial& trial, double p, double alpha, int n) {
-  const double wanted = critical_z(alpha) + critical_z(0.4);
-  double times = p < 1 ? std::pow(wanted / critical_z(p), 2) : std::numeric_limits<double>::infinity();
-  if (const auto& ends = trial.outcome.interval; ends && std::abs(trial.outcome.estimate) < trial.margin) {
-    const double half = (ends->high - ends->low) / 2, room = trial.margin - std::abs(trial.outcome.estimate);
-    times = std::min(times, std::pow(half / room * wanted / critical_z(alpha), 2));
-  }
-  const double all = std::ceil(static_cast<double>(n) * times);
+// About how many observations could decide what these did not, with a chance of 0.8, if the difference is as large as
+// here: by the root law of every test here.
+int enough_of(double p, double alpha, int n) {
+  const double all = std::ceil(n * std::pow((critical_z(alpha) + critical_z(0.4)) / critical_z(p), 2));
   return all > n && all < 1e6 ? static_cast<int>(all) : 0;
 }
 
@@ -210,9 +204,9 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
   if (tested.p >= plan.significance) {
     tested.verdict = is_same ? Verdict::same : Verdict::undecided;
     if (interval) interval = Interval{std::min(none, interval->low), std::max(none, interval->high)};
-    const bool has_width = interval && interval->low < interval->high;
-    if (!is_same && !has_width) interval.reset();  // most values are equal, but not all
-    if (!is_same && !trial.numbers.are_all_equal) tested.enough = enough_of(trial, outcome.p, alpha, pair.n);
+    if (!is_same && interval && interval->low >= interval->high) interval.reset();  // most are equal, but not all
+    // A larger p says nothing of how large the difference is.
+    if (!is_same && tested.p < 0.5) tested.enough = enough_of(outcome.p, alpha, pair.n);
     if (tested.amount) tested.amount->interval = interval;
     return tested;
   }

@@ -30,7 +30,6 @@ struct Amount {
 struct Effect {
   double ahead = 0, behind = 0;
   double a12() const { return (1 + ahead - behind) / 2; }
-  double delta() const { return ahead - behind; }  // Cliff's
 };
 
 struct Tested {
@@ -39,11 +38,11 @@ struct Tested {
   double p = 1;                       // times the tested pairs; below the significance it decides
   std::optional<Amount> amount = {};  // none if it would refute the verdict
   std::optional<Effect> effect = {};  // none of summaries and of logarithms
-  std::optional<double> g = {};       // Hedges', where means decide (describe.hpp)
+  std::optional<double> g = {};       // Hedges', of paired values g_av, where means decide (describe.hpp)
   std::string_view test = {};
   int n = 0;       // observations, or common blocks; of the smaller group; of a sign test runs
                    // that differ
-  int enough = 0;  // of undecided: about how many could decide; 0: nobody knows
+  int enough = 0;  // of undecided with p < 0.5: about how many could decide; 0: nobody knows
 };
 
 // Both solvers repeat themselves: no chance is in the difference.

@@ -28,7 +28,8 @@ Description described(const std::vector<double>& values);
 double quantile(const std::vector<double>& sorted, double share);
 
 // The difference of two means in pooled standard deviations, without bias (Hedges, J. Educational Statistics 6 (1981)
-// 107); none without spread.
+// 107); of paired values that is g_av, by the spreads of both and not by that of their differences (Cumming,
+// Understanding the New Statistics, 2012, chapter 11). None without spread.
 std::optional<double> hedges_g(const Summary& first, const Summary& second);
 
 // Chi-squared of ranks have neither degrees of freedom within nor sums of squares.

@@ -136,6 +136,8 @@ base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
   const auto* const tested = std::get_if<Tested>(&finding.what);
   const auto* const open = std::get_if<Open>(&finding.what);
   const auto* const effect = tested && tested->effect ? &*tested->effect : nullptr;
+  const EffectSize size = effect_size(finding, judged);
+  const auto sized = [&](std::string_view name) { return size.name == name ? Json(size.value) : Json(); };
   const Verdict verdict = verdict_of(finding);
   const int enough = tested ? tested->enough : open ? open->needed : 0;
   return {{"metric", judged.observations.quantity},
@@ -149,10 +151,11 @@ base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
                                                      : Json()},
           {"unit", amount ? Json(unit_of(finding, judged)) : Json()},
           {"p", tested ? Json(tested->p) : Json()},
-          {"a12", effect ? Json(effect->a12()) : Json()},
+          {"a12", sized("A12")},
           {"ahead", effect ? Json(effect->ahead) : Json()},
           {"behind", effect ? Json(effect->behind) : Json()},
-          {"g", tested && tested->g ? Json(*tested->g) : Json()},
+          {"g", sized("Hedges' g")},
+          {"g_av", sized("g_av")},
           {"test", tested ? Json(tested->test) : Json()},
           {"n", tested ? Json(tested->n)
                 : open ? Json(open->n)
@@ -417,39 +420,44 @@ Table pairs_table(const Answer& answer) {
   Table table{.name = "pairs",
               .caption = "The first against the second",
               .columns = columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "A12",
-                                     "Cliff's delta", "Hedges' g", "test", "verdict", "n that could decide"})};
+                                     "Hedges' g", "g_av", "test", "verdict", "n that could decide"})};
   std::set<double> ends;
-  bool has_p = false, has_effect = false;
+  bool has_p = false;
+  std::set<std::string_view> effects;
   for (const JudgedMetric& judged : answer.metrics) {
     for (const Finding& finding : judged.findings) {
       const auto* const tested = std::get_if<Tested>(&finding.what);
       const Amount* const amount = amount_of(finding);
-      const bool has_a12 = tested && tested->effect;
-      has_p |= tested != nullptr, has_effect |= has_a12;
+      const EffectSize size = effect_size(finding, judged);
+      const auto sized = [&](std::string_view name) { return size.name == name ? Cell(size.value) : Cell(); };
+      has_p |= tested != nullptr;
+      effects.insert(size.name);
       const std::string ahead = amount ? "" : amount_words(finding, judged);
-      table.rows.push_back(
-          {judged.observations.quantity, finding.first, finding.second, amount ? Cell(amount->value) : Cell(),
-           amount && amount->interval ? Cell(*amount->interval) : Cell(), text_cell(unit_of(finding, judged)),
-           tested ? Cell(tested->p) : Cell(), has_a12 ? Cell(tested->effect->a12()) : Cell(),
-           has_a12 ? Cell(tested->effect->delta()) : Cell(), tested && tested->g ? Cell(*tested->g) : Cell(),
-           text_cell(tested ? std::string(tested->test) : ""),
-           Judgement{verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead),
-                     tone_of(verdict_of(finding))},
-           tested && tested->enough > 0 ? Cell(std::int64_t{tested->enough}) : Cell()});
+      table.rows.push_back({judged.observations.quantity, finding.first, finding.second,
+                            amount ? Cell(amount->value) : Cell(),
+                            amount && amount->interval ? Cell(*amount->interval) : Cell(),
+                            text_cell(unit_of(finding, judged)), tested ? Cell(tested->p) : Cell(), sized("A12"),
+                            sized("Hedges' g"), sized("g_av"), text_cell(tested ? std::string(tested->test) : ""),
+                            Judgement{verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead),
+                                      tone_of(verdict_of(finding))},
+                            tested && tested->enough > 0 ? Cell(std::int64_t{tested->enough}) : Cell()});
       for (const double end : ends_of(finding, judged)) ends.insert(end);
     }
   }
   table.columns[3].ends = table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[4].role = Role::interval;
   table.columns[6].role = Role::p;
-  table.columns[8].role = Role::detail;
+  table.columns.back().role = Role::remark;
   table.columns[6].ends = {answer.decisive().plan.significance};
   std::vector<std::string> notes{
       what_decides(answer),
       answer.verdict.empty() && has_p
           ? "p is multiplied by the number of pairs tested of its metric, and intervals hold for all."
           : "",
-      of_pairs(answer), has_effect ? "A12: share of comparisons in which the first is better, equal ones half." : ""};
+      of_pairs(answer),
+      effects.contains("A12") ? "A12: share of comparisons in which the first is better, equal ones half." : "",
+      effects.contains("g_av") ? "g_av: difference of the means in standard deviations of both, not of the differences."
+                               : ""};
   std::erase(notes, "");
   if (!notes.empty()) table.notes = {fmt::format("{}", fmt::join(notes, " "))};
   return table;

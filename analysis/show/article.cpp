@@ -28,11 +28,9 @@ namespace {
 // "DLS against PSO: better, 35 points (5.45 to 61.1), p = 0.0469"
 std::string told(const Finding& finding, const JudgedMetric& judged) {
   std::vector<std::string> parts{verdict_words(finding, judged), amount_words(finding, judged)};
-  if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
-    if (tested->effect && !is_share(judged)) parts.push_back("A12 = " + number_text(tested->effect->a12()));
-    if (tested->g) parts.push_back("Hedges' g = " + number_text(*tested->g));
-    parts.push_back(p_sentence(tested->p, {judged.plan.significance}));
-  }
+  if (const auto [name, value] = effect_size(finding, judged); !name.empty() && !is_share(judged))
+    parts.push_back(fmt::format("{} = {}", name, number_text(value)));
+  if (p_of(finding)) parts.push_back(p_sentence(*p_of(finding), {judged.plan.significance}));
   std::erase(parts, "");
   return fmt::format("{} against {}: {}", finding.first, finding.second, fmt::join(parts, ", "));
 }

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "analysis/show/answer_tables.hpp"
@@ -31,19 +30,7 @@ std::string screen(const Answer& whole, const std::string& page) {
   if (!answer.loop.rows.empty()) text += fmt::format("\n{}\n{}\n", answer.loop.caption, to_text(answer.loop));
   const auto pairs = pair_rows(answer);
   text += in_columns(pairs);
-  std::set<std::string> nouns;  // of which more could decide
-  for (const JudgedMetric& judged : answer.metrics) {
-    if ((answer.order.size() == 2 || &judged == &answer.decisive()) &&
-        std::ranges::any_of(judged.findings, [](const Finding& each) { return !enough_words(each).empty(); }))
-      nouns.insert(noun_of(answer, judged));
-  }
-  const std::string enough =
-      nouns.empty()
-          ? ""
-          : fmt::format("(about N would): so many {} of a new study, with another seed, would probably decide it.",
-                        fmt::join(nouns, " or "));
-  for (const std::string& note :
-       {pairs.empty() ? "" : of_pairs(answer), pairs.empty() ? "" : enough, what_decides(answer)})
+  for (const std::string& note : {pairs.empty() ? "" : of_pairs(answer), what_decides(answer)})
     text += note.empty() ? "" : paragraph(note, "");
   for (const Doubt& doubt : answer.all_doubts()) text += paragraph("! " + words_of(doubt), "  ");
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));

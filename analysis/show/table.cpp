@@ -126,8 +126,7 @@ Table for_readers(Table table) {
       return std::holds_alternative<std::monostate>(row[c]) || std::holds_alternative<Absent>(row[c]) ||
              (text && text->empty());
     };
-    const bool is_detail = table.columns[c].role == Role::detail;
-    if (!is_detail && (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty))) continue;
+    if (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty)) continue;
     const auto at = static_cast<std::ptrdiff_t>(c);
     table.columns.erase(table.columns.begin() + at);
     for (auto& row : table.rows) row.erase(row.begin() + at);

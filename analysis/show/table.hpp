@@ -56,8 +56,7 @@ enum class Role {
   value,
   p,         // p-values: "0.0005", "< 0.0001"
   interval,  // of the number before it: files of numbers have "low", "high" and "excluded"
-  remark,    // which an article leaves out
-  detail     // of files of numbers alone
+  remark     // which an article leaves out
 };
 
 struct Column {

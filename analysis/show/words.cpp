@@ -483,9 +483,10 @@ std::string reason_of(const Open& open, std::string_view noun) {
                      open.needed);
 }
 
-std::string enough_words(const Finding& finding) {
+EffectSize effect_size(const Finding& finding, const JudgedMetric& judged) {
   const auto* const tested = std::get_if<Tested>(&finding.what);
-  return tested && tested->enough > 0 ? fmt::format("about {} would", tested->enough) : "";
+  if (tested && tested->g) return {judged.observations.is_paired ? "g_av" : "Hedges' g", *tested->g};
+  return tested && tested->effect ? EffectSize{"A12", tested->effect->a12()} : EffectSize{};
 }
 
 std::string warning_of(const Doubt& doubt) {
@@ -526,13 +527,11 @@ std::vector<std::vector<std::string>> pair_rows(const Answer& answer) {
     if (!has_two && (!is_decisive || std::ranges::all_of(judged.findings, are_equal))) continue;
     for (const Finding& finding : judged.findings) {
       if (!is_decisive && verdict_of(finding) == Verdict::not_tested) continue;
-      const std::string enough = enough_words(finding);
-      rows.push_back(
-          {one_line(fmt::format("{}{} vs {}",
-                                has_two && answer.metrics.size() > 1 ? judged.observations.quantity + ": " : "",
-                                finding.first, finding.second)),
-           verdict_words(finding, judged) + (enough.empty() ? "" : " (" + enough + ")"), amount_words(finding, judged),
-           p_of(finding) ? p_sentence(*p_of(finding), {judged.plan.significance}) : ""});
+      rows.push_back({one_line(fmt::format(
+                          "{}{} vs {}", has_two && answer.metrics.size() > 1 ? judged.observations.quantity + ": " : "",
+                          finding.first, finding.second)),
+                      verdict_words(finding, judged), amount_words(finding, judged),
+                      p_of(finding) ? p_sentence(*p_of(finding), {judged.plan.significance}) : ""});
     }
   }
   return rows;

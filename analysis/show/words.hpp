@@ -41,8 +41,13 @@ struct ReasonWords {
 };
 ReasonWords words_of(judge::Open::Why why);
 std::string reason_of(const judge::Open& open, std::string_view noun);  // "8 runs are too few, 10 are needed"
-std::string enough_words(const judge::Finding& finding);  // "about 340 could decide it"; empty if nobody knows
-std::string warning_of(const judge::Doubt& doubt);        // a sentence
+// The one of a pair: A12, or where means decide that of its standardiser, "Hedges' g" or of paired values "g_av".
+struct EffectSize {
+  std::string_view name = {};  // empty: it has none
+  double value = 0;
+};
+EffectSize effect_size(const judge::Finding& finding, const judge::JudgedMetric& judged);
+std::string warning_of(const judge::Doubt& doubt);  // a sentence
 // "times", "points", or the metric's unit.
 std::string unit_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
 // "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict, or show nothing of it, how

@@ -321,6 +321,22 @@ TEST_CASE("a table says no more below it than it has", "[show]") {
   CHECK(of_pairs(answer_of({judged(alike, {.test = results::Plan::Test::means})})).empty());
 }
 
+TEST_CASE("a pair has one effect size, named by its standardiser", "[show]") {
+  judge::Observations of =
+      numbers("error", "error", "mm", {{"A", values_around(1, 0.5)}, {"B", values_around(3, 0.6)}});
+  using Test = results::Plan::Test;
+  for (const auto& [is_paired, test, name] :
+       {std::tuple(true, Test::ranks, "A12"), {true, Test::means, "g_av"}, {false, Test::means, "Hedges' g"}}) {
+    of.is_paired = is_paired;
+    const Answer answer = answer_of({judged(of, {.test = test})});
+    const std::string table = to_text(pairs_table(answer)), article = results_of(answer)[1];
+    for (const char* const other : {"A12", "g_av", "Hedges' g"}) {
+      CHECK(contains(table, other) == (other == std::string(name)));
+      CHECK(contains(article, fmt::format("{} = ", other)) == (other == std::string(name)));
+    }
+  }
+}
+
 TEST_CASE("marks say who is worse or better than the reference, and stand at what the test was of", "[show]") {
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.03, 0.6);
   const auto text = [](judge::Observations costs, results::Plan plan = {}, int last = 6) {
