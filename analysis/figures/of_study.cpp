@@ -72,29 +72,30 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
 
 // The cost of a solve; NaN if it has none, as an attempt that failed.
 using Cost = std::function<double(const Solve&)>;
-Successes successes_of(const StudyResults& study, const std::string& solver, const Look& look, const Cost& cost) {
-  Successes its{.label = look.names.at(solver), .style = look.lines.at(solver)};
-  for (const Solve& solve : study.of(solver)) {
-    ++its.attempts;
-    if (const double value = cost(solve); !std::isnan(value)) its.costs.push_back(value);
+std::vector<Successes> successes_of(const StudyResults& study, const std::vector<std::string>& solvers,
+                                    const Look& look, const Cost& cost) {
+  std::vector<Successes> all;
+  for (const std::string& solver : solvers) {
+    Successes& its = all.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
+    for (const Solve& solve : study.of(solver)) {
+      ++its.attempts;
+      if (const double value = cost(solve); !std::isnan(value)) its.costs.push_back(value);
+    }
   }
-  return its;
+  return all;
 }
 
 std::optional<Figure> shares_of(const StudyResults& study, About about, const std::string& y_axis,
-                                const std::vector<std::string>& without, std::string_view why, const Look& look,
-                                double dashed, const Cost& cost) {
-  std::vector<Successes> all;
-  std::vector<std::string> left_out;
-  for (const std::string& solver : drawn_solvers(study, look)) {
-    if (std::ranges::count(without, solver) > 0)
-      left_out.push_back(look.names.at(solver));
-    else
-      all.push_back(successes_of(study, solver, look, cost));
-  }
-  if (!left_out.empty() && all.size() < 2) return std::nullopt;  // nothing to see it against
-  if (!left_out.empty()) about.caption += fmt::format(" Without {}, {}.", fmt::join(left_out, ", "), why);
-  return shares(about, y_axis, all, dashed);
+                                const std::vector<std::string>& without, const Look& look, double dashed,
+                                const Cost& cost) {
+  std::vector<std::string> solvers = drawn_solvers(study, look), left_out;
+  for (const std::string& solver : without)
+    if (std::erase(solvers, solver) > 0) left_out.push_back(look.names.at(solver));
+  if (!left_out.empty() && solvers.size() < 2) return std::nullopt;  // nothing to see it against
+  if (!left_out.empty())
+    about.caption +=
+        fmt::format(" Without {}, whose {} cannot be compared.", fmt::join(left_out, ", "), about.quantity);
+  return shares(about, y_axis, successes_of(study, solvers, look, cost), dashed);
 }
 
 std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view column, std::string_view cost,
@@ -103,8 +104,7 @@ std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view colu
   const Metric& metric = metric_named(column);
   const double factor = drawn_unit(study, metric.unit).factor;
   return shares_of(study, about_of(study, metric, fmt::format("Share of targets solved within {}.", cost)), "solved",
-                   not_compared(judged, column), fmt::format("whose {} cannot be compared", metric.name), look, nowhere,
-                   [&](const Solve& solve) {
+                   not_compared(judged, column), look, nowhere, [&](const Solve& solve) {
                      return study.definition.has_tolerance() && solve.status == results::Status::ok
                                 ? factor * std::max(metric.value(solve, study), metric.floor)
                                 : nowhere;
@@ -120,8 +120,7 @@ std::optional<Figure> by_point_of(const JudgedStudy& judged, std::string_view co
   if (!is_path(judged.study)) return std::nullopt;
   const auto [average, name] = average_that_decides(judged.study);
   const Metric& metric = metric_named(column);
-  std::string caption = fmt::format("{} by point: {}s.", metric.name, name);
-  caption[0] = static_cast<char>(std::toupper(caption[0]));
+  const std::string caption = fmt::format("By point: {}, {}s.", metric.name, name);
   return curves(about_of(judged.study, metric, caption), "point", by_point(judged.study, column, look, average));
 }
 
@@ -144,7 +143,7 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
       about_of(study, metric,
                fmt::format("Share of targets within a position error{}, up to 1000 times the tolerance (dashed).",
                            study.definition.has_direction() ? ", whatever the orientation" : ""));
-  return shares_of(study, about, "targets", {}, "", look, tolerance, [&, scale = factor](const Solve& solve) {
+  return shares_of(study, about, "targets", {}, look, tolerance, [&, scale = factor](const Solve& solve) {
     return gave_answer(solve) ? scale * std::max(solve.position_error_cm, metric.floor) : nowhere;
   });
 }
@@ -167,21 +166,17 @@ std::optional<Figure> time_tail(const JudgedStudy& judged, const Look& look) {
   const Metric& metric = metric_named(time);
   const double factor = drawn_unit(study, metric.unit).factor;
   const std::vector<std::string> without = not_compared(judged, time);
-  std::vector<Successes> all;
-  for (const std::string& solver : drawn_solvers(study, look)) {
-    if (std::ranges::count(without, solver) > 0 || std::ssize(study.of(solver)) < fewest) continue;
-    all.push_back(successes_of(study, solver, look, [&](const Solve& solve) {
-      return factor * std::max(metric.value(solve, study), metric.floor);
-    }));
-  }
-  return tails(about_of(study, metric, "Share of solves that took at least a time."), all);
+  std::vector<std::string> solvers = drawn_solvers(study, look);
+  std::erase_if(solvers, [&](const std::string& solver) {
+    return std::ranges::count(without, solver) > 0 || std::ssize(study.of(solver)) < fewest;
+  });
+  return tails(about_of(study, metric, "Share of solves that took at least a time."),
+               successes_of(study, solvers, look, [&](const Solve& solve) {
+                 return factor * std::max(metric.value(solve, study), metric.floor);
+               }));
 }
 
-// Of the deciding metric.
-std::optional<Figure> of_deciding(decltype(ranks_of)* of, const JudgedStudy& judged, const Look& look) {
-  const JudgedMetric& metric = judged.metrics[judged.deciding];
-  return of(metric, drawn_unit(judged.study, metric.observations.unit), drawn_solvers(judged.study, look), look);
-}
+const JudgedMetric& deciding(const JudgedStudy& judged) { return judged.metrics[judged.deciding]; }
 
 std::optional<Figure> path(const JudgedStudy& judged, const Look& look) {
   if (!is_path(judged.study)) return std::nullopt;
@@ -217,10 +212,13 @@ constexpr KindOfFigure all_kinds[]{
     {"solved-by-time", "with a tolerance, where times compare: share of targets solved within a time",
      [](auto& judged, auto& look) { return solved_by(judged, time, "a time", look); }},
     {"time-tail", "of 300 solves or more: share that took at least a time", time_tail},
-    {"ranks", "of 3 solvers or more, no control: mean ranks; bars join what is not told apart",
-     [](auto& judged, auto& look) { return of_deciding(ranks_of, judged, look); }},
+    {"ranks", "by ranks, of 3 solvers or more, no control: mean ranks; bars join pairs that are not told apart",
+     [](auto& judged, auto& look) { return ranks_of(deciding(judged), drawn_solvers(judged.study, look), look); }},
     {"differences", "where pairs are tested, and not all equal: their intervals and verdicts",
-     [](auto& judged, auto& look) { return of_deciding(differences_of, judged, look); }},
+     [](auto& judged, auto& look) {
+       return differences_of(deciding(judged), drawn_unit(judged.study, deciding(judged).observations.unit),
+                             drawn_solvers(judged.study, look), look);
+     }},
     {"path", "targets and arm along a path", path},
     {"joints", "joint angles along a path", joints},
 };
@@ -311,56 +309,60 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
       rows, are_ratios);
 }
 
-std::optional<Figure> ranks_of(const JudgedMetric& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
-                               const Look& look) {
+std::optional<Figure> ranks_of(const JudgedMetric& metric, const std::vector<std::string>& shown, const Look& look) {
   const Observations& observed = metric.observations;
-  std::map<std::pair<std::string_view, std::string_view>, const Finding*> findings;  // in either order
-  for (const Finding& each : metric.findings)
-    findings[{each.first, each.second}] = findings[{each.second, each.first}] = &each;
-  // The share of comparisons in which the other is better, equal ones half; unknown of a pair that has none.
-  const auto share_behind = [&](const std::string& name, const std::string& other) {
-    const auto found = findings.find({name, other});
-    if (found == findings.end() || std::holds_alternative<Open>(found->second->what)) return unknown;
-    const Finding* const finding = found->second;
-    const auto* const tested = std::get_if<Tested>(&finding->what);
-    if (tested && !tested->effect) return unknown;
-    const double larger = amount_of(*finding) ? amount_of(*finding)->value - (finding->scale == Scale::ratio) : 0;
+  const bool are_shares = observed.scale == Scale::share;
+  if (metric.plan.test == results::Plan::Test::means && !are_shares) return std::nullopt;
+  struct Pair {
+    const Finding* finding;
+    double behind;  // the share of comparisons in which the second is better, equal ones half
+  };
+  std::map<std::pair<std::string_view, std::string_view>, Pair> pairs;  // that have such a share, in either order
+  for (const Finding& each : metric.findings) {
+    const auto* const fact = std::get_if<Fact>(&each.what);
+    const auto* const tested = std::get_if<Tested>(&each.what);
+    if (!fact && !(tested && tested->effect)) continue;
+    const double larger = fact ? fact->amount.value - (each.scale == Scale::ratio) : 0;
     const double of_fact = larger == 0 ? 0.5 : (larger > 0) == (observed.better == Better::larger) ? 1 : 0;
     const double ahead = tested ? tested->effect->a12() : of_fact;
-    return finding->first == name ? 1 - ahead : ahead;
-  };
+    pairs[{each.first, each.second}] = {&each, 1 - ahead}, pairs[{each.second, each.first}] = {&each, ahead};
+  }
   const auto is_known = [&](const std::string& name, const std::vector<std::string>& others) {
-    return std::ranges::none_of(others, [&](const auto& each) { return std::isnan(share_behind(name, each)); });
+    return std::ranges::all_of(others, [&](const auto& each) { return pairs.contains({name, each}); });
   };
   std::vector<std::string> solvers, without;
   for (const std::string& name : shown) {
-    const auto has_share = [&](const auto& each) { return each != name && is_known(name, {each}); };
+    const auto has_share = [&](const auto& each) { return is_known(name, {each}); };
     (std::ranges::any_of(shown, has_share) && is_known(name, solvers) ? solvers : without).push_back(name);
   }
   if (solvers.size() < 3) return std::nullopt;
-  const bool are_means = metric.plan.test == results::Plan::Test::means && observed.scale != Scale::share;
+  bool have_all = observed.is_paired;  // the same blocks
+  std::size_t n = 0;
   std::vector<RankRow> rows;
   for (const std::string& name : solvers) {
-    RankRow& row = rows.emplace_back(
-        RankRow{.label = look.names.at(name), .style = look.lines.at(name), .place = are_means ? 0.0 : 1.0});
-    if (are_means) row.place = unit.factor * average_of(metric, place_of(observed, name));
+    n = values_of(observed.groups[place_of(observed, name)]).size();
+    RankRow& row = rows.emplace_back(RankRow{.label = look.names.at(name), .style = look.lines.at(name), .place = 1});
     for (const std::string& other : solvers) {
       if (other == name) continue;
-      if (!are_means) row.place += share_behind(name, other);
-      if (is_difference(verdict_of(*findings.at({name, other})))) row.apart.push_back(look.names.at(other));
+      const auto& [finding, behind] = pairs.at({name, other});
+      row.place += behind;
+      if (is_difference(verdict_of(*finding))) row.apart.push_back(look.names.at(other));
+      const auto* const tested = std::get_if<Tested>(&finding->what);
+      have_all &= tested && static_cast<std::size_t>(tested->n) == n;
     }
   }
-  const double sign = are_means && observed.better == Better::larger ? -1 : 1;
-  std::ranges::stable_sort(rows, {}, [=](const RankRow& row) { return sign * row.place; });
-  About about{
-      .name = "ranks",
-      .caption = fmt::format("{} of {}{}. No two solvers with a dot on one bar are told apart (at adjusted p < {}).",
-                             are_means ? "Mean" : "Mean rank", observed.quantity, are_means ? "" : ", 1 is best",
-                             metric.plan.significance)};
-  about.quantity = are_means ? "mean " + observed.quantity : "mean rank of " + observed.quantity;
-  if (are_means) about.unit = unit.name;
+  std::ranges::stable_sort(rows, {}, &RankRow::place);
+  About about{.name = "ranks", .quantity = "mean rank of " + observed.quantity};
+  about.caption = fmt::format(
+      "Mean ranks of {} {}, 1 is best; bars join pairs that are not told apart (adjusted p < {}).", observed.quantity,
+      have_all ? fmt::format("in {} blocks", n) : "expected of one value of each (1 plus the others' A12)",
+      metric.plan.significance);
+  const bool has_ruler = have_all && !are_shares && metric.plan.significance == 0.05;  // shares are nearly all tied
+  const double ruler = has_ruler ? critical_difference(solvers.size(), n) : nowhere;
+  if (ruler > 0)
+    about.caption += fmt::format(" CD: Nemenyi's critical difference, {:.3g} (p < 0.05); no bar goes by it.", ruler);
   if (!without.empty()) about.caption += fmt::format(" Without {}: not compared with all.", fmt::join(without, ", "));
-  return ranks(about, rows);
+  return ranks(about, rows, ruler);
 }
 
 Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, const std::string& more) {
@@ -403,8 +405,8 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
                       observed.unit};
     if (auto figure = boxes(about, box_rows(metric, {observed.unit}, shown, look))) all.push_back(std::move(*figure));
   }
-  for (const auto of : {ranks_of, differences_of}) {
-    if (auto figure = of(first, {first.observations.unit}, shown, look)) all.push_back(std::move(*figure));
+  for (auto figure : {ranks_of(first, shown, look), differences_of(first, {first.observations.unit}, shown, look)}) {
+    if (figure) all.push_back(std::move(*figure));
   }
   return all;
 }

@@ -31,9 +31,10 @@ std::vector<Figure> of_file(const std::vector<judge::JudgedMetric>& metrics, con
 // Error against joint motion; `add_printed` adds what a paper printed.
 std::optional<Figure> overview_of(const judge::JudgedStudy& judged, const Look& look,
                                   const std::function<void(Dot&)>& add_printed);
-// Of at least three solvers that were compared with one another. None with a control, which leaves pairs of others out.
-std::optional<Figure> ranks_of(const judge::JudgedMetric& metric, const DrawnUnit& unit,
-                               const std::vector<std::string>& shown, const Look& look);
+// Of at least three solvers that were compared with one another. None with a control, which leaves pairs of others out,
+// nor where means decide.
+std::optional<Figure> ranks_of(const judge::JudgedMetric& metric, const std::vector<std::string>& shown,
+                               const Look& look);
 // Each pair that was tested; of more than 15 those of the first name alone. None where all values are equal.
 std::optional<Figure> differences_of(const judge::JudgedMetric& metric, const DrawnUnit& unit,
                                      const std::vector<std::string>& shown, const Look& look);

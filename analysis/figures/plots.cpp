@@ -54,8 +54,8 @@ void add_remarks(Figure& figure, const std::vector<std::string>& remarks) {
   figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + 0.45));
 }
 
-// Sets of rows, as bits, of which no two are apart: few that have each such pair, by Piepho's insertion and absorption
-// (J. Computational and Graphical Statistics 13 (2004) 456).
+// The largest sets of rows, as bits, of which no two are apart, by Piepho's insertion and absorption (J. Computational
+// and Graphical Statistics 13 (2004) 456).
 std::vector<std::uint32_t> sets_of_alike(std::span<const RankRow> rows) {
   std::vector<std::uint32_t> sets{static_cast<std::uint32_t>((std::uint64_t{1} << rows.size()) - 1)};
   const auto is_within = [](const auto& others, std::uint32_t set) {
@@ -76,16 +76,7 @@ std::vector<std::uint32_t> sets_of_alike(std::span<const RankRow> rows) {
       std::ranges::copy_if(split, std::back_inserter(sets), [&](std::uint32_t set) { return !is_within(sets, set); });
     }
   }
-  for (std::size_t k = sets.size(); k-- > 0;) {
-    std::vector<std::uint32_t> others = sets;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-    bool is_needed = false;
-    for (std::uint32_t rest = sets[k]; rest != 0; rest &= rest - 1) {
-      for (std::uint32_t after = rest & (rest - 1); after != 0; after &= after - 1)
-        is_needed |= !is_within(others, (rest & -rest) | (after & -after));
-    }
-    if (!is_needed) sets = std::move(others);
-  }
+  std::erase_if(sets, [](std::uint32_t set) { return std::popcount(set) < 2; });
   std::ranges::sort(sets, {}, [](std::uint32_t set) { return std::pair(std::countr_zero(set), std::bit_width(set)); });
   return sets;
 }
@@ -257,7 +248,6 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
 }
 
 std::optional<Figure> tails(const About& about, const std::vector<Successes>& all) {
-  if (all.empty()) return std::nullopt;
   Figure figure{.name = about.name, .caption = about.caption};
   const std::size_t drawn = drawn_of(all, most_lines, figure).size();
   constexpr std::size_t most_single = 100;  // of the slowest; of others as many at even ranks
@@ -297,10 +287,9 @@ std::optional<Figure> tails(const About& about, const std::vector<Successes>& al
   return figure;
 }
 
-std::optional<Figure> ranks(const About& about, const std::vector<RankRow>& all_rows) {
-  constexpr std::size_t most = 20;
+std::optional<Figure> ranks(const About& about, const std::vector<RankRow>& all_rows, double ruler) {
   Figure figure{.name = about.name, .caption = about.caption};
-  const auto rows = drawn_of(all_rows, most, figure);
+  const auto rows = drawn_of(all_rows, 20, figure);
   std::vector<std::string> labels, clauses;
   std::vector<double> places;
   for (const RankRow& row : rows) labels.push_back(row.label), places.push_back(row.place);
@@ -312,6 +301,13 @@ std::optional<Figure> ranks(const About& about, const std::vector<RankRow>& all_
     figure.data += fmt::format("# {}\n{}", one_line(rows[i].label), data_row(numbers));
     clauses.push_back(
         fmt::format("data every ::{0}::{0} using (place_x($2)):1 with points ls {1} dt 1 ps 0.9", i, rows[i].style));
+  }
+  if (ruler > 0) {
+    labels.push_back(fmt::format("CD {:.3g}", ruler));
+    places.push_back(places[0] + ruler);
+    figure.settings += fmt::format(
+        "set arrow from first {0}, first {2} to first {1}, first {2} heads size screen 0.01,90 lw 1.2 lc rgb ink\n",
+        text_of(places[0]), text_of(places.back()), labels.size());
   }
   add_labelled_rows(figure, labels, 0.42);
   figure.settings += value_axis('x', places, about, Begins::around).settings;

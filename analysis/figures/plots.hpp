@@ -56,14 +56,15 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
 // How many of the costs are at least this one, both axes logarithmic.
 std::optional<Figure> tails(const About& about, const std::vector<Successes>& all);
 
-// Solvers by their place, a row each; at the right bars that join those that are not apart from one another.
+// Solvers by their place, a row each; at the right bars that join those that are not apart from one another; below a
+// length to hold against the places.
 struct RankRow {
   std::string label;
   int style = 1;
   double place = nowhere;
   std::vector<std::string> apart = {};  // labels
 };
-std::optional<Figure> ranks(const About& about, const std::vector<RankRow>& rows);
+std::optional<Figure> ranks(const About& about, const std::vector<RankRow>& rows, double ruler = nowhere);
 
 // Intervals, a row each: differences, or ratios on a logarithmic axis. At the right of a row who is better, or what
 // else is known.

@@ -2,6 +2,7 @@
 // decide.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -52,7 +53,11 @@ std::optional<TestOfAll> anova(const Observations& observed);
 std::optional<TestOfAll> anova_of_unequal(const Observations& observed);
 // Kruskal and Wallis (J. Am. Stat. Assoc. 47 (1952) 583), of paired groups Friedman (32 (1937) 675); both with ties.
 std::optional<TestOfAll> test_of_ranks(const Observations& observed);
-// All three, of the groups with chance in their values, and the names of the others; none of shares and of logarithms.
+// Nemenyi's, of mean ranks of so many groups at 0.05 (Demsar, J. Machine Learning Research 7 (2006) 1). NaN for fewer
+// than 2 and more than 20 groups.
+double critical_difference(std::size_t groups, std::size_t blocks);
+// All three tests, of the groups with chance in their values, and the names of the others; none of shares and of
+// logarithms.
 struct TestsOfAll {
   std::vector<TestOfAll> tests = {};
   std::vector<std::string> without = {};

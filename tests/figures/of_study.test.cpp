@@ -135,7 +135,7 @@ TEST_CASE("differences are those that were tested, in the order of the table; of
   CHECK(rows_of({"A", "B", "C", "D", "E", "F", "G"}) == Names{"G / …", "F", "E", "D", "C", "B", "A"});
 }
 
-TEST_CASE("mean ranks are those of the blocks, or means where they decide, and solvers not compared are left out",
+TEST_CASE("mean ranks are those of the blocks, with a critical difference where all have all, and are none of means",
           "[of_study]") {
   Observations of{.metric = "error", .quantity = "error", .unit = "mm", .floor = 1e-9, .is_paired = true};
   std::vector<results::Series> solvers;
@@ -146,26 +146,26 @@ TEST_CASE("mean ranks are those of the blocks, or means where they decide, and s
     solvers.push_back({.label = of.groups.back().name, .algorithm = "x"});
   }
   const Look look = look_of(solvers, {});
-  const auto places = [&](const Observations& observed, const Plan& plan) {
-    const std::optional<Figure> figure = ranks_of(judge::judge(observed, plan), {"mm"}, {"A", "B", "C", "D"}, look);
-    std::string text;
-    for (std::istringstream lines(figure ? figure->data : ""); std::getline(lines, text, '\n');) {
-      if (!text.starts_with("# A")) continue;
-      std::getline(lines, text);
-      return text.substr(0, text.find(' ', 2));
-    }
-    return std::string();
-  };
-  CHECK(places(of, {}) == "1 1");  // A is the first in each block; of B, C and D every fourth is turned
-  const Figure ranked = ranks_of(judge::judge(of, {}), {"mm"}, {"A", "B", "C", "D"}, look).value();
-  CHECK(contains(ranked.data, "# D\n2 2.5 "));
-  CHECK(contains(ranked.data, "# B\n4 3.5 "));
-  CHECK(places(of, {.test = Plan::Test::means}) == "1 1.095");
-  CHECK(places(of, {.control = "A"}).empty());
+  const auto ranked = [&](const Plan& plan) { return ranks_of(judge::judge(of, plan), {"A", "B", "C", "D"}, look); };
+  const Figure figure = ranked({}).value();
+  CHECK(contains(figure.data, "# A\n1 1 "));  // the first in each block; of B, C and D every fourth is turned
+  CHECK(contains(figure.data, "# D\n2 2.5 "));
+  CHECK(contains(figure.data, "# B\n4 3.5 "));
+  CHECK(contains(figure.settings, "CD 1.05"));  // 2.569 sqrt(4 * 5 / (6 * 20))
+  CHECK(contains(figure.caption, "critical difference"));
+  CHECK_FALSE(contains(ranked({.significance = 0.01})->caption, "critical"));
+  CHECK_FALSE(ranked({.test = Plan::Test::means}));
+  CHECK_FALSE(ranked({.control = "A"}));
+  of.is_paired = false;
+  const std::string unpaired = ranked({})->caption;
+  CHECK(contains(unpaired, "A12"));
+  CHECK_FALSE(contains(unpaired, "critical"));
+  of.is_paired = true;
   of.groups[1].sample = Untold{.why = Untold::Why::apart};
-  CHECK(contains(ranks_of(judge::judge(of, {}), {"mm"}, {"A", "B", "C", "D"}, look)->caption, "Without B: "));
+  CHECK(contains(ranked({})->caption, "0.741"));  // of three alone: 2.344 sqrt(3 * 4 / (6 * 20))
+  CHECK(contains(ranked({})->caption, "Without B: "));
   of.groups[2].sample = Untold{.why = Untold::Why::apart};
-  CHECK(places(of, {}).empty());
+  CHECK_FALSE(ranked({}));
 }
 
 TEST_CASE("the plan's metric has boxes, whatever it is", "[of_study]") {

@@ -30,7 +30,7 @@ std::vector<Figure> every_kind(const std::string& label) {
            curves(named("curves"), label,
                   {{label, 1, {{1, 0, 0, 0.5}, {2, 3, 1, 4}}}, {label, 0, {{1, 1000}, {2, nowhere}}}, {label, 2}}),
            shares(named("shares"), "solved", {{label, 1, {3, 5}, 4}, {label, 2, {}, 4}}, 4),
-           ranks(named("ranks"), {{label, 1, 1.2}, {label + "2", 2, 1.5, {"x"}}, {"x", 3, 3, {label + "2"}}}),
+           ranks(named("ranks"), {{label, 1, 1.2}, {label + "2", 2, 1.5, {"x"}}, {"x", 3, 3, {label + "2"}}}, 0.9),
            differences(named("ratios"), {{label, 2, 0.5, 4, label, 2}, {label}, {label, 1, 0.9, double{INFINITY}}},
                        true),
            differences(named("differences"), {{label, -2, -5, 4}, {label, 0, 0, 0}}, false),

@@ -56,6 +56,15 @@ TEST_CASE("a difference of means in standard deviations is Hedges'", "[describe]
   CHECK_FALSE(hedges_g({1, 1, 0}, {2, 2, 1}));
 }
 
+TEST_CASE("critical differences of mean ranks are those of Demsar's tables", "[describe]") {
+  CHECK(critical_difference(4, 14) == Approx(1.25).epsilon(0.005));  // of his example, section 3.2.2
+  for (const auto& [groups, q] : {std::pair(2, 1.960), {3, 2.343}, {5, 2.728}, {10, 3.164}, {20, 3.544}})
+    CHECK(critical_difference(static_cast<std::size_t>(groups), static_cast<std::size_t>(groups * (groups + 1))) ==
+          Approx(q / std::sqrt(6)).epsilon(0.0006));  // of 20 SciPy's studentized_range
+  CHECK(std::isnan(critical_difference(1, 9)));
+  CHECK(std::isnan(critical_difference(21, 9)));
+}
+
 TEST_CASE("a summary has no more than its three numbers", "[describe]") {
   const Description of = describe({.name = "a", .sample = Summary{20, 0.5, 0.1}});
   CHECK(of.n == 20);
