@@ -262,16 +262,18 @@ void refuse_sums(Sheet& sheet, const Items& items, bool by_unit) {
 // What the rows were taken for.
 std::string how_read(const Sheet& sheet, const Layout& layout, const Items& items,
                      const std::vector<std::string>& where) {
-  const auto title_of = [&](std::size_t column) { return in_quotes(sheet.titles()[column]); };
-  std::string text =
-      fmt::format("Read as {} {}", items.groups.size(), layout.label ? "of " + title_of(*layout.label) : "columns");
+  const auto counted = [&](auto n, Column column) {
+    const std::string title = column ? base::one_line(base::front(sheet.titles()[*column], 60)) : "column";
+    return fmt::format("{} {}{}", n, title, n == 1 || title.ends_with('s') ? "" : "s");
+  };
+  std::string text = counted(items.groups.size(), layout.label);
   const Column unit = layout.block ? layout.block : layout.run;
-  if (unit) text += fmt::format(" x {} of {}", items.units, title_of(*unit));
+  if (unit) text = fmt::format("{} as {}, {}", counted(items.units, unit), layout.block ? "blocks" : "runs", text);
   const Index most = std::ranges::max(items.means, {}, &Mean::rows).rows;
   if (most > 1) text += fmt::format(", means of {} rows", most);
   if (!layout.block && !layout.run) text += ", rows unrelated";
   std::vector<std::string> unused;
-  for (const std::size_t column : layout.unused) unused.push_back(title_of(column));
+  for (const std::size_t column : layout.unused) unused.push_back(in_quotes(sheet.titles()[column]));
   for (const std::string& condition : where) text += fmt::format("; only rows with {}", in_quotes(condition));
   if (!unused.empty()) text += fmt::format("; not used: {}", listed(unused));
   return text + '.';
@@ -355,7 +357,7 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
                           .mean = number(*mean, std::numeric_limits<double>::lowest()),
                           .sd = number(*sd, 0)};
     groups.push_back({.name = name, .sample = summary});
-    if (summary.sd > 0) continue;  // else its spread may have been rounded away: it would decide everything
+    if (summary.sd > 0) continue;  // else, or if it was rounded away, the spread would decide everything
     groups.back().sample = Untold{.why = Untold::Why::no_spread, .printed = summary};
     observed.doubts.push_back(
         {.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
@@ -381,7 +383,6 @@ Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {
       if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
     }
   }
-  const bool is_share = observed.scale == Scale::share;
   const bool has_no_share = observed.scale == Scale::difference && least < 0;
   if (margin.empty()) {
     if (has_no_share) plan.margin = 0;
@@ -393,9 +394,9 @@ Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {
       !number || !(*number >= 0) || !std::isfinite(*number) ? "expected 5%, or 0.1 in the unit of the values"
       : is_relative && has_no_share
           ? "a share of values that may be negative means nothing; give a margin in their unit"
-      : !is_relative && is_share          ? "shares differ by points; expected 5%"
-      : !is_relative && *number > largest ? "no value is as large, so all would be the same; a share is 5%"
-                                          : nullptr;
+      : !is_relative && observed.scale == Scale::share ? "shares differ by points; expected 5%"
+      : !is_relative && *number > largest              ? "no value is as large, so all would be the same; a share is 5%"
+                                                       : nullptr;
   if (wrong) throw std::invalid_argument(fmt::format("--margin {}: {}", in_quotes(margin), wrong));
   plan.margin = is_relative ? *number / 100 : 0;
   observed.absolute_margin = is_relative ? 0 : *number;

@@ -19,7 +19,7 @@ judged two-columns "$data/runmeans.csv" --better smaller # no column has to be n
 judged constant "$data/const2.csv" --better smaller
 judged negative "$data/drift.csv" --better smaller --margin 1
 succeeds stats "$data/drift.csv" --better smaller
-has "$out" "no margin is used"
+has "$out" "which may be negative"
 judged paired "$data/ten.csv" --block problem --better smaller
 judged unpaired "$data/ten.csv" --label solver --run row --better smaller
 judged control "$data/zero.csv" --better smaller --control B --significance 0.01
