@@ -1,6 +1,7 @@
 #include "solvers/solve.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "numerics/instruction_set.hpp"
 #include "solvers/kernels.hpp"

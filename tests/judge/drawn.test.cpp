@@ -2,6 +2,10 @@
 // permutations and formulas as their sources print them, which share no code with it.
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
 
 #include "analysis/csv/user_csv.hpp"
 #include "analysis/show/words.hpp"
