@@ -66,8 +66,10 @@ void complete_svg(std::string& svg, const Figure& figure) {
 // cannot read. Throws std::invalid_argument with the reason if it could not draw, std::runtime_error if a disk is full.
 std::string draw(const Figure& figure, const std::filesystem::path& workshop, const RenderOptions& options) {
   const std::string& gnuplot = options.gnuplot;
-  // -d gives the same look whatever ~/.gnuplot says; the zone is in the date of a PDF.
-  const ChildProcess::Ran result = ChildProcess::run({gnuplot, "-d", figure.name + ".gp"}, workshop, {"TZ=UTC0"});
+  // -d gives the same look whatever ~/.gnuplot says; the zone is in the date of a PDF; without a locale of UTF-8
+  // gnuplot 6 warns.
+  const ChildProcess::Ran result =
+      ChildProcess::run({gnuplot, "-d", figure.name + ".gp"}, workshop, {"TZ=UTC0", "LC_ALL=C.UTF-8"});
   if (!result.succeeded) {
     throw std::invalid_argument(result.output.empty() ? fmt::format("{} failed without a message", gnuplot)
                                                       : result.output);
