@@ -74,10 +74,12 @@ struct Source {
 
 std::vector<Gate> compare_all(const CompareArguments& arguments) {
   std::vector<Gate> all;
+  std::optional<double> time_margin;
+  if (!arguments.time_margin.empty()) time_margin = margin_from(arguments.time_margin, "--time-margin");
   if (!arguments.store.empty()) {
     const Source both(arguments.store, arguments.study);
     if (arguments.a == arguments.b) throw std::invalid_argument("A and B are the same label; expected two");
-    all.push_back(gate(both.study_of({arguments.b, arguments.a}, arguments)));
+    all.push_back(gate(both.study_of({arguments.b, arguments.a}, arguments), time_margin));
     decide(all);
     return all;
   }
@@ -97,8 +99,6 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
           fmt::format("not compared: the candidate lacks {}; run it too, or name with --label those to compare",
                       show::listed(missing)));
   }
-  std::optional<double> time_margin;
-  if (!arguments.time_margin.empty()) time_margin = margin_from(arguments.time_margin, "--time-margin");
   for (const std::string& label : labels) {
     if (std::ranges::count(labels, label) > 1)
       throw std::invalid_argument(fmt::format("the label {} is given twice", label));
@@ -152,7 +152,7 @@ std::string verdict_of(const Gate& gate, const show::Answer& answer) {
 }
 
 // Something may differ.
-bool is_told(const Gate& gate) { return !gate.are_same || gate.judged.study.are_in_turn; }
+bool is_told(const Gate& gate) { return !gate.are_same || gate.do_times_decide; }
 
 // Of all that are the same, bit for bit, in one; empty if none are.
 std::string verdict_of_same(const std::vector<Gate>& all) {
@@ -206,13 +206,14 @@ std::string note_of(const std::vector<Gate>& all) {
   const JudgedStudy& judged = all.front().judged;
   const auto time =
       std::ranges::find_if(judged.metrics, [](const JudgedMetric& its) { return its.observations.unit == "s"; });
-  const std::string times = !judged.study.are_in_turn ? "count neither in the headline nor in the exit code"
+  const bool do_times_decide = all.front().do_times_decide;
+  const std::string times = !do_times_decide ? "count neither in the headline nor in the exit code"
                             : time == judged.metrics.end()
                                 ? "are not known"
                                 : fmt::format("decide by a margin of {}", show::margin_words(*time));
-  return fmt::format(
-      "p and intervals are adjusted for all labels and metrics tested. Times {}{}.",
-      all.front().label.empty() || judged.study.are_in_turn ? "" : "of two sessions are not compared, and ", times);
+  return fmt::format("p and intervals are adjusted for all labels and metrics tested. Times {}{}.",
+                     all.front().label.empty() || do_times_decide ? "" : "of two sessions are not compared, and ",
+                     times);
 }
 
 std::string screen_of(const std::vector<Gate>& all) {
@@ -291,10 +292,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       ->excludes(store);
   command->add_option("--margin", arguments->margin,
                       "relative difference that matters, such as 10%; default: that of the baseline's plan");
-  command
-      ->add_option("--time-margin", arguments->time_margin,
-                   "with two stores that were solved in turn (cli/gate.sh with OLD): times decide, by this margin")
-      ->excludes(store);
+  command->add_option("--time-margin", arguments->time_margin,
+                      "times decide, by this margin; two stores must have been solved in turn (cli/gate.sh with OLD)");
   command->add_flag("--strict", arguments->is_strict, "exit with 4 if nothing is worse but something is not decided");
   command->add_option("-o,--output", arguments->output, "also write the verdict as Markdown to this file")
       ->check(not_empty());

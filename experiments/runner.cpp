@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -25,73 +26,73 @@ using namespace results;
 
 namespace {
 
-// A chain is a run of one solver. This is how far one is that is not done.
-struct Chained {
-  std::vector<bool> stored;     // one per point, in their order
-  Configuration configuration;  // the arm's present configuration
+// What is made together: a run, where each solve starts from the last, or one target.
+struct Part {
+  int run = 1, first = 1, last = 1;  // points
 };
 
-// The work of a study. A chain takes one bit, and more only where the store has some of its points.
+// The work of a study, and what of it is stored.
 struct Work {
-  Work(const Study& asked, const std::vector<Series>& series, int repeats, int jobs, Shard part = {})
-      : study(asked), shard(part), arm(arm_of(asked)), points(asked.path->points()) {
+  Work(const Study& asked, const std::vector<Series>& series, int jobs, Shard shard_of_it = {})
+      : study(asked), shard(shard_of_it), arm(arm_of(asked)), points(asked.path->points()) {
     for (std::size_t s = 0; s < series.size(); ++s)
-      solve_runners.emplace_back(study, study.solvers[s], series[s].key, arm, repeats, jobs);
-    done.resize(solve_runners.size() * static_cast<std::size_t>(study.runs));
+      solve_runners.emplace_back(study, study.solvers[s], series[s].key, arm, jobs);
+    stored.resize(solve_runners.size(), std::vector<bool>(place(study.runs, points) + 1));
   }
   Work(const Work&) = delete;  // solve_runners refer to the arm
   Work& operator=(const Work&) = delete;
 
-  std::size_t index(std::size_t solver, int run) const {
-    return static_cast<std::size_t>(run - 1) * solve_runners.size() + solver;
+  std::size_t place(int run, int point) const {
+    return static_cast<std::size_t>(run - 1) * static_cast<std::size_t>(points) + static_cast<std::size_t>(point - 1);
   }
-  // The index of the chain at a place in the order of work. Runs are the outer loop, and solvers take turns at being
-  // first, among the runs of which a shard has a part, so that a drift of the machine touches all solvers alike.
-  std::size_t index_at(std::size_t place) const {
-    const int run = static_cast<int>(place / solve_runners.size()) + 1, parts = study.is_chained() ? 1 : points;
-    const int turn = (run - 1) / std::max(1, shard.count / parts);
-    return index((place + static_cast<std::size_t>(turn)) % solve_runners.size(), run);
-  }
-  const SolveRunner& solve_runner(std::size_t index) const { return solve_runners[index % solve_runners.size()]; }
-  int run(std::size_t index) const { return static_cast<int>(index / solve_runners.size()) + 1; }
-
-  Chained fresh_chain() const {
-    return {.stored = std::vector<bool>(static_cast<std::size_t>(points)), .configuration = study.initial};
-  }
-  Chained chain(std::size_t index) const {
-    const auto entry = begun.find(index);
-    return entry == begun.end() ? fresh_chain() : entry->second;
-  }
-  // The first point from `point` on that the shard has and the store has not; `points` + 1 if there is none.
-  int next_point(const Chained& chain, int run, int point) const {
-    while (point <= points &&
-           (chain.stored[static_cast<std::size_t>(point - 1)] || !contains(shard, study, run, point)))
-      ++point;
+  bool has(std::size_t solver, int run, int point) const { return stored[solver][place(run, point)]; }
+  // The first point of a part that is not stored; after its last if all are.
+  int next_point(std::size_t solver, const Part& part) const {
+    int point = part.first;
+    while (point <= part.last && has(solver, part.run, point)) ++point;
     return point;
+  }
+  int turns() const {
+    return shard.count > 1 ? 1 : static_cast<int>(std::min<std::int64_t>(study.turns, parts_of(study)));
+  }
+  std::vector<Part> parts_in(Shard its) const {
+    const int last = study.is_chained() ? 1 : points;
+    std::vector<Part> parts;
+    for (int run = 1; run <= study.runs; ++run)
+      for (int point = 1; point <= last; ++point)
+        if (contains(its, study, run, point)) parts.push_back({run, point, study.is_chained() ? points : point});
+    return parts;
+  }
+  // Of a turn, by who misses them: in a session all have the same to do. A stop leaves those apart that it cut.
+  std::map<std::vector<bool>, std::vector<Part>> sessions_of(int turn) const {
+    std::map<std::vector<bool>, std::vector<Part>> sessions;
+    for (const Part& part : parts_in(shard.count > 1 ? shard : Shard{.index = turn, .count = turns()})) {
+      std::vector<bool> who;
+      for (std::size_t s = 0; s < stored.size(); ++s) who.push_back(next_point(s, part) <= part.last);
+      if (std::ranges::count(who, true) > 0) sessions[who].push_back(part);
+    }
+    return sessions;
   }
 
   const Study& study;
   Shard shard;
   Robot arm;
   int points;  // per run
-  std::vector<SolveRunner> solve_runners;
-  std::vector<bool> done;                // true for chains that miss nothing
-  std::map<std::size_t, Chained> begun;  // chains of which the store has a part
+  std::deque<SolveRunner> solve_runners;
+  std::vector<std::vector<bool>> stored;                          // by solver and place
+  std::map<std::pair<std::size_t, int>, Configuration> left_arm;  // by solver and run, where a stored chain ends
 };
 
-void move_on(Chained& chain, const SolveRecord& record, Start start) {
-  chain.stored[static_cast<std::size_t>(record.point - 1)] = true;
-  if (!moves_arm(record, start)) return;
-  chain.configuration =
-      Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), static_cast<Eigen::Index>(record.answer_rad.size()));
+Configuration answer_of(const SolveRecord& record) {
+  return Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), std::ssize(record.answer_rad));
 }
 
 // Throws if the study would not have made the stored solve next.
-void check_stored(const SolveRecord& record, const Work& work, const Chained& chain) {
+void check_stored(const SolveRecord& record, const Work& work, std::size_t solver) {
   const bool is_chained = work.study.is_chained();
   const bool has_place = record.run >= 1 && record.point >= 1 && record.point <= work.points;
   const bool follows =
-      has_place && (!is_chained || record.point == 1 || chain.stored[static_cast<std::size_t>(record.point - 2)]);
+      has_place && (!is_chained || record.point == 1 || work.has(solver, record.run, record.point - 1));
   const bool can_move = record.answer_rad.size() == static_cast<std::size_t>(work.study.initial.size()) &&
                         (!moves_arm(record, work.study.start) ||
                          std::ranges::all_of(record.answer_rad, [](double angle) { return std::isfinite(angle); }));
@@ -102,26 +103,19 @@ void check_stored(const SolveRecord& record, const Work& work, const Chained& ch
                   record.run, record.point, record.label));
 }
 
-// Notes which solves of each chain the store has; returns how many of them are in the shard.
+// Notes which solves the store has; returns how many of them are in the shard.
 std::int64_t move_past_stored(Work& work, const Store& store) {
   std::int64_t stored = 0;
   for (std::size_t s = 0; s < work.solve_runners.size(); ++s) {
-    std::map<int, Chained> chains;  // by run
     store.each_of_series(work.solve_runners[s].key(), [&](const SolveRecord& record) {
       if (record.run > work.study.runs) return;
-      const auto [place, is_new] = chains.try_emplace(record.run);
-      Chained& chain = place->second;
-      if (is_new) chain = work.fresh_chain();
-      check_stored(record, work, chain);
-      move_on(chain, record, work.study.start);
+      check_stored(record, work, s);
+      work.stored[s][work.place(record.run, record.point)] = true;
+      if (record.point < work.points && moves_arm(record, work.study.start))
+        work.left_arm[{s, record.run}] = answer_of(record);
+      if (record.point == work.points) work.left_arm.erase({s, record.run});
       if (contains(work.shard, work.study, record.run, record.point)) ++stored;
     });
-    for (auto& [run, chain] : chains) {
-      if (work.next_point(chain, run, 1) > work.points)
-        work.done[work.index(s, run)] = true;
-      else
-        work.begun.emplace(work.index(s, run), std::move(chain));
-    }
   }
   return stored;
 }
@@ -152,45 +146,93 @@ std::optional<SolveRecord> undisturbed(PauseWatch& pauses, const IsOver& is_over
                   most_tries));
 }
 
-// Solves the rest of every chain, `jobs` chains at once. What is solved is passed on, whatever ends this, such as a
-// solve that `check` refuses.
-void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, const TakeSolve& check,
-                RecordQueue& record_queue) {
-  PauseWatch pauses;
-  std::vector<RunTask> tasks(static_cast<std::size_t>(jobs));
-  const auto work_on = [&](std::size_t turn, std::size_t worker, const IsOver& is_over) {
-    RunTask& task = tasks[worker];
-    const std::size_t index = work.index_at(turn);
-    const int run = work.run(index);
-    if (work.done[index]) return;
-    Chained chain = work.chain(index);
-    int point = work.next_point(chain, run, 1);
-    if (point > work.points) return;
-    const SolveRunner& solve_runner = work.solve_runner(index);
-    const std::unique_ptr<solvers::Solver> solver = solve_runner.make_solver();
+// A drawn order of the solvers; each second turn has that of the turn before, from its end.
+std::vector<std::size_t> order_of(const Study& study, std::vector<std::size_t> solvers, int turn) {
+  numerics::Random random(numerics::Key(study.seed).with("order").with(static_cast<std::uint64_t>((turn + 1) / 2)));
+  for (std::size_t left = solvers.size(); left > 1; --left)
+    std::swap(solvers[left - 1], solvers[static_cast<std::size_t>(random.index(static_cast<int>(left)))]);
+  if (turn % 2 == 0) std::ranges::reverse(solvers);
+  return solvers;
+}
+
+// A worker's solvers for a session, and the task of the run that it is at.
+struct Bench {
+  std::vector<std::unique_ptr<solvers::Solver>> solvers = {};
+  RunTask task = {};
+
+  void go_to(const Work& work, int run) {
     if (task.run != run) task = {run, targets(work.study, work.arm, run), starts(work.study, work.arm, run)};
-    const auto target = [&](int place) -> const Pose& { return task.targets[static_cast<std::size_t>(place - 1)]; };
-    const auto start = [&](int place) -> const Configuration& {
-      return task.starts.empty() ? chain.configuration : task.starts[static_cast<std::size_t>(place - 1)];
-    };
-    solve_runner.warm_up(*solver, target(point), start(point), run, point);
-    for (; point <= work.points && !is_over(); point = work.next_point(chain, run, point + 1)) {
-      std::optional<SolveRecord> record = undisturbed(
-          pauses, is_over, [&] { return solve_runner.solve(*solver, target(point), start(point), run, point); });
-      if (!record) return;
-      if (check) check(*record);
-      if (!is_over()) solve_runner.count_failure(*solver);
-      move_on(chain, *record, work.study.start);
-      record_queue.hand_in(std::move(*record));
+  }
+  const Pose& target(int point) const { return task.targets[static_cast<std::size_t>(point - 1)]; }
+  const Configuration& start(int point, const Configuration& left_arm) const {
+    return task.starts.empty() ? left_arm : task.starts[static_cast<std::size_t>(point - 1)];
+  }
+};
+
+// Solves what these solvers miss of the parts, `jobs` at once: of each part, or two of them where a call on the other
+// comes between the two of a target, all solvers in turns at being first. What is solved is passed on, whatever ends
+// this, such as a solve that `check` refuses.
+void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, const std::vector<Part>& parts, int jobs,
+                 const std::atomic<bool>* cancelled, const TakeSolve& check, RecordQueue& record_queue) {
+  const bool is_hot = work.study.state == State::hot;
+  const std::size_t together = is_hot ? 2 : 1, groups = std::max<std::size_t>(1, parts.size() / together);
+  PauseWatch pauses;
+  std::vector<Bench> benches(static_cast<std::size_t>(jobs));
+  const auto prepare = [&](Bench& bench) {
+    bench.go_to(work, parts.back().run);
+    for (const std::size_t s : solvers) {
+      bench.solvers.push_back(work.solve_runners[s].make_solver());
+      work.solve_runners[s].warm_up(*bench.solvers.back(), bench.target(parts.back().last),
+                                    bench.start(parts.back().last, work.study.initial), parts.back().run,
+                                    parts.back().last);
+    }
+  };
+  const auto work_on = [&](std::size_t turn, std::size_t worker, const IsOver& is_over) {
+    Bench& bench = benches[worker];
+    if (bench.solvers.empty()) prepare(bench);
+    const std::size_t group = turn / solvers.size(), its = (turn + group) % solvers.size(), s = solvers[its];
+    const auto first = parts.begin() + static_cast<std::ptrdiff_t>(group * together);
+    const auto end = group + 1 == groups ? parts.end() : first + static_cast<std::ptrdiff_t>(together);
+    const SolveRunner& solve_runner = work.solve_runners[s];
+    solvers::Solver& solver = *bench.solvers[its];
+    for (auto part = first; is_hot && part != end && !is_over(); ++part) {
+      bench.go_to(work, part->run);
+      solve_runner.heat(solver, bench.target(part->first), bench.start(part->first, work.study.initial), part->run,
+                        part->first);
+    }
+    for (auto part = first; part != end; ++part) {
+      const auto stored_chain = work.left_arm.find({s, part->run});
+      Configuration left_arm = work.study.initial;
+      if (stored_chain != work.left_arm.end()) left_arm = stored_chain->second;
+      bench.go_to(work, part->run);
+      for (int point = work.next_point(s, *part); point <= part->last && !is_over(); ++point) {
+        std::optional<SolveRecord> record = undisturbed(pauses, is_over, [&] {
+          return solve_runner.solve(solver, bench.target(point), bench.start(point, left_arm), part->run, point);
+        });
+        if (!record) return;
+        if (check) check(*record);
+        if (!is_over()) solve_runner.count_failure(solver);
+        if (moves_arm(*record, work.study.start)) left_arm = answer_of(*record);
+        record_queue.hand_in(std::move(*record));
+      }
     }
   };
   try {
-    share_out(work.done.size(), jobs, cancelled, work_on);
+    share_out(groups * solvers.size(), jobs, cancelled, work_on);
   } catch (...) {
     record_queue.flush();
     throw;
   }
   record_queue.flush();
+  benches.clear();
+  for (const std::size_t s : solvers) work.solve_runners[s].end_processes();
+}
+
+std::vector<std::size_t> places_of(const std::vector<bool>& who) {
+  std::vector<std::size_t> places;
+  for (std::size_t s = 0; s < who.size(); ++s)
+    if (who[s]) places.push_back(s);
+  return places;
 }
 
 // What is odd about solvers that others wrote, by label.
@@ -240,8 +282,8 @@ void solve_missing(Work& work, const StoredStudy& stored, Store& store, const Ru
   session["study"] = work.study.name;
   session["analysis"] = to_json(work.study.plan);  // this and the solvers: the study may be saved with others later
   session["solvers"] = base::text_of(base::Json(labels_of(work.study)));
-  const std::int64_t session_id = store.begin_session(session);
-  const double stolen_before = stolen_seconds();
+  session["state"] = work.study.is_chained() ? std::string_view("runs in a row") : name_of(work.study.state);
+  std::int64_t session_id = 0;
   const auto store_them = [&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) {
       record.session = session_id;
@@ -261,11 +303,20 @@ void solve_missing(Work& work, const StoredStudy& stored, Store& store, const Ru
       throw std::runtime_error(fmt::format("{}; it is not stored, as no reader would take it", error.what()));
     }
   };
-  solve_rest(work, request.jobs, request.cancelled, check, record_queue);
-  progress.notes = tell_of(work, odd, store, session_id);
-  if (const double stolen = stolen_seconds() - stolen_before; stolen >= 0) {
-    store.add_to_session(session_id, {{"stolen_seconds", fmt::format("{:.2f}", stolen)}});
+  const auto is_over = [&] { return request.cancelled != nullptr && *request.cancelled; };
+  for (int turn = 1; turn <= work.turns(); ++turn) {
+    if (work.turns() > 1) session["turn"] = fmt::format("{}/{}", turn, work.turns());
+    for (const auto& [who, parts] : work.sessions_of(turn)) {
+      if (is_over()) break;
+      session_id = store.begin_session(session);
+      const double stolen_before = stolen_seconds();
+      solve_parts(work, order_of(work.study, places_of(who), turn), parts, request.jobs, request.cancelled, check,
+                  record_queue);
+      if (const double stolen = stolen_seconds() - stolen_before; stolen >= 0)
+        store.add_to_session(session_id, {{"stolen_seconds", fmt::format("{:.2f}", stolen)}});
+    }
   }
+  progress.notes = tell_of(work, odd, store, session_id);
 }
 
 void refuse_another(const StoredStudy& ours, const StoredStudy& now) {
@@ -285,8 +336,7 @@ Progress run(const Study& study, Store& store, const RunRequest& request) {
 }
 
 Progress run(const Study& study, const StoredStudy& stored, Store& store, const RunRequest& request) {
-  const bool times_count = request.jobs == 1 && !is_debug_build();
-  Work work(study, stored.series, times_count ? study.repeats : 1, request.jobs, request.shard);
+  Work work(study, stored.series, request.jobs, request.shard);
   store.save_study(stored);
   Progress progress{.total = solves_of(request.shard, study)};
   progress.done = progress.reused = move_past_stored(work, store);
@@ -309,11 +359,12 @@ LeftAside left_aside(const StoredStudy& study, const Store& store) {
 
 void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
                  const std::atomic<bool>* cancelled) {
-  const Work work(study, series_of(study), 1, jobs);
+  const Work work(study, series_of(study), jobs);
   RecordQueue record_queue([&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
-  solve_rest(work, jobs, cancelled, {}, record_queue);
+  const std::vector<bool> all(study.solvers.size(), true);
+  solve_parts(work, places_of(all), work.parts_in({}), jobs, cancelled, {}, record_queue);
 }
 
 bool moves_arm(const SolveRecord& solve, Start start) {

@@ -29,8 +29,10 @@ struct RunRequest {
 // of solvers, or on what the store already had.
 // The names of a class's notes are cut to what the store takes. A solve that no reader would take (check_of), as after
 // a jump of the clock, ends the run with std::runtime_error and its place; those before are stored.
-// Each solve is timed as often as the study says, and its time is the median, if times are comparable: one job, no
-// debug build, and no end by wall time. Otherwise it is solved once.
+// Each solve is one timed call. A study is done in turns, each a session of the store with its share of the runs or
+// targets, processes of its own and another order of the solvers, after a few unrecorded solves of each. Where solves
+// do not start from the answer before, all solvers solve a target before the next; else a solver makes a run in a row.
+// In a session all solvers miss the same, so that their times in it are of the same targets; a shard is one turn.
 // A row is only what the solver did: a solve in which the process stood still for long (PauseWatch) is made anew, and
 // one in which `cancelled` was set is stored only if it solved. Once all is solved, throws std::invalid_argument if
 // another process has saved another study of that name.
@@ -47,8 +49,7 @@ struct LeftAside {
 LeftAside left_aside(const results::StoredStudy& study, const results::Store& store);
 
 // Makes all solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time, in a
-// run in the order of its points. Each is made once, whatever the study's `repeats`. `cancelled` is checked before
-// every solve.
+// run in the order of its points. `cancelled` is checked before every solve.
 void solve_study(const Study& study, int jobs, const std::function<void(results::SolveRecord)>& take,
                  const std::atomic<bool>* cancelled = nullptr);
 

@@ -50,13 +50,6 @@ std::string own_urdf(const Study& study, const SolverEntry& entry, bool are_all_
   return is_whole ? text_of_file(file) : "";
 }
 
-// Compares bit for bit.
-bool same_answer(const Solution& a, const Solution& b) {
-  return a.iterations == b.iterations && a.evaluations == b.evaluations && a.stopped == b.stopped &&
-         same_bits(std::array{a.best.error}, std::array{b.best.error}) && same_bits(a.best.q, b.best.q) &&
-         same_bits(a.trace, b.trace);
-}
-
 // What a solver does to rounding, traps and subnormal numbers ends with its solve.
 struct OwnArithmetic {
   OwnArithmetic() { std::fegetenv(&before); }
@@ -97,15 +90,13 @@ thread_local const Place* Place::current = nullptr;
 
 }  // namespace
 
-SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::string key, const Robot& arm, int repeats,
-                         int jobs)
+SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::string key, const Robot& arm, int jobs)
     : study_(study),
       entry_(entry),
       arm_(arm),
       task_(study, arm),
       options_(effective_options(study, entry)),
       key_(std::move(key)),
-      repeats_(study.stop.seconds > 0 || entry.program ? 1 : repeats),
       timing_(is_debug_build() ? Timing::debug_build
               : jobs > 1       ? Timing::parallel
               : entry.program  ? Timing::process
@@ -127,7 +118,17 @@ void SolveRunner::count_failure(Solver& solver) const {
   if (conversations_) static_cast<ForeignSolver&>(solver).count_failure();
 }
 
-std::string SolveRunner::odd() const { return conversations_ ? conversations_->odd() : ""; }
+void SolveRunner::end_processes() const {
+  if (conversations_) conversations_->end_processes();
+}
+
+std::string SolveRunner::odd() const {
+  std::string told = conversations_ ? conversations_->odd() : "";
+  if (differed_ > 0)
+    told += fmt::format("{}it answers otherwise when it is asked again, {} of {} times", told.empty() ? "" : "; ",
+                        differed_.load(), asked_again_.load());
+  return told;
+}
 
 SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const Configuration& start, int run,
                                       int point) const {
@@ -170,48 +171,42 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const 
 }
 
 void SolveRunner::warm_up(Solver& solver, const Pose& target, const Configuration& start, int run, int point) const {
-  if (repeats_ > 1) timed(solver, target, start, run, point);
+  if (conversations_) {
+    const Problem problem = task_.problem(start, effective_population(study_, entry_));
+    return static_cast<ForeignSolver&>(solver).prepare(problem, Objective(task_.arm(), task_.goal(target)));
+  }
+  WarmUp unrecorded;
+  try {
+    while (unrecorded.goes_on()) timed(solver, target, start, run, point);
+  } catch (const std::exception&) {  // which the solve itself will say
+  }
 }
 
 SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configuration& start, int run,
                                int point) const {
-  const double interrupted_before = thread_interruptions();
-  std::vector<Timed> all;
-  all.reserve(static_cast<std::size_t>(repeats_));
-  // The thread's clock is a call of the system, which may cost more than a solve, so it is read once between two.
-  double before = thread_seconds();
-  for (int i = 0; i < repeats_; ++i) {
-    all.push_back(timed(solver, target, start, run, point));
-    const double after = thread_seconds();
-    if (!all.back().account) all.back().cpu_seconds = after - before;
-    before = after;
-  }
+  const double interrupted_before = thread_interruptions(), before = thread_seconds();
+  Timed made = timed(solver, target, start, run, point);
+  if (!made.account) made.cpu_seconds = thread_seconds() - before;
   const double interruptions = thread_interruptions() - interrupted_before;
-  for (const Timed& repeat : all) {
-    if (same_answer(repeat.solution, all.front().solution) && same_bits(repeat.answer, all.front().answer)) continue;
-    throw std::runtime_error(
-        fmt::format("{} gives another answer when it solves run {}, point {} again; a solver that is started must "
-                    "remember nothing and take its random numbers from the stream that it is given",
-                    entry_.label, run, point));
-  }
-  std::ranges::sort(all, {}, &Timed::seconds);
-  const Timed& median = all[(all.size() - 1) / 2];  // a measured one, also of an even number
-  const Solution& solution = median.solution;
-  Configuration answer = median.answer;
+  const Solution& solution = made.solution;
+  Configuration answer = made.answer;
 
   const bool turns_freely = study_.search == Search::axis;
   Verification verified = verify(arm_, target, start, answer, turns_freely, study_.motion_joints);
-  const Status status = status_of(median, verified, target);
+  const Status status = status_of(made, verified, target);
   if (stays(status)) {  // the arm stays, and that is recorded
     answer = start;
     verified = verify(arm_, target, start, answer, turns_freely, study_.motion_joints);
   }
-  constexpr int one_in = 10;  // solves of a program is asked twice
-  if (conversations_ && !is_without_answer(status) && (run + point) % one_in == 0) {
+  constexpr int one_in = 10;
+  if ((conversations_ || entry_.own) && !is_without_answer(status) && (run + point) % one_in == 0) {
     const Timed again = timed(solver, target, start, run, point);
-    if (!again.account->failure) conversations_->note_repeat(same_bits(again.answer, median.answer));
+    if (!again.account || !again.account->failure) {
+      ++asked_again_;
+      differed_ += !same_bits(again.answer, made.answer);
+    }
   }
-  const Account* const account = median.account ? &*median.account : nullptr;
+  const Account* const account = made.account ? &*made.account : nullptr;
   const bool is_counted = is_counted_ && solution.evaluations > 0;  // who never asks has kinematics of its own
   SolveRecord record{
       .study = study_.name,
@@ -233,14 +228,13 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
       .limit_violation_deg = verified.limit_violation / degree,
       .evaluations = is_counted ? solution.evaluations : 0,
       .iterations = solution.iterations,
-      .stop_reason = stop_reason_of(median),
+      .stop_reason = stop_reason_of(made),
       .status = status,
-      .seconds = median.seconds,
-      .cpu_seconds = median.cpu_seconds,
+      .seconds = made.seconds,
+      .cpu_seconds = made.cpu_seconds,
       .timing = timing_,
-      .repeats = repeats_,
-      .smallest_seconds = all.front().seconds,
-      .largest_seconds = all.back().seconds,
+      .smallest_seconds = made.seconds,
+      .largest_seconds = made.seconds,
       .interruptions = interruptions,
       .variation_m = verified.variation_m,
       .limit_violation_m = verified.limit_violation_m,
@@ -249,9 +243,9 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                     : is_counted       ? CountedBy::suite
                                        : CountedBy::nobody,
       .restarts = solution.restarts,
-      .extras = median.extras};
+      .extras = made.extras};
   if (stays(status) && account != nullptr && !account->failure)  // what a program answered would be lost
-    for (int j = 0; j < arm_.joints(); ++j) record.extras[fmt::format("{}{}", refused_extra, j + 1)] = median.answer[j];
+    for (int j = 0; j < arm_.joints(); ++j) record.extras[fmt::format("{}{}", refused_extra, j + 1)] = made.answer[j];
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted) {
     record.improved_at.assign(solution.improved.at.begin(), solution.improved.at.end());

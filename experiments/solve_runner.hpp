@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 #include <map>
@@ -28,25 +29,28 @@ bool same_bits(const Numbers& a, const Numbers& b) {
 // Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
 class SolveRunner {
  public:
-  // `key` is its series_key. `repeats` is the number of timed solves per problem, 1 if a solve ends by its
-  // wall time; `jobs` of solves at once.
-  SolveRunner(const Study& study, const SolverEntry& entry, std::string key, const Robot& arm, int repeats = 1,
-              int jobs = 1);
+  // `key` is its series_key; `jobs` of solves at once.
+  SolveRunner(const Study& study, const SolverEntry& entry, std::string key, const Robot& arm, int jobs = 1);
 
   const std::string& label() const { return entry_.label; }
   const std::string& key() const { return key_; }  // of its series
   // Makes a solver for any number of solves, one after the other: starting it anew makes it forget all.
   std::unique_ptr<solvers::Solver> make_solver() const;
+  // Of a program, which starts anew when it is asked again; call it when no solver is left.
+  void end_processes() const;
   // If it is a program that failed in its last solve, this becomes the last failure, and the third in a row gives it
   // up. Not for a solve that is not stored.
   void count_failure(solvers::Solver& solver) const;
-  std::string odd() const;  // of its program: a failure, or answers that it does not repeat; empty: nothing
-  // Both throw std::runtime_error, with label, run and point, if the solver throws (std::invalid_argument, if it throws
-  // that).
-  // Solves once, untimed, if repeats are timed, so that the first is no slower than the others.
+  std::string odd() const;  // of what others wrote: a failure, or answers that it does not repeat; empty: nothing
+  // Starts a program; solves a few times, unrecorded, whatever comes of it.
   void warm_up(solvers::Solver& solver, const Pose& target, const Configuration& start, int run, int point) const;
-  // Also throws if a repeat has another answer, to the bit. Where the solver ends the process by `exit`, that prints a
-  // sentence, and its code is 2.
+  // Both throw std::runtime_error, with label, run and point, if the solver throws (std::invalid_argument, if it throws
+  // that). Solves once, unrecorded.
+  void heat(solvers::Solver& solver, const Pose& target, const Configuration& start, int run, int point) const {
+    timed(solver, target, start, run, point);
+  }
+  // One timed call. Of what others wrote one in ten is asked again, for `odd`. Where the solver ends the process by
+  // `exit`, that prints a sentence, and its code is 2.
   results::SolveRecord solve(solvers::Solver& solver, const Pose& target, const Configuration& start, int run,
                              int point) const;
 
@@ -70,10 +74,10 @@ class SolveRunner {
   Task task_;
   solvers::Settings options_;
   std::string key_;
-  int repeats_;
   results::Timing timing_;
   bool is_counted_;                               // we count its evaluations; false if the program does
   std::unique_ptr<Conversations> conversations_;  // null if no program solves
+  mutable std::atomic<int> asked_again_ = 0, differed_ = 0;
 };
 
 }  // namespace ikbench::experiments

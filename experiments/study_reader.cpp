@@ -140,6 +140,9 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
       study.loop.period > 0 && (!study.is_chained() || study.path->is_drawn()), "loop",
       "loop.period_ms is about a path that the arm follows; expected start = \"previous\" and targets that are not "
       "drawn, or no [loop]");
+  refuse_if(
+      study.state == results::State::hot && study.is_chained(), "state",
+      "state is \"hot\", but start = \"previous\", so that a solver makes a run in a row; expected another start");
   constexpr double most_solves = 1e8;
   refuse_if(static_cast<double>(study.solvers.size()) * study.runs * study.path->points() > most_solves, "runs",
             "solvers, runs and points make more than 100 000 000 solves; expected fewer");
@@ -197,6 +200,10 @@ Study read_study(const toml::table& table, std::string_view source) {
                                       {"path", "a table with the kind of targets (ikbench list paths)"}}) {
     if (!table.contains(key)) throw reader.mistake(key, fmt::format("{} is missing; expected {}", key, expected));
   }
+  if (reader.find("repeats") != nullptr)
+    throw reader.mistake("repeats",
+                         "no solve is timed several times any more: each is one call, and times are compared over "
+                         "sessions; expected no repeats, and turns for more sessions");
   study.path = read_path(PathReader(reader.part("path")));
   if (reader.find("urdf") != nullptr && !is_urdf_file(study.robot))
     throw reader.mistake("urdf", fmt::format("[urdf] is about a URDF file, but robot is \"{}\"; expected one such as "

@@ -173,7 +173,7 @@ std::optional<Study> original_of(const Study& study) {
   return *original;
 }
 
-// The settings in which a study differs from the original. These may differ freely: name, title, seed, trace, repeats,
+// The settings in which a study differs from the original. These may differ freely: name, title, seed, trace, turns,
 // the analysis, further solvers, and the arm where each has random targets of its own, as a row of a table.
 std::vector<std::string> departures(const Study& study, const Study& original) {
   std::vector<std::string> keys;
@@ -181,7 +181,7 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
   for (const auto& [pointer, value] : theirs.items()) {
     const bool of_arm = pointer == "/robot" || pointer.starts_with("/initial_deg");  // which its limits may move
     const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
-                         pointer == "/repeats" || (of_arm && original.path->name() == "random") ||
+                         pointer == "/turns" || (of_arm && original.path->name() == "random") ||
                          pointer.starts_with("/analysis/") || pointer.starts_with("/figures/") ||
                          pointer.starts_with("/tables/");
     if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;

@@ -62,10 +62,13 @@ void list_fields(base::Fields& io, StudyData& study) {
   io.whole("population", study.population, populations, "candidates per iteration; a solver can override it",
            base::InKey::in_text);
   io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions", base::InKey::no);
-  io.whole(
-      "repeats", study.repeats, {1, 1000},
-      "how often each solve is timed; its time is the median. 1 with --jobs above 1, stop.seconds or a debug build",
-      base::InKey::no);
+  io.whole("turns", study.turns, {1, 1000},
+           "sessions in which all solvers do their share of the runs or targets, with new processes and another order: "
+           "times are compared over them, from 4 on; at most one for each run or target",
+           base::InKey::no);
+  io.choice("state", study.state, names_of(study.state),
+            "which call on a target is timed where solves do not start from the one before: the first, after other "
+            "solvers' work; hot: the second");
   io.whole("seed", study.seed, {0, base::no_limit}, "seed of all random numbers", base::InKey::in_text);
 }
 

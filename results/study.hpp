@@ -26,6 +26,7 @@ struct Plan {
   double significance = 0.05;
   double margin = 0.05;  // that matters: relative, 1 / 1.05 to 1.05; of shares points
   double margin_cm = 0;  // the same of errors; within either, a difference does not matter
+  double deadline = 0;   // [s] of a solve, what is solved within it is a metric; 0: the loop's period, if there is one
 
   bool operator==(const Plan&) const = default;
 };
@@ -51,6 +52,8 @@ inline void list_fields(base::Fields& io, Plan& plan) {
             "smallest relative difference that matters (of shares in points); within it two solvers count as the same");
   io.number("margin_cm", plan.margin_cm, 1, {0, 1000},
             "the same of errors in cm; a difference within either does not matter");
+  io.number("deadline_ms", plan.deadline, 0.001, {0, 1e6},
+            "tells what is solved within this time; 0: within loop.period_ms, if there is one");
 }
 
 // A control loop along a path: each solve has a period. It decides no number of a solve.
@@ -96,6 +99,10 @@ enum class Wrap { no, into_limits, nearest };
 // configuration drawn from seed, run and point, or one near the configuration that the target was made of.
 enum class Start { previous, initial, middle, random, near };
 
+// What a timed call finds. first: it is the first call on its target, after other solvers' work, as in a program that
+// does other things. hot: the second, as in a loop over many targets.
+enum class State { first, hot };
+
 // As in files, in their order.
 constexpr std::array<std::string_view, 5> names_of(Search) { return {"wrist", "all_joints", "pose", "axis", "flange"}; }
 constexpr std::array<std::string_view, 3> names_of(StudyBounds) { return {"per_solver", "initial", "clamp"}; }
@@ -103,6 +110,7 @@ constexpr std::array<std::string_view, 2> names_of(Limits) { return {"recorded",
 constexpr std::array<std::string_view, 5> names_of(Start) {
   return {"previous", "initial", "middle", "random", "near"};
 }
+constexpr std::array<std::string_view, 2> names_of(State) { return {"first", "hot"}; }
 
 struct StudyData {
   std::string name = "study";
@@ -123,7 +131,8 @@ struct StudyData {
   double near = 5 * base::degree;  // [rad] for Start::near: largest distance of a joint from the solution
   int population = 50;
   int runs = 20;
-  int repeats = 5;  // timed solves per problem; decides only times (experiments/runner.hpp)
+  int turns = 6;  // sessions of their own; decides only times (experiments/runner.hpp)
+  State state = State::first;
   std::uint64_t seed = 1;
   numerics::StopRule stop;
   Loop loop;

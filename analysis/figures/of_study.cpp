@@ -45,8 +45,8 @@ std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view colum
   const Metric& metric = metric_named(column);
   const About about =
       about_of(judged.study, metric, caption_of_boxes(metric.name, observation_of(judged.study, metric)));
-  return boxes(about,
-               box_rows(*values, drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
+  return boxes(about, box_rows(is_of_times(metric) ? observe_solves(judged.study, metric) : values->observations,
+                               drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
 }
 
 // Solvers whose values of a metric are not compared; all, where those of none are. Whoever solved nothing is, with
@@ -57,7 +57,7 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
   if (metric == nullptr) return judged.study.labels;
   const auto is_doubted = [&](const Group& group) {  // of several reasons a group has the first
     return std::ranges::any_of(metric->observations.doubts, [&](const Doubt& doubt) {
-      return doubt.kind != DoubtKind::few_decide_mean &&
+      return doubt.kind != DoubtKind::few_decide_mean && doubt.kind != DoubtKind::sessions_left_out &&
              (doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0);
     });
   };
@@ -403,7 +403,7 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
     const std::string number = all.empty() ? "" : fmt::format("-{}", all.size() + 1);
     const About about{"boxes" + number, caption_of_boxes(observed.quantity, "a value"), observed.quantity,
                       observed.unit};
-    if (auto figure = boxes(about, box_rows(metric, {observed.unit}, shown, look))) all.push_back(std::move(*figure));
+    if (auto figure = boxes(about, box_rows(observed, {observed.unit}, shown, look))) all.push_back(std::move(*figure));
   }
   for (auto figure : {ranks_of(first, shown, look), differences_of(first, {first.observations.unit}, shown, look)}) {
     if (figure) all.push_back(std::move(*figure));

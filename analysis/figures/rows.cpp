@@ -32,6 +32,8 @@ CurveRow row_at(double x, const std::vector<double>& values, Average average) {
 
 About about_of(const StudyResults& study, const Metric& metric, std::string caption) {
   const auto [unit, factor] = drawn_unit(study, metric.unit);
+  if (const std::string calls = calls_of(study); is_of_times(metric) && !calls.empty())
+    caption += fmt::format(" Times: {}.", calls);
   return {"", std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
 }
 
@@ -47,11 +49,11 @@ DrawnUnit drawn_unit(const StudyResults& study, std::string_view unit) {
   return {std::string(unit), 1};
 }
 
-std::vector<BoxRow> box_rows(const JudgedMetric& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
-                             const Look& look) {
+std::vector<BoxRow> box_rows(const judge::Observations& observed, const DrawnUnit& unit,
+                             const std::vector<std::string>& shown, const Look& look) {
   std::vector<BoxRow> rows;
   for (const std::string& name : shown) {
-    const Group& group = metric.observations.groups[place_of(metric.observations, name)];
+    const Group& group = observed.groups[place_of(observed, name)];
     const judge::Description all = describe(group);
     const std::span<const double> values = values_of(group);
     BoxRow& row = rows.emplace_back(

@@ -75,7 +75,8 @@ const Method& method_of(const Observations& observed, const Plan& plan, const Gr
   const bool is_share = observed.scale == Scale::share;
   if (is_any<Summary>(a, b)) return unpaired_t;
   if (is_any<Copies>(a, b)) return is_share || observed.are_logs ? paired_t : signs;
-  if (is_share && observed.trials == 1) return observed.is_paired ? paired_shares : unpaired_shares;
+  if (is_share && observed.trials == 1 && observed.fewest == 0)
+    return observed.is_paired ? paired_shares : unpaired_shares;
   const bool by_means = is_share || observed.are_logs || plan.test == Plan::Test::means;
   if (observed.is_paired) return by_means ? paired_t : signed_ranks;
   if (by_means) return unpaired_t;
@@ -272,6 +273,8 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
       const std::size_t runs = has_copies ? std::max(m, n) : std::min(m, n);
       pair.n = static_cast<int>(std::min(m, n) == 0 ? 0 : runs);
       if (const auto why = why_not(*pair.method, *a, *b)) pair.open = Open{.why = *why, .n = pair.n};
+      if (!pair.open && observed.fewest > 0 && pair.n < observed.fewest)
+        pair.open = Open{.why = Open::Why::too_few, .n = pair.n, .needed = observed.fewest};
       if (pair.open || pair.is_fact || pair.n == 0) continue;
       // Against a solver that repeats itself a run has a sign at least.
       pair.smallest_p = has_copies ? smallest_p_paired(runs) : pair.method->smallest_p(m, n);

@@ -1,6 +1,7 @@
 #include "analysis/judge/describe.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
@@ -138,6 +139,22 @@ Description describe(const Group& group) {
   Description its = described({values.begin(), values.end()});
   if (group.at_most > 0) its.sd = unknown;
   return its;
+}
+
+std::optional<Interval> interval_of_quantile(const std::vector<double>& sorted, double share) {
+  const auto n = static_cast<double>(sorted.size());
+  const boost::math::binomial below(n, share);  // how many values are
+  const double middle = n * share, reach = 4 * std::sqrt(middle * (1 - share)) + 2;
+  const auto first = static_cast<std::size_t>(std::max(1.0, middle - reach)),
+             last = static_cast<std::size_t>(std::min(n, middle + reach));
+  std::size_t low = 0, high = 0;  // places, from 1
+  for (std::size_t place = first; place <= last; ++place) {
+    const double fewer = static_cast<double>(place - 1);
+    if (boost::math::cdf(below, fewer) <= 0.025) low = place;
+    if (high == 0 && boost::math::cdf(boost::math::complement(below, fewer)) <= 0.025) high = place;
+  }
+  if (low == 0 || high == 0) return {};
+  return Interval{sorted[low - 1], sorted[high - 1]};
 }
 
 std::optional<double> hedges_g(const Summary& first, const Summary& second) {

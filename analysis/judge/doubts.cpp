@@ -83,34 +83,38 @@ std::vector<Doubt> doubts_of_load(const StudyResults& study) {
   return doubts;
 }
 
-// Those that were solved in other sessions than most.
-std::vector<std::string> measured_apart(const StudyResults& study) {
-  std::map<std::set<int>, std::vector<std::string>> solvers_of;
+bool are_of_other_sessions(const StudyResults& study) {
+  std::set<std::set<int>> all;
   for (const std::string& solver : study.labels) {
     std::set<int> sessions;
     for (const Solve& solve : study.of(solver)) sessions.insert(solve.session);
-    if (!sessions.empty()) solvers_of[sessions].push_back(solver);
+    if (!sessions.empty()) all.insert(std::move(sessions));
   }
-  const auto size = [](const auto& entry) { return entry.second.size(); };
-  if (!solvers_of.empty()) solvers_of.erase(std::ranges::max_element(solvers_of, {}, size));
-  std::vector<std::string> apart;
-  for (const auto& [sessions, solvers] : solvers_of) apart.insert(apart.end(), solvers.begin(), solvers.end());
-  return apart;
+  return all.size() > 1;
 }
 
-// Those whose solves are another's, so that only the machine can make their times differ; the control is none.
-std::vector<std::string> copies_of_others(const StudyResults& study) {
-  std::vector<std::string> copies, solvers = study.labels;
-  std::vector<Solves> earlier;
-  const auto is_control = [&](const std::string& solver) { return solver == study.definition.plan.control; };
-  std::stable_partition(solvers.begin(), solvers.end(), is_control);
-  for (const std::string& solver : solvers) {
-    const Solves all = study.of(solver);
-    const auto is_same = [&](Solves other) { return !all.empty() && have_same_solves(other, all); };
-    if (std::ranges::any_of(earlier, is_same)) copies.push_back(solver);
-    earlier.push_back(all);
+// Those that have fewer sessions than a test takes in common with most, who made the same ones.
+std::vector<std::string> measured_apart(const StudyResults& study, const std::map<int, std::size_t>& whole) {
+  std::map<std::set<int>, std::size_t> solvers_of;
+  const auto sessions_of = [&](const std::string& solver) {
+    std::map<int, std::size_t> counts;
+    for (const Solve& solve : study.of(solver)) ++counts[solve.session];
+    std::set<int> sessions;
+    for (const auto& [session, count] : counts)
+      if (const auto its = whole.find(session); its != whole.end() && its->second == count) sessions.insert(session);
+    return sessions;
+  };
+  for (const std::string& solver : study.labels) ++solvers_of[sessions_of(solver)];
+  const std::set<int> most = std::ranges::max_element(solvers_of, {}, [](const auto& each) {
+                               return std::pair(each.second, each.first.size());
+                             })->first;
+  std::vector<std::string> apart;
+  for (const std::string& solver : study.labels) {
+    const std::set<int> its = sessions_of(solver);
+    const auto common = std::ranges::count_if(its, [&](int session) { return most.contains(session); });
+    if (!study.of(solver).empty() && common < fewest_sessions) apart.push_back(solver);
   }
-  return copies;
+  return apart;
 }
 
 // Whom a limit of the study gives fewest evaluations, and whom most. Of who is not limited it is what a solve took.
@@ -215,22 +219,28 @@ void add_of_targets(Doubts& doubts, const StudyResults& study) {
 }  // namespace
 
 std::vector<Doubt> doubts_of_times(const StudyResults& study) {
-  std::vector<Doubt> doubts = doubts_of_load(study);
-  if (!doubts.empty() && doubts.front().who.empty()) return doubts;
-  constexpr std::size_t fewest_turns = 5;  // at being first: fewer leave a drift of the machine in the times
-  const auto takes_turns = [&](const auto& solver) { return runs_of(study.of(solver)).size() >= fewest_turns; };
-  if (!study.are_in_turn && study.labels.size() > 1 && std::ranges::none_of(study.labels, takes_turns))
-    return {{.kind = DoubtKind::times_not_comparable, .what = "one solver after the other"}};
+  const auto doubt_of = [](std::string what, std::vector<std::string> who = {}) {
+    return Doubt{.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = std::move(what)};
+  };
+  if (std::ranges::any_of(study.solves, is_timed(Timing::parallel))) return {doubt_of("solved in parallel")};
+  if (std::ranges::any_of(study.solves, is_timed(Timing::debug_build))) return {doubt_of("a debug build")};
+  if (std::ranges::none_of(study.sessions, is_of_this_clock)) return {doubt_of("of the clock of a former version")};
+  const std::map<int, std::size_t> sessions = sessions_that_compare(study);
+  const std::set<int> busy = busy_sessions(study);
+  if (std::ssize(sessions) < fewest_sessions && !busy.empty())
+    return {doubt_of(fmt::format("the machine was busy in {} of {}", busy.size(),
+                                 base::counted(std::ssize(study.sessions), "sessions")))};
+  if (std::ssize(sessions) < fewest_sessions)
+    return {doubt_of(
+        fmt::format("{}, and {} are the fewest", base::counted(std::ssize(sessions), "sessions"), fewest_sessions))};
+  Doubts doubts;
   const auto add_of = [&](std::vector<std::string> who, const char* what) {  // one reason is enough
     for (const Doubt& told : doubts)
       std::erase_if(who, [&](const std::string& solver) { return std::ranges::count(told.who, solver) > 0; });
-    add(doubts, {.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = what});
+    add(doubts, doubt_of(what, std::move(who)));
   };
-  if (!study.are_in_turn) {
-    add_of(measured_apart(study), "measured in another session");
-    add_of(copies_of_others(study), "all solves are another's, bit for bit");
-  }
-  std::vector<std::string> silent, short_ones, alone, programs;
+  add_of(measured_apart(study, sessions), "measured in other sessions; to compare them solve all again: --out NEW");
+  std::vector<std::string> silent, short_ones, alone;
   for (const std::string& solver : study.labels) {
     const Solves all = study.of(solver);
     const auto tells_none = [](const Solve& solve) {
@@ -239,13 +249,14 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
     if (std::ranges::any_of(all, tells_none)) silent.push_back(solver);
     if (10 * std::ranges::count_if(all, &Solve::is_told_short) > std::ssize(all)) short_ones.push_back(solver);
     if (10 * std::ranges::count_if(all, &Solve::is_told_alone) > std::ssize(all)) alone.push_back(solver);
-    if (std::ranges::any_of(all, is_timed(Timing::process))) programs.push_back(solver);
   }
   if (silent.size() < study.labels.size()) add_of(std::move(silent), "messages are in them");
   add_of(std::move(short_ones), "it tells less than half of its processor time");
   add_of(std::move(alone), "nothing is known of its processor time, as behind a wrapper that does not exec it");
-  // Memory, hashes and cores were drawn once for all of its targets, so their number says nothing of two processes.
-  if (!study.are_in_turn) add_of(std::move(programs), "each is of one process");
+  if (!busy.empty())
+    doubts.push_back({.kind = DoubtKind::sessions_left_out,
+                      .count = static_cast<double>(busy.size()),
+                      .of = static_cast<double>(study.sessions.size())});
   return doubts;
 }
 
@@ -256,8 +267,7 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study, bool takes_unsolve
     return solve.seconds >= 0.9 * limit && (takes_unsolved || !solve.had_enough_time);
   };
   std::vector<Doubt> doubts = doubts_of_load(study);
-  if (!study.are_in_turn && !measured_apart(study).empty())
-    doubts.push_back({.what = "measured in different sessions"});
+  if (are_of_other_sessions(study)) doubts.push_back({.what = "measured in different sessions"});
   for (Doubt& doubt : doubts) {
     doubt.kind = DoubtKind::seconds_decide;
     if (doubt.who.empty()) doubt.who = study.labels;
@@ -339,6 +349,8 @@ std::string words_of(const Doubt& doubt) {
       return fmt::format("{} ({})", what, who);
     case DoubtKind::times_not_comparable:
       return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what, in_solves);
+    case DoubtKind::sessions_left_out:
+      return fmt::format("{} sessions, in which the machine was busy, are left out of the tests of time", share);
     case DoubtKind::seconds_decide:
       return fmt::format("results of {} that seconds decide are not compared: {}{}", who, what, in_solves);
     case DoubtKind::out_of_reach:

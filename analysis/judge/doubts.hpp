@@ -22,7 +22,8 @@ enum class DoubtKind {
   counted_otherwise,     // evaluations: by the solver itself, or by nobody
   outside_limits,        // answers
   without_answer,        // solves, or infinite values of a file
-  times_not_comparable,  // measured in parallel, apart, or on a busy machine
+  times_not_comparable,  // measured in parallel, in too few sessions or apart, or on a busy machine
+  sessions_left_out,     // of times: busy ones, where enough others compare
   out_of_reach,          // targets
   solved_by_nobody,      // targets, in any run
   too_few_joints,        // for all conditions of a target

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -33,33 +34,38 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
   }
 }
 
-// Each turn began before the next of either store; a second is the least that times of sessions tell.
-bool were_in_turn(const std::vector<Session>& ours, const std::vector<Session>& theirs) {
-  const auto begins = [](const std::vector<Session>& sessions) {
-    std::vector<std::string> all;
-    for (const Session& session : sessions) all.push_back(session.began);
+// The sessions by their beginnings, if each turn of both began before the next of either, by this clock; a second is
+// the least that times of sessions tell. Of each of theirs the one of ours.
+std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, const std::vector<Session>& theirs) {
+  const auto by_beginning = [](const std::vector<Session>& sessions) {
+    std::vector<std::pair<std::string, int>> all;
+    for (const Session& session : sessions) all.emplace_back(session.began, static_cast<int>(session.id));
     std::ranges::sort(all);
     return all;
   };
-  const std::vector<std::string> one = begins(ours), other = begins(theirs);
-  if (one.size() != other.size() || one.size() < 2) return false;
-  for (std::size_t i = 1; i < one.size(); ++i)
-    if (std::max(one[i - 1], other[i - 1]) > std::min(one[i], other[i])) return false;
-  return true;
+  const auto one = by_beginning(ours), other = by_beginning(theirs);
+  if (one.size() != other.size() || one.size() < 2) return {};
+  std::map<int, int> turns;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    if (i > 0 && std::max(one[i - 1].first, other[i - 1].first) > std::min(one[i].first, other[i].first)) return {};
+    turns[other[i].second] = one[i].second;
+  }
+  return turns;
 }
 
-// Of both stores, as solvers of one study. Takes their solves.
-StudyResults study_of_both(StudyResults& baseline, StudyResults both) {
+// Of both stores, as solvers of one study. Takes their solves. Sessions of one turn are one; without turns all differ.
+StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std::map<int, int>& turns) {
   both.labels = {"now", "before"};
   const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
   for (Session& session : std::exchange(baseline.sessions, {})) {
+    if (!turns.empty()) continue;
     session.id += before;
     both.sessions.push_back(std::move(session));
   }
   both.solves.reserve(2 * both.solves.size());
   for (Solve solve : std::exchange(baseline.solves, {})) {
     solve.label = 1;
-    solve.session += before;
+    solve.session = turns.empty() ? solve.session + before : turns.at(solve.session);
     both.solves.push_back(solve);
   }
   refuse_other_targets(both);
@@ -84,7 +90,7 @@ bool is_time(const JudgedMetric& judged) { return judged.observations.unit == "s
 
 // What takes a part of the significance.
 bool may_decide(const Gate& gate, const JudgedMetric& judged) {
-  return is_time(judged) ? gate.judged.study.are_in_turn : !gate.are_same;
+  return is_time(judged) ? gate.do_times_decide : !gate.are_same;
 }
 
 bool is_of_answers(const JudgedMetric& judged) { return judged.observations.metric == "answers"; }
@@ -159,7 +165,7 @@ void tell_enough_time(StudyResults& study) {
 
 }  // namespace
 
-Gate gate(StudyResults study, const std::string& label) {
+Gate gate(StudyResults study, std::optional<double> time_margin, const std::string& label) {
   const std::string candidate = study.labels.front(), baseline = study.labels.back();
   const Solves ours = study.of(candidate), theirs = study.of(baseline);
   const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
@@ -167,13 +173,17 @@ Gate gate(StudyResults study, const std::string& label) {
     throw std::invalid_argument(fmt::format(
         "not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
         label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
-  Gate gate{.label = label, .are_same = have_same_solves(ours, theirs) && std::ranges::any_of(ours, gave_answer)};
+  Gate gate{.label = label,
+            .do_times_decide = time_margin.has_value(),
+            .are_same = have_same_solves(ours, theirs) && std::ranges::any_of(ours, gave_answer)};
   study.definition.plan.control = baseline;  // shown second
   tell_enough_time(study);
   JudgedStudy& judged = gate.judged = observe_all(std::move(study));
   const bool machine_decides = !doubts_of_clock(judged.study, true).empty();
   judged.metrics.push_back(
       {.observations = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
+  for (JudgedMetric& metric : judged.metrics)
+    if (is_time(metric) && time_margin) metric.plan.margin = *time_margin;
   judged.study.solves = {}, judged.study.drawn = {};  // observed, and large
   return gate;
 }
@@ -181,22 +191,20 @@ Gate gate(StudyResults study, const std::string& label) {
 Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> time_margin) {
   refuse_other_task(baseline, candidate);
   const std::string label = candidate.labels.front();
-  if (time_margin && !were_in_turn(baseline.sessions, candidate.sessions))
-    throw std::invalid_argument(
-        fmt::format("not compared: times of {} are of other sessions than before; expected two stores that were solved "
-                    "in turn (cli/gate.sh with OLD), or leave out --time-margin",
-                    label));
-  StudyResults study = study_of_both(baseline, std::move(candidate));
-  study.are_in_turn = time_margin.has_value();
-  Gate both = gate(std::move(study), label);
+  const bool are_of_this_clock = std::ranges::all_of(baseline.sessions, is_of_this_clock) &&
+                                 std::ranges::all_of(candidate.sessions, is_of_this_clock);
+  const auto turns = turns_of(candidate.sessions, baseline.sessions);
+  if (time_margin && !(turns && are_of_this_clock))
+    throw std::invalid_argument(fmt::format(
+        "not compared: times of {} are {}", label,
+        are_of_this_clock ? "of other sessions than before; expected two stores that were solved in turn (cli/gate.sh "
+                            "with OLD), or leave out --time-margin"
+                          : "of the clock of a former version, which no time of this one is compared with"));
+  StudyResults study = study_of_both(baseline, std::move(candidate), time_margin ? *turns : std::map<int, int>());
+  Gate both = gate(std::move(study), time_margin, label);
   refuse_vanished(both.judged, label);
-  for (JudgedMetric& metric : both.judged.metrics) {
-    if (!is_time(metric)) continue;
-    if (time_margin)
-      metric.plan.margin = *time_margin;
-    else
-      metric.observations.doubts = {};  // of two sessions times are never comparable
-  }
+  for (JudgedMetric& metric : both.judged.metrics)  // of two sessions times are never comparable
+    if (is_time(metric) && !time_margin) metric.observations.doubts = {};
   std::vector<Doubt> limits = doubts_of_limits(baseline, both.judged.study);
   if (!limits.empty())  // the stricter of what is said of budgets
     std::erase_if(both.judged.doubts, [](const Doubt& doubt) { return doubt.kind == DoubtKind::budgets_differ; });
@@ -223,7 +231,7 @@ void decide(std::vector<Gate>& gates) {
   }
   for (Gate& gate : gates) {
     gate.is_compared = gate.are_same;
-    gate.are_times_missing = gate.judged.study.are_in_turn && std::ranges::none_of(gate.judged.metrics, is_time);
+    gate.are_times_missing = gate.do_times_decide && std::ranges::none_of(gate.judged.metrics, is_time);
     for (JudgedMetric& judged : gate.judged.metrics) {
       if (is_open(judged.findings.front(), Open::Why::too_few)) judge_by(judged, all);
       const Observations& observed = judged.observations;
@@ -232,7 +240,7 @@ void decide(std::vector<Gate>& gates) {
         finding.what = Fact{.amount = {finding.scale == Scale::ratio ? 1.0 : 0.0}};
       if (&judged == &gate.judged.metrics[gate.judged.deciding])
         gate.sight = sight_of(judged, static_cast<double>(std::max<std::size_t>(tests, 1)));
-      if (is_time(judged) && !gate.judged.study.are_in_turn) continue;
+      if (is_time(judged) && !gate.do_times_decide) continue;
       if (const int missing = newly_missing(judged); missing > 0) {
         gate.newly_missing = missing;
         gate.worse.push_back(observed.quantity);

@@ -21,20 +21,21 @@ struct Gate {
   // Without solves, once decided without values. Of two solvers, the candidate first; the last metric is the share of
   // solves that gave an answer.
   JudgedStudy judged;
-  // Quantities; time only if the two were solved in turn. worse_by_little: by less than the margin, which is no loss.
+  bool do_times_decide = false;  // asked for
+  // Quantities; time only if times decide. worse_by_little: by less than the margin, which is no loss.
   std::vector<std::string> worse, better, worse_by_little, not_decided, not_tested;
   std::optional<Sight> sight = {};  // none where shares are not tested
   int newly_missing = 0;            // answers, where before none was or now none is left: worse, even if by chance
   bool are_same = false;            // all solves, bit for bit: then nothing is left to decide but time
-  bool are_times_missing = false;   // though the two solved in turn, so that times decide
+  bool are_times_missing = false;   // though they decide
   bool is_compared = true;          // some quantity besides the share of answers was compared, or something is worse
 };
 
-// Of a study of two solvers, the candidate first; observed and not yet judged. Throws std::invalid_argument if they
-// have not the same solves.
-Gate gate(StudyResults study, const std::string& label = "");
-// Of one solver in two stores, by the baseline's plan. If they were solved in turn, times decide by a margin of their
-// own. Throws also if the tasks differ, or if the candidate lacks all values of a metric.
+// Of a study of two solvers, the candidate first; observed and not yet judged. With a margin of their own times decide.
+// Throws std::invalid_argument if they have not the same solves.
+Gate gate(StudyResults study, std::optional<double> time_margin = {}, const std::string& label = "");
+// Of one solver in two stores, by the baseline's plan; times decide only if the two were solved in turn. Throws also if
+// the tasks differ, or if the candidate lacks all values of a metric.
 Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> time_margin = {});
 // Judges all, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
 // no more compares than it says.

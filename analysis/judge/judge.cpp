@@ -61,7 +61,9 @@ JudgedMetric judge(Observations observations, const Plan& plan, std::size_t metr
   const Observations& observed = judged.observations;
   for (const Group& group : observed.groups) {
     const Description its = describe(group);
-    judged.described.push_back(observed.are_logs ? Description{.n = its.n, .mean = std::exp(its.mean)} : its);
+    judged.described.push_back(observed.are_logs ? Description{.n = its.n, .mean = std::exp(its.mean)}
+                               : group.all > 0   ? Description{.n = group.all, .mean = group.share}
+                                                 : its);
   }
   judged.findings = compare(observed, plan, metrics);
   judged.headline = headline(observed, judged.findings);

@@ -58,6 +58,8 @@ struct Group {
   std::string name = {};
   Sample sample = {};
   double at_most = 0;  // values at or below count as this, the tolerance; 0: none
+  int all = 0;         // of shares by session: of all observations, whose share is
+  double share = 0;    // this; 0: what is described are the values
 };
 
 // Null if it is compared.
@@ -84,8 +86,10 @@ struct Observations {
   bool is_paired = false;         // values of one block belong together; without blocks, values[i]
   bool tells_incomplete = false;  // tables have numbers of groups that lost values, though nothing is said of them
   bool is_of_solved = false;      // so each group has its own targets: numbers of two are comparable in findings alone
+  bool is_spent = false;          // what all attempts took, by the number of targets solved
   bool are_logs = false;          // values are logarithms, and their mean is compared: that of the ratio
   int trials = 1;                 // of shares: attempts in an observation; one makes it 0 or 1
+  int fewest = 0;                 // common blocks that a pair needs
   std::vector<Group> groups = {};
   std::vector<Doubt> doubts = {};
 };

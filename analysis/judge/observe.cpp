@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <set>
+#include <map>
 
 #include "analysis/judge/describe.hpp"
 #include "analysis/judge/tests_of_two.hpp"
@@ -21,6 +21,13 @@ constexpr double rounding_deg = 1e-9 / base::degree;
 
 double of_answer(const Solve& solve, double value) {
   return results::is_without_answer(solve.status) ? unknown : value;
+}
+
+double is_in_time(const Solve& solve, const StudyResults& study) {
+  const Plan& plan = study.definition.plan;
+  const double deadline = plan.deadline > 0 ? plan.deadline : study.definition.loop.period;
+  const bool is_solved = study.definition.has_tolerance() ? solve.status == Status::ok : gave_answer(solve);
+  return deadline == 0 ? unknown : double(is_solved && solve.seconds <= deadline);
 }
 
 constexpr std::array rows{
@@ -62,14 +69,12 @@ struct Value {
 };
 
 // Of the solves, by block; an observation is made of those of one.
-std::vector<Value> values_of(const StudyResults& study, const Metric& metric, std::string_view solver, bool by_turn) {
+std::vector<Value> values_of(const StudyResults& study, const Metric& metric, std::string_view solver) {
   const Definition& definition = study.definition;
   const bool of_runs = are_runs(study, metric), of_solved = is_of_solved(study, metric);
   const double least = tolerance_of(study, metric);
   // Where the arm stayed is no error of a solver that never moved it.
   const bool is_unknown = metric.kind == Kind::error && std::ranges::none_of(study.of(solver), gave_answer);
-  std::set<int> turns;  // a session each; what a process spends in one is one observation
-  for (const Solve& solve : by_turn ? study.of(solver) : Solves()) turns.insert(solve.session);
   std::vector<Value> values;
   for (const Solves run : runs_of(study.of(solver))) {
     if (of_runs && !is_complete(study, run)) continue;
@@ -79,8 +84,7 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, st
     }
     for (const Solve& solve : run) {
       if (of_solved && solve.status != Status::ok) continue;
-      const int block = by_turn   ? static_cast<int>(std::distance(turns.begin(), turns.find(solve.session)))
-                        : of_runs ? solve.run
+      const int block = of_runs                    ? solve.run
                         : definition.draws_targets ? (solve.run - 1) * definition.points + solve.point
                                                    : solve.point;
       const double value = is_unknown ? unknown : metric.value(solve, study);
@@ -116,18 +120,15 @@ std::vector<Value> spent_by_solved(std::vector<Value> spent, const std::vector<V
   return spent;
 }
 
-bool is_by_turn(const StudyResults& study, const Metric& metric) { return study.are_in_turn && metric.unit == "s"; }
-
 Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, const std::string& solver) {
-  const bool by_turn = is_by_turn(study, metric);
   Group group{.name = solver};
   const double least = tolerance_of(study, metric);
-  const std::vector<Value> all = values_of(study, metric, solver, by_turn);
+  const std::vector<Value> all = values_of(study, metric, solver);
   if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.at_most = least;
   std::vector<Value> values = means_of(all, metric.kind == Kind::time);
   Measured measured;
   if (metric.kind == Kind::spent || is_of_answers(study, metric)) {
-    const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver, by_turn));
+    const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver));
     if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
       group.sample = Untold{.why = Untold::Why::none};
       return group;
@@ -159,6 +160,80 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   return group;
 }
 
+// Of a session: the share solved in time; or the logarithm of the median time of its targets, where all are solved; or
+// that of the time spent by target solved. NaN: there is none.
+double of_session(const StudyResults& study, const Metric& metric, const std::vector<const Solve*>& solves) {
+  const bool are_answers = metric.kind == Kind::time, must_solve = is_of_solved(study, metric);
+  std::vector<double> values;
+  double spent = 0, solved = 0;
+  for (const Solve* const solve : solves) {
+    values.push_back(are_answers && must_solve && solve->status != Status::ok ? unknown : metric.value(*solve, study));
+    spent += values.back(), solved += solve->status == Status::ok;
+  }
+  if (metric.kind == Kind::in_time) return spent / static_cast<double>(values.size());
+  if (!std::isfinite(spent) || (!are_answers && solved == 0)) return unknown;
+  return std::log(std::max(are_answers ? described(values).median : spent / solved, 1e-9));
+}
+
+Group group_of_times(const StudyResults& study, const Metric& metric, const std::string& solver,
+                     const std::map<int, std::size_t>& sessions) {
+  std::map<int, std::vector<const Solve*>> solves;
+  for (const Solve& solve : study.of(solver)) solves[solve.session].push_back(&solve);
+  Group group{.name = solver};
+  Measured measured;
+  std::vector<double> apart;  // of sessions that compare with none
+  for (const auto& [session, its] : solves) {
+    const double value = of_session(study, metric, its);
+    const auto whole = sessions.find(session);
+    if (std::isnan(value)) continue;
+    if (whole == sessions.end() || whole->second != its.size())
+      apart.push_back(value);
+    else
+      measured.values.push_back(value), measured.blocks.push_back(session);
+    group.share += metric.kind == Kind::in_time ? value * static_cast<double>(its.size()) : 0;
+  }
+  if (metric.kind == Kind::in_time) group.all = static_cast<int>(study.of(solver).size()), group.share /= group.all;
+  measured.worth = static_cast<double>(measured.values.size());  // each is of a session, so none decides
+  const bool is_none = study.definition.has_tolerance() && metric.kind != Kind::in_time &&
+                       std::ranges::none_of(study.of(solver), [](auto& its) { return its.status == Status::ok; });
+  if (!measured.values.empty())
+    group.sample = std::move(measured);
+  else
+    group.sample = Untold{.why = is_none ? Untold::Why::none : Untold::Why::apart, .values = std::move(apart)};
+  return group;
+}
+
+// Who is in doubt is described, and not compared.
+void set_apart(Observations& observed) {
+  for (const Doubt& doubt : observed.doubts) {
+    if (doubt.kind == DoubtKind::sessions_left_out) continue;
+    for (Group& group : observed.groups) {
+      const bool is_apart = doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0;
+      if (!is_apart || untold(group)) continue;  // a group that lost values stays so: the stronger reason
+      const std::span<const double> values = judge::values_of(group);
+      group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
+    }
+  }
+}
+
+Observations observe_times(const StudyResults& study, const Metric& metric) {
+  Observations observed{.metric = std::string(metric.slug),
+                        .quantity = std::string(metric.name),
+                        .unit = std::string(metric.unit),
+                        .better = metric.kind == Kind::in_time ? Better::larger : Better::smaller,
+                        .scale = metric.scale,
+                        .is_paired = true,
+                        .is_spent = metric.kind == Kind::spent,
+                        .are_logs = metric.kind != Kind::in_time,
+                        .fewest = fewest_sessions};
+  const std::map<int, std::size_t> sessions = sessions_that_compare(study);
+  for (const std::string& solver : study.labels)
+    observed.groups.push_back(group_of_times(study, metric, solver, sessions));
+  observed.doubts = doubts_of_times(study);
+  set_apart(observed);
+  return observed;
+}
+
 }  // namespace
 
 std::span<const Metric> metrics() { return rows; }
@@ -168,6 +243,17 @@ const Metric& metric_named(std::string_view column) {
 }
 
 Observations observe(const StudyResults& study, const Metric& metric) {
+  if (is_of_times(metric)) return observe_times(study, metric);
+  Observations observed = observe_solves(study, metric);
+  const bool takes_unsolved = study.definition.is_chained() || (metric.kind != Kind::share && !observed.is_of_solved);
+  observed.doubts = doubts_of_clock(study, takes_unsolved);
+  if (metric.column.starts_with("evaluations"))
+    std::ranges::move(doubts_of_evaluations(study), std::back_inserter(observed.doubts));
+  set_apart(observed);
+  return observed;
+}
+
+Observations observe_solves(const StudyResults& study, const Metric& metric) {
   const Definition& definition = study.definition;
   const bool of_runs = are_runs(study, metric);
   Observations observed{.metric = std::string(metric.slug),
@@ -178,26 +264,15 @@ Observations observe(const StudyResults& study, const Metric& metric) {
                         .absolute_margin = metric.unit == "cm" ? definition.plan.margin_cm : 0,
                         .floor = metric.floor,
                         .rounding = metric.rounding,
-                        .is_paired = definition.draws_targets || !of_runs || is_by_turn(study, metric),
+                        .is_paired = definition.draws_targets || !of_runs,
                         .is_of_solved = is_of_solved(study, metric),
+                        .is_spent = metric.kind == Kind::spent,
                         .are_logs = metric.kind == Kind::spent,
                         .trials = of_runs                    ? definition.points
                                   : definition.draws_targets ? 1
                                                              : definition.runs};
-  std::vector<Group>& groups = observed.groups;
-  for (const std::string& solver : study.labels) groups.push_back(group_of(study, metric, observed.is_paired, solver));
-  const bool takes_unsolved = definition.is_chained() || (metric.kind != Kind::share && !observed.is_of_solved);
-  observed.doubts = metric.unit == "s" ? doubts_of_times(study) : doubts_of_clock(study, takes_unsolved);
-  if (metric.column.starts_with("evaluations"))
-    std::ranges::move(doubts_of_evaluations(study), std::back_inserter(observed.doubts));
-  for (const Doubt& doubt : observed.doubts) {
-    for (Group& group : groups) {
-      const bool is_apart = doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0;
-      if (!is_apart || untold(group)) continue;  // a group that lost values stays so: the stronger reason
-      const std::span<const double> values = judge::values_of(group);
-      group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
-    }
-  }
+  for (const std::string& solver : study.labels)
+    observed.groups.push_back(group_of(study, metric, observed.is_paired, solver));
   return observed;
 }
 

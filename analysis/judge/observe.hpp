@@ -12,9 +12,10 @@ namespace ikbench::judge {
 
 // share: solved or not. error: a distance from the target. cost: effort for an answer; with a tolerance, only of
 // targets that both solvers of a pair solved. time: a cost that is compared only where times are comparable. spent: all
-// that attempts took, by the number of targets solved, so that who fails pays for it. run: its last solve has the value
+// that attempts took, by the number of targets solved, so that who fails pays for it. in_time: solved within the
+// deadline or not. run: its last solve has the value
 // of all.
-enum class Kind { share, error, cost, time, spent, run };
+enum class Kind { share, error, cost, time, spent, in_time, run };
 
 // In which reports: where a study has a tolerance, costs are of what was solved; if some of it was not, what was spent
 // stands in place of evaluations and time.
@@ -37,8 +38,14 @@ std::span<const Metric> metrics();
 // Throws std::invalid_argument, which lists all, if no row has this column.
 const Metric& metric_named(std::string_view column);
 
+// Its unit of comparison is a session, since what decides a time is drawn once for a process: memory, hashes, cores.
+inline bool is_of_times(const Metric& metric) { return metric.unit == "s" || metric.kind == Kind::in_time; }
+
 // One observation is a run, the mean of its targets, where solves are chained or all runs have one target; else a
-// target, the mean of its runs, or of drawn targets its one solve. Of times it is the median.
+// target, the mean of its runs, or of drawn targets its one solve. Of times it is a session: the logarithm of the
+// median over its targets, or of the time spent by target solved.
 Observations observe(const StudyResults& study, const Metric& metric);
+// As papers print it: times, too, are of runs or targets, of each the median. Describes, and compares no times.
+Observations observe_solves(const StudyResults& study, const Metric& metric);
 
 }  // namespace ikbench::judge

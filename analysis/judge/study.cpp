@@ -158,6 +158,41 @@ std::set<std::string> facts_of(const StudyResults& study, const std::string& nam
   return values;
 }
 
+bool is_of_this_clock(const Session& session) { return session.environment.contains("state"); }
+
+std::string calls_of(const StudyResults& study) {
+  const std::set<std::string> states = facts_of(study, "state");
+  return states.empty()             ? ""
+         : states.contains("first") ? "first calls on a target"
+         : states.contains("hot")   ? "second calls on a target"
+                                    : "calls of runs in a row";
+}
+
+std::set<int> busy_sessions(const StudyResults& study) {
+  std::map<std::pair<int, int>, std::pair<int, int>> disturbed;  // by session and solver, of how many
+  for (const Solve& solve : study.solves) {
+    auto& [count, all] = disturbed[{solve.session, solve.label}];
+    count += solve.was_disturbed, ++all;
+  }
+  std::set<int> busy;
+  for (const auto& [of, counts] : disturbed)
+    if (counts.first > 1 && 10 * counts.first > counts.second) busy.insert(of.first);
+  return busy;
+}
+
+std::map<int, std::size_t> sessions_that_compare(const StudyResults& study) {
+  std::map<std::pair<int, int>, std::size_t> solves;  // by session and solver
+  for (const Solve& solve : study.solves) ++solves[{solve.session, solve.label}];
+  std::map<int, std::size_t> whole;
+  for (const auto& [of, count] : solves) whole[of.first] = std::max(whole[of.first], count);
+  const std::set<int> busy = busy_sessions(study);
+  std::erase_if(whole, [&](const auto& each) {
+    const auto its = std::ranges::find(study.sessions, each.first, &Session::id);
+    return busy.contains(each.first) || its == study.sessions.end() || !is_of_this_clock(*its);
+  });
+  return whole;
+}
+
 StudyResults read_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
   const std::int64_t all = store.number_of_solves(entry);
   if (all > most_solves)

@@ -50,7 +50,6 @@ struct StudyResults : results::StoredStudy {
   std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace
   std::vector<results::Session> sessions;   // that made them
   std::map<std::string, std::map<std::string, std::vector<double>>> extras;  // by name and solver; finite ones
-  bool are_in_turn = false;  // two versions solved run by run in turn, so sessions do not set times apart
   Doubt other_version = {.kind = DoubtKind::other_version};  // solves that stand in the store instead of missing ones
 
   // By run and point.
@@ -71,6 +70,17 @@ bool repeats_itself(const StudyResults& study, std::string_view solver);
 
 // What sessions say of one fact of their environment, such as "cpu".
 std::set<std::string> facts_of(const StudyResults& study, const std::string& name);
+
+constexpr int fewest_sessions = 4;  // that compare times
+
+// Of one clock: all but those of stores that a former version began.
+bool is_of_this_clock(const results::Session& session);
+// "first calls on a target": which calls this clock timed; empty: none.
+std::string calls_of(const StudyResults& study);
+// A solver was slower by more than a tenth than its processor time in more than a tenth of its solves.
+std::set<int> busy_sessions(const StudyResults& study);
+// The sessions whose times compare, of this clock and not busy, with the number of solves of those who made all in it.
+std::map<int, std::size_t> sessions_that_compare(const StudyResults& study);
 
 constexpr std::int64_t most_solves = 10'000'000;
 constexpr int most_drawn = 10'000;  // of a first run

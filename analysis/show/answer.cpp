@@ -36,7 +36,7 @@ JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
     if (auto* const copies = std::get_if<Copies>(&group.sample); copies && !observed.are_logs)
       scale(factor, copies->value);
     if (auto* const printed = std::get_if<Summary>(&group.sample)) scale(factor, printed->mean, printed->sd);
-    if (auto* const its = std::get_if<Untold>(&group.sample)) scale_all(its->values);
+    if (auto* const its = std::get_if<Untold>(&group.sample); its && !observed.are_logs) scale_all(its->values);
   }
   for (Description& its : judged.described)
     scale(factor, its.mean, its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest,
@@ -161,16 +161,13 @@ Answer answer_of(const JudgedStudy& judged) {
   all.studied = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
                             stops_of(judged.study));
   all.show = judged.study.definition.tables.show;
-  all.are_in_turn = judged.study.are_in_turn;
   all.loop = loop_table(judged.study, all.solvers());
   const results::Definition& definition = judged.study.definition;
   const bool are_runs = definition.compares_runs();
   all.noun = are_runs ? "runs" : "targets";
   if (are_runs ? definition.points > 1 : definition.runs > 1 && !definition.draws_targets)
-    all.notes.push_back(fmt::format("Each {} is the mean of its {}{}.", are_runs ? "run" : "target",
-                                    are_runs ? "targets" : "runs",
-                                    judged_of(judged, "seconds") && !all.are_in_turn ? ", of time the median" : ""));
-  if (all.are_in_turn) all.notes.emplace_back("Of time a turn is one value, its median.");
+    all.notes.push_back(
+        fmt::format("Each {} is the mean of its {}.", are_runs ? "run" : "target", are_runs ? "targets" : "runs"));
   for (JudgedMetric& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
@@ -215,7 +212,7 @@ Answer with_short_names(Answer answer, std::size_t length) {
 
 std::string noun_of(const Answer& answer, const JudgedMetric& judged) {
   const bool is_time = judged.observations.unit == "s" || judged.observations.unit == "ms";
-  return answer.are_in_turn && is_time ? "turns" : answer.noun;
+  return is_time ? "sessions" : answer.noun;
 }
 
 bool has_failed(const StudyResults& study, const Solve& solve) {

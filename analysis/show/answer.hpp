@@ -21,7 +21,6 @@ struct Answer {
   std::string direction = {};  // of a file: "smaller is better"
   results::TableStyle::Show show = results::TableStyle::Show::tested;  // of the table of results
   Table loop = {};                                                     // of a control loop; without rows if it is none
-  bool are_in_turn = false;                                            // so an observation of time is a turn
 
   const judge::JudgedMetric& decisive() const { return metrics.front(); }
   std::vector<std::string> solvers() const;  // in the order

@@ -244,7 +244,7 @@ Table results_table(const Answer& answer) {
                     ratios.size() == 1 ? "" : "s", answer.order.size() == 2 ? "" : "s", fmt::join(kinds, " or "),
                     are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun));
   }
-  const auto are_spent = [](const JudgedMetric& judged) { return judged.observations.are_logs; };
+  const auto are_spent = [](const JudgedMetric& judged) { return judged.observations.is_spent; };
   if (std::ranges::any_of(answer.metrics, are_spent))
     sentences.back() += fmt::format("{}per solved: all that was spent, divided by the {} solved",
                                     sentences.back().empty() ? "" : "; ", answer.noun);
@@ -489,11 +489,12 @@ Table descriptives_table(const Answer& answer) {
       .columns = columns_of({"metric", "solver", "n", "mean", "sd", "median", "lower quartile", "upper quartile",
                              "95 % quantile", "smallest", "largest", "interval", "unit", "missing"})};
   bool is_any_lost = false, is_any_share = false;
-  std::vector<std::string> of_solved, of_all;
+  std::vector<std::string> of_solved, of_all, of_sessions;
   for (const JudgedMetric& judged : answer.metrics) {
     const Observations& observed = judged.observations;
     if (observed.is_of_solved) of_solved.push_back(observed.quantity);
-    if (observed.are_logs) of_all.push_back(observed.quantity);
+    if (observed.is_spent) of_all.push_back(observed.quantity);
+    if (observed.fewest > 0) of_sessions.push_back(observed.quantity);
     for (const std::string& solver : answer.solvers()) {
       const std::size_t i = place_of(observed, solver);
       if (i == observed.groups.size()) continue;
@@ -515,6 +516,7 @@ Table descriptives_table(const Answer& answer) {
   std::string of_costs =
       of_solved.empty() ? "" : fmt::format("; of {} only those that a solver solved", listed(of_solved));
   if (!of_all.empty()) of_costs += fmt::format("; of {} all, whether solved or not", listed(of_all));
+  if (!of_sessions.empty()) of_costs += fmt::format("; of {} sessions, with their geometric mean", listed(of_sessions));
   table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun, of_costs,
                              is_any_share ? " Interval: Wilson's." : "")};
   if (is_any_lost) table.notes.emplace_back("missing: without a value; such a solver is not tested.");

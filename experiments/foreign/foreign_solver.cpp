@@ -15,7 +15,7 @@ using namespace results;
 
 namespace {
 
-constexpr int warm_ups = 3, most_failures_in_a_row = 3;
+constexpr int most_failures_in_a_row = 3;
 
 Status status_of(Trouble::Kind kind) {
   constexpr Status as_kinds[]{Status::crashed, Status::timed_out, Status::broke_protocol, Status::declined};
@@ -64,19 +64,14 @@ std::string Conversations::last_failure() const {
   return last_failure_;
 }
 
-void Conversations::note_repeat(bool is_same) {
-  const std::scoped_lock lock(mutex_);
-  ++repeated_;
-  differed_ += is_same ? 0 : 1;
+std::string Conversations::odd() const {
+  const std::string failure = last_failure();
+  return failure.empty() ? "" : "last failure: " + failure;
 }
 
-std::string Conversations::odd() const {
+void Conversations::end_processes() {
   const std::scoped_lock lock(mutex_);
-  std::string told = last_failure_.empty() ? "" : "last failure: " + last_failure_;
-  if (differed_ > 0)
-    told += fmt::format("{}it answers otherwise when it is asked again, {} of {} times", told.empty() ? "" : "; ",
-                        differed_, repeated_);
-  return told;
+  for (Conversation& idle : idle_) idle.child.reset();
 }
 
 template <class Talk>
@@ -132,9 +127,10 @@ void ForeignSolver::prepare(const Problem& problem, const Objective& objective) 
   failure_.reset();
   guarded([&] {
     const bool is_new = ensure_running();
-    for (std::uint32_t i = 0; is_new && i < warm_ups; ++i) {
-      Objective unrecorded(objective.arm(), objective.goal());
-      converse(problem, unrecorded, i);
+    WarmUp unrecorded;
+    for (std::uint32_t seed = 0; is_new && unrecorded.goes_on(); ++seed) {
+      Objective uncounted(objective.arm(), objective.goal());
+      converse(problem, uncounted, seed);
     }
     if (!is_new && !own_.child->has_line()) return;
     // Who answers twice after a pause would stay behind, each answer that of the solve before.

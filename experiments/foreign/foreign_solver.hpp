@@ -1,6 +1,7 @@
 // A program as a solver. Its process is started when needed, asked and watched, and started anew if it dies.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -43,6 +44,16 @@ struct Conversation {
   std::optional<Trouble> refusal = {};  // set if it is given up
 };
 
+// A few unrecorded solves: three, or fewer that take long.
+class WarmUp {
+ public:
+  bool goes_on() { return solves_++ < 3 && std::chrono::steady_clock::now() - began_ < std::chrono::milliseconds(100); }
+
+ private:
+  int solves_ = 0;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
 // The idle conversations with a program. Any thread may take one and give it back.
 class Conversations {
  public:
@@ -54,8 +65,8 @@ class Conversations {
   void give_back(Conversation conversation);
   void note(std::string failure);
   std::string last_failure() const;  // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
-  void note_repeat(bool is_same);    // of a solve that was asked twice
-  std::string odd() const;           // its last failure, and how often it answered otherwise when asked again
+  std::string odd() const;           // its last failure
+  void end_processes();              // of the idle ones; a program that is given up stays so
 
   const std::shared_ptr<const Program> program;
   const std::string robot;
@@ -64,7 +75,6 @@ class Conversations {
   mutable std::mutex mutex_;
   std::vector<Conversation> idle_;
   std::string last_failure_;
-  int repeated_ = 0, differed_ = 0;
 };
 
 // solvers::solve drives it like any other solver; `start` is the whole conversation. If the program fails, the error is

@@ -104,7 +104,7 @@ quiet() {
 # study NAME ENTRY...: a study file of two runs of eight points, damped least squares first.
 study() {
   {
-    printf 'name = "%s"\nrobot = "kuka_iiwa14"\nsearch = "all_joints"\nruns = 2\nrepeats = 1\n' "$1"
+    printf 'name = "%s"\nrobot = "kuka_iiwa14"\nsearch = "all_joints"\nruns = 2\n' "$1"
     printf '[path]\nkind = "random"\npoints = 8\n[stop]\niterations = 8\n'
     printf '[[solvers]]\nlabel = "DLS"\nsolver = "damped_least_squares"\n'
     printf '%s\n' "${@:2}"

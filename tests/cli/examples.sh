@@ -24,7 +24,7 @@ if can c++; then
   add search.cpp '"./search"' ./search
 fi
 study examples "${entries[@]}"
-sed -i 's/^robot = .*/robot = "ur5e"/; s/^repeats = 1/&\nstart = "near"\nnear_deg = 10/; s/points = 8/points = 3/; s/^iterations = 8/iterations = 60\ntolerance_cm = 0.5/' examples.toml
+sed -i 's/^robot = .*/robot = "ur5e"/; s/^runs = .*/&\nstart = "near"\nnear_deg = 10/; s/points = 8/points = 3/; s/^iterations = 8/iterations = 60\ntolerance_cm = 0.5/' examples.toml
 succeeds run examples.toml --no-report --out examples
 for of in pso.py:1 search.cpp:1 descent.py:4 damped.m:4; do # the first two try at random
   label=${of%:*}

@@ -28,15 +28,16 @@ equal "a refused report left" "$(ls changed)" store.sqlite
 
 # A program that empties the store: the run counts what is there.
 cat >thief.py <<'END'
-import json, sqlite3, sys
+import json, sqlite3, sys, time
 print(json.dumps({"message": "hello", "ikbench": 2, "name": "thief"}), flush=True)
 for number, line in enumerate(line for line in sys.stdin if '"solve"' in line):
+    time.sleep(0.03)  # so that the others' solves are stored
     if number == 9:
         with sqlite3.connect("robbed/store.sqlite") as store: store.execute("DELETE FROM solves WHERE label = 'BA'")
     print(json.dumps({"message": "solved", "q": json.loads(line)["start"]}), flush=True)
 END
 {
-  printf 'name = "robbed"\nrobot = "ur5e"\nsearch = "all_joints"\nruns = 3\npath = { kind = "random", points = 3 }\n'
+  printf 'name = "robbed"\nrobot = "ur5e"\nsearch = "all_joints"\nruns = 3\nturns = 1\npath = { kind = "random", points = 3 }\n'
   printf 'stop = { iterations = 5 }\nsolvers = [{ label = "BA", solver = "bat" }, { label = "thief", process = ["python3", "thief.py"] }]\n'
 } >robbed.toml
 code=0; "$program" run robbed.toml --no-report --out robbed >.out 2>.err || code=$?

@@ -193,7 +193,7 @@ def said(f, *options):
 
 
 with open("study.toml", "w") as out:
-    out.write("search = 'all_joints'\nrobot = 'ur5e'\nruns = 1\nrepeats = 1\n[path]\nkind = 'random'\npoints = 1\n"
+    out.write("search = 'all_joints'\nrobot = 'ur5e'\nruns = 1\n[path]\nkind = 'random'\npoints = 1\n"
               "[stop]\niterations = 3\n[[solvers]]\nsolver = 'damped_least_squares'\n")
 
 

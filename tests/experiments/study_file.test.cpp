@@ -81,7 +81,7 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   study.population = 7;
   study.stop = {.iterations = 13, .tolerance = 0.001, .evaluations = 9'000'000'000'000, .seconds = 0.25};
   study.runs = 3;
-  study.repeats = 2;
+  study.turns = 2;
   study.seed = 9'223'372'036'854'775'807;  // the largest integer of TOML
   study.trace = Trace::best_error;
   study.path = path_of({"centre_cm=[50, -25, 1]", "radius_cm=30", "length_cm=-10", "turns=1.5", "start_deg=90",
@@ -329,7 +329,8 @@ TEST_CASE("a study says how it will be judged, by default by ranks at 5 %, the p
                                                                             {"control", ""},
                                                                             {"significance", 0.05},
                                                                             {"margin_percent", 5.0},
-                                                                            {"margin_cm", 0.0}});
+                                                                            {"margin_cm", 0.0},
+                                                                            {"deadline_ms", 0.0}});
   for (const Study& built_in : studies()) {
     INFO(built_in.name);
     CHECK(built_in.plan == Plan{.test = built_in.name.starts_with("slim2023") ? Plan::Test::means : Plan::Test::ranks});

@@ -89,7 +89,7 @@ TEST_CASE("solvers whose costs are not known or not comparable are left out of s
   CHECK(caption_of("solved-by-evaluations") ==
         "Share of targets solved within a number of evaluations. Without A, whose evaluations cannot be compared.");
   CHECK(caption_of("solved-by-time") ==
-        "Share of targets solved within a time. Without B, D, whose time cannot be compared.");
+        "Share of targets solved within a time. Times: first calls on a target. Without B, D, whose time cannot be compared.");
 }
 
 TEST_CASE("a difference is told as tables tell it: the better one first, in points or a ratio", "[of_study]") {
@@ -216,7 +216,7 @@ TEST_CASE("chosen solvers are drawn alone, in their order, in their colours", "[
   const Look short_palette = look_of_study(asked, {.palette = {"#8D1804", "#1E8CF8"}, .solvers = {"C", "B"}});
   CHECK(short_palette.lines == std::map<std::string, int>{{"A", 3}, {"B", 2}, {"C", 1}});
   const std::vector<BoxRow> rows =
-      box_rows(*judged_of(judge::judge(asked), "seconds"), {"ms", 1000}, drawn_solvers(asked, chosen), chosen);
+      box_rows(observe_solves(asked, metric_named("seconds")), {"ms", 1000}, drawn_solvers(asked, chosen), chosen);
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].label == "C");
   CHECK(rows[0].box[2] == Approx(1));  // [ms]

@@ -41,7 +41,7 @@ TEST_CASE("A chained run is one observation: the mean, of times the median") {
   CHECK(errors.trials == 4);
   CHECK(list_of(group(errors, "A")) == Numbers{12.5, 22.5, 32.5, 42.5, 52.5});
   CHECK(std::get<Measured>(group(errors, "A").sample).blocks.empty());
-  CHECK(list_of(group(observed(of, "seconds"), "A")) == Numbers(5, 2.5));
+  CHECK(list_of(group(observe_solves(of, metric_named("seconds")), "A")) == Numbers(5, 2.5));
 }
 
 TEST_CASE("Else a target is one: a drawn one's only solve, a fixed one's mean over the runs") {
@@ -96,7 +96,7 @@ TEST_CASE("A solver whose runs repeat each other bit for bit has one observation
   const auto as_one = [](SolveRecord& solve) {
     if (solve.label != "A") return;
     solve.answer_rad[1] = 0;
-    solve.seconds = 0.001 * solve.run;
+    solve.seconds = solve.cpu_seconds = 0.001 * solve.run;
   };
   const StudyResults of = study(chained, as_one);
   const Group alone = group(observed(of), "A");
@@ -104,7 +104,7 @@ TEST_CASE("A solver whose runs repeat each other bit for bit has one observation
   CHECK(std::get<Copies>(alone.sample).runs == 5);
   CHECK(std::holds_alternative<Measured>(group(observed(of), "B").sample));
   CHECK(list_of(group(observed(of), "B")).size() == 5);
-  CHECK(list_of(group(observed(of, "seconds"), "A")).size() == 5);
+  CHECK(list_of(group(observed(of, "seconds"), "A")).size() == 5);  // sessions
   const auto doubt = doubt_of(of, DoubtKind::repeats_itself);
   REQUIRE(doubt);
   CHECK(doubt->who == std::vector<std::string>{"A"});
@@ -191,7 +191,7 @@ TEST_CASE("Where targets have a tolerance, costs are of those that were solved, 
   CHECK(list_of(group(of_path, "B")).size() == 5);
 }
 
-TEST_CASE("Times are compared only where they are clean, of one machine, and of the same kind") {
+TEST_CASE("Times are compared over whole sessions of this clock in which the machine was not busy") {
   const auto times = [](const StudyResults& of) { return observe(of, metric_named("seconds")); };
   const auto apart = [](const Observations& of) {
     std::string names;
@@ -199,80 +199,79 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
       names += untold(each) && untold(each)->why == Untold::Why::apart ? each.name : "";
     return names;
   };
-  CHECK(apart(times(study(chained, as_made))).empty());
-  CHECK(times(study(chained, as_made)).doubts.empty());
+  const Observations five =
+      times(study(chained, [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = 0.001 * solve.point; }));
+  CHECK(apart(five).empty());
+  REQUIRE(list_of(group(five, "A")).size() == 5);
+  CHECK(list_of(group(five, "A")).front() == Approx(std::log(0.0025)));  // the median of four
   for (const Timing timing : {Timing::parallel, Timing::debug_build}) {
     const Observations all = times(study(chained, [&](SolveRecord& solve) {
       if (solve.label == "A") solve.timing = timing;
     }));
     CHECK(apart(all) == "AB");
     REQUIRE(all.doubts.size() == 1);
-    CHECK(all.doubts.front().kind == DoubtKind::times_not_comparable);
     CHECK(all.doubts.front().who.empty());
-    CHECK(list_of(group(all, "A")).size() == 5);
   }
-  const auto of_sessions = [](SolveRecord& solve) { solve.session = solve.run % 2; };
-  const auto machines = [&](const Session& first, const Session& second) {
-    return apart(times(study(chained, of_sessions, {"A", "B"}, {first, second})));
-  };
-  CHECK(machines({.id = 0, .environment = {{"cpu", "one"}}}, {.id = 1, .environment = {{"cpu", "two"}}}) == "AB");
-  CHECK(machines({.id = 0, .environment = {{"host", "a"}, {"boot", "1"}}},
-                 {.id = 1, .environment = {{"host", "b"}, {"boot", "2"}}}) == "AB");
-  CHECK(machines({.id = 0, .environment = {{"host", "a"}, {"boot", "1"}}},
-                 {.id = 1, .environment = {{"host", "a"}, {"boot", "2"}}})
-            .empty());
-  const auto slowed = [](double times, int solves = 8) {
-    return study(chained, [=](SolveRecord& solve) {
-      if (solve.label == "B" && 4 * (solve.run - 1) + solve.point <= solves) solve.seconds = times * solve.cpu_seconds;
+  std::vector<Session> former = sessions_of(5);
+  for (Session& session : former) session.environment.erase("state");
+  CHECK(apart(times(study(chained, as_made, {"A", "B"}, former))) == "AB");
+  former[4] = sessions_of(5)[4];  // a store of the former clock that was continued: one session
+  CHECK(apart(times(study(chained, as_made, {"A", "B"}, former))) == "AB");
+  CHECK(apart(times(study({.runs = 3}, as_made))) == "AB");
+  const auto slowed = [](int runs, int slow, double factor) {
+    return study({.runs = runs}, [=](SolveRecord& solve) {
+      if (solve.label == "B" && solve.run <= slow) solve.seconds = factor * solve.cpu_seconds;
     });
   };
-  CHECK(apart(times(slowed(1.09))).empty());
-  CHECK(apart(times(slowed(1.11))) == "B");
-  CHECK(apart(times(slowed(2, 2))).empty());  // a tenth
-  CHECK(apart(times(slowed(2, 3))) == "B");
-  StudyResults disturbed = slowed(2);
+  CHECK(apart(times(slowed(5, 2, 1.09))).empty());
+  CHECK(apart(times(slowed(5, 2, 1.11))) == "AB");
+  const Observations four_left = times(slowed(6, 2, 2));
+  CHECK(apart(four_left).empty());
+  CHECK(list_of(group(four_left, "A")).size() == 4);
+  REQUIRE(four_left.doubts.size() == 1);
+  CHECK(four_left.doubts.front().kind == DoubtKind::sessions_left_out);
+  CHECK(four_left.doubts.front().count == 2);
+  StudyResults disturbed = slowed(5, 2, 2);
   CHECK(apart(observed(disturbed)).empty());
   disturbed.definition.stop.seconds = 0.002;  // it ended B's
   CHECK(apart(observed(disturbed)) == "B");
-  const Observations busy = times(disturbed);
-  CHECK(apart(busy) == "B");
-  CHECK(busy.doubts.front().count == 8);
-  CHECK(busy.doubts.front().of == 20);
-  const Observations once = times(study({.points = 1}, [](SolveRecord& solve) {
-    if (solve.label == "B" && solve.run == 1 && solve.point == 1) solve.seconds = 1;
-  }));
-  CHECK(apart(once).empty());
-  StudyResults twins =
-      study(drawn, [](SolveRecord& solve) { solve.answer_rad = {0.1 * solve.point}; }, {"A", "B", "CC"});
-  CHECK(apart(times(twins)) == "BCC");  // A's time is that of the three
-  twins.definition.plan.control = "B";
-  CHECK(apart(times(twins)) == "ACC");
-  CHECK(apart(observed(twins)).empty());
-  for (Solve& solve : twins.solves) solve.session += solve.label == 2 ? 1 : 0;  // CC's is a reason of its own
-  CHECK(times(twins).doubts.back().who == std::vector<std::string>{"A"});
-  StudyResults later = study(chained, [](SolveRecord& solve) { solve.session = solve.label == "B" ? 2 : 1; },
-                             {"A", "B", "CC"}, {{.id = 1}, {.id = 2}});
+  const auto other_sessions = [](SolveRecord& solve) { solve.session += solve.label == "B" ? 10 : 0; };
+  std::vector<Session> ten = sessions_of(5);
+  for (Session session : sessions_of(5)) session.id += 10, ten.push_back(session);
+  StudyResults later = study(chained, other_sessions, {"A", "B", "CC"}, ten);
   CHECK(apart(times(later)) == "B");
   CHECK(apart(observed(later)).empty());
   later.definition.stop.seconds = 0.001;  // it ended all
   CHECK(apart(observed(later)) == "ABCC");
-  CHECK(apart(times(study({.runs = 4}, as_made))) == "AB");  // one after the other
-  CHECK(apart(times(study({.runs = 4}, as_made, {"A"}))).empty());
+  StudyResults cut = study(chained, as_made);
+  std::erase_if(cut.solves, [](const Solve& solve) { return solve.label == 1 && solve.run == 5 && solve.point == 4; });
+  const Observations rest = times(cut);
+  CHECK(list_of(group(rest, "B")).size() == 4);
+  CHECK(compared(rest, {}).front().n == 4);
+  const Asked to_solve{.start = "middle", .targets = "drawn", .tolerance_cm = 1};
+  const auto misses_one = [](SolveRecord& solve) {
+    solve.status = solve.label == "A" && solve.run == 2 && solve.point == 1 ? Status::tolerance_missed : Status::ok;
+  };
+  CHECK(list_of(group(times(study(to_solve, misses_one)), "A")).size() == 4);
+  const Observations spent = observe(study(to_solve, misses_one), metric_named("seconds_per_solved"));
+  REQUIRE(list_of(group(spent, "A")).size() == 5);
+  CHECK(list_of(group(spent, "A"))[1] == Approx(std::log(0.004 / 3)));
+}
+
+TEST_CASE("What a program tells is its time, if its processor time leaves room for it") {
+  const auto apart = [](const Change& change) {
+    const Observations of = observe(study(chained, change), metric_named("seconds"));
+    std::string names;
+    for (const Group& each : of.groups) names += untold(each) ? each.name : "";
+    return names;
+  };
   const auto in_process = [](const std::string& solvers) {
     return [solvers](SolveRecord& solve) {
       if (solvers.find(solve.label) != std::string::npos) solve.timing = Timing::process;
     };
   };
-  CHECK(apart(times(study(chained, in_process("B")))) == "B");
-  CHECK(apart(times(study(chained, in_process("AB")))) == "AB");
-  // One process is one draw, unless both were solved in turn. There what a program tells is its time, if its processor
-  // time leaves room for it.
-  const auto in_turn = [](StudyResults of) {
-    of.are_in_turn = true;
-    return of;
-  };
-  CHECK(apart(times(in_turn(study(chained, in_process("AB"))))).empty());
-  CHECK(apart(times(in_turn(study(chained, in_process("B"))))) == "B");
+  CHECK(apart(in_process("B")) == "B");
+  CHECK(apart(in_process("AB")).empty());  // messages are in both
   const auto told = [](double seconds, double cpu) {
     return [=](SolveRecord& solve) {
       if (solve.label != "B") return;
@@ -281,13 +280,36 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
       solve.cpu_seconds = cpu;
     };
   };
-  CHECK(apart(times(study(chained, told(0.01, 0.0105)))) == "B");
-  const Asked to_solve{.start = "middle", .targets = "drawn", .tolerance_cm = 1};
-  CHECK(apart(observe(study(to_solve, told(0.01, 0.0105)), metric_named("seconds_per_solved"))) == "B");
-  CHECK(apart(times(in_turn(study(chained, told(0.01, 0.0105))))).empty());
-  CHECK(list_of(group(times(study(chained, told(0.01, 0.0105))), "B")).front() == 0.01);
-  CHECK(apart(times(in_turn(study(chained, told(0.01, 0.05))))) == "B");   // of more threads, or told too short
-  CHECK(apart(times(in_turn(study(chained, told(0.01, 0.005))))) == "B");  // it waited
+  CHECK(apart(told(0.01, 0.0105)).empty());
+  CHECK(list_of(group(observe(study(chained, told(0.01, 0.0105)), metric_named("seconds")), "B")).front() ==
+        Approx(std::log(0.01)));
+  CHECK(apart(told(0.01, 0.05)) == "B");    // of more threads, or told too short
+  CHECK(apart(told(0.01, 0.005)) == "AB");  // it waited in every session
+}
+
+TEST_CASE("Solved in time is a share of all solves, and compared over sessions") {
+  const Asked asked{.start = "middle",
+                    .targets = "drawn",
+                    .runs = 6,
+                    .points = 20,
+                    .tolerance_cm = 1,
+                    .rest = R"(, "analysis": {"deadline_ms": 2})"};
+  const auto late = [](SolveRecord& solve) {
+    solve.status = solve.point == 20 ? Status::tolerance_missed : Status::ok;
+    const bool is_late = solve.label == "B" && solve.point <= 8 + solve.run % 2;
+    solve.seconds = solve.cpu_seconds = is_late ? 0.003 : 0.001;
+  };
+  const JudgedStudy judged = judge::judge(study(asked, late));
+  const JudgedMetric* const in_time = judged_of(judged, "solved_in_time");
+  REQUIRE(in_time != nullptr);
+  CHECK(in_time->described[0].n == 120);
+  CHECK(in_time->described[0].mean == Approx(19 / 20.0));
+  CHECK(in_time->described[1].mean == Approx((10.5) / 20));
+  const Seen found = seen(in_time->findings.front());
+  CHECK(found.verdict == Verdict::better);
+  CHECK(found.n == 6);
+  CHECK(found.test == "paired t");
+  CHECK(judged_of(judge::judge(study({}, as_made)), "solved_in_time") == nullptr);
 }
 
 TEST_CASE("Who stops just beyond the tolerance is asked whether it knows it") {
@@ -380,8 +402,9 @@ TEST_CASE("Targets out of reach and a plan that was changed after the data are t
   CHECK(doubt_of(study(asked, as_made), DoubtKind::out_of_reach)->count == 2);
   CHECK(doubt_of(study(asked, as_made), DoubtKind::out_of_reach)->of == 4);
   const auto recorded = [&](const std::string& plan) {
-    return doubt_of(study(asked, as_made, {"A", "B"}, {{.id = 1, .environment = {{"analysis", plan}}}}),
-                    DoubtKind::plan_changed);
+    std::vector<Session> sessions = sessions_of(asked.runs);
+    for (Session& session : sessions) session.environment["analysis"] = plan;
+    return doubt_of(study(asked, as_made, {"A", "B"}, sessions), DoubtKind::plan_changed);
   };
   CHECK_FALSE(recorded(R"({"test": "ranks", "margin_percent": 10})"));
   REQUIRE(recorded(R"({"test": "means", "margin_percent": 5})"));

@@ -98,7 +98,7 @@ inline SolveRecord solve_of(const Asked& asked, const std::string& solver, int r
           .stop_reason = results::StopReason::finished,
           .seconds = 0.001,
           .cpu_seconds = 0.001,
-          .session = 1};
+          .session = run};
 }
 
 // Changes a solve after its defaults are set.
@@ -126,11 +126,18 @@ inline results::StoredStudy entry_of(const Asked& asked, const std::vector<std::
   return entry;
 }
 
+// One for each run, as a study makes them.
+inline std::vector<results::Session> sessions_of(int runs) {
+  std::vector<results::Session> all;
+  for (int run = 1; run <= runs; ++run) all.push_back({.id = run, .environment = {{"cpu", "one"}, {"state", "first"}}});
+  return all;
+}
+
 inline StudyResults study(const Asked& asked, const Change& change,
                           const std::vector<std::string>& solvers = {"A", "B"},
-                          const std::vector<results::Session>& sessions = {
-                              {.id = 1, .environment = {{"cpu", "one"}}}}) {
-  return stored_study(entry_of(asked, solvers), solves_of(asked, solvers, change), sessions);
+                          const std::vector<results::Session>& sessions = {}) {
+  return stored_study(entry_of(asked, solvers), solves_of(asked, solvers, change),
+                      sessions.empty() ? sessions_of(asked.runs) : sessions);
 }
 
 }  // namespace ikbench::judge

@@ -14,7 +14,7 @@ TEST_CASE("A study has the solves of each solver by run and point, and the sessi
   CHECK(study.of("B")[2].run == 2);
   CHECK(study.of("nobody").empty());
   CHECK(study.extras.at("left").at("B") == std::vector{3.0, 3.0});
-  CHECK(study.sessions.size() == 1);
+  CHECK(study.sessions.size() == 2);
   CHECK(study.definition.runs == 2);
   CHECK(study.definition.points == 2);
 }

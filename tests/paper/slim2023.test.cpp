@@ -26,10 +26,10 @@ const std::map<std::string, Range> errors_cm{{"IK-BA", {0.0016, 0.0023}}, {"BA",
 const std::map<std::string, Range> variations_deg{{"IK-BA", {25, 115}}, {"BA", {240, 330}},    {"DE", {240, 330}},
                                                   {"PSO", {240, 330}},  {"K-ABC", {240, 330}}, {"MO-PSO", {25, 115}}};
 
-// The study with that seed and without repeats, which decide only times, solved into a temporary store.
+// The study with that seed, solved into a temporary store.
 StudyResults solved(int seed) {
   const ScratchFolder folder;
-  const Study study = load_study("slim2023", {"seed=" + std::to_string(seed), "repeats=1"});
+  const Study study = load_study("slim2023", {"seed=" + std::to_string(seed)});
   Store store(folder.path / "store.sqlite", Store::Mode::write);
   run(study, store, {.jobs = 1});
   return read_study(store, store.study(study.name));

@@ -1,0 +1,177 @@
+// One clock for all: each solve is one timed call, and a study is done in sessions, each with all that it compares.
+#include "tests/experiments/samples.hpp"
+
+namespace {
+
+// Writes down who was asked for which target, in the order of the calls.
+struct Calls {
+  static inline std::vector<std::pair<std::string, double>> all;  // name and the target's x [m]
+};
+template <char name>
+class Recorded final : public Solver {
+ public:
+  struct Options {
+    void list(OptionList&) {}
+  };
+  explicit Recorded(Options) {}
+  void start(const Problem& problem, Objective& objective, numerics::Random&) override {
+    Calls::all.emplace_back(std::string(1, name), objective.goal().target.translation().x());
+    best_ = {problem.start, objective.error(problem.start)};
+    best_.q.array() += 1e-3 * shift * ++starts_;
+  }
+  void step(Objective&, numerics::Random&) override {}
+  bool finished() const override { return true; }
+  const Best& best() const override { return best_; }
+
+  static inline double shift = 0;  // of every answer from the one before: it remembers
+
+ private:
+  Best best_;
+  int starts_ = 0;
+};
+
+template <char name>
+SolverEntry recorded() {
+  const SolverInfo info = solver_info<Recorded<name>>(std::string(1, name), "writes down", "this test");
+  return {.label = info.name, .solver = info.name, .own = std::make_shared<SolverInfo>(info)};
+}
+
+// Targets of a circle, each from the initial configuration.
+Study study_of_calls(int points) {
+  Study study = parse_study(fmt::format("robot = 'kuka_iiwa14'\nsearch = 'all_joints'\nstart = 'initial'\nruns = 1\n"
+                                        "path = {{ kind = 'circle', points = {} }}\nstop = {{ iterations = 1 }}\n"
+                                        "solvers = [{{ solver = 'random_search' }}]\n",
+                                        points),
+                            "a study");
+  study.solvers = {recorded<'a'>(), recorded<'b'>()};
+  Calls::all.clear();
+  return study;
+}
+
+// By session, the places of each label.
+std::map<std::int64_t, std::map<std::string, std::set<std::pair<int, int>>>> places_in(const Store& store,
+                                                                                       const Study& study) {
+  std::map<std::int64_t, std::map<std::string, std::set<std::pair<int, int>>>> all;
+  for (const SolveRecord& solve : store.solves(study.name))
+    all[solve.session][solve.label].insert({solve.run, solve.point});
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a solve is one timed call", "[clock]") {
+  const Study study = small_study();
+  for (const SolveRecord& solve : solves_of(study)) {
+    CHECK(solve.repeats == 1);
+    CHECK(solve.seconds > 0);
+    CHECK(solve.smallest_seconds == solve.seconds);
+    CHECK(solve.largest_seconds == solve.seconds);
+    CHECK(solve.cpu_seconds > 0);
+    CHECK(solve.interruptions >= 0);
+  }
+}
+
+TEST_CASE("a study is done in sessions, in each of which all solvers have the same targets", "[clock]") {
+  for (const auto& [points, turns, sessions] : {std::tuple(12, 6, 6), {4, 6, 4}, {12, 1, 1}, {13, 3, 3}}) {
+    Study study = study_of_calls(points);
+    study.turns = turns;
+    const ScratchFolder folder;
+    Store store(folder.path / "store.sqlite", Store::Mode::write);
+    run(study, store, {});
+    const auto places = places_in(store, study);
+    CHECK(std::ssize(places) == sessions);
+    for (const auto& [session, of] : places) CHECK(of.at("a") == of.at("b"));
+    for (const Session& session : store.sessions()) CHECK(session.environment.at("state") == "first");
+  }
+}
+
+TEST_CASE("a shard is one session", "[clock]") {
+  const Study study = study_of_calls(12);
+  const ScratchFolder folder;
+  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  run(study, store, {.shard = {2, 3}});
+  CHECK(places_in(store, study).size() == 1);
+}
+
+TEST_CASE("all solvers solve a target before the next, and take turns at being first", "[clock]") {
+  Study study = study_of_calls(8);
+  study.turns = 2;
+  const ScratchFolder folder;
+  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  run(study, store, {});
+  constexpr std::size_t warm_ups = 6, solves = 8;  // of both, in each session
+  REQUIRE(Calls::all.size() == 2 * (warm_ups + solves));
+  std::string first;
+  for (std::size_t turn = 0; turn < 2; ++turn) {
+    const auto begin = Calls::all.begin() + static_cast<std::ptrdiff_t>(turn * (warm_ups + solves) + warm_ups);
+    for (std::size_t i = 0; i < solves; i += 2) {
+      CHECK(begin[static_cast<std::ptrdiff_t>(i)].second == begin[static_cast<std::ptrdiff_t>(i) + 1].second);
+      CHECK(begin[static_cast<std::ptrdiff_t>(i)].first != begin[static_cast<std::ptrdiff_t>(i) + 1].first);
+      first += begin[static_cast<std::ptrdiff_t>(i)].first;
+    }
+  }
+  CHECK((first == "ababbaba" || first == "babaabab"));
+}
+
+TEST_CASE("hot is the second call, after one on another target", "[clock]") {
+  Study study = study_of_calls(5);
+  study.turns = 1;
+  study.state = State::hot;
+  study.solvers.pop_back();
+  const ScratchFolder folder;
+  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  run(study, store, {});
+  CHECK(store.sessions().front().environment.at("state") == "hot");
+  const std::vector<Pose> poses = targets(study, 1);
+  std::vector<double> asked, expected;
+  for (const auto& [name, x] : Calls::all) asked.push_back(x);
+  for (const int target : {4, 4, 4, 0, 1, 0, 1, 2, 3, 4, 2, 3, 4})
+    expected.push_back(poses[static_cast<std::size_t>(target)].translation().x());
+  CHECK(asked == expected);
+  const auto key_of = [&](State state) {
+    study.state = state;
+    return series_key(study, study.solvers.front());
+  };
+  CHECK(key_of(State::hot) != key_of(State::first));
+}
+
+TEST_CASE("a stop cuts one session, and all others have the same targets of all solvers", "[clock]") {
+  for (const std::int64_t solves : {1, 3, 4, 7}) {
+    Study study = study_of_calls(12);
+    study.turns = 3;
+    const ScratchFolder folder;
+    Store store(folder.path / "store.sqlite", Store::Mode::write);
+    std::atomic<bool> cancelled{false};
+    const auto look = [&](const Progress& now) { cancelled = now.done >= solves; };
+    run(study, store, {.progress = look, .cancelled = &cancelled});
+    run(study, store, {});
+    CHECK(store.solves(study.name).size() == 24);
+    int apart = 0;
+    for (const auto& [session, of] : places_in(store, study)) apart += of.size() < 2 || of.at("a") != of.at("b");
+    CHECK(apart <= 2);  // that which was cut, and the rest of its target
+  }
+}
+
+TEST_CASE("a class that remembers is told of", "[clock]") {
+  Study study = study_of_calls(20);
+  study.turns = 1;
+  const ScratchFolder folder;
+  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  Recorded<'a'>::shift = 1;
+  const Progress progress = run(study, store, {});
+  Recorded<'a'>::shift = 0;
+  REQUIRE(progress.notes.size() == 1);
+  CHECK(progress.notes.front() == "a: it answers otherwise when it is asked again, 2 of 2 times");
+}
+
+TEST_CASE("a session says how much time the host kept from the machine meanwhile", "[clock]") {
+  const double before = stolen_seconds();
+  const ScratchFolder folder;
+  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  run(small_study(), store, {});
+  const double all = stolen_seconds() - before;
+  if (!(before >= 0)) return;  // no /proc/stat
+  const double stolen = std::stod(store.sessions().front().environment.at("stolen_seconds"));
+  CHECK(stolen >= 0);
+  CHECK(stolen <= all + 0.01);
+}
