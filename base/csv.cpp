@@ -126,10 +126,7 @@ void append_csv_cell(std::string& text, std::string_view cell) {
   const std::string as_text = is_formula(cell) ? fmt::format("'{}", cell) : "";
   if (!as_text.empty()) cell = as_text;
   const bool plain = cell.find_first_of(",\"\r\n") == std::string_view::npos && !cell.starts_with(byte_order_mark);
-  if (plain) {
-    text += cell;
-    return;
-  }
+  if (plain) return void(text += cell);
   text += '"';
   for (const char c : cell) text.append(c == '"' ? 2 : 1, c);
   text += '"';

@@ -265,11 +265,9 @@ std::size_t Sheet::joined(const std::vector<std::string>& names) {
 }
 
 std::optional<std::size_t> Sheet::column_like(const Words& names) const {
-  for (const std::string_view name : names) {
-    for (std::size_t i = 0; i < titles_.size(); ++i) {
+  for (const std::string_view name : names)
+    for (std::size_t i = 0; i < titles_.size(); ++i)
       if (lower_case(titles_[i]) == name) return i;
-    }
-  }
   return std::nullopt;
 }
 
@@ -302,9 +300,8 @@ char Sheet::decimal_of(std::size_t column) {
   if (const char mark = mark_in(column); mark != '\0' || !doubtful) return mark == '\0' ? '.' : mark;
   if (!marks_) {
     marks_.emplace();
-    for (std::size_t i = 0; i < table_.header.size(); ++i) {
+    for (std::size_t i = 0; i < table_.header.size(); ++i)
       if (has_numbers(i)) marks_->insert(mark_in(i));
-    }
     marks_->erase('\0');
   }
   if (marks_->size() == 1) return *marks_->begin();

@@ -58,10 +58,8 @@ std::vector<std::vector<std::string>> described(const Sheet& sheet, const Column
   add(request.better.empty(), {"--better", "smaller"});
   question.advice = fmt::format(
       "{}LABEL: who is compared, or `columns` if each column of numbers is one. --block: what each of them did, such "
-      "as a problem. --run: repeats, which count by their mean; `--run row`: each row is one.{}",
-      is_of_rows ? "One of --block and --run is enough. " : "",
-      !request.are_summaries && sheet.column_like({"sd", "std", "stddev", "std_dev"}) ? " Printed means: --summaries."
-                                                                                      : "");
+      "as a problem. --run: repeats, which count by their mean; `--run row`: each row is one. Printed means: --summaries.",
+      is_of_rows ? "One of --block and --run is enough. " : "");
   throw question;
 }
 
@@ -98,15 +96,14 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   if (request.label.empty() && texts.size() == 1 && has_no_other) layout.label = texts.front(), texts.clear();
   if (layout.values.empty() && (is_wide || (layout.label && numbers.size() == 1))) layout.values.swap(numbers);
   if (is_wide && layout.values.size() == 1)
-    sheet.refuse(fmt::format("--label columns compares columns of numbers, and {} is the only one",
-                             in_quotes(sheet.titles()[layout.values.front()])));
+    sheet.refuse("--label columns compares columns of numbers, and there is only one");
   if ((!is_wide && !layout.label) || layout.values.empty())
     ask(sheet, request, columns, "which columns are what?", false);
-  const auto& titles = sheet.titles();
-  for (std::size_t i = 0, first = layout.values[0]; is_wide && i < layout.values.size(); ++i) {
-    const std::string& title = titles[sheet.column(titles[layout.values[i]])];  // refuses a title of two columns
-    if (base::Title(title).unit != base::Title(titles[first]).unit)
-      sheet.refuse(fmt::format("{} and {} differ in units; convert them", in_quotes(titles[first]), in_quotes(title)));
+  for (const std::size_t value : is_wide ? layout.values : Columns()) {
+    const std::string &first = sheet.titles()[layout.values[0]], &title = sheet.titles()[value];
+    sheet.column(title);  // refuses a title of two columns
+    if (base::Title(title).unit != base::Title(first).unit)
+      sheet.refuse(fmt::format("{} and {} differ in units; convert them", in_quotes(first), in_quotes(title)));
   }
   layout.unused = texts;
   layout.unused.insert(layout.unused.end(), numbers.begin(), numbers.end());

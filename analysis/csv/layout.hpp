@@ -35,10 +35,9 @@ struct Layout {
 // Something was not said: a sentence, the columns of the file as a table, what to say in one sentence, and the options
 // to add, with what is open in capitals.
 struct Question : std::invalid_argument {
-  using Options = std::vector<std::string>;
   explicit Question(const std::string& what) : invalid_argument(what) {}
   std::vector<std::vector<std::string>> columns = {};
-  Options options = {};
+  std::vector<std::string> options = {};
   std::string advice = {};
 };
 

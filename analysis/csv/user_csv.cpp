@@ -1,7 +1,6 @@
 #include "analysis/csv/user_csv.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +20,6 @@ namespace ikbench::csv {
 namespace {
 
 using namespace judge;
-using base::lower_case;
 using Index = std::uint32_t;
 
 constexpr std::size_t most_groups = 100;
@@ -44,22 +42,9 @@ struct Items {
   std::size_t unlabelled = 0;
 };
 
-// Texts are numbered in the order of their first row.
-Index number_of(std::string_view text, std::unordered_map<std::string_view, Index>& known) {
-  return known.try_emplace(text, static_cast<Index>(known.size())).first->second;
-}
-
-// Without what nobody sees.
-std::string as_seen(std::string_view name) {
-  std::string text = base::one_line(name);
-  for (const char* blank : {"\u00a0", "\u2007", "\u202f", "  "}) base::replace_marks(text, {{blank, " "}});
-  for (const char* dash : {"\u2010", "\u2011", "\u2212"}) base::replace_marks(text, {{dash, "-"}});
-  return std::string(base::trimmed(text));
-}
-
 Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const Request& request) {
   const Column unit = layout.block ? layout.block : layout.run;
-  std::unordered_map<std::string_view, Index> groups, units;
+  std::unordered_map<std::string_view, Index> groups, units;  // numbered in the order of their first row
   Items items;
   items.values.reserve(columns.size() * sheet.rows().size());
   for (const std::size_t column : columns) {
@@ -73,17 +58,16 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
       if (name.empty()) continue;
       if (unit && sheet.cell(row, *unit).empty())
         sheet.refuse(row, *unit, "is no name; write merged cells in each of their rows");
-      const Index group = number_of(name, groups);
+      const Index group = groups.try_emplace(name, static_cast<Index>(groups.size())).first->second;
       if (group == items.groups.size()) items.groups.emplace_back(name);
       if (group == most_groups)
-        sheet.refuse(
-            fmt::format("more than {} groups, the last {}; did you mean --block?", most_groups, in_quotes(name)));
-      items.values.push_back(
-          {.group = group,
-           .unit = unit ? number_of(sheet.cell(row, *unit), units) : static_cast<Index>(items.values.size()),
-           .row = row,
-           .column = static_cast<Index>(column),
-           .value = sheet.number(row, column)});
+        sheet.refuse(fmt::format("more than {} groups in --label; did you mean --block?", most_groups));
+      const auto next = static_cast<Index>(unit ? units.size() : items.values.size());
+      items.values.push_back({.group = group,
+                              .unit = unit ? units.try_emplace(sheet.cell(row, *unit), next).first->second : next,
+                              .row = row,
+                              .column = static_cast<Index>(column),
+                              .value = sheet.number(row, column)});
     }
   }
   if (items.unlabelled > items.values.size())
@@ -91,13 +75,14 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
                              in_quotes(sheet.titles()[*layout.label]), items.unlabelled, sheet.rows().size()));
   std::set<std::string> shown;
   for (const std::string& name : items.groups)
-    if (!shown.insert(as_seen(name)).second)
+    if (!shown.emplace(base::trimmed(base::one_line(name))).second)
       sheet.refuse(fmt::format("two groups look alike, both as {}; rename one", in_quotes(name)));
   if (layout.label && items.groups.size() == items.values.size() && items.values.size() > 2)  // two may be a sketch
     sheet.refuse(fmt::format("{} names each row, so no group has two values; did you mean --block?",
                              in_quotes(sheet.titles()[*layout.label])));
   items.units = static_cast<Index>(units.size());
-  std::ranges::stable_sort(items.values, {}, [](const Value& item) { return std::tuple(item.group, item.unit); });
+  std::ranges::sort(items.values, {}, [](const Value& item) { return std::tuple(item.group, item.unit, item.row); });
+  items.means.reserve(items.values.size());
   for (const Value& item : items.values) {
     if (items.means.empty() || items.means.back().group != item.group || items.means.back().unit != item.unit)
       items.means.push_back({.group = item.group, .unit = item.unit});
@@ -105,8 +90,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
       sheet.refuse(item.row, *layout.block,
                    fmt::format("is a second row of {}; --run says which are its runs (--run row: each row is one)",
                                in_quotes(items.groups[item.group])));
-    items.means.back().sum += item.value;
-    ++items.means.back().rows;
+    items.means.back().sum += item.value, ++items.means.back().rows;
   }
   return items;
 }
@@ -115,12 +99,11 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
 std::vector<Better> better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles) {
   std::map<std::string_view, std::string_view> said;  // "": of all
   for (const std::string_view option : request.better) {
-    const std::size_t equals = option.rfind('=');
-    const bool is_of_all = equals == std::string_view::npos;  // whose next place is 0
-    const std::string_view way = option.substr(equals + 1), column = is_of_all ? "" : option.substr(0, equals);
+    const std::size_t at = option.rfind('=') + 1;  // 0: of all
+    const std::string_view way = option.substr(at), column = option.substr(0, at > 0 ? at - 1 : 0);
     if (way != "smaller" && way != "larger")
       sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(option)));
-    if (!is_of_all && std::ranges::count(titles, column) == 0)
+    if (!column.empty() && std::ranges::count(titles, column) == 0)
       sheet.refuse(
           fmt::format("--better {}: {}", in_quotes(option), base::unknown_name("column of values", column, titles)));
     if (said.try_emplace(column, way).first->second != way)
@@ -141,7 +124,8 @@ std::vector<Better> better_of(const Sheet& sheet, const Request& request, const 
 Observations quantity_of(const std::string& title) {
   const base::Title parts(title);
   Observations observed{.metric = "", .quantity = parts.name, .unit = parts.unit, .tells_incomplete = true};
-  for (const char c : lower_case(title)) observed.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
+  for (const char c : base::lower_case(title))
+    observed.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
   return observed;
 }
 
@@ -191,10 +175,9 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
     const auto in_all = std::ranges::count(groups_of, items.groups.size());
     lost.count = static_cast<double>(items.units - in_all), lost.of = static_cast<double>(items.units);
   }
-  const auto unlabelled = static_cast<double>(items.unlabelled);
   Doubt stray{.kind = DoubtKind::runs_missing,
-              .count = unlabelled,
-              .of = unlabelled + static_cast<double>(items.values.size()),
+              .count = static_cast<double>(items.unlabelled),
+              .of = static_cast<double>(items.unlabelled + items.values.size()),
               .what = "rows without a label, left out"};
   for (Doubt* doubt : {&lost, &without, &stray})
     if (doubt->count > 0) observed.doubts.push_back(std::move(*doubt));
@@ -215,48 +198,24 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
   }
 }
 
-// The value of its last digit.
-double digit_of(std::string_view text) {
-  const std::size_t mark = text.find_last_of(".,"), exponent = std::min(text.find_first_of("eEdD"), text.size());
-  const double shift = exponent < text.size() ? base::number_from(text.substr(exponent + 1)).value_or(0) : 0;
-  return std::pow(10, shift - (mark < exponent ? static_cast<double>(exponent - mark - 1) : 0));
-}
-
-// Refuses a row, one of the last of each group (or of each of its units), that has in all of them the sum or the mean
-// of those above it to the last digit, and hardly by chance.
-void refuse_sums(Sheet& sheet, const Items& items, bool by_unit) {
-  constexpr std::size_t most_last = 4, fewest = 2, most_values = 100'000;  // nobody adds such rows to more
-  constexpr double by_chance = 1e-4, never = std::numeric_limits<double>::infinity();
-  std::vector<std::vector<Value>> lists;
-  for (const Value& item : items.values) {
-    if (lists.empty() || lists.back().back().group != item.group || (by_unit && lists.back().back().unit != item.unit))
-      lists.emplace_back();
-    lists.back().push_back(item);
+// Refuses a last row that is, in all of several groups, the sum or the mean of five or more above it and equal to none
+// of them. Whole numbers have whole means by chance.
+void refuse_sums(const Sheet& sheet, const Items& items) {
+  bool are_sums = items.groups.size() > 1, are_means = are_sums, are_whole = true;
+  for (Index group = 0; group < items.groups.size(); ++group) {
+    const auto all = std::ranges::equal_range(items.values, group, {}, &Value::group);
+    const double last = all.back().value, n = static_cast<double>(all.size()) - 1;
+    double sum = -last;
+    for (const Value& each : all) sum += each.value;
+    const bool is_new = n >= 5 && std::ranges::count(all, last, &Value::value) == 1;
+    const auto is = [&](double value) { return is_new && std::abs(last - value) <= 1e-9 * std::abs(value); };
+    are_sums = are_sums && is(sum), are_means = are_means && is(sum / n);
+    are_whole = are_whole && last == std::floor(last);
   }
-  std::size_t least = std::ranges::min(lists, {}, &std::vector<Value>::size).size();
-  if (lists.size() < 2 || items.values.size() > most_values) least = 0;
-  for (std::size_t last = 1; last <= most_last && fewest + last <= least; ++last) {
-    double of_sum = 1, of_mean = 1;  // chances
-    for (const std::vector<Value>& list : lists) {
-      const Value& one = list[list.size() - last];
-      double sum = 0, n = 0, low = never, high = -never;
-      for (const Value& above : std::span(list).first(list.size() - last)) {
-        if (std::isnan(above.value)) continue;
-        sum += above.value, ++n, low = std::min(low, above.value), high = std::max(high, above.value);
-      }
-      if (n < fewest || std::isnan(one.value)) continue;
-      const double digit = digit_of(sheet.cell(one.row, one.column)),
-                   place = (2 * one.value - low - high) / (high - low),
-                   chance = high > low ? digit / (high - low) / std::max(1.0, place * place) : 1;
-      const auto is = [&](double statistic) { return std::abs(one.value - statistic) <= digit * 0.501; };
-      of_sum *= is(sum) ? std::min(1.0, chance) : never;
-      of_mean *= is(sum / n) ? std::min(1.0, chance) : never;
-    }
-    if (const Value& one = lists[0][lists[0].size() - last]; std::min(of_sum, of_mean) < by_chance)
-      sheet.refuse(one.row, one.column,
-                   fmt::format("is the {} of those above, as in the other groups; leave such rows out of the file",
-                               of_sum < of_mean ? "sum" : "mean"));
-  }
+  if (const Value& last = items.values.back(); are_sums || (are_means && !are_whole))
+    sheet.refuse(last.row, last.column,
+                 fmt::format("is the {} of those above, as in the other groups; leave such rows out of the file",
+                             are_sums ? "sum" : "mean"));
 }
 
 // What the rows were taken for.
@@ -308,10 +267,9 @@ Quantities values_in(Sheet& sheet, const Request& request) {
     const auto name_of = [](const std::string& title) { return quantity_of(title).quantity; };
     if (std::ranges::count(titles, observed.quantity, name_of) > 1)
       observed.quantity = titles[i], observed.unit.clear();
-    refuse_sums(sheet, items, false);
-    if (items.means.size() < items.values.size()) refuse_sums(sheet, items, true);
+    refuse_sums(sheet, items);
     if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items, request.where));
-    if (constexpr double alpha = 0.05; i == 0 && layout.block && smallest_p_paired(items.units) > alpha)
+    if (i == 0 && layout.block && smallest_p_paired(items.units) > Plan().significance)
       note_blocks(sheet, layout, items, quantities.notes);
     settle(items, observed, quantities.notes);
     observed.better = better[i];
@@ -384,10 +342,8 @@ Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {
     }
   }
   const bool has_no_share = observed.scale == Scale::difference && least < 0;
-  if (margin.empty()) {
-    if (has_no_share) plan.margin = 0;
-    return plan;
-  }
+  if (margin.empty() && has_no_share) plan.margin = 0;
+  if (margin.empty()) return plan;
   const bool is_relative = margin.ends_with('%');
   const auto number = base::number_from(std::string_view(margin).substr(0, margin.size() - is_relative));
   const char* wrong =

@@ -18,7 +18,7 @@ struct Quantities {
 // Rows without a label are left out and counted. A value that is missing is lost, and so is a mean of fewer rows than
 // others have; infinite ones stand for no answer. Values are compared by ratios; by differences if one is 0 or below.
 // Throws a Question where the layout or which way is better was not said; else std::invalid_argument, as Sheet does,
-// also for rows that sum up others and for a file of solves (`ikbench export`), which lacks what its report knows.
+// also for a row that sums up others and for a file of solves (`ikbench export`), which lacks what its report knows.
 // Summaries have columns n, mean, sd (or as usual), one of names, and metric where there are several quantities; of the
 // request, label, where, better and decimal count.
 Quantities read(std::string_view text, std::string_view source, const Request& request);

@@ -77,7 +77,6 @@ asked "stats 'my file.csv' --better larger --label LABEL --value VALUE" 'my file
 asked "--label LABEL --value VALUE" "$data/two-factors.csv"
 awk 'BEGIN { for (i = 0; i < 300; ++i) printf "c%d,", i; print "who"; for (r = 0; r < 4; ++r) { for (i = 0; i < 300; ++i) printf "%d,", i; print r % 2 } }' >broad.csv
 asked "and 287 more" broad.csv
-succeeds stats "$data/names-without-digits.csv" --label solver --block problem --better smaller
 printf 'solver,solved\n' >shares.csv
 for id in $(seq 9); do printf 'A,1\nB,0\n'; done >>shares.csv
 for option in run control margin; do refused "--$option: it is empty" stats comma.csv --$option ''; done

@@ -2,6 +2,8 @@
 // wrong.
 #include "analysis/csv/user_csv.hpp"
 
+#include <random>
+
 #include "tests/judge/studies.hpp"
 #include "tests/mistakes.hpp"
 
@@ -45,14 +47,6 @@ const std::string wide = "a,b\n1.1,4.5\n2,5\n3,6.5\n2.5,4\n";
 const std::string open_columns = "[--label LABEL --value VALUE]", open_rows = "[--block BLOCK --run RUN]";
 
 }  // namespace
-
-TEST_CASE("values with a large common offset are told apart by their last digits") {
-  std::string text = "solver,v\n";
-  for (int i = 0; i < 6; ++i) text += fmt::format("A,{}\nB,{}\n", 10'000'000'000'000 + i, 10'000'000'000'006 + i);
-  const Seen found = finding(text);
-  CHECK(found.verdict == Verdict::better);
-  CHECK(*found.p == Approx(2 / 924.0));  // 2 / C(12, 6)
-}
 
 TEST_CASE("values near -5 are the same within 1, on differences") {
   const std::string text = text_in("tests/data/csv/drift.csv");
@@ -375,10 +369,6 @@ TEST_CASE("a label that names rows, or a second row of a block, is refused") {
   CHECK(list_of(observations(twice, {.block = {"p"}, .run = "row"}).groups[0]) == std::vector{1.5});
 }
 
-TEST_CASE("names of problems may have numbers or none") {
-  CHECK(observations(text_in("tests/data/csv/names-without-digits.csv"), {.block = {"problem"}}).is_paired);
-}
-
 TEST_CASE("a file with versions and dates is asked about at once, or read") {
   const std::string text = text_in("tests/data/csv/versions.csv");
   CHECK(contains(said_of(text), open_columns));
@@ -435,41 +425,23 @@ TEST_CASE("True and False are 1 and 0") {
   CHECK(observations(pairs, {.label = {"optimized"}, .block = {"scene"}}).groups[1].name == "no");
 }
 
-TEST_CASE("rows that are the sum or mean of others are refused") {
-  std::string rows = "problem,A,B\n", tall = "solver,problem,error\n";
-  for (int i = 0; i < 12; ++i) {
-    rows += fmt::format("i{},{:.2f},{:.2f}\n", i, 1.1 + 0.01 * i, 1.4 + 0.01 * i);
-    tall += fmt::format("A,i{0},{1}\nB,i{0},{2}\n", i, 0.1 + i * i * 0.3, 0.7 + i * 0.21);
-  }
-  const Request blocks{.label = {"columns"}, .block = {"problem"}}, by_solver{.block = {"problem"}};
-  for (const char* last : {"i12,1.155,1.455\n", "i12,13.86,17.46\n", "m,1.155,1.455\nd,0.04,0.04\nw,12,0\nx,1,2\n"})
-    CHECK(contains(said_of(rows + last, blocks), "data.csv:14:2"));
-  for (const char* other : {"", "i12,1.155,1.47\n", "i12,13,14\n", "i12,11,1\n"})
+TEST_CASE("a last row that is the sum or mean of the others is refused, and whole numbers seldom are by chance") {
+  std::string rows = "problem,A,B\n";
+  for (int i = 0; i < 12; ++i) rows += fmt::format("i{},{:.2f},{:.2f}\n", i, 1.1 + 0.01 * i, 1.4 + 0.01 * i);
+  const Request blocks{.label = {"columns"}, .block = {"problem"}};
+  CHECK(contains(said_of(rows + "m,1.155,1.455\n", blocks), "data.csv:14:3: '1.455' in column 'B' is the mean"));
+  CHECK(contains(said_of(rows + "s,13.86,17.46\n", blocks), "is the sum of those above"));
+  for (const char* other : {"", "i12,1.155,1.47\n", "i12,13,14\n", "i12,11,1\n", "i12,NA,1\n"})
     CHECK(said_of(rows + other, blocks).empty());
-  CHECK(said_of(tall, by_solver).empty());
-  CHECK(contains(said_of(tall + "A,mean,12.75\nB,mean,1.855\n", by_solver), "data.csv:26:3"));
-  CHECK(contains(said_of(tall + "Total,,\n", by_solver), "data.csv:26:1: 'Total'"));
-  const Request wide_p{.label = {"columns"}, .block = {"p"}};
-  const std::string three =
-      "p,A,B,C\na,1.31,2.45,NA\nb,0.72,1.16,3.09\nc,2.58,1.97,2.74\nd,0.93,3.62,1.51\ne,1.87,0.84,4.26\n";
-  CHECK(contains(said_of(three + "x,1.482,2.008,2.900\n", wide_p), "data.csv:7:2: '1.482' in column 'A' is the mean"));
-  CHECK(contains(said_of(three + "x,7.41,10.04,11.60\n", wide_p), "is the sum of those above"));
-  for (const char* last : {"1.51,2.01,2.90", "2,1,3", "0,0,0", "1.1,1.9,inf"})
-    CHECK(said_of(three + "x," + last + "\n", wide_p).empty());
-  // Of each block.
-  std::string each = "p,s,r,v\n";
-  for (int i = 0; i < 6; ++i)
-    each += fmt::format("x{0},{1},1,{2}\nx{0},{1},2,{3}\nx{0},{1},3,{4}\nx{0},{1},m,{5}\n", i / 2, i % 2, 40 + i * i,
-                        61 - i, 70 + 2 * i * i % 11, (171 + i * i - i + 2 * i * i % 11) / 3.0);
-  CHECK(contains(said_of(each, {.values = {"v"}, .label = {"s"}, .block = {"p"}, .run = "r"}), "data.csv:5:4"));
-  // Small whole numbers, limits and infinite values are data, whatever they add up to.
-  for (const char* data :
-       {"p0,8.00,3.00\np1,4.00,3.00\np2,11.00,4.00\np3,1.00,11.00\np4,10.00,7.00\np5,5.00,1.00\np6,8.00,1.00\n"
-        "p7,8.00,11.00\np8,7.00,3.00\np9,1.00,1.00\np10,9.00,9.00\np11,10.00,6.00\n",
-        "p0,80,140\np1,40,30\np2,100,50\np3,110,40\np4,90,60\np5,120,30\np6,60,90\np7,40,60\n",
-        "p0,3.151,4.212\np1,60,18.323\np2,8.452,60\np3,9.161,2.124\np4,60,60\n",
-        "1,2,5\n2,4,4\n3,2,3\n4,3,1\n5,4,3\n6,3,3.2\n", "1,1.00,2.00\n2,1.48,2.53\n3,inf,inf\n4,3.10,3.59\n"})
-    CHECK(said_of("p,A,B\n" + std::string(data), wide_p).empty());
+  std::mt19937_64 engine(1);
+  int refused = 0;
+  for (int table = 0; table < 5000; ++table) {
+    std::string whole = "problem,A,B\n";
+    for (std::size_t i = 0, rows = 6 + engine() % 6; i < rows; ++i)
+      whole += fmt::format("p{},{},{}\n", i, engine() % 6, engine() % 6);
+    refused += !said_of(whole, blocks).empty();
+  }
+  CHECK(refused <= 1);
 }
 
 TEST_CASE("several columns of labels or blocks are joined") {
