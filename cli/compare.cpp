@@ -122,11 +122,10 @@ std::string verdict_of(const Gate& gate, const show::Answer& answer) {
   if (!gate.is_compared)
     return fmt::format("{} is not compared with {}: {}.", candidate, baseline,
                        why_open(answer, gate.judged.metrics[gate.judged.deciding]));
-  std::vector<std::string> parts, worse = gate.worse;
-  if (gate.newly_missing > 0) worse.pop_back();  // chance may do that, so no test calls it worse
-  const bool is_worse = !worse.empty(), is_open = !gate.not_decided.empty() || !gate.not_tested.empty(),
+  std::vector<std::string> parts;
+  const bool is_worse = !gate.worse.empty(), is_open = !gate.not_decided.empty() || !gate.not_tested.empty(),
              is_within = !gate.worse_by_little.empty();
-  if (is_worse) parts.push_back("in " + show::listed(worse));
+  if (is_worse) parts.push_back("in " + show::listed(gate.worse));
   if (!gate.better.empty()) parts.push_back((is_worse ? "better in " : "in ") + show::listed(gate.better));
   if (gate.newly_missing > 0)
     parts.push_back(fmt::format("new: {} without an answer", base::counted(gate.newly_missing, "solves")));
@@ -248,6 +247,7 @@ base::OrderedJson json_of(const std::vector<Gate>& all, int code) {
         json[member] = value;
     }
     json["worse"][label] = gate.worse;
+    json["newly_missing"][label] = gate.newly_missing;
     json["better"][label] = gate.better;
     json["undecided"][label] = gate.not_decided;
     json["not_tested"][label] = gate.not_tested;

@@ -28,10 +28,9 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
        "paths, starts or weights of a rotation"},
       {a.limits != b.limits, "treatments of joint limits"},
       {a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance, "tolerances"}};
-  for (const auto& [differ, what] : differences) {
+  for (const auto& [differ, what] : differences)
     if (differ)
       throw std::invalid_argument(fmt::format("not compared: {} has other {} than before", other.labels.front(), what));
-  }
 }
 
 // The sessions by their beginnings, if each turn of both began before the next of either, by this clock; a second is
@@ -217,10 +216,9 @@ void decide(std::vector<Gate>& gates) {
     judged = judge(std::move(judged.observations), judged.plan, std::max<std::size_t>(tests, 1));
   };
   std::size_t tests = 0;
-  for (const Gate& gate : gates) {
+  for (const Gate& gate : gates)
     for (const JudgedMetric& judged : gate.judged.metrics)
       tests += may_decide(gate, judged) && can_decide(judged.observations, judged.plan);
-  }
   std::size_t all = tests;  // with those that have too few values now
   for (Gate& gate : gates) {
     for (JudgedMetric& judged : gate.judged.metrics) {
@@ -243,7 +241,6 @@ void decide(std::vector<Gate>& gates) {
       if (is_time(judged) && !gate.do_times_decide) continue;
       if (const int missing = newly_missing(judged); missing > 0) {
         gate.newly_missing = missing;
-        gate.worse.push_back(observed.quantity);
         continue;
       }
       const Verdict verdict = verdict_of(finding);
@@ -261,12 +258,13 @@ void decide(std::vector<Gate>& gates) {
           observed.scale == Scale::share && judged.described.front().mean == 0 && judged.described.back().mean == 0;
       gate.is_compared |= !is_of_answers(judged) && !is_of_nothing && verdict != Verdict::not_tested;
     }
-    gate.is_compared |= !gate.worse.empty() || !gate.better.empty();
+    gate.is_compared |= !gate.worse.empty() || !gate.better.empty() || gate.newly_missing > 0;
   }
 }
 
 int exit_code(const std::vector<Gate>& gates, bool is_strict) {
-  if (std::ranges::any_of(gates, [](const Gate& gate) { return !gate.worse.empty(); })) return 3;
+  const auto is_worse = [](const Gate& gate) { return !gate.worse.empty() || gate.newly_missing > 0; };
+  if (std::ranges::any_of(gates, is_worse)) return 3;
   if (std::ranges::any_of(gates, [](const Gate& gate) { return !gate.is_compared || gate.are_times_missing; }))
     return 1;
   const auto is_open = [](const Gate& gate) { return !gate.not_decided.empty() || !gate.not_tested.empty(); };

@@ -25,7 +25,7 @@ struct Gate {
   // Quantities; time only if times decide. worse_by_little: by less than the margin, which is no loss.
   std::vector<std::string> worse, better, worse_by_little, not_decided, not_tested;
   std::optional<Sight> sight = {};  // none where shares are not tested
-  int newly_missing = 0;            // answers, where before none was or now none is left: worse, even if by chance
+  int newly_missing = 0;            // answers, where before none was or now none is left: fails, even if by chance
   bool are_same = false;            // all solves, bit for bit: then nothing is left to decide but time
   bool are_times_missing = false;   // though they decide
   bool is_compared = true;          // some quantity besides the share of answers was compared, or something is worse
@@ -41,8 +41,8 @@ Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> t
 // no more compares than it says.
 void decide(std::vector<Gate>& gates);
 
-// 3: something is worse; 1: of a label nothing was compared, or not the times that were asked for; 4: something is not
-// decided, and that counts; else 0. Of all labels together.
+// 3: something is worse, or answers are newly missing; 1: of a label nothing was compared, or not the times that were
+// asked for; 4: something is not decided, and that counts; else 0. Of all labels together.
 int exit_code(const std::vector<Gate>& gates, bool is_strict);
 
 }  // namespace ikbench::judge
