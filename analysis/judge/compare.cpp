@@ -103,7 +103,6 @@ struct Pair {
 struct Trial {
   Prepared numbers;
   Outcome outcome;
-  double margin = 0;
   bool is_same = false;
 };
 
@@ -126,14 +125,13 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
   };
   const double one = centre(numbers.first, first), other = centre(numbers.second, second);
   const double relative = numbers.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(one), std::abs(other));
-  trial.margin = observed.scale == Scale::share    ? plan.margin
-                 : takes_logs || observed.are_logs ? std::log1p(plan.margin)
-                 : pair.takes_logs                 ? observed.absolute_margin
-                                                   : std::max(observed.absolute_margin, relative);
+  const double margin = observed.scale == Scale::share    ? plan.margin
+                        : takes_logs || observed.are_logs ? std::log1p(plan.margin)
+                        : pair.takes_logs                 ? observed.absolute_margin
+                                                          : std::max(observed.absolute_margin, relative);
   const auto lies_within = [&](const Outcome& outcome) {  // values without spread have their difference alone
     const Interval held = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
-    const double rounding = 1e-9 * trial.margin;
-    return held.low >= -trial.margin - rounding && held.high <= trial.margin + rounding;
+    return held.low >= -margin * (1 + 1e-9) && held.high <= margin * (1 + 1e-9);  // up to rounding
   };
   const Method& by_means = pair.method->is_by_difference ? paired_t : unpaired_t;
   const bool is_small = lies_within(trial.outcome);
@@ -292,9 +290,8 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
 // How many pairs data of this size can decide, before any p is known: those that cannot leave, the least able first.
 std::size_t testable(std::vector<Pair>& pairs, double significance) {
   std::vector<Pair*> family;
-  for (Pair& pair : pairs) {
+  for (Pair& pair : pairs)
     if (!pair.open && !pair.is_fact) family.push_back(&pair);
-  }
   while (!family.empty()) {
     const double level = significance / static_cast<double>(family.size());
     const double worst = (*std::ranges::max_element(family, {}, &Pair::smallest_p))->smallest_p;
@@ -456,9 +453,8 @@ Headline headline(const Observations& observed, const std::vector<Finding>& find
   }
   if (known < best * losers.size() + best * (best - 1) / 2) return {};
   Headline said;
-  for (const Group& group : observed.groups) {
+  for (const Group& group : observed.groups)
     if (!losers.contains(group.name)) said.best.push_back(group.name);
-  }
   return said;
 }
 

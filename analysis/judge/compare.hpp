@@ -26,7 +26,8 @@ struct Amount {
   std::optional<Interval> interval = {};  // at 1 - significance / tested pairs; without 0 (ratios: 1) if p decides
 };
 
-// Shares of pairs or blocks in which the first is better, and worse.
+// Shares of pairs or blocks in which the first is better, and worse. Their difference is Cliff's delta; A12 has equal
+// ones half (Vargha and Delaney, J. Educational and Behavioral Statistics 25 (2000) 101).
 struct Effect {
   double ahead = 0, behind = 0;
   double a12() const { return (1 + ahead - behind) / 2; }

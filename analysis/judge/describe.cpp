@@ -183,8 +183,7 @@ std::optional<TestOfAll> anova(const Observations& observed) {
   return with_f(test);
 }
 
-std::optional<TestOfAll> anova_of_unequal(const Observations& observed) {
-  std::optional<TestOfAll> plain = anova(observed);
+std::optional<TestOfAll> anova_of_unequal(const Observations& observed, const std::optional<TestOfAll>& plain) {
   if (!plain || (observed.is_paired && plain->df < 2)) return {};
   TestOfAll test{.name = "Greenhouse-Geisser",
                  .statistic = plain->statistic,
@@ -267,12 +266,11 @@ TestsOfAll tests_of_all(Observations observed) {
     if (!has_chance(group)) all.without.push_back(group.name);
     return !has_chance(group);
   });
-  for (const auto test : {anova, anova_of_unequal, test_of_ranks}) {
-    if (const auto found = test(observed)) all.tests.push_back(*found);
-  }
-  for (std::size_t g = 0; !observed.is_paired && g < observed.groups.size(); ++g) {
-    if (!(describe(observed.groups[g]).sd > 0)) all.equal.push_back(observed.groups[g].name);
-  }
+  const std::optional<TestOfAll> plain = anova(observed);
+  for (const auto& test : {plain, anova_of_unequal(observed, plain), test_of_ranks(observed)})
+    if (test) all.tests.push_back(*test);
+  for (const Group& group : observed.groups)
+    if (!observed.is_paired && !(describe(group).sd > 0)) all.equal.push_back(group.name);
   return all;
 }
 

@@ -51,9 +51,10 @@ struct TestOfAll {
 // One-way, of paired groups that of repeated measures (Fisher 1925), which assume equal spreads. None for fewer than
 // two groups, copies, lost or infinite values, or groups without spread.
 std::optional<TestOfAll> anova(const Observations& observed);
-// The same without that: one-way Welch's F (Biometrika 38 (1951) 330), none where a group has no spread; of more than
-// two paired groups with the degrees of freedom of Greenhouse and Geisser (Psychometrika 24 (1959) 95).
-std::optional<TestOfAll> anova_of_unequal(const Observations& observed);
+// The same without that, from the plain one: one-way Welch's F (Biometrika 38 (1951) 330), none where a group has no
+// spread; of more than two paired groups with the degrees of freedom of Greenhouse and Geisser (Psychometrika 24 (1959)
+// 95).
+std::optional<TestOfAll> anova_of_unequal(const Observations& observed, const std::optional<TestOfAll>& plain);
 // Kruskal and Wallis (J. Am. Stat. Assoc. 47 (1952) 583), of paired groups Friedman (32 (1937) 675); both with ties.
 std::optional<TestOfAll> test_of_ranks(const Observations& observed);
 // Nemenyi's, of mean ranks of so many groups at 0.05 (Demsar, J. Machine Learning Research 7 (2006) 1). NaN for fewer

@@ -11,17 +11,15 @@ namespace ikbench::judge {
 
 namespace {
 
-// Of all findings that few values of a mean leave open.
+// Where few values of a mean leave a finding open, of all whose means are such.
 void add_doubt(JudgedMetric& judged) {
   Doubt doubt{.kind = DoubtKind::few_decide_mean,
               .what = (judged.observations.are_logs ? "" : "mean ") + judged.observations.quantity};
-  for (const Group& group : judged.observations.groups) {
-    const auto concerns = [&](const Finding& finding) {
-      return is_open(finding, Open::Why::few_decide) && (finding.first == group.name || finding.second == group.name);
-    };
-    if (does_one_value_decide(group) && std::ranges::any_of(judged.findings, concerns)) doubt.who.push_back(group.name);
-  }
-  if (!doubt.who.empty()) judged.observations.doubts.push_back(std::move(doubt));
+  const auto is_left = [](const Finding& finding) { return is_open(finding, Open::Why::few_decide); };
+  if (std::ranges::none_of(judged.findings, is_left)) return;
+  for (const Group& group : judged.observations.groups)
+    if (does_one_value_decide(group)) doubt.who.push_back(group.name);
+  judged.observations.doubts.push_back(std::move(doubt));
 }
 
 // Of the first that is better by ranks, though its median, or else its mean, is worse by more than the margin (a best

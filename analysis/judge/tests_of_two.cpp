@@ -282,11 +282,6 @@ double smallest_p_unpaired(std::size_t m, std::size_t n) {
 
 double smallest_p_paired(std::size_t n) { return std::min(1.0, std::exp2(1 - number(n))); }
 
-double a12(Values first, Values second) {
-  const double m = number(first.size()), sum = rank_sum(ranks_of_both(first, second), first.size());
-  return (sum - m * (m + 1) / 2) / (m * number(second.size()));
-}
-
 double brunner_munzel(Values first, Values second, double shift) {
   const Summary of_first = placements(first, second, shift), of_second = placements(second, first, -shift);
   const double m = of_first.n, n = of_second.n;

@@ -44,9 +44,6 @@ double smallest_p_paired(std::size_t n);                   // 2^(1 - n)
 
 // Numbers, unpaired.
 
-// The chance that a value of the first is larger, equal ones half (Vargha and Delaney, J. Educational and Behavioral
-// Statistics 25 (2000) 101).
-double a12(Values first, Values second);
 // Of sorted values, the first less a shift, by Student's t (Biometrical J. 42 (2000) 17). Without variance the groups
 // do not overlap, p = 0, or are equal, 1.
 double brunner_munzel(Values first, Values second, double shift = 0);

@@ -110,26 +110,26 @@ TEST_CASE("tests of all have the numbers of R, with ties and in blocks", "[descr
   CHECK(test_of_ranks(orchard)->statistic == Approx(45.8086697).epsilon(1e-8));
 
   // Unequal spreads: oneway.test of R 4.2; rm_anova of pingouin 0.7.0.
-  CHECK(anova_of_unequal(observed(plants))->statistic == Approx(5.181).epsilon(1e-4));
-  const TestOfAll welch = anova_of_unequal(sprays).value();
+  CHECK(anova_of_unequal(observed(plants), anova(observed(plants)))->statistic == Approx(5.181).epsilon(1e-4));
+  const TestOfAll welch = anova_of_unequal(sprays, anova(sprays)).value();
   CHECK(welch.statistic == Approx(36.0654438936).epsilon(1e-10));
   CHECK(welch.df == 5);
   CHECK(welch.df_within == Approx(30.0425605088).epsilon(1e-10));
   CHECK(welch.p == Approx(7.999379455e-12).epsilon(1e-9));
-  const TestOfAll corrected = anova_of_unequal(orchard).value();
+  const TestOfAll corrected = anova_of_unequal(orchard, anova(orchard)).value();
   CHECK(corrected.statistic == anova(orchard)->statistic);
   CHECK(corrected.epsilon == Approx(0.4984314915).epsilon(1e-9));
   CHECK(corrected.df == 7 * corrected.epsilon);
   CHECK(corrected.p == Approx(2.80996383e-07).epsilon(1e-6));
   orchard.groups.resize(2);
-  CHECK_FALSE(anova_of_unequal(orchard));  // one difference has one spread
+  CHECK_FALSE(anova_of_unequal(orchard, anova(orchard)));  // one difference has one spread
 }
 
 TEST_CASE("without spread in a group Welch's F is not defined, and the group is named", "[describe]") {
   Observations of = observed({{1, 2, 3}, {5, 5, 5}});
   of.groups[1].name = "flat";
   CHECK(anova(of));
-  CHECK_FALSE(anova_of_unequal(of));
+  CHECK_FALSE(anova_of_unequal(of, anova(of)));
   CHECK(tests_of_all(of).equal == std::vector<std::string>{"flat"});
 }
 

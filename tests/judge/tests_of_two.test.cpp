@@ -179,12 +179,6 @@ TEST_CASE("McNemar's p is exact, with Newcombe's paired interval", "[tests_of_tw
   CHECK(paired(7, 0, 0, 3).p == 1);
 }
 
-TEST_CASE("A12 counts the pairs in which the first is larger", "[tests_of_two]") {
-  CHECK(a12(SomeValues{10, 10, 20, 20, 20, 30, 30, 30, 40, 50}, SomeValues{10, 20, 30, 40, 40, 50}) ==
-        0.375);  // R, effsize
-  CHECK(a12(upto(3), upto(3, 10)) == 0);
-}
-
 TEST_CASE("a hundred thousand values a group have a shift and its interval", "[tests_of_two]") {
   // Of 0 .. n - 1 and the same plus 1/4 there are n - |d| differences d - 1/4; up to d < 0 are (n + d)(n + d + 1) / 2.
   constexpr double n = 100'000;
