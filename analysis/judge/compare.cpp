@@ -190,10 +190,12 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
                 .n = pair.n};
   if (pair.method->by == By::means && observed.scale != Scale::share && !observed.are_logs)
     tested.g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
+  constexpr double enough_solved = 20;  // of fewer, an interval of costs with heavy tails misses too often
   std::optional<Interval> interval;
   if (std::isfinite(outcome.estimate)) {
     tested.amount.emplace().value = shown(outcome.estimate);
-    if (outcome.interval) interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
+    if (outcome.interval && trial.numbers.solved >= enough_solved)
+      interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
   }
   // Of logarithms p itself would be that of few.
   if (pair.method->by == By::means && observed.scale != Scale::share &&

@@ -25,6 +25,7 @@ struct Measured {
   std::vector<int> blocks = {};     // where paired: of each value, rising; none: those of all groups are the same
   bool may_repeat = false;          // all values are equal, and nobody knows whether the solver repeats itself
   double worth = 0;                 // of logarithms of costs: how many equal ones would tell as much
+  double solved = 0;                // of the same: the targets solved
 };
 struct Copies {  // of one value, since the solver repeats itself
   double value = 0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 
 #include "analysis/judge/describe.hpp"
@@ -137,6 +138,7 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
       double sum = 0, squares = 0;  // Kish, Survey Sampling, 1965
       for (const Value& each : values) sum += each.value, squares += each.value * each.value;
       measured.worth = sum * sum / squares;
+      for (const Value& each : solved) measured.solved += each.value;
       values = spent_by_solved(std::move(values), solved);
     }
   }
@@ -194,6 +196,7 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
   }
   if (metric.kind == Kind::in_time) group.all = static_cast<int>(study.of(solver).size()), group.share /= group.all;
   measured.worth = static_cast<double>(measured.values.size());  // each is of a session, so none decides
+  measured.solved = std::numeric_limits<double>::infinity();
   const bool is_none = study.definition.has_tolerance() && metric.kind != Kind::in_time &&
                        std::ranges::none_of(study.of(solver), [](auto& its) { return its.status == Status::ok; });
   if (!measured.values.empty())

@@ -96,7 +96,9 @@ Prepared prepared(const Group& first, const Group& second, const Observations& o
   numbers.of_second = summary_of(second, numbers.second);
   for (const Group* const group : {&first, &second}) {
     const auto* const measured = std::get_if<Measured>(&group->sample);
-    if (measured && measured->worth > 0) numbers.worth = std::min(numbers.worth, measured->worth);
+    if (measured == nullptr || measured->worth == 0) continue;
+    numbers.worth = std::min(numbers.worth, measured->worth);
+    numbers.solved = std::min(numbers.solved, measured->solved);
   }
   if (is_by_difference) {
     numbers.differences = differences_of(first, second, numbers, takes_logs);

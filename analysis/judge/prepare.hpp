@@ -16,6 +16,7 @@ struct Prepared {
   std::vector<double> differences = {};  // by block; or of each run from the one value of a solver that repeats itself
   Summary of_first = {}, of_second = {};
   double worth = std::numeric_limits<double>::infinity();  // of logarithms: that of the group whose values tell less
+  double solved = worth;                                   // of the same: targets that the weaker one solved
   double no_answer = 0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
   bool are_all_equal = false;
 
