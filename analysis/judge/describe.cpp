@@ -216,36 +216,30 @@ std::optional<TestOfAll> test_of_ranks(const Observations& observed) {
   const Columns columns = columns_of(observed);
   const auto has_one = [](const std::vector<double>& column) { return column.size() < 2; };
   if (std::ranges::all_of(columns, has_one)) return {};
-  const auto k = static_cast<double>(columns.size()), n = static_cast<double>(columns.front().size());
-  TestOfAll test{.name = observed.is_paired ? "Friedman" : "Kruskal-Wallis", .statistic = 0, .df = k - 1};
+  const std::size_t k = columns.size(), n = columns.front().size();
   std::vector<double> all;
   for (const std::vector<double>& column : columns) all.insert(all.end(), column.begin(), column.end());
   settle(all, observed, observed.scale == Scale::ratio);
-  double free = 0;  // 0: all are equal
-  if (observed.is_paired) {
-    std::vector<double> sums(columns.size());
-    for (std::size_t i = 0; i < columns.front().size(); ++i) {
-      std::vector<double> block;
-      for (std::size_t g = 0; g < sums.size(); ++g) block.push_back(all[g * columns.front().size() + i]);
-      const Ranks ranks = midranks(block);
-      free += k * (k + 1) - ranks.tie_sum / (k - 1);
-      for (std::size_t g = 0; g < sums.size(); ++g) sums[g] += ranks.ranks[g];
-    }
-    for (const double sum : sums) test.statistic += 12 * std::pow(sum - n * (k + 1) / 2, 2);
-  } else {
-    const Ranks ranks = midranks(all);
-    const auto total = static_cast<double>(all.size());
-    free = 1 - ranks.tie_sum / (total * total * total - total);
-    auto rank = ranks.ranks.begin();
-    for (const std::vector<double>& column : columns) {
-      const auto size = static_cast<double>(column.size());
-      const double mean = std::accumulate(rank, rank + std::ssize(column), 0.0) / size;
-      rank += std::ssize(column);
-      test.statistic += 12 / (total * (total + 1)) * size * std::pow(mean - (total + 1) / 2, 2);
-    }
+  if (!observed.is_paired) all = midranks(all).ranks;
+  for (std::size_t i = 0; observed.is_paired && i < n; ++i) {
+    std::vector<double> block;
+    for (std::size_t g = 0; g < k; ++g) block.push_back(all[g * n + i]);
+    block = midranks(block).ranks;
+    for (std::size_t g = 0; g < k; ++g) all[g * n + i] = block[g];
   }
-  if (!(free > 0)) return {};
-  test.statistic /= free;
+  // Squares of ranks, ties and all: those between groups are compared with all.
+  const double middle = static_cast<double>(observed.is_paired ? k + 1 : all.size() + 1) / 2;
+  double between = 0, total = 0;
+  auto rank = all.begin();
+  for (const std::vector<double>& column : columns) {
+    double sum = 0;
+    for (const auto end = rank + std::ssize(column); rank != end; ++rank)
+      sum += *rank - middle, total += std::pow(*rank - middle, 2);
+    between += sum * sum / static_cast<double>(column.size());
+  }
+  if (total == 0) return {};
+  TestOfAll test{.name = observed.is_paired ? "Friedman" : "Kruskal-Wallis", .df = static_cast<double>(k - 1)};
+  test.statistic = between / total * static_cast<double>(all.size() - (observed.is_paired ? n : 1));
   test.p = p_of(boost::math::chi_squared(test.df), test.statistic);
   return test;
 }
