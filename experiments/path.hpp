@@ -30,6 +30,8 @@ class PathKind {
   virtual void check(const Robot&) const {}
   // True if every run draws its own targets, false if all runs have the same.
   virtual bool is_drawn() const { return false; }
+  // True if a run's targets are made of the numbers that NumPy draws after those of the runs before.
+  virtual bool is_of_numpy() const { return false; }
   virtual int points() const = 0;
   // One pose per point. `random` belongs to the run; only random paths use it.
   virtual std::vector<Pose> poses(const Robot& arm, Random& random) const = 0;

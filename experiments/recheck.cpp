@@ -146,9 +146,9 @@ void check(const Definition& study, const Robot& arm, Kind kind, const SolveReco
   const auto status = [&](double rounding) {
     constexpr double least = std::numeric_limits<double>::min();  // 0 would be no tolerance
     const auto about = [&](double tolerance) { return tolerance > 0 ? std::max(tolerance + rounding, least) : 0; };
-    return status_by(computed, {.claimed_error = computed.position_error,
-                                .tolerance = about(study.stop.tolerance),
-                                .angle_tolerance = about(study.stop.angle_tolerance)});
+    StopRule stop = study.stop;
+    stop.tolerance = about(stop.tolerance), stop.angle_tolerance = about(stop.angle_tolerance);
+    return status_by(computed, {.claimed_error = computed.position_error, .stop = stop});
   };
   if (solve.status != status(1e-8) && solve.status != status(-1e-8))
     refuse(solve,

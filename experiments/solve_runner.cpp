@@ -271,8 +271,7 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
                            .claim_slack = timed.account ? claim_slack(arm_) : 0,
                            .claimed_pose_error = timed.solution.best.error,
                            .rotation_weight = task_.goal(target).rotation_weight,
-                           .tolerance = study_.stop.tolerance,
-                           .angle_tolerance = study_.stop.angle_tolerance,
+                           .stop = study_.stop,
                            .orientation_is_exact = study_.search == Search::wrist,
                            .limits_are_enforced = study_.limits == Limits::enforced});
   return is_in_order(status) && is_late(timed) ? Status::over_budget : status;

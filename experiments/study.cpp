@@ -17,8 +17,12 @@ using namespace solvers;
 
 namespace {
 
-Key key_of_targets(const Study& study, int run) {
-  return Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run));
+Random random_of_targets(const Study& study, const Robot& arm, int run) {
+  if (study.path->is_of_numpy())
+    return Random::of_numpy(
+        static_cast<std::uint32_t>(study.seed),
+        static_cast<std::uint64_t>(run - 1) * static_cast<std::uint64_t>(study.path->points() * arm.joints()));
+  return Random(Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run)));
 }
 
 constexpr int most_shards = 100'000;
@@ -71,7 +75,7 @@ int effective_population(const Study& study, const SolverEntry& entry) {
 }
 
 std::vector<Pose> targets(const Study& study, const Robot& arm, int run) {
-  Random random(key_of_targets(study, run));
+  Random random = random_of_targets(study, arm, run);
   return study.path->poses(arm, random);
 }
 
@@ -86,7 +90,7 @@ std::vector<Configuration> starts(const Study& study, const Robot& arm, int run)
   const Configuration zeros = Configuration::Zero(arm.joints());
   const JointLimits range = arm.limits.around(zeros);
   Random random(Key(study.seed).with("starts").with(static_cast<std::uint64_t>(run))),
-      of_targets(key_of_targets(study, run));
+      of_targets = random_of_targets(study, arm, run);
   std::vector<Configuration> all(static_cast<std::size_t>(study.path->points()), (range.lower + range.upper) / 2);
   if (study.start == Start::near) all = study.path->solutions(arm, of_targets);
   for (Configuration& start : all) {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -119,6 +120,8 @@ void check_stop(const TomlReader& stop, const Study& study) {
                                    "\"axis\" expects both, or neither",
                                    position, angle));
   }
+  if (study.stop.adds_squares && (position == 0 || angle == 0))
+    throw stop.mistake("tolerances", "tolerances is \"squares\", of both errors; expected both tolerances");
   if (!study.has_direction() && angle > 0) {
     throw stop.mistake("tolerance_deg",
                        "stop.tolerance_deg is about the orientation, which is not searched; expected search = \"pose\" "
@@ -132,6 +135,8 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
     if (is_wrong) throw reader.mistake(key, message);
   };
   at_key(reader, "path", [&] { study.path->check(arm); });
+  refuse_if(study.path->is_of_numpy() && study.seed > std::numeric_limits<std::uint32_t>::max(), "seed",
+            "path.generator is \"numpy\", whose seeds are at most 4294967295");
   Random random(Key(0));
   refuse_if(study.start == Start::near && study.path->solutions(arm, random).empty(), "start",
             "start is \"near\", but the path's targets are not made of configurations; expected path.kind = \"random\" "

@@ -189,11 +189,8 @@ Status status_by(const Verification& verified, const Requirement& requirement) {
   if (!claim_holds || !pose_claim_holds || turned_wrong) return Status::claimed_but_wrong;
   if (verified.limit_violation > 0 || verified.limit_violation_m > 0)
     return requirement.limits_are_enforced ? Status::refused : Status::limit_violated;
-  if (requirement.tolerance > 0 && verified.position_error > requirement.tolerance + rounding)
-    return Status::tolerance_missed;
-  if (requirement.angle_tolerance > 0 && verified.angle > requirement.angle_tolerance + rounding)
-    return Status::tolerance_missed;
-  return Status::ok;
+  return requirement.stop.is_met(verified.position_error, verified.angle, rounding) ? Status::ok
+                                                                                    : Status::tolerance_missed;
 }
 
 }  // namespace ikbench::experiments

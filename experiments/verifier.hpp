@@ -40,8 +40,7 @@ struct Requirement {
   double claim_slack = 0;             // [m]; it may be off by this, besides rounding
   double claimed_pose_error = 0;      // [m], of three points of the tool, as solvers::Objective
   double rotation_weight = 0;         // [m]; 0: only positions are searched, without a pose claim
-  double tolerance = 0;               // [m]; 0: none
-  double angle_tolerance = 0;         // [rad]; 0: none
+  solvers::StopRule stop = {};        // of which the tolerances count
   bool orientation_is_exact = false;  // true if the closed form of the wrist completes answers
   bool limits_are_enforced = false;   // otherwise a violation is only recorded
 };

@@ -37,7 +37,18 @@ Random::Random(Key key) : kernels_(kernels()) {
   }
 }
 
+Random Random::of_numpy(std::uint32_t seed, std::uint64_t skipped) {
+  Random random{Key(seed)};
+  random.numpy_ = std::make_unique<std::mt19937>(seed);
+  random.numpy_->discard(2 * skipped);
+  return random;
+}
+
 double Random::uniform() {
+  if (numpy_) {
+    const auto high = static_cast<std::uint32_t>((*numpy_)() >> 5), low = static_cast<std::uint32_t>((*numpy_)() >> 6);
+    return (high * 0x1p26 + low) * 0x1p-53;
+  }
   if (used_ == random_lanes) {
     kernels_.uniforms(state_, buffer_, random_lanes);
     used_ = 0;

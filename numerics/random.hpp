@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
+#include <random>
 #include <string_view>
 
 #include "numerics/kernels.hpp"
@@ -26,6 +28,9 @@ class Key {
 class Random {
  public:
   explicit Random(Key key);
+  // NumPy's numbers after np.random.seed(seed) without so many of the first: MT19937, whose pairs make 53 bits
+  // (Matsumoto and Nishimura 1998). One by one: it does not fill.
+  static Random of_numpy(std::uint32_t seed, std::uint64_t skipped);
 
   double uniform();                        // [0, 1), 52 bits
   double uniform(double from, double to);  // [from, to)
@@ -52,6 +57,7 @@ class Random {
   RandomState state_;
   double buffer_[random_lanes];
   int used_ = random_lanes;
+  std::unique_ptr<std::mt19937> numpy_;
 };
 
 }  // namespace ikbench::numerics

@@ -22,8 +22,17 @@ struct StopRule {
   int iterations = 200;
   double tolerance = 0;          // [m] position error; for a pose, both tolerances must hold
   double angle_tolerance = 0;    // [rad] orientation error of a pose
+  bool adds_squares = false;     // of a pose: the squares of the two errors, each by its tolerance, add up to 1 at most
   std::int64_t evaluations = 0;  // checked after each iteration
   double seconds = 0;            // wall time, checked after each iteration
+
+  // True within the tolerances [m, rad], where 0 is none.
+  bool is_met(double position, double angle, double rounding = 0) const {
+    if (tolerance > 0 && position > tolerance + rounding) return false;
+    if (angle_tolerance > 0 && angle > angle_tolerance + rounding) return false;
+    const double by = position / (tolerance + rounding), turned = angle / (angle_tolerance + rounding);
+    return !adds_squares || by * by + turned * turned <= 1;
+  }
 
   // As in the study.
   double tolerance_cm() const { return base::in_unit(tolerance, base::centimetre); }
@@ -39,6 +48,8 @@ inline void list_fields(base::Fields& io, StopRule& stop) {
       "tolerance_deg", stop.angle_tolerance, base::degree, {0, 180},
       "with search = \"pose\" or \"axis\": a solve stops where the tool, or its z axis, is also turned no further than "
       "this from its target; 0: no tolerance");
+  io.choice("tolerances", stop.adds_squares, {"each", "squares"},
+            "each: both must hold; squares: the squares of the two errors, each by its tolerance, add up to 1 at most");
   io.whole("evaluations", stop.evaluations, {0, base::no_limit}, "maximum number of evaluations; 0: no maximum",
            base::InKey::in_text);
   io.number("seconds", stop.seconds, 1, {0, 1e6},

@@ -40,7 +40,7 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   const auto started = std::chrono::steady_clock::now();
   Solution solution;
   if (trace == Trace::best_error) solution.trace.reserve(static_cast<std::size_t>(std::min(stop.iterations, 100'000)));
-  Tolerance tolerance(stop.tolerance, stop.angle_tolerance, objective);
+  Tolerance tolerance(stop, objective);
   Problem told = problem;
   told.stop = stop;
   told.iterations = planned_iterations(stop, problem.population);

@@ -541,8 +541,9 @@ std::string stops_of(const StudyResults& study) {
   const numerics::StopRule& stop = study.definition.stop;
   std::vector<std::string> tolerances{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg")};
   std::erase(tolerances, "");
-  std::vector<std::string> stops{listed(tolerances), limited(stop.iterations, "iterations"),
-                                 limited(stop.evaluations, "evaluations"), limit(1000 * stop.seconds, " ms")};
+  std::vector<std::string> stops{listed(tolerances) + (stop.adds_squares ? " (squares added)" : ""),
+                                 limited(stop.iterations, "iterations"), limited(stop.evaluations, "evaluations"),
+                                 limit(1000 * stop.seconds, " ms")};
   std::erase(stops, "");
   return listed(stops, " or ");
 }

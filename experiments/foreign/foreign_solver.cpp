@@ -176,7 +176,7 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   const double cpu_before = own_.child->cpu_seconds();
   const int joints = problem.joints();
   Objective uncounted(objective.arm(), objective.goal());
-  Tolerance tolerance(stop_.tolerance, stop_.angle_tolerance, uncounted);
+  Tolerance tolerance(stop_, uncounted);
   const double at_start = uncounted.error(problem.start);
   Best best;
   std::vector<double> seen;  // errors

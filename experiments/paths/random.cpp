@@ -17,6 +17,7 @@ using namespace robots;
 namespace {
 
 enum class Set { anywhere, near_limits, near_singular, edge, unreachable };
+enum class Generator { ikbench, numpy };
 
 JointLimits range_of(const Robot& arm) { return arm.limits.around(Configuration::Zero(arm.joints())); }
 
@@ -106,6 +107,9 @@ class RandomTargets final : public PathKind {
         "set", set_, {"anywhere", "near_limits", "near_singular", "edge", "unreachable"},
         "which of them. near_limits: each joint within 5 % of a limit; near_singular: Yoshikawa's manipulability "
         "below its first percentile; edge: farther from the shoulder than 95 % of the largest distance of 1000 random configurations; unreachable: moved beyond the reach");
+    io.choice(
+        "generator", generator_, {"ikbench", "numpy"},
+        "what draws them. numpy: NumPy's np.random.seed(seed), then np.random.uniform joint by joint, at most half a turn each way");
     io.number("beyond_percent", beyond_, 0.01, {0.01, 1000},
               "of unreachable ones: how far beyond, as a share of the reach");
   }
@@ -115,6 +119,9 @@ class RandomTargets final : public PathKind {
       if (set_ == set && is_wrong)
         throw std::invalid_argument(fmt::format("path.set is {}; expected another set", why));
     };
+    if (generator_ == Generator::numpy && set_ != Set::anywhere)
+      throw std::invalid_argument(
+          "path.generator is \"numpy\", which draws anywhere; expected path.set = \"anywhere\"");
     constexpr double least_reach = 1e-6;  // [m] shares of a smaller reach are no distances
     const double reach = arm.chain.reach().radius;
     refuse_if(Set::unreachable, !std::isfinite(reach),
@@ -126,6 +133,7 @@ class RandomTargets final : public PathKind {
   }
 
   bool is_drawn() const override { return true; }
+  bool is_of_numpy() const override { return generator_ == Generator::numpy; }
   int points() const override { return points_; }
 
   std::vector<Pose> poses(const Robot& arm, Random& random) const override {
@@ -148,16 +156,23 @@ class RandomTargets final : public PathKind {
  private:
   std::vector<Configuration> drawn(const Robot& arm, Random& random) const {
     const Demand demand = set_ == Set::near_singular ? near_singular(arm) : set_ == Set::edge ? at_edge(arm) : Demand{};
+    JointLimits range = range_of(arm);
+    for (Eigen::Index j = 0; j < range.lower.size() && is_of_numpy(); ++j) {
+      if (arm.chain.slides(j)) continue;
+      range.lower[j] = std::max(range.lower[j], -whole_turn / 2);
+      range.upper[j] = std::min(range.upper[j], whole_turn / 2);
+    }
     std::vector<Configuration> drawn;
     for (int i = 0; i < points_; ++i)
       drawn.push_back(set_ == Set::near_limits ? drawn_near_limits(arm, random)
                       : demand.score           ? drawn_to_meet(demand, arm, random)
-                                               : drawn_within(range_of(arm), random));
+                                               : drawn_within(range, random));
     return drawn;
   }
 
   int points_ = 20;
   Set set_ = Set::anywhere;
+  Generator generator_ = Generator::ikbench;
   double beyond_ = 0.1;
 };
 

@@ -59,10 +59,7 @@ class NloptSearch : public Searcher {
 class Evaluations {
  public:
   Evaluations(NloptSearch& solve, Objective& objective)
-      : solve_(solve),
-        problem_(solve.problem_),
-        objective_(objective),
-        tolerance_(problem_.stop.tolerance, problem_.stop.angle_tolerance, objective) {}
+      : solve_(solve), problem_(solve.problem_), objective_(objective), tolerance_(problem_.stop, objective) {}
 
   Objective& objective() { return objective_; }
   // A number that a library can rank, even if the error is not finite.

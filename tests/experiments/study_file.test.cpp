@@ -129,6 +129,22 @@ TEST_CASE("a path of any kind comes back as it was", "[study]") {
   }
 }
 
+TEST_CASE("the poses of Haviland and Corke are NumPy's, and so is their start", "[study][paper]") {
+  const Study study = load_study("haviland2023");
+  const Robot arm = arm_of(study);
+  Random numpy = Random::of_numpy(0, 0), after = Random::of_numpy(0, 60'000);
+  for (const int run : {1, 2, 3}) {
+    Configuration q(6);
+    for (double& angle : q) angle = numpy.uniform(-180 * degree, 180 * degree);
+    CHECK(targets(study, run).front().isApprox(arm.chain.forward(q), 1e-12));
+  }
+  for (const double angle : study.initial) CHECK(angle == Approx(after.uniform(-180 * degree, 180 * degree)));
+  CHECK_THROWS_WITH(load_study("haviland2023", {"path.set=edge"}), ContainsSubstring("anywhere"));
+  CHECK_THROWS_WITH(load_study("haviland2023", {"seed=4294967296"}), ContainsSubstring("4294967295"));
+  CHECK_THROWS_WITH(load_study("haviland2023", {"stop.tolerance_cm=0", "stop.tolerance_deg=0"}),
+                    ContainsSubstring("both tolerances"));
+}
+
 TEST_CASE("the study of Table 7: 12 to 30 bats to 0.1 cm at 20 random targets, each from the start", "[study][paper]") {
   const Study study = load_study("slim2023-time");
   std::vector<int> bats;

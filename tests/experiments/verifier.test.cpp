@@ -152,10 +152,10 @@ TEST_CASE("an answer that is not finite gives errors that are not finite", "[ver
 
 TEST_CASE("an error above the tolerance is a missed tolerance, if one was asked for", "[verifier]") {
   const Verification off{.position_error = 0.01};
-  CHECK(status_by(off, {.claimed_error = 0.01, .tolerance = 0.009}) == Status::tolerance_missed);
-  CHECK(status_by(off, {.claimed_error = 0.01, .tolerance = 0.01 - 0.5e-9}) == Status::ok);  // rounding
-  CHECK(status_by(off, {.claimed_error = 0.01, .tolerance = 0.01}) == Status::ok);
-  CHECK(status_by(off, {.claimed_error = 0.01, .tolerance = 0}) == Status::ok);
+  CHECK(status_by(off, {.claimed_error = 0.01, .stop = {.tolerance = 0.009}}) == Status::tolerance_missed);
+  CHECK(status_by(off, {.claimed_error = 0.01, .stop = {.tolerance = 0.01 - 0.5e-9}}) == Status::ok);  // rounding
+  CHECK(status_by(off, {.claimed_error = 0.01, .stop = {.tolerance = 0.01}}) == Status::ok);
+  CHECK(status_by(off, {.claimed_error = 0.01, .stop = {.tolerance = 0}}) == Status::ok);
 }
 
 TEST_CASE("a joint outside its limits by more than rounding is a violation", "[verifier]") {
@@ -209,11 +209,16 @@ TEST_CASE("the angle between a target and the tool is that by which the one is t
 
 TEST_CASE("an angle beyond its tolerance is a missed tolerance, whatever the position", "[verifier]") {
   const Verification turned{.angle = 0.01};
-  CHECK(status_by(turned, {.tolerance = 1, .angle_tolerance = 0.009}) == Status::tolerance_missed);
-  CHECK(status_by(turned, {.tolerance = 1, .angle_tolerance = 0.01}) == Status::ok);
-  CHECK(status_by(turned, {.tolerance = 1}) == Status::ok);
+  CHECK(status_by(turned, {.stop = {.tolerance = 1, .angle_tolerance = 0.009}}) == Status::tolerance_missed);
+  CHECK(status_by(turned, {.stop = {.tolerance = 1, .angle_tolerance = 0.01}}) == Status::ok);
+  CHECK(status_by(turned, {.stop = {.tolerance = 1}}) == Status::ok);
+  const solvers::StopRule squares{.tolerance = 5, .angle_tolerance = 1, .adds_squares = true};
+  CHECK(squares.is_met(3, 0.8));
+  CHECK_FALSE(squares.is_met(3, 0.81));
+  CHECK_FALSE(squares.is_met(5, 0.1));
   const Verification both{.position_error = 2, .angle = 0.01};
-  CHECK(status_by(both, {.claimed_error = 2, .tolerance = 1, .angle_tolerance = 1}) == Status::tolerance_missed);
+  CHECK(status_by(both, {.claimed_error = 2, .stop = {.tolerance = 1, .angle_tolerance = 1}}) ==
+        Status::tolerance_missed);
 }
 
 TEST_CASE("what is claimed of a pose or an axis has to hold of its position and of its orientation", "[verifier]") {
@@ -243,7 +248,7 @@ TEST_CASE("what is claimed of a pose or an axis has to hold of its position and 
 
 TEST_CASE("of several wrongs the most severe is told", "[verifier]") {
   Verification verified{.position_error = 1, .limit_violation = 1};
-  Requirement requirement{.claimed_error = 1, .tolerance = 0.1};
+  Requirement requirement{.claimed_error = 1, .stop = {.tolerance = 0.1}};
   CHECK(status_by(verified, requirement) == Status::limit_violated);  // over tolerance_missed
   requirement.claimed_error = 0;
   CHECK(status_by(verified, requirement) == Status::claimed_but_wrong);  // over limit_violated

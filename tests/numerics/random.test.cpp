@@ -248,3 +248,11 @@ TEST_CASE("an index is equally often each of its values and never outside", "[ra
   for (const int count : counts) CHECK(std::abs(count - 10000) < 400);  // standard deviation 93
   CHECK(random.index(1) == 0);
 }
+
+TEST_CASE("the numbers of NumPy's np.random.seed and np.random.random_sample", "[random]") {
+  Random zero = Random::of_numpy(0, 0), later = Random::of_numpy(0, 2), ten = Random::of_numpy(10, 0);
+  for (const double number : {0.5488135039273248, 0.7151893663724195, 0.6027633760716439, 0.5448831829968969})
+    CHECK(zero.uniform() == number);
+  CHECK(later.uniform() == 0.6027633760716439);
+  CHECK(ten.uniform() == 0.771320643266746);
+}
