@@ -89,6 +89,8 @@ void add_run(CLI::App& app, Invocation& invocation) {
     std::ranges::transform(arguments->sweep, std::back_inserter(overrides), sweep_override);
     Study study = load_study(name, overrides);
     if (is_of_any_arm && study.name == study_of_any_arm) study.name = arm_of(study).name;
+    // A built-in study, whose name is no file's, keeps its store for its own arm.
+    if (!is_of_any_arm && !arguments->robot.empty() && study.name == name) study.name += '-' + arm_of(study).name;
     if (!arguments->only.empty()) keep_only(study, arguments->only);
     // A mistake in it shows before hours are spent.
     static_cast<void>(styled({study.figures}, labels_of(study), arguments->report));

@@ -45,4 +45,4 @@ first=$(sed -n 2p loop/tables/loop.csv | cut -d, -f1)
 marked=$(sed -n '/^# late or too fast/,$p' loop/figures/path.dat | grep -c '^[-0-9]')
 told=$(grep -o '"late":[a-z]*,"too_fast":[a-z]*' loop/report.html | head -n 200 | grep -c true)
 [ "$marked" -gt 0 ] && [ "$told" -gt 0 ] || fail "$first: $marked points are marked in the figure, $told on the page"
-refused loop.period_ms run baselines-panda --set loop.period_ms=1 --out no
+refused loop.period_ms run baselines --set loop.period_ms=1 --out no

@@ -50,26 +50,8 @@ TEST_CASE("a solver that cannot solve for the study's arm or search is refused w
   CHECK(study_from("search = \"pose\"\n" + newton).solvers.size() == 1);
 }
 
-TEST_CASE("the studies of baselines have the same solvers and budgets", "[study][peers]") {
-  const Study helix = load_study("baselines");
-  CHECK(helix.search == Search::wrist);
-  CHECK(helix.path->points() == 20);
-  for (const char* name : {"baselines-iiwa14", "baselines-panda", "baselines-ur5e"}) {
-    CAPTURE(name);
-    const Study poses = load_study(name);
-    CHECK(poses.search == Search::pose);
-    CHECK(poses.stop.seconds == helix.stop.seconds);
-    CHECK(poses.stop.tolerance == helix.stop.tolerance);
-    CHECK(poses.wrap == helix.wrap);
-    CHECK(poses.limits == helix.limits);
-    std::vector<std::string> labels = labels_of(poses);
-    std::erase(labels, "KDL Newton");  // it solves for poses alone
-    CHECK(labels == labels_of(helix));
-  }
-}
-
 TEST_CASE("nobody counts the evaluations of a library with kinematics of its own", "[peers]") {
-  Study study = load_study("baselines-panda", {"path.points=2", "runs=1", "stop.iterations=20"});
+  Study study = load_study("baselines", {"path.points=2", "runs=1", "stop.iterations=20"});
   study.solvers.clear();
   for (const SolverInfo& info : solvers_for(arm_of(study).chain, GoalKind::pose)) {
     study.solvers.push_back({info.name, info.name, {}, 10});
