@@ -372,8 +372,12 @@ std::vector<Series> series_of(const Study& study) {
   std::vector<Series> all;
   for (const SolverEntry& entry : study.solvers) {
     Settings options = effective_options(study, entry);
-    if (entry.program) options["process"] = fmt::format("{}", fmt::join(entry.program->choice.process, " "));
-    if (entry.population > 0) options["population"] = static_cast<double>(entry.population);  // its own
+    if (entry.program)
+      options["process"] = fmt::format("{}", fmt::join(entry.program->choice.process, " "));
+    else if (const SolverInfo& info = info_of(entry); info.use)
+      info.use(options);
+    if (entry.population > 0 || (!entry.program && info_of(entry).least_population > 0))
+      options["population"] = static_cast<double>(effective_population(study, entry));
     Json values = Json::object();
     for (const auto& [name, value] : options) {
       const std::string text = text_of(value);

@@ -205,6 +205,8 @@ class Bat final : public Searcher {
 
 }  // namespace
 
-SolverInfo bat() { return solver_info<Bat>("bat", "bat algorithm (BA)", "Yang 2010; Slim et al. 2023, Algorithm 1"); }
+SolverInfo bat() {
+  return solver_info<Bat>("bat", "bat algorithm (BA)", "Yang 2010; Slim et al. 2023, Algorithm 1", 1);
+}
 
 }  // namespace ikbench::solvers

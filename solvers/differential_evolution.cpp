@@ -48,6 +48,10 @@ class DifferentialEvolution final : public Searcher {
           "F is the weight (Table 1: 0.6), or drawn from 0.2 to 0.8 for each trial or each of its joints, as in "
           "public MATLAB code");
     }
+
+    static void use(Settings& of) {
+      if (of.at("weight_drawn") != Setting("never")) of.erase("weight");
+    }
   };
 
   explicit DifferentialEvolution(Options options) : options_(options) {}

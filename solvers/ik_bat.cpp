@@ -160,7 +160,8 @@ class IkBat final : public Searcher {
 }  // namespace
 
 SolverInfo ik_bat() {
-  return solver_info<IkBat>("ik_bat", "bat algorithm for inverse kinematics (IK-BA)", "Slim et al. 2023, Algorithm 2");
+  return solver_info<IkBat>("ik_bat", "bat algorithm for inverse kinematics (IK-BA)", "Slim et al. 2023, Algorithm 2",
+                            1);
 }
 
 }  // namespace ikbench::solvers

@@ -191,7 +191,7 @@ class KArtificialBeeColony final : public Searcher {
 
 SolverInfo k_artificial_bee_colony() {
   return solver_info<KArtificialBeeColony>("k_artificial_bee_colony", "artificial bee colony towards the best (K-ABC)",
-                                           "El-Sherbiny, Elhosseini and Haikal 2018; Karaboga 2005");
+                                           "El-Sherbiny, Elhosseini and Haikal 2018; Karaboga 2005", 1);
 }
 
 }  // namespace ikbench::solvers

@@ -366,7 +366,7 @@ class MultiObjectiveSwarm final : public Searcher {
 SolverInfo multi_objective_swarm() {
   return solver_info<MultiObjectiveSwarm>("multi_objective_swarm",
                                           "multi-objective particle swarm (MO-PSO): position error and variation",
-                                          "Coello, Pulido and Lechuga 2004; Martinez-Cagigal's MOPSO");
+                                          "Coello, Pulido and Lechuga 2004; Martinez-Cagigal's MOPSO", 1);
 }
 
 }  // namespace ikbench::solvers

@@ -49,6 +49,13 @@ class ParticleSwarm final : public Searcher {
                   {{"at_once", BestUpdate::at_once}, {"generation", BestUpdate::generation}},
                   "a better particle leads the next one already, or the next iteration; not given in the paper");
     }
+
+    static void use(Settings& of) {  // as the constructor does
+      const std::string by = text_of(of.at("coefficients"));
+      if (by != "permuted") std::swap(of.at("cognitive"), of.at("social"));
+      if (by == "as_printed") std::swap(of.at("social"), of.at("inertia"));
+      of.erase("coefficients");
+    }
   };
 
   explicit ParticleSwarm(Options options) : options_(options) {
@@ -135,7 +142,7 @@ class ParticleSwarm final : public Searcher {
 
 SolverInfo particle_swarm() {
   return solver_info<ParticleSwarm>("particle_swarm", "particle swarm optimisation (PSO)",
-                                    "Kennedy and Eberhart 1995; Shi and Eberhart 1998");
+                                    "Kennedy and Eberhart 1995; Shi and Eberhart 1998", 1);
 }
 
 }  // namespace ikbench::solvers

@@ -34,7 +34,7 @@ class RandomSearch final : public Searcher {
 }  // namespace
 
 SolverInfo random_search() {
-  return solver_info<RandomSearch>("random_search", "uniform random search within the limits", "Brooks 1958");
+  return solver_info<RandomSearch>("random_search", "uniform random search within the limits", "Brooks 1958", 1);
 }
 
 }  // namespace ikbench::solvers

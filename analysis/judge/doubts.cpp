@@ -137,7 +137,7 @@ void add_of_budgets(Doubts& doubts, const StudyResults& study) {
     if (is_limited && budget < few) few = budget, fewest = solver;
     if (budget > many) many = budget, most = solver;
   }
-  if (many < 2 * few) return;
+  if (many < 1.5 * few) return;
   doubts.push_back({.kind = DoubtKind::budgets_differ,
                     .who = {most, fewest},
                     .count = many,

@@ -17,6 +17,7 @@
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "base/files.hpp"
+#include "base/json.hpp"
 #include "base/names.hpp"
 
 namespace ikbench::show {
@@ -145,11 +146,17 @@ std::string methods_of(const Answer& answer, const StudyResults& study, const st
     return values.empty() ? "unknown" : given(values);
   };
   std::string text;
+  std::set<std::string> populations;
+  for (const results::Series& series : study.series) {
+    const base::Json options = base::parsed_json(series.options);
+    if (options.contains("population")) populations.insert(base::text_of(options["population"]));
+  }
   if (is_of_study)
     text = fmt::format(
-        "{} had {}{} ({}; search: {}) with the arm {}; each solve started {} and ended at {}; the machine was {}.",
+        "{} had {}{} ({}; search: {}) with the arm {}{}; each solve started {} and ended at {}; the machine was {}.",
         listed(study.labels), study.labels.size() > 1 ? "the same " : "", targets, with_blanks(definition.path),
         with_blanks(name_of(definition.search)), std::filesystem::path(definition.robot).stem().string(),
+        populations.empty() ? "" : " and populations of " + given(populations),
         definition.is_chained() ? "at the last answer"
                                 : "from its " + with_blanks(name_of(definition.start)) + " position",
         stops_of(study), fact("cpu"));

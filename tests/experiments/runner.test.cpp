@@ -351,7 +351,7 @@ TEST_CASE("a study may start every solve at its initial configuration, also afte
   CHECK(same_numbers(records, solves_of(study)));
 }
 
-TEST_CASE("a solver's own population is the number of its candidates, and an option in the store", "[runner]") {
+TEST_CASE("a population is the number of candidates, and an option in the store", "[runner]") {
   Study study = small_study();
   study.solvers = {{"6 bats", "ik_bat", {}}, {"9 bats", "ik_bat", {}, 9}};
   ScratchStore scratch;
@@ -360,7 +360,7 @@ TEST_CASE("a solver's own population is the number of its candidates, and an opt
     CHECK(record.evaluations == (record.label == "9 bats" ? 9 : 6) * (1 + study.stop.iterations));
   }
   const std::vector<Series> series = scratch.store.study("small").series;
-  CHECK_FALSE(nlohmann::json::parse(series[0].options).contains("population"));
+  CHECK(nlohmann::json::parse(series[0].options)["population"] == 6);
   CHECK(nlohmann::json::parse(series[1].options)["population"] == 9);
 }
 

@@ -224,3 +224,24 @@ TEST_CASE("the study's bounds reach every solver that has bounds, and trouble no
   CHECK(text_of(effective_options(study, {"A", "differential_evolution", {{"bounds", "reflect"}}}).at("bounds")) ==
         "reflect");
 }
+
+TEST_CASE("a store has the settings that are used, the population among them", "[series]") {
+  const auto options = [](const std::string& by) {
+    const Study study = load_study("slim2023", {"PSO.coefficients=" + by});
+    return nlohmann::json::parse(series_of(study)[3].options);
+  };
+  const auto are = [](const nlohmann::json& of, double inertia, double cognitive, double social) {
+    CHECK(of["inertia"] == inertia);
+    CHECK(of["cognitive"] == cognitive);
+    CHECK(of["social"] == social);
+    CHECK_FALSE(of.contains("coefficients"));
+  };
+  are(options("permuted"), 0.53514, 1.1312, 2.0149);
+  are(options("exchanged"), 0.53514, 2.0149, 1.1312);
+  are(options("as_printed"), 1.1312, 2.0149, 0.53514);
+  CHECK(options("exchanged")["population"] == 20);
+  const auto of_de = nlohmann::json::parse(series_of(load_study("slim2023"))[2].options);
+  CHECK_FALSE(of_de.contains("weight"));  // F is drawn
+  CHECK(nlohmann::json::parse(series_of(load_study("slim2023-50"))[2].options)["weight"] == 0.6);
+  CHECK_FALSE(nlohmann::json::parse(series_of(load_study("haviland2023"))[0].options).contains("population"));
+}

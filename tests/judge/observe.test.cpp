@@ -377,7 +377,7 @@ TEST_CASE("Answers that claim too much or lie outside limits are counted") {
   CHECK(doubt_of(of, DoubtKind::outside_limits)->who == std::vector<std::string>{"A"});
 }
 
-TEST_CASE("Budgets differ where equal iterations are twice the evaluations") {
+TEST_CASE("Budgets differ where equal iterations are half as many evaluations again") {
   const auto evaluated = [](double factor, const std::string& stop, StopReason reason = StopReason::iterations) {
     const Asked asked{.rest = R"(, "stop": )" + stop};
     return doubt_of(study(asked,
@@ -392,8 +392,8 @@ TEST_CASE("Budgets differ where equal iterations are twice the evaluations") {
   CHECK(doubt->who == std::vector<std::string>{"B", "A"});
   CHECK(doubt->count == Approx(300));
   CHECK(doubt->of == Approx(100));
-  CHECK_FALSE(evaluated(1.9, R"({"iterations": 9})"));
-  CHECK(evaluated(2.1, R"({"iterations": 9, "evaluations": 300})"));
+  CHECK_FALSE(evaluated(1.4, R"({"iterations": 9})"));
+  CHECK(evaluated(1.6, R"({"iterations": 9, "evaluations": 300})"));
   CHECK_FALSE(evaluated(3, R"({"iterations": 9})", StopReason::tolerance));
 }
 
