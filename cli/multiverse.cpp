@@ -29,8 +29,8 @@ struct MultiverseArguments {
   std::string paper, out;
   std::vector<std::string> dimensions;
   Overrides overrides;
-  int seeds = 1, jobs = 1, departures = 2;
-  bool list = false, small = false, explain = false;
+  int seeds = 1, jobs = 1;
+  bool list = false, small = false;
 };
 
 // Lists every question with its answers, the default first.
@@ -58,23 +58,16 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
 void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& arguments,
                     const std::vector<Dimension>& varied, const Plan& plan) {
   const std::filesystem::path folder = folder_for(paper.name + "-multiverse", arguments.out);
-  const std::size_t departures = arguments.explain ? static_cast<std::size_t>(arguments.departures) : any_departures;
-  using Names = std::vector<std::string>;
-  show::claim(folder,
-              show::files_of(arguments.explain ? Names{"explained", "rows", "readings"} : Names{"multiverse"}, {}));
-  const papers::SolvedMultiverse multiverse = solved_multiverse(
-      paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .departures = departures},
-      arguments.jobs);
-  const auto tell = [&](const show::Table& table, bool is_on_screen = true) {
-    show::write_table(table, table, folder / "tables", program_name());
-    if (is_on_screen) fmt::print("{}\n", printable(fmt::format("{}:\n\n{}", table.caption, show::to_text(table))));
-    fmt::print("Table: {}\n", printable((folder / "tables" / (table.name + ".csv")).string()));
-  };
-  if (!arguments.explain) return tell(papers::judged(paper, multiverse, plan).table);
-  const papers::Explanation explanation = papers::explained(paper, multiverse);
-  tell(explanation.numbers);
-  tell(explanation.rows);
-  tell(explanation.readings, false);
+  show::claim(folder, show::files_of({"multiverse"}, {}));
+  const show::Table table =
+      papers::judged(paper,
+                     solved_multiverse(paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides},
+                                       arguments.jobs),
+                     plan)
+          .table;
+  show::write_table(table, table, folder / "tables", program_name());
+  fmt::print("{}\nTable: {}\n", printable(fmt::format("{}:\n\n{}", table.caption, show::to_text(table))),
+             printable((folder / "tables" / (table.name + ".csv")).string()));
 }
 
 }  // namespace
@@ -91,13 +84,6 @@ void add_multiverse(CLI::App& app, Invocation&) {
                    "vary these questions instead, with all their answers: bounds,population")
       ->delimiter(',')
       ->excludes(small);
-  CLI::Option* explain = command->add_flag(
-      "--explain", arguments->explain,
-      "instead of claims: for each printed number that is not the default's, the fewest departures that have it");
-  explain->excludes("--list");
-  add_number(*command, "--departures", arguments->departures, {1, 100},
-             "of --explain, at most: 1 take seconds, 2 minutes, 3 hours")
-      ->needs(explain);
   add_number(*command, "--seeds", arguments->seeds, {1, 1000},
              "number of seeds, counted from 1; each is a study of its own");
   add_number(*command, "--jobs", arguments->jobs, {1, 1024},
@@ -108,8 +94,7 @@ void add_multiverse(CLI::App& app, Invocation&) {
   command->footer(
       "  ikbench multiverse slim2023 --list\n"
       "  ikbench multiverse slim2023 --small --seeds 2 --out out/small\n"
-      "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n"
-      "  ikbench multiverse slim2023 --explain --seeds 3 --jobs 2\n\n"
+      "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n\n"
       "A reading is one choice for every question. Each solver is solved once for each of its own choices; claims are "
       "judged in all combinations.");
   command->callback([arguments] {
@@ -117,7 +102,7 @@ void add_multiverse(CLI::App& app, Invocation&) {
     const std::vector<Dimension> all = dimensions(arguments->paper);
     if (all.empty())
       throw std::invalid_argument(fmt::format("the program has no open questions of {}", arguments->paper));
-    const Scope scope = arguments->small ? Scope::small : arguments->explain ? Scope::none : Scope::usual;
+    const Scope scope = arguments->small ? Scope::small : Scope::usual;
     const std::vector<Dimension> varied =
         arguments->dimensions.empty() ? within(scope, all) : named(arguments->dimensions, all);
     refuse_varied(arguments->overrides, varied);

@@ -87,21 +87,33 @@ std::string fingerprints_of(const Store& store, const std::vector<judge::JudgedS
                      different.empty() ? "" : "; different: ", fmt::join(different, ", "));
 }
 
-// It measures no time, so all processors may work.
+// Where no time is measured all processors may work.
+int jobs_of(const Arguments& arguments) {
+  return std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+}
+
 papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper& paper) {
   const std::vector<Dimension> all = dimensions(paper.name);
   if (arguments.seeds == 0 || all.empty()) return {};
-  const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-  const papers::SolvedMultiverse solved = solved_multiverse(
-      paper.name, within(Scope::small, all), {.seeds = arguments.seeds, .overrides = overridden_runs(arguments)}, jobs);
-  papers::JudgedMultiverse judged = papers::judged(paper, solved, load_study(paper.name).plan);
-  if (paper.means.empty()) return judged;
-  judged.explains =
-      papers::explained(paper,
-                        solved_multiverse(paper.name, within(Scope::none, all),
-                                          {.seeds = 1, .overrides = overridden_runs(arguments), .departures = 1}, jobs))
-          .in_short;
-  return judged;
+  const papers::SolvedMultiverse solved =
+      solved_multiverse(paper.name, within(Scope::small, all),
+                        {.seeds = arguments.seeds, .overrides = overridden_runs(arguments)}, jobs_of(arguments));
+  return papers::judged(paper, solved, load_study(paper.name).plan);
+}
+
+// Of each reading of the table of means, the paper's own first.
+std::vector<papers::SeedCounts> counts_of(const Arguments& arguments, const papers::Repeated& repeated) {
+  constexpr int seeds = 8;
+  std::vector<papers::SeedCounts> counts;
+  for (const papers::Repeated& reading : repeated.readings()) {
+    if (repeated.paper.means.empty()) break;
+    counts.push_back(papers::counts_by_seed(
+        repeated.paper,
+        solved_multiverse(reading.study().study.name, {}, {.seeds = seeds, .overrides = overridden_runs(arguments)},
+                          jobs_of(arguments))));
+    counts.back().reading = reading.reading();
+  }
+  return counts;
 }
 
 // The first of the studies is the paper's own.
@@ -121,7 +133,8 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
                     anew.string(), programs.rows(), paper.rates.rows.size(), paper.name));
   const papers::Repeated repeated{.paper = paper, .studies = all, .programs = &programs};
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.in_readings);
-  show::Table means = papers::means_table(repeated);
+  const std::vector<papers::SeedCounts> counts = counts_of(arguments, repeated);
+  show::Table means = papers::means_table(repeated, counts.empty() ? papers::SeedCounts() : counts.front());
   if (means.rows.empty()) means = papers::rates_table(repeated);
 
   const bool is_slim2023 = paper.name == "slim2023", has_arms = !paper.rates.rows.empty();
@@ -144,10 +157,8 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   if (is_slim2023) {
     if (const judge::JudgedStudy* const dobot = repeated.part("dobot"))
       of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.series, style.figures));
-    std::vector<papers::Explained> numbers;
     show::Blocks by_other;
     for (const papers::Repeated& reading : repeated.readings()) {
-      numbers.push_back(papers::explained_by(reading));
       if (reading.suffix().empty()) continue;
       by_other.emplace_back(show::Heading{"Figures with " + reading.reading()});
       for (figures::Figure& figure : slim2023::figures_of(reading.study(), look)) {
@@ -155,16 +166,13 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
         by_other.emplace_back(std::move(figure));
       }
     }
-    sentences = slim2023::sentences(claims, numbers);
+    sentences = slim2023::sentences(claims, counts);
     reported.additions = slim2023::sections(repeated, of_circle);
     reported.additions.push_back(std::move(by_other));
     reported.has_own_numbers = true;
     std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many
                   [](const judge::JudgedMetric& each) { return each.observations.metric == "evaluations"; });
   }
-  if (!sentences.empty() && !readings.explains.empty())
-    sentences.push_back(
-        fmt::format("One changed setting explains more printed numbers (seed 1): {}.", readings.explains));
   if (sentences.empty()) sentences = papers::rates_sentences(repeated);
   if (sentences.empty()) sentences = {papers::tally_words(claims)};
   reported.first = papers::beginning(paper, sentences, means);

@@ -108,10 +108,10 @@ void refuse_too_many(const std::vector<Dimension>& dimensions, std::string_view 
                                           dimensions.size(), most, what));
 }
 
-// All choices in the dimensions of one owner (a solver, or "" for the study) that are possible together, of at most so
-// many departures, given others, which count but are not repeated.
-std::vector<Chosen> combinations(const std::vector<Dimension>& dimensions, std::size_t departures,
-                                 std::string_view owner, const Chosen& given) {
+// All choices in the dimensions of one owner (a solver, or "" for the study) that are possible together, given others,
+// which are not repeated.
+std::vector<Chosen> combinations(const std::vector<Dimension>& dimensions, std::string_view owner,
+                                 const Chosen& given) {
   std::vector<Chosen> all{{}};
   for (std::size_t d = 0; d < dimensions.size(); ++d) {
     if (dimensions[d].label != owner) continue;
@@ -127,7 +127,6 @@ std::vector<Chosen> combinations(const std::vector<Dimension>& dimensions, std::
         continue;
       }
       for (const Choice& each : possible) {
-        if (departures_of(known) == departures && each.alternative != 0) break;
         larger.push_back(chosen);
         larger.back().push_back(each);
       }
@@ -157,16 +156,15 @@ void refuse_varied(const Overrides& overrides, const std::vector<Dimension>& dim
   }
 }
 
-Multiverse choices_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers,
-                      std::size_t departures) {
+Multiverse choices_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers) {
   Multiverse all{.dimensions = dimensions, .solvers = solvers, .studies = {}};
   double settings = 0;
-  for (const Chosen& chosen : combinations(dimensions, departures, "", {})) {
+  for (const Chosen& chosen : combinations(dimensions, "", {})) {
     Multiverse::OfStudy& of_study = all.studies.emplace_back();
     of_study.chosen = chosen;
     for (const std::string& solver : solvers) {
       std::vector<Multiverse::ChosenSolver>& of_solver = of_study.solvers.emplace_back();
-      for (const Chosen& own : combinations(dimensions, departures, solver, chosen))
+      for (const Chosen& own : combinations(dimensions, solver, chosen))
         of_solver.push_back({.chosen = own, .parts = {}});
       settings += static_cast<double>(of_solver.size());
     }
@@ -179,7 +177,7 @@ Multiverse choices_of(const std::vector<Dimension>& dimensions, const std::vecto
 MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimension>& dimensions,
                                const MultiverseRequest& request) {
   refuse_varied(request.overrides, dimensions);
-  MultiversePlan plan{choices_of(dimensions, labels_of(load_study(name, request.overrides)), request.departures), {}};
+  MultiversePlan plan{choices_of(dimensions, labels_of(load_study(name, request.overrides))), {}};
   std::map<std::string, std::size_t> places;  // in the plan's parts, by series key
   for (Multiverse::OfStudy& of_study : plan.studies) {
     Overrides all = request.overrides;

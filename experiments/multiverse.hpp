@@ -3,8 +3,6 @@
 #pragma once
 
 #include <atomic>
-#include <cstddef>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,18 +29,14 @@ struct MultiversePlan : results::Multiverse {
   std::vector<Study> parts;
 };
 
-constexpr std::size_t any_departures = std::numeric_limits<std::size_t>::max();
-
-// All choices of at most so many departures from the default, a solver's with the study's, before anything is loaded or
-// solved. Throws std::invalid_argument for more than 100000 choices or series
+// All choices, before anything is loaded or solved. Throws std::invalid_argument for more than 100000 choices or series
 // per seed, or more than 10^15 readings.
 results::Multiverse choices_of(const std::vector<results::Dimension>& dimensions,
-                               const std::vector<std::string>& solvers, std::size_t departures = any_departures);
+                               const std::vector<std::string>& solvers);
 
 struct MultiverseRequest {
   int seeds = 1;                                 // seeds 1, 2, ...
   Overrides overrides = {};                      // apply in every reading
-  std::size_t departures = any_departures;       // of choices_of
   const std::atomic<bool>* cancelled = nullptr;  // set: the plan is incomplete and of no use
 };
 

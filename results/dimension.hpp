@@ -1,7 +1,6 @@
 // The open points of a paper, as data: each is a dimension, and its alternatives are settings for --set.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -31,11 +30,6 @@ struct Choice {
   bool operator==(const Choice&) const = default;
 };
 using Chosen = std::vector<Choice>;
-
-// How many differ from their default.
-inline std::size_t departures_of(const Chosen& chosen) {
-  return chosen.size() - static_cast<std::size_t>(std::ranges::count(chosen, 0U, &Choice::alternative));
-}
 
 // A reading is one choice for the study and one for each solver. Given the study's choice, solvers are independent, so
 // each is solved by itself, never a reading as a whole. A dimension is a choice only if an alternative besides its

@@ -1,12 +1,9 @@
 #include "analysis/papers/multiverse.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "analysis/papers/published.hpp"
@@ -195,175 +192,57 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
   return result;
 }
 
-namespace {
-
-using TableOfMeans = std::array<PrintedRows, metrics_of_readings.size()>;
-constexpr std::size_t numbers_of_row = metrics_of_readings.size() * statistics.size();
-using Numbers = std::bitset<numbers_of_row>;  // by metric, then statistic
-
-// One choice of a solver's with one of the study's.
-struct Tried {
-  Chosen departures = {};
-  std::array<Description, metrics_of_readings.size()> ours = {};
-  std::vector<Numbers> inside = {};  // by printed row
-  std::size_t own = 0, foreign = 0, whose = 0;
-  std::size_t study = 0;
-  std::int64_t together = 0;  // of all rows, if the others have the study's departures alone
-};
-
-Tried tried(const SolvedMultiverse& multiverse, std::size_t study, const ChosenSolver& chosen,
-            const TableOfMeans& printed, std::size_t own_row) {
-  Tried result{.inside = std::vector<Numbers>(printed[0].size()), .study = study};
-  for (const Chosen* const choices : {&multiverse.studies[study].chosen, &chosen.chosen})
-    std::ranges::copy_if(*choices, std::back_inserter(result.departures), &Choice::alternative);
-  for (std::size_t m = 0; m < printed.size(); ++m) {
-    std::vector<double> values;
-    for (const std::size_t part : chosen.parts) {
-      const Group& group = multiverse.means[part][m];
-      values.insert(values.end(), values_of(group).begin(), values_of(group).end());
-      if (lost_in(group) > 0) values.push_back(0);  // of which no ranges are
-    }
-    const auto ranges = predicted_ranges(values, printed[m][own_row].numbers.n);
-    if (!ranges) continue;
-    result.ours[m] = described(values);
-    for (std::size_t i = 0; i < statistics.size() * result.inside.size(); ++i) {
-      const std::size_t row = i / statistics.size(), s = i % statistics.size();
-      result.inside[row][m * statistics.size() + s] =
-          repeats(result.ours[m].*statistics[s].of, (*ranges)[s], printed[m][row].digits[s]);
-    }
-  }
-  for (std::size_t row = 0; row < result.inside.size(); ++row) {
-    const std::size_t count = result.inside[row].count();
-    if (row == own_row)
-      result.own = count;
-    else if (count >= result.foreign)
-      result.foreign = count, result.whose = row;
-  }
-  return result;
-}
-
-std::vector<std::vector<Tried>> tried_by_row(const SolvedMultiverse& multiverse, const TableOfMeans& printed) {
-  std::vector<std::vector<Tried>> by_row(printed[0].size());
-  std::vector<std::int64_t> in_study(multiverse.studies.size());
-  for (std::size_t row = 0; row < by_row.size(); ++row) {
-    const std::size_t solver = place_of(multiverse.solvers, printed[0][row].solver);
-    if (solver == multiverse.solvers.size()) continue;
-    for (std::size_t study = 0; study < in_study.size(); ++study) {
-      std::int64_t usual = -1;
-      for (const ChosenSolver& chosen : multiverse.studies[study].solvers[solver]) {
-        Tried& one = by_row[row].emplace_back(tried(multiverse, study, chosen, printed, row));
-        const auto own = static_cast<std::int64_t>(one.own);
-        if (usual < 0) in_study[study] += usual = own;
-        one.together = own - usual;
+SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse) {
+  SeedCounts counts;
+  const std::size_t seeds = multiverse.studies.front().solvers[0][0].parts.size();
+  std::vector<std::vector<int>> alike(seeds, std::vector<int>(seeds));  // numbers of the second in ranges of the first
+  counts.all.resize(seeds);
+  for (std::size_t m = 0; m < metrics_of_readings.size(); ++m) {
+    for (const PrintedRow& row : printed_means(paper.name, paper.means, metrics_of_readings[m])) {
+      const std::size_t solver = place_of(multiverse.solvers, row.solver);
+      if (solver == multiverse.solvers.size()) continue;
+      std::vector<Description> ours;
+      std::vector<std::optional<Ranges>> ranges;
+      std::vector<double> together;
+      for (const std::size_t part : multiverse.studies.front().solvers[solver][0].parts) {
+        const Group& group = multiverse.means[part][m];
+        const std::vector<double> values(values_of(group).begin(), values_of(group).end());
+        ranges.push_back(lost_in(group) > 0 ? std::nullopt : predicted_ranges(values, row.numbers.n));
+        ours.push_back(described(values));
+        together.insert(together.end(), values.begin(), values.end());
+      }
+      if (std::ranges::none_of(ranges, [](const auto& each) { return each.has_value(); })) return {};
+      const std::optional<Ranges> of_all = predicted_ranges(together, row.numbers.n);
+      const Description all = described(together);
+      std::vector<int>& of_row = counts.rows[row.solver];
+      of_row.resize(seeds);
+      for (std::size_t s = 0; s < statistics.size(); ++s) {
+        ++counts.of;
+        counts.together += of_all && repeats(all.*statistics[s].of, (*of_all)[s], row.digits[s]);
+        for (std::size_t seed = 0; seed < seeds; ++seed) {
+          if (!ranges[seed]) continue;
+          const Interval& range = (*ranges[seed])[s];
+          const bool is_in = repeats(ours[seed].*statistics[s].of, range, row.digits[s]);
+          of_row[seed] += is_in, counts.all[seed] += is_in;
+          for (std::size_t other = 0; other < seeds; ++other) {
+            const double theirs = ours[other].*statistics[s].of;
+            alike[seed][other] += range.low <= theirs && theirs <= range.high;
+          }
+        }
       }
     }
   }
-  for (std::vector<Tried>& all : by_row)
-    for (Tried& each : all) each.together += in_study[each.study];
-  return by_row;
-}
-
-// Printed numbers, alone and together, in words; of one alone whose it is, "DE's error", and which, "mean".
-struct Target {
-  std::string words;
-  Numbers numbers;
-  std::string whose = {}, which = {};
-};
-std::vector<Target> targets(const TableOfMeans& printed, std::size_t row, const Tried& usual) {
-  std::vector<Target> all;
-  const Numbers of_metric((1U << statistics.size()) - 1);
-  for (std::size_t m = 0; m < printed.size(); ++m) {
-    const Metric& metric = metric_named(metrics_of_readings[m]);
-    for (std::size_t s = 0; s < statistics.size(); ++s)
-      all.push_back({fmt::format("{}, {} {} {} (here {})", metric.name, statistics[s].column, printed[m][row].digits[s],
-                                 metric.unit, show::number_text(usual.ours[m].*statistics[s].of)),
-                     Numbers(1U << (m * statistics.size() + s)),
-                     fmt::format("{}'s {}", printed[m][row].solver, metric.name), std::string(statistics[s].column)});
-    all.push_back({fmt::format("{}, all {}", metric.name, statistics.size()), of_metric << (m * statistics.size())});
-  }
-  all.push_back({fmt::format("all {}", numbers_of_row), Numbers().set()});
-  return all;
-}
-
-}  // namespace
-
-Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse) {
-  const TableOfMeans printed{printed_means(paper.name, paper.means, metrics_of_readings[0]),
-                             printed_means(paper.name, paper.means, metrics_of_readings[1])};
-  const std::string own = fmt::format("of its {}", numbers_of_row), foreign = "of another row",
-                    together = fmt::format("of all {}", numbers_of_row * printed[0].size());
-  Explanation result{
-      .numbers = {.name = "explained",
-                  .caption = "Printed numbers that are not the default's, and the fewest departures that have them",
-                  .columns = show::columns_of(
-                      {"solver", "printed", "departures", "sets", "best set", own, foreign, together})},
-      .rows = {.name = "rows",
-               .caption = "The best reading of each printed row",
-               .columns = show::columns_of({"solver", "default", "best", "by", foreign, "by any reading"})},
-      .readings = {.name = "readings",
-                   .caption = "How many printed numbers each reading has",
-                   .columns = show::columns_of({"solver", "departures", "reading", own, foreign, together})}};
-  result.numbers.notes = {
-      fmt::format(
-          "A number is a reading's if it is in the range that holds {:.0f} % of such numbers of new studies, by "
-          "all its runs (seeds: {}); fewer than 5 give none.",
-          100 * share_in_ranges, multiverse.studies[0].solvers[0][0].parts.size()),
-      fmt::format(
-          "The best of the sets has most of its solver's numbers; {}: the most of one other solver's; {}: where "
-          "the others have its departures for the study.",
-          foreign, together)};
-  const auto count = [](auto number) { return static_cast<std::int64_t>(number); };
-  const auto words_of = [&](const Tried& tried) {
-    Names sets;
-    for (const auto& [d, a] : tried.departures) sets.push_back(multiverse.dimensions[d].alternatives[a].set);
-    return sets.empty() ? "the default" : fmt::format("{}", fmt::join(sets, " and "));
-  };
-  const auto foreign_of = [&](const Tried& tried) {
-    return fmt::format("{} ({})", tried.foreign, printed[0][tried.whose].solver);
-  };
-  std::vector<std::vector<Tried>> by_row = tried_by_row(multiverse, printed);
-  std::map<std::string, std::map<std::string, Names>> by_reading;
-  std::map<std::string, Names> by_none;
-  for (std::size_t row = 0; row < by_row.size(); ++row) {
-    const std::string& name = printed[0][row].solver;
-    std::vector<Tried>& all = by_row[row];
-    if (all.empty() || all.front().ours[0].n == 0) continue;
-    std::ranges::stable_sort(
-        all, {}, [](const Tried& each) { return std::pair(each.departures.size(), numbers_of_row - each.own); });
-    const Tried& usual = all.front();
-    for (const auto& [words, numbers, whose, which] : targets(printed, row, usual)) {
-      const auto has = [&](const Tried& each) { return (each.inside[row] & numbers) == numbers; };
-      const auto first = std::ranges::find_if(all, has);
-      if (has(usual)) continue;
-      if (!whose.empty()) (first == all.end() ? by_none : by_reading[words_of(*first)])[whose].push_back(which);
-      if (first == all.end()) {
-        result.numbers.rows.push_back({name, words, "none tried", {}, {}, {}, {}, {}});
-        continue;
-      }
-      const std::size_t fewest = first->departures.size();
-      const auto sets =
-          std::ranges::count_if(all, [&](const Tried& each) { return each.departures.size() == fewest && has(each); });
-      result.numbers.rows.push_back({name, words, count(fewest), count(sets), words_of(*first), count(first->own),
-                                     foreign_of(*first), first->together});
+  for (std::size_t seed = 0; seed < seeds; ++seed) {
+    for (std::size_t other = 0; other < seeds; ++other) {
+      if (seed != other) counts.same.push_back(alike[seed][other]);
     }
-    const Tried &best = *std::ranges::max_element(all, {}, &Tried::own),
-                &of_another = *std::ranges::max_element(all, {}, &Tried::foreign);
-    result.rows.rows.push_back(
-        {name, count(usual.own), count(best.own), words_of(best), foreign_of(best), foreign_of(of_another)});
-    for (const Tried& each : all)
-      result.readings.rows.push_back(
-          {name, count(each.departures.size()), words_of(each), count(each.own), foreign_of(each), each.together});
   }
-  Names parts;
-  const auto add = [&](const std::string& reading, const std::map<std::string, Names>& numbers) {
-    Names all;
-    for (const auto& [whose, which] : numbers) all.push_back(whose + ' ' + show::listed(which));
-    if (!all.empty()) parts.push_back(fmt::format("{}: {}", reading, show::listed(all, ", and ")));
-  };
-  for (const auto& [reading, numbers] : by_reading) add(reading, numbers);
-  add("none", by_none);
-  result.in_short = fmt::format("{}", fmt::join(parts, "; "));
-  return result;
+  return counts;
+}
+
+std::string span_of(const std::vector<int>& counts) {
+  const auto [least, most] = std::ranges::minmax(counts);
+  return least == most ? fmt::to_string(least) : fmt::format("{} to {}", least, most);
 }
 
 }  // namespace ikbench::papers

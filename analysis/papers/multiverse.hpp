@@ -29,19 +29,19 @@ struct SolvedMultiverse : results::Multiverse {
 struct JudgedMultiverse {
   std::map<std::string, InReadings> in_readings;  // of claims, by id
   show::Table table;                              // "multiverse"; readings, each seed of one by itself
-  std::string explains = {};                      // Explanation::in_short
 };
 
-// What readings explain of the table of means: which of its numbers may be theirs, with the runs of all seeds together.
-struct Explanation {
-  show::Table numbers;   // "explained": those that the default's cannot be, each with the fewest departures by which
-  show::Table rows;      // "rows": of each solver, the best reading, and on whose row another of its readings is
-  show::Table readings;  // "readings": of each solver, all that were tried, by how much of its own row they explain
-  std::string in_short = {};  // a sentence: which reading has which number; empty if no number can be told
+// How many printed numbers of the table of means repeat, by the seed of a study (a multiverse without choices).
+struct SeedCounts {
+  std::string reading = {};                      // of the study: Repeated::reading
+  std::map<std::string, std::vector<int>> rows;  // by solver and seed
+  std::vector<int> all;                          // by seed
+  int together = 0;                              // by the runs of all seeds at once
+  int of = 0;                                    // printed numbers; 0 if too few runs tell of any
+  std::vector<int> same;  // of each seed's numbers in the ranges of each other's: what the same program would repeat
 };
-
-// Of readings with few departures (MultiverseRequest::departures), the default among them.
-Explanation explained(const Paper& paper, const SolvedMultiverse& multiverse);
+SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse);
+std::string span_of(const std::vector<int>& counts);  // "41 to 47"
 
 JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, const results::Plan& plan);
 

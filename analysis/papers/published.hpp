@@ -52,6 +52,5 @@ std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int ru
 
 // Whether a statistic of ours rounds to the printed digits, or a new study's may.
 bool repeats(double ours, const judge::Interval& range, std::string_view printed);
-constexpr double share_in_ranges = 0.92;  // of numbers of the same program
 
 }  // namespace ikbench::papers

@@ -64,33 +64,11 @@ std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& so
   return cells;
 }
 
-void Explained::add(const show::Cell& cell) {
-  const auto* const printed = std::get_if<show::Printed>(&cell);
-  if (printed == nullptr || printed->sign.empty()) return;
-  ++all;
-  explained += printed->sign != "x";
-}
-
-Explained explained_by(const Repeated& repeated) {
-  Explained count{.reading = repeated.reading()};
-  for (const JudgedMetric& judged : repeated.study().metrics) {
-    for (const PrintedRow& row : printed_rows(repeated.paper, judged)) {
-      const std::vector<show::Cell> cells = beside(judged, row.solver, &row);
-      for (const show::Cell& cell : cells) count.add(cell);
-      const auto* const mean = std::get_if<show::Printed>(&cells.front());
-      if (row.solver == repeated.paper.solver && mean && mean->sign == "x")
-        count.own_missed.push_back(fmt::format("{} {} {} (printed {})", judged.observations.quantity,
-                                               show::number_text(mean->ours), judged.observations.unit, mean->printed));
-    }
-  }
-  return count;
-}
-
-show::Table means_table(const Repeated& repeated) {
+show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
   const StudyResults& study = repeated.study().study;
   show::Table table{.name = "means", .columns = {{"solver"}}};
   table.caption = fmt::format("Means of {}, here and as printed", base::counted(study.definition.runs, "runs"));
-  Explained count;
+  bool has_signs = false;
   for (const std::string& solver : study.labels) table.rows.push_back({solver});
   for (const JudgedMetric& judged : repeated.study().metrics) {
     const PrintedRows printed = printed_rows(repeated.paper, judged);
@@ -98,14 +76,26 @@ show::Table means_table(const Repeated& repeated) {
     table.columns.push_back({judged.observations.quantity, judged.observations.unit});
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       table.rows[i].push_back(beside(judged, study.labels[i], row_of(printed, study.labels[i])).front());
-      count.add(table.rows[i].back());
+      const auto* const mean = std::get_if<show::Printed>(&table.rows[i].back());
+      has_signs = has_signs || (mean && !mean->sign.empty());
     }
   }
-  if (table.columns.size() == 1)
+  if (table.columns.size() == 1) {
     table.rows.clear();
-  else
-    table.notes.push_back(count.all > 0 ? std::string(meaning_of_signs)
-                                        : "Too few runs to say which numbers repeat; they leave claims open.");
+    return table;
+  }
+  table.notes.push_back(has_signs ? std::string(meaning_of_signs)
+                                  : "Too few runs to say which numbers repeat; they leave claims open.");
+  if (counts.of == 0) return table;
+  const std::size_t of_row = static_cast<std::size_t>(counts.of) / counts.rows.size();
+  table.columns.push_back({fmt::format("repeat, of {}", of_row)});
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto row = counts.rows.find(study.labels[i]);
+    table.rows[i].push_back(row == counts.rows.end() ? show::Cell() : show::Cell(span_of(row->second)));
+  }
+  table.notes.push_back(fmt::format(
+      "Repeat: of its statistics in Table 3, by seed (1 to {}); of all {} by the runs of all these seeds at once {}.",
+      counts.all.size(), counts.of, counts.together));
   return table;
 }
 

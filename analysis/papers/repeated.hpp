@@ -11,6 +11,7 @@
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/judge/judge.hpp"
+#include "analysis/papers/multiverse.hpp"
 #include "analysis/papers/paper.hpp"
 #include "analysis/papers/published.hpp"
 #include "analysis/show/table.hpp"
@@ -44,18 +45,9 @@ show::Cell beside(double ours, const PrintedRow* row, std::size_t statistic);
 std::vector<show::Cell> beside(const judge::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
 constexpr std::string_view meaning_of_signs =
     "~ in the range that holds 92 % of such numbers of new studies by our program; x outside";
-// How many of the printed numbers have the sign ~, of how many with a sign.
-struct Explained {
-  std::string reading = {};  // Repeated::reading()
-  std::size_t explained = 0, all = 0;
-  std::vector<std::string> own_missed = {};  // means of the paper's own solver: "error 0.0017 cm (printed 0.0019)"
 
-  void add(const show::Cell& cell);
-};
-Explained explained_by(const Repeated& repeated);
-
-// Means beside the printed ones, a row a solver.
-show::Table means_table(const Repeated& repeated);
+// Means beside the printed ones, a row a solver, and how many of its numbers repeat by seed.
+show::Table means_table(const Repeated& repeated, const SeedCounts& counts = {});
 
 // A solver's share of solved targets. The interval is ours, as wide as that of the difference of the two
 // shares: it has the printed one where the two do not differ.

@@ -10,6 +10,7 @@
 #include "analysis/figures/rows.hpp"
 #include "analysis/papers/claims.hpp"
 #include "analysis/show/text.hpp"
+#include "base/json.hpp"
 #include "base/names.hpp"
 #include "base/units.hpp"
 #include "results/published.hpp"
@@ -37,29 +38,29 @@ std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& ano
 
 std::string with(const std::string& reading) { return reading.empty() ? "" : " with " + reading; }
 
-std::string first_sentence(Holds conclusion, const std::vector<Explained>& numbers,
+std::string first_sentence(Holds conclusion, const std::vector<SeedCounts>& counts,
                            const std::vector<JudgedClaim>& claims) {
-  const auto [words, besides] =
-      conclusion == Holds::holds     ? std::pair("repeats in its conclusion", ", and in")
-      : conclusion == Holds::in_part ? std::pair("repeats in a part of its conclusion", ", and in")
-      : conclusion == Holds::fails   ? std::pair("does not repeat in its conclusion", ", but in")
-                                     : std::pair("is not shown to repeat in its conclusion", "; it does in");
+  const std::string words = conclusion == Holds::holds     ? "repeats in its conclusion"
+                            : conclusion == Holds::in_part ? "repeats in a part of its conclusion"
+                            : conclusion == Holds::fails   ? "does not repeat in its conclusion"
+                                                           : "is not shown to repeat in its conclusion";
   const JudgedClaim* const other = claim_named(claims, "best_compromise_50");
   const std::string by = other != nullptr && other->holds == conclusion ? " by both readings" : "";
-  if (numbers.front().all > 0) {
-    std::string counts;
-    for (const auto& [reading, explained, all, own_missed] : numbers)
-      counts += fmt::format(
-          "{}{}{}{}", counts.empty() ? "" : ", ", explained,
-          counts.empty() ? fmt::format(" of the {} statistics of error and joint motion in Table 3", all) : "",
-          with(reading));
-    return fmt::format("Slim et al. 2023 {}{}{} {}; the paper's own program would repeat about {:.0f}.", words, by,
-                       besides, counts, share_in_ranges * static_cast<double>(numbers.front().all));
-  }
-  const auto open = std::ranges::count_if(  // since too few runs give no range of any number
+  const auto open = std::ranges::count_if(
       claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
-  return fmt::format("Slim et al. 2023 {}{}{}.", words, by,
-                     open == 0 ? "" : fmt::format("; so few runs leave {} open", base::counted(open, "claims")));
+  std::string besides = open == 0 ? "" : fmt::format("; so few runs leave {} open", base::counted(open, "claims"));
+  if (!counts.empty() && counts.front().of > 0) {
+    besides = ";";
+    for (const SeedCounts& each : counts)
+      besides +=
+          fmt::format(" {}{}{},", span_of(each.all),
+                      &each == &counts.front()
+                          ? fmt::format(" of the {} statistics of error and joint motion in Table 3 repeat", each.of)
+                          : "",
+                      with(each.reading));
+    besides += fmt::format(" by seed; the same program would repeat {}, by simulation", span_of(counts.front().same));
+  }
+  return fmt::format("Slim et al. 2023 {}{}{}.", words, by, besides);
 }
 
 bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds == Holds::holds; }
@@ -155,6 +156,41 @@ std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
 }
 
 }  // namespace
+
+Table table_1(const StudyResults& study) {
+  Table table{.name = "table-1",
+              .caption = "Table 1: settings, as used and as printed",
+              .columns = {{"solver"}, {"parameter"}, {"used"}},
+              .notes = {"Not used is what is drawn anew instead; Set-up has all options."}};
+  const CsvTable printed = results::published::table("slim2023", "table-1");
+  for (std::size_t row = 0; row < printed.rows(); ++row) {
+    const auto series = std::ranges::find(study.series, printed.cell(row, 0), &results::Series::label);
+    if (series == study.series.end()) continue;
+    const base::Json used = base::parsed_json(series->options);
+    table.rows.push_back(
+        {series->label, std::string(printed.cell(row, 1)),
+         show::Printed{used.value(std::string(printed.cell(row, 2)), unknown), std::string(printed.cell(row, 3))}});
+  }
+  return table;
+}
+
+Table table_2(const StudyResults& study) {
+  Table table{.name = "table-2",
+              .caption = "Table 2: the arm, here and as printed",
+              .columns = {{"joint"}, {"alpha", "deg"}, {"a", "m"}, {"d", "m"}, {"limit", "deg"}},
+              .notes = {"The paper prints no lengths: ours are the maker's."}};
+  const CsvTable printed = results::published::table("slim2023", "table-2");
+  const base::Json arm = base::parsed_json(study.definition.arm);
+  for (const base::Json& link : arm.is_object() ? arm.value("links", base::Json::array()) : base::Json::array()) {
+    const std::size_t row = table.rows.size();
+    if (row == printed.rows()) break;
+    std::vector<Cell>& cells = table.rows.emplace_back(std::vector<Cell>{static_cast<std::int64_t>(row + 1)});
+    for (const auto& [key, column] : {std::pair("alpha_deg", 1U), {"a_m", 2U}, {"d_m", 3U}})
+      cells.push_back(show::Printed{link.value(key, unknown), std::string(printed.cell(row, column))});
+    cells.push_back(show::Printed{link.at("limits_deg").at(1), std::string(printed.cell(row, 4))});
+  }
+  return table;
+}
 
 Table table_3(const Repeated& repeated) {
   const std::vector<std::string>& solvers = repeated.study().study.labels;
@@ -267,15 +303,12 @@ std::optional<Table> table_8(const StudyResults& study) {
   return table;
 }
 
-std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const std::vector<Explained>& numbers) {
+std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const std::vector<SeedCounts>& counts) {
   const JudgedClaim *const best = claim_named(claims, "best_compromise"),
                            *const accurate = claim_named(claims, "most_accurate"),
                            *const classical = claim_named(claims, "better_than_classical");
   if (best == nullptr || accurate == nullptr || accurate->number.empty()) return {};
-  std::vector<std::string> all{first_sentence(best->holds, numbers, claims)};
-  if (const auto& [reading, explained, count, missed] = numbers.front(); !missed.empty())
-    all.push_back(fmt::format("IK-BA's mean {} {} not repeat{}.", show::listed(missed, " and mean "),
-                              missed.size() == 1 ? "does" : "do", with(reading)));
+  std::vector<std::string> all{first_sentence(best->holds, counts, claims)};
   std::string words =
       fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
   if (holds(best) && holds(accurate) && holds(claim_named(claims, "least_variation")))
@@ -301,6 +334,7 @@ std::vector<show::Blocks> sections(const Repeated& repeated, const std::vector<f
     blocks.insert(blocks.begin(), show::Heading{std::move(heading)});
     sections.push_back(std::move(blocks));
   };
+  add("Tables 1 and 2", {table_1(repeated.study().study), table_2(repeated.study().study)});
   show::Blocks means, anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
   for (const Repeated& reading : repeated.readings()) {
     means.emplace_back(table_3(reading));
@@ -308,9 +342,18 @@ std::vector<show::Blocks> sections(const Repeated& repeated, const std::vector<f
   }
   add("Table 3", std::move(means));
   add("Tables 4 to 6", std::move(anovas));
+  const auto eps = [](const StudyResults& study) {
+    return base::parsed_json(study.series.front().options).value("epsilon", std::string());
+  };
   for (const JudgedStudy& judged : repeated.studies) {
-    if (auto table = table_7(judged.study)) times.emplace_back(std::move(*table));
-    if (auto table = table_8(judged.study)) circle.emplace_back(std::move(*table));
+    for (const auto& [blocks, made] : {std::pair(&times, &table_7), {&circle, &table_8}}) {
+      std::optional<Table> table = made(judged.study);
+      if (!table) continue;
+      if (const std::string here = eps(judged.study), there = eps(repeated.study().study); here != there)
+        table->notes.push_back(fmt::format(
+            "IK-BA's eps is {} here, and {} in Table 3 (docs/papers/slim2023-notes.md, 2.12).", here, there));
+      blocks->emplace_back(std::move(*table));
+    }
   }
   add("Real time", std::move(times));
   add("The Dobot's circle", std::move(circle));

@@ -26,6 +26,9 @@ constexpr std::array<PaperMetric, 3> paper_metrics{{{"position_error_cm", "posit
                                                     {"variation_deg", "angles variation", 5, 7, 11},
                                                     {"seconds", "computing time", 6, 8, 12}}};
 
+// Settings and arm of the paper's study.
+show::Table table_1(const judge::StudyResults& study);
+show::Table table_2(const judge::StudyResults& study);
 // Of the paper's study or another reading: solvers and their statistics by error, variation and time.
 show::Table table_3(const papers::Repeated& repeated);
 // Tables 4 to 6: of error, variation and time.
@@ -37,7 +40,7 @@ std::optional<show::Table> table_8(const judge::StudyResults& study);
 // Does the paper's conclusion repeat, and how many of its numbers by each reading, the study's own first? On what does
 // it depend that IK-BA is the most accurate?
 std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claims,
-                                   const std::vector<papers::Explained>& numbers);
+                                   const std::vector<papers::SeedCounts>& counts);
 
 // Further sections of the report; `figures_of_circle` stand by Table 8.
 std::vector<show::Blocks> sections(const papers::Repeated& repeated,

@@ -102,30 +102,6 @@ TEST_CASE("the series of a universe are solved with what its choices say, defaul
       StartsWith("--set population=20: population is a dimension that varies"));
 }
 
-TEST_CASE("few departures are those of all choices, a solver's counted with the study's", "[multiverse]") {
-  const auto varied =
-      named({"search", "wrist_branch", "bounds", "DE.bounds", "DE.replacement"}, dimensions("slim2023"));
-  const std::vector<std::string> solvers{"IK-BA", "DE"};
-  using Pair = std::pair<Chosen, Chosen>;
-  const auto pairs_of = [](const results::Multiverse& choices, std::size_t departures) {
-    std::vector<Pair> pairs;
-    for (const auto& study : choices.studies) {
-      for (const auto& own : study.solvers[1]) {
-        if (departures_of(study.chosen) + departures_of(own.chosen) <= departures)
-          pairs.emplace_back(study.chosen, own.chosen);
-      }
-    }
-    return pairs;
-  };
-  const results::Multiverse all = choices_of(varied, solvers);
-  for (const std::size_t departures : {0U, 1U, 2U}) {
-    const results::Multiverse few = choices_of(varied, solvers, departures);
-    CHECK(pairs_of(few, any_departures) == pairs_of(all, departures));
-  }
-  CHECK(pairs_of(all, 0).size() == 1);
-  CHECK(pairs_of(all, 1).size() == 1 + 2 + 3 + 2 + 3 + 1);
-}
-
 TEST_CASE("too many readings are refused with their number", "[multiverse]") {
   std::vector<std::string> names;
   for (const Dimension& each : dimensions("slim2023")) names.push_back(each.name);

@@ -121,50 +121,30 @@ TEST_CASE("the answer that most failing readings have is told, with their number
   CHECK(counts(by_default, "better_than_ba").most_fail.starts_with("8 with "));
 }
 
-TEST_CASE("the fewest departures that have a printed number explain it, and rows of others are counted", "[papers]") {
+TEST_CASE("the numbers that repeat are counted by seed, row and of another seed's", "[papers]") {
   const auto between = [](double low, double high) {
     std::vector<double> values;
     for (int run = 0; run < 20; ++run) values.push_back(low + (high - low) * run / 19);
     return Group{.sample = Measured{values}};
   };
   SolvedMultiverse multiverse;
-  multiverse.dimensions = {dimension("way", ""), dimension("a", "IK-BA")};
-  multiverse.solvers = {"IK-BA", "BA"};
-  for (const std::size_t way : {0U, 1U}) {  // the motion of MO-PSO at first, as IK-BA's with both departures
-    auto& study = multiverse.studies.emplace_back();
-    study.chosen = {{0, way}};
-    study.solvers.resize(2);
-    for (const std::size_t a : {0U, 1U}) {
-      multiverse.means.push_back(
-          {a == 0 ? between(1, 2) : between(0.0016, 0.0022), way == 0 || a == 0 ? between(30, 160) : between(73, 102)});
-      study.solvers[0].push_back({.chosen = {{1, a}}, .parts = {multiverse.means.size() - 1}});
-    }
-    multiverse.means.push_back({between(20, 30), between(20, 30)});
-    study.solvers[1].push_back({.chosen = {}, .parts = {multiverse.means.size() - 1}});
-  }
-  const Explanation result = explained(paper_named("slim2023"), multiverse);
-  const auto row = [&](const std::string& solver, const std::string& begin) {
-    for (const std::vector<show::Cell>& cells : result.numbers.rows) {
-      if (std::get<std::string>(cells[0]) == solver && std::get<std::string>(cells[1]).starts_with(begin)) return cells;
-    }
-    FAIL("no row of " << begin);
-    return std::vector<show::Cell>();
-  };
-  const auto has = [](const std::vector<show::Cell>& cells, std::int64_t departures, const std::string& best) {
-    CHECK(std::get<std::int64_t>(cells[2]) == departures);
-    CHECK(std::get<std::int64_t>(cells[3]) == 1);
-    CHECK(std::get<std::string>(cells[4]) == best);
-  };
-  has(row("IK-BA", "error, mean 0.0019 cm"), 1, "a=1");
-  has(row("IK-BA", "joint motion, std 7.8247 deg"), 2, "way=1 and a=1");
-  has(row("IK-BA", "all 10"), 2, "way=1 and a=1");
-  CHECK(std::get<std::string>(row("BA", "joint motion, all 5")[2]) == "none tried");
-  CHECK(contains(result.in_short, "a=1: IK-BA's error mean"));
-  CHECK(contains(result.in_short, "none: BA's"));
-  REQUIRE(result.rows.rows.size() == 2);
-  CHECK(std::get<std::int64_t>(result.rows.rows[0][2]) == 10);
-  CHECK(std::get<std::string>(result.rows.rows[0][5]).ends_with("(MO-PSO)"));
-  CHECK(result.readings.rows.size() == 4 + 2);
+  multiverse.solvers = {"IK-BA"};
+  multiverse.studies.resize(1);
+  // Printed are errors of 0.0016 to 0.0022 and 73 to 102 deg. The second seed has other errors, and the third is the
+  // second.
+  multiverse.means = {{between(0.0016, 0.0022), between(73, 102)},
+                      {between(0.1, 0.2), between(73, 102)},
+                      {between(0.1, 0.2), between(73, 102)}};
+  multiverse.studies[0].solvers = {{{.chosen = {}, .parts = {0, 1, 2}}}};
+  const SeedCounts counts = counts_by_seed(paper_named("slim2023"), multiverse);
+  CHECK(counts.all == std::vector<int>{10, 5, 5});
+  CHECK(counts.rows.at("IK-BA") == counts.all);
+  CHECK(counts.of == 10);
+  CHECK(counts.same == std::vector<int>{5, 5, 5, 10, 5, 10});
+  CHECK(span_of(counts.same) == "5 to 10");
+  CHECK(span_of({7, 7}) == "7");
+  for (auto& means : multiverse.means) means[1].sample = Measured{{1, 2, 3, 4}};
+  CHECK(counts_by_seed(paper_named("slim2023"), multiverse).of == 0);  // so few runs have no range
 }
 
 TEST_CASE("a solver that diverges is not tested", "[papers]") {

@@ -90,7 +90,7 @@ TEST_CASE("the range of another study holds 92 % of what such studies have, and 
 
 TEST_CASE("papers are read from their files, and a mistake says where it is", "[papers]") {
   CHECK(papers::papers().front().name == "slim2023");
-  CHECK(paper_named("slim2023").claims.size() == 20);
+  CHECK(paper_named("slim2023").claims.size() == 21);
   CHECK(paper_named("beeson2015").means.empty());
   CHECK_FALSE(paper_named("haviland2023").rates.is_of_arms());
   CHECK(contains(complaint<std::invalid_argument>([&] { paper_named("slim2032"); }), "slim2023"));
