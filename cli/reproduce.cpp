@@ -36,7 +36,7 @@ namespace {
 
 struct Arguments {
   std::string paper;
-  std::int64_t seed = 1;
+  std::int64_t seed = -1;   // as in its studies
   int runs = 0, seeds = 3;  // 0 runs: as in the paper
   RunArguments run;
   ReportArguments report;
@@ -50,7 +50,7 @@ Overrides overridden_runs(const Arguments& arguments) {
 std::vector<Study> studies_of(const Paper& paper, const Arguments& arguments) {
   std::vector<Study> studies;
   const auto add = [&](const std::string& name, Overrides overrides) {
-    overrides.push_back(fmt::format("seed={}", arguments.seed));
+    if (arguments.seed >= 0) overrides.push_back(fmt::format("seed={}", arguments.seed));
     if (std::ranges::count(paper.runs, name) > 0)
       std::ranges::copy(overridden_runs(arguments), std::back_inserter(overrides));
     studies.push_back(load_study(name, overrides));
@@ -183,6 +183,11 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   }
   if (const auto figure = papers::rates_figure(repeated))
     reported.additions.push_back({show::Heading{"Ours and the printed"}, *figure});
+  for (auto table = paper.rates.tables.begin(); table != paper.rates.tables.end(); ++table) {
+    if (table != paper.rates.tables.begin())
+      reported.additions.push_back(
+          {show::Heading{"Printed by " + table->second}, papers::rates_table(repeated, table->first)});
+  }
   reported.claims = papers::claims_section(claims);
   if (!readings.in_readings.empty())
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
@@ -199,7 +204,8 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       app.add_subcommand("reproduce", "Repeat a paper's experiments and report beside the printed results");
   add_paper_option(*command, arguments->paper);
   add_run_options(*command, arguments->run);
-  add_number(*command, "--seed", arguments->seed, {0, largest_whole}, "seed of the studies");
+  command->add_option("--seed", arguments->seed, "seed of the studies; default: their own")
+      ->check(whole_number({0, largest_whole}));
   command->add_option("--runs", arguments->runs, "runs of each solver; default: as in the paper")
       ->check(whole_number({1, 1'000'000}));
   add_number(*command, "--readings", arguments->seeds, {0, 1000},

@@ -88,6 +88,7 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .point = record.point,
        .label = static_cast<int>(std::ranges::find(study.labels, record.label) - study.labels.begin()),
        .session = static_cast<int>(record.session),
+       .restarts = record.restarts,
        .status = record.status,
        .stop_reason = record.stop_reason,
        .timing = record.timing,

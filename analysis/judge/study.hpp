@@ -22,7 +22,7 @@ namespace ikbench::judge {
 struct Solve {
   int run = 1, point = 1;
   int label = 0;  // its place in StudyResults::labels
-  int session = 0;
+  int session = 0, restarts = 0;
   results::Status status = results::Status::ok;
   results::StopReason stop_reason = results::StopReason::iterations;
   results::Timing timing = results::Timing::clean;

@@ -45,7 +45,7 @@ Claim read_claim(TomlReader reader, const std::string& papers_own) {
   reader.choice("rule", rule, names);
   if (rule < names.size()) claim.rule = &rules()[rule];
   reader.choice("by", claim.is_ours, {"paper", "us"});
-  reader.choice("of", claim.of, {"means", "spread", "each_study"});
+  reader.choice("of", claim.of, {"means", "spread"});
   reader.choice("from", claim.from, {"both", "solvers", "others"});
   reader.texts("solvers", claim.solvers, "");
   reader.texts("against", claim.against, "");
@@ -56,22 +56,32 @@ Claim read_claim(TomlReader reader, const std::string& papers_own) {
   for (const std::string& metric : metrics) claim.metrics.push_back(&metric_named(metric));
   if (metrics.empty() && claim.rule != nullptr && claim.rule->is_of_metrics)
     throw reader.mistake("metrics", "a claim without metrics");
-  const auto is_share = [](const Metric* metric) { return metric->kind == Kind::share; };
-  if (claim.of == Of::each_study && !std::ranges::all_of(claim.metrics, is_share))
-    throw reader.mistake("metrics",
-                         "a claim of each_study about other metrics than 'solved', whose best rival has the largest");
   return claim;
 }
 
 Rates read_rates(TomlReader reader) {
   Rates rates;
-  reader.text("table", rates.table, "");
+  read_texts(reader, "tables", rates.tables);
+  for (const toml::table* const table : reader.table().contains("numbers")
+                                            ? reader.tables("numbers", 100, "1 to 100 tables [[rates.numbers]]")
+                                            : std::vector<const toml::table*>()) {
+    TomlReader of_column = reader.nested(*table, "rates.numbers.");
+    PrintedColumn& column = rates.numbers.emplace_back();
+    std::string metric;
+    for (const auto& [key, field] : {std::pair("name", &column.name),
+                                     {"table", &column.table},
+                                     {"column", &column.column},
+                                     {"metric", &metric},
+                                     {"study", &column.study}})
+      of_column.text(key, *field, "");
+    of_column.refuse_unknown_keys();
+    column.metric = &metric_named(metric);
+  }
   reader.text("note", rates.note, "");
   reader.number("level", rates.level, 1, {0.5, 0.9999}, "");
   reader.texts("picked", rates.picked, "");
   read_texts(reader, "rows", rates.rows);
   read_texts(reader, "columns", rates.columns);
-  reader.text("column", rates.column, "");
   reader.text("programs", rates.programs, "");
   reader.refuse_unknown_keys();
   return rates;

@@ -10,9 +10,8 @@
 
 namespace ikbench::papers {
 
-// What a claim compares of its metrics: the means; the standard deviations of the runs; or the same metric in the
-// study and in each companion.
-enum class Of { means, spread, each_study };
+// What a claim compares of its metrics: the means, or the standard deviations of the runs.
+enum class Of { means, spread };
 // Whose numbers come from the companion that a claim names; those of the rest come from the study.
 enum class From { both, solvers, others };
 
@@ -32,17 +31,25 @@ struct Claim {
   std::string note = {};  // added to the evidence
 };
 
-// A printed table of shares solved [%]. A row is an arm, with a column for each solver, or a solver.
+// A printed column of means, a row a solver; of "solved" the number of targets that are not.
+struct PrintedColumn {
+  std::string name, table, column;
+  const judge::Metric* metric = nullptr;
+  std::string study = {};  // "searches": of the companion NAME-searches
+};
+
+// Printed tables of shares solved [%], where a row is an arm, with a column for each solver; or columns of means.
 struct Rates {
-  std::string table = {}, note = {};
+  std::map<std::string, std::string> tables = {};  // with words, the paper's own first: "README 1.4.6"
+  std::vector<PrintedColumn> numbers = {};
+  std::string note = {};
   double level = 0;                                 // of intervals
   std::vector<std::string> picked = {};             // arms whose file or side was chosen by their shares
   std::map<std::string, std::string> rows = {};     // name of our arm to that in its first column
   std::map<std::string, std::string> columns = {};  // solver to column
-  std::string column = {};                          // of shares, where rows are solvers
   std::string programs = {};                        // table of what programs did by the clock, an arm a row
 
-  bool is_of_arms() const { return column.empty(); }
+  bool is_of_arms() const { return numbers.empty(); }
 };
 
 struct Paper {

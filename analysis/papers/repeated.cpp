@@ -99,113 +99,201 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
   return table;
 }
 
-std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated) {
-  const Rates& plan = repeated.paper.rates;
-  std::map<std::string, std::vector<Rate>> rates;
-  const base::CsvTable table = results::published::table(repeated.paper.name, plan.table);
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto add = [&](const std::string& heading, const std::string& name, double solved, double n,
-                         const std::string& column) -> Rate& {
-      const double printed = table.number(row, column) / 100;
-      const Interval difference = newcombe(solved / n, n, printed, table.number(row, "n"), 1 - plan.level);
-      return rates[heading].emplace_back(Rate{
-          .row = name,
-          .is_picked = std::ranges::any_of(plan.picked, [&](const auto& arm) { return plan.rows.at(arm) == name; }),
-          .printed = printed,
-          .share = solved / n,
-          .interval = {std::max(0.0, printed + difference.low), std::min(1.0, printed + difference.high)},
-          .margin = repeated.study().study.definition.plan.margin});
-    };
-    const auto add_solves = [&](const std::string& heading, const std::string& name, const Solves& solves,
-                                const std::string& column) {
-      const auto solved = std::ranges::count(solves, results::Status::ok, &Solve::status);
-      if (!solves.empty()) add(heading, name, static_cast<double>(solved), static_cast<double>(solves.size()), column);
-    };
-    const auto is_of_row = [&](auto arm) { return arm != plan.rows.end() && table.cell(row, 0) == arm->second; };
-    for (const JudgedStudy& judged : repeated.studies) {
-      const auto arm = plan.rows.find(judged.study.definition.robot);
-      if (!is_of_row(arm)) continue;
-      for (const auto& [solver, column] : plan.columns)
-        add_solves(solver, arm->second, judged.study.of(solver), column);
-    }
-    const base::CsvTable* const programs = repeated.programs;
-    for (std::size_t i = 0; programs != nullptr && i < programs->rows(); ++i) {
-      const auto solver = plan.columns.find(std::string(programs->cell(i, programs->column("solver"))));
-      const auto arm = plan.rows.find(std::string(programs->cell(i, programs->column("robot"))));
-      if (!is_of_row(arm) || solver == plan.columns.end()) continue;
-      const auto& [name, column] = *solver;
-      Rate& rate = add(name, arm->second, programs->number(i, "solved"), programs->number(i, "n"), column);
-      rate.mean_ms = programs->number(i, "mean_ms");
-      rate.printed_ms = table.cell(row, table.column(column.substr(0, column.rfind('_')) + "_ms"));
-    }
-    if (const std::string solver(table.cell(row, 0)); !plan.is_of_arms())
-      add_solves("solved", solver, repeated.study().study.of(solver), plan.column);
-  }
-  return rates;
+namespace {
+
+// Of shares of n and of so many printed, in percent or as numbers of those printed.
+Rate rate_of(std::string row, double share, double n, std::string_view digits, double n_printed, double unit,
+             const Repeated& repeated) {
+  const double printed = base::number_from(digits).value();
+  const Interval difference = newcombe(share, n, printed / unit, n_printed, 1 - repeated.paper.rates.level);
+  return {
+      .row = std::move(row),
+      .digits = std::string(digits),
+      .printed = printed,
+      .ours = unit * share,
+      .interval = {std::max(0.0, printed + unit * difference.low), std::min(unit, printed + unit * difference.high)},
+      .margin = unit * repeated.study().study.definition.plan.margin,
+      .n = n,
+      .n_printed = n_printed};
 }
 
-std::vector<std::string> rates_sentences(const Repeated& repeated) {
-  std::vector<std::string> counts, sentences, undecided;
-  const bool is_of_arms = repeated.paper.rates.is_of_arms();
-  for (const auto& [solver, rates] : rates_of(repeated)) {
-    std::vector<std::string> others;
-    for (const Rate& rate : rates) {
-      if (rate.sign() == "x")  // "Jaco2 31 % (printed 26.23)"
-        others.push_back(fmt::format("{} {:.1f} % (printed {:.2f})", rate.row, 100 * rate.share, 100 * rate.printed));
+std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
+  std::vector<RateColumn> columns;
+  for (const PrintedColumn& column : repeated.paper.rates.numbers) {
+    const JudgedStudy* const judged = column.study.empty() ? &repeated.study() : repeated.part(column.study);
+    if (judged == nullptr) continue;
+    const base::CsvTable table = results::published::table(repeated.paper.name, column.table);
+    const Observations observed = observe(judged->study, *column.metric);
+    const bool is_share = column.metric->kind == Kind::share;
+    RateColumn& of = columns.emplace_back(RateColumn{.name = column.name, .are_counts = is_share});
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const std::size_t place = place_of(observed, table.cell(row, 0));
+      if (place == observed.groups.size()) continue;
+      const Description its = describe(observed.groups[place]);
+      if (its.n == 0) continue;
+      const std::string_view digits = table.cell(row, table.column(column.column));
+      const double n = table.number(row, "n"), ours = its.mean;
+      if (is_share) {
+        of.rates.push_back(rate_of(observed.groups[place].name, 1 - ours, its.n, digits, n, n, repeated));
+        continue;
+      }
+      constexpr double margin = 0.1;  // of means that a few hard targets decide
+      const double printed = base::number_from(digits).value(),
+                   half = critical_z(1 - repeated.paper.rates.level) * its.sd * std::sqrt(1. / its.n + 1 / n);
+      of.rates.push_back({.row = observed.groups[place].name,
+                          .digits = std::string(digits),
+                          .printed = printed,
+                          .ours = ours,
+                          .interval = {ours - half, ours + half},
+                          .margin = margin * printed,
+                          .n = static_cast<double>(its.n)});
     }
-    const auto repeat = std::ranges::count(rates, "~", &Rate::sign);
-    const auto open = std::ssize(rates) - repeat - std::ssize(others);
-    if (open == std::ssize(rates)) {
-      undecided.push_back(solver);
-      continue;
-    }
-    const std::string count =
-        fmt::format("{}{} of {}", repeat, open > 0 ? fmt::format(" (not decided on {})", open) : "", rates.size());
-    counts.push_back(fmt::format("{} {}{}", is_of_arms ? fmt::format("by {} on", solver) : "for", count,
-                                 !counts.empty() ? ""
-                                 : is_of_arms    ? " arms"
-                                                 : " solvers"));
-    if (!others.empty())
-      sentences.push_back(
-          fmt::format("{}: {}.", is_of_arms ? solver + " not on" : "Not for", show::listed(others, ", ")));
   }
-  for (const auto& [solver, rates] : rates_of(repeated)) {
-    std::vector<double> times;
-    for (const Rate& rate : rates) {
-      if (!rate.printed_ms.empty()) times.push_back(rate.mean_ms / base::number_from(rate.printed_ms).value());
+  return columns;
+}
+
+}  // namespace
+
+std::vector<RateColumn> rates_of(const Repeated& repeated, std::string name) {
+  const Rates& plan = repeated.paper.rates;
+  if (!plan.is_of_arms() || plan.tables.empty()) return columns_of_means(repeated);
+  if (name.empty()) name = plan.tables.begin()->first;
+  const base::CsvTable table = results::published::table(repeated.paper.name, name);
+  const base::CsvTable* const programs = repeated.programs;
+  std::vector<RateColumn> columns;
+  for (const auto& [solver, column] : plan.columns) {
+    RateColumn of{.name = solver, .unit = "%"};
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const auto add = [&](double solved, double n) -> Rate& {
+        return of.rates.emplace_back(rate_of(std::string(table.cell(row, 0)), solved / n, n,
+                                             table.cell(row, table.column(column)), table.number(row, "n"), 100,
+                                             repeated));
+      };
+      const auto is_of_row = [&](std::string_view robot) {
+        const auto arm = plan.rows.find(std::string(robot));
+        return arm != plan.rows.end() && table.cell(row, 0) == arm->second;
+      };
+      for (const JudgedStudy& judged : repeated.studies) {
+        const Solves solves = judged.study.of(solver);
+        if (is_of_row(judged.study.definition.robot) && !solves.empty())
+          add(static_cast<double>(std::ranges::count(solves, results::Status::ok, &Solve::status)),
+              static_cast<double>(solves.size()));
+      }
+      for (std::size_t i = 0; programs != nullptr && i < programs->rows(); ++i) {
+        if (programs->cell(i, programs->column("solver")) != solver ||
+            !is_of_row(programs->cell(i, programs->column("robot"))))
+          continue;
+        Rate& rate = add(programs->number(i, "solved"), programs->number(i, "n"));
+        rate.mean_ms = programs->number(i, "mean_ms");
+        rate.printed_ms = table.cell(row, table.column(column.substr(0, column.rfind('_')) + "_ms"));
+      }
     }
-    if (!times.empty())
-      sentences.push_back(fmt::format("The mean times of {} are {:.2g} to {:.2g} times the printed ones.", solver,
-                                      std::ranges::min(times), std::ranges::max(times)));
+    if (!of.rates.empty()) columns.push_back(std::move(of));
   }
-  if (!undecided.empty())
-    sentences.push_back(is_of_arms ? fmt::format("Too few targets to decide on any arm: the printed rates of {}.",
-                                                 show::listed(undecided))
-                                   : "Too few targets to decide whether any printed rate repeats.");
-  if (!counts.empty())
-    sentences.insert(sentences.begin(), fmt::format("The printed rates repeat {}.", show::listed(counts)));
+  return columns;
+}
+
+namespace {
+
+// Of columns of means: how many are as printed, which targets not solved are nearly as many, and which
+// numbers are not as printed.
+std::vector<std::string> means_sentences(const std::vector<RateColumn>& columns) {
+  std::int64_t all = 0, repeat = 0, open = 0;
+  std::vector<std::string> same, others;
+  std::size_t counted = 0;
+  constexpr double most = 2;
+  for (const auto& [name, rates, unit, are_counts] : columns) {
+    for (const Rate& rate : rates) {
+      const std::string ours = show::number_text(rate.ours);
+      ++all, repeat += rate.sign() == "~", open += rate.sign() == "?";
+      if (rate.sign() == "x")
+        others.push_back(fmt::format("{} of {} {} (printed {})", name, rate.row, ours, rate.digits));
+      if (!are_counts || rate.n != rate.n_printed) continue;
+      ++counted;
+      if (std::abs(rate.ours - rate.printed) < most + 0.5) same.push_back(fmt::format("{}/{}", ours, rate.digits));
+    }
+  }
+  if (all == 0) return {};
+  std::vector<std::string> sentences{all == open
+                                         ? "Too few targets to decide whether any printed number repeats."
+                                         : fmt::format("{} of {} printed numbers repeat{}.", repeat, all,
+                                                       open > 0 ? fmt::format(", {} are not decided", open) : "")};
+  if (!same.empty())
+    sentences.front() = fmt::format(
+        "With the paper's own poses {} of {} solvers fail on as many of them as is printed, to {:g} poses ({}); {} of "
+        "all {} printed numbers repeat.",
+        same.size(), counted, most, fmt::join(same, ", "), repeat, all);
+  if (!others.empty()) sentences.push_back(fmt::format("Not as printed: {}.", show::listed(others, ", ")));
   return sentences;
 }
 
-show::Table rates_table(const Repeated& repeated) {
+}  // namespace
+
+std::vector<std::string> rates_sentences(const Repeated& repeated) {
   const Rates& plan = repeated.paper.rates;
-  show::Table table{.name = plan.table,
-                    .caption = fmt::format("Solved of {} targets{}, here and as printed",
-                                           repeated.study().study.definition.runs, plan.is_of_arms() ? " an arm" : ""),
-                    .columns = {{plan.is_of_arms() ? "arm" : "solver"}},
-                    .is_of_study = !plan.is_of_arms()};
+  if (!plan.is_of_arms()) return means_sentences(rates_of(repeated));
+  std::vector<std::string> sentences, who, undecided;
+  for (const auto& [name, words] : plan.tables) {
+    const bool is_first = sentences.empty();
+    std::vector<std::string> counts;
+    for (const RateColumn& column : rates_of(repeated, name)) {
+      std::vector<std::string> others;
+      std::int64_t repeat = 0, open = 0;
+      double least = 1e9, most = 0;  // times
+      for (const Rate& rate : column.rates) {
+        repeat += rate.sign() == "~", open += rate.sign() == "?";
+        if (rate.sign() == "x")  // "Jaco2 31 % (printed 26.23)"
+          others.push_back(fmt::format("{} {:.1f} % (printed {})", rate.row, rate.ours, rate.digits));
+        if (rate.printed_ms.empty()) continue;
+        const double ratio = rate.mean_ms / base::number_from(rate.printed_ms).value();
+        least = std::min(least, ratio), most = std::max(most, ratio);
+      }
+      if (open == std::ssize(column.rates)) {
+        undecided.push_back(column.name);
+        continue;
+      }
+      counts.push_back(fmt::format("by {} on {}{} of {}{}", column.name, repeat,
+                                   open > 0 ? fmt::format(" (not decided on {})", open) : "", column.rates.size(),
+                                   counts.empty() ? " arms" : ""));
+      if (is_first && !others.empty())
+        who.push_back(fmt::format("{} not on: {}.", column.name, show::listed(others, ", ")));
+      if (is_first && most > 0)
+        who.push_back(
+            fmt::format("The mean times of {} are {:.2g} to {:.2g} times the printed ones.", column.name, least, most));
+    }
+    if (!counts.empty()) sentences.push_back(fmt::format("The rates of {} repeat {}.", words, show::listed(counts)));
+    if (!undecided.empty())
+      return {fmt::format("Too few targets to decide on any arm: the rates of {}.", show::listed(undecided))};
+  }
+  std::ranges::move(who, std::back_inserter(sentences));
+  return sentences;
+}
+
+show::Table rates_table(const Repeated& repeated, const std::string& name) {
+  const Rates& plan = repeated.paper.rates;
+  const bool is_of_arms = plan.is_of_arms(), is_first = name.empty();
+  show::Table table{.name = !is_of_arms || plan.tables.empty() ? "numbers"
+                            : is_first                         ? plan.tables.begin()->first
+                                                               : name,
+                    .columns = {{is_of_arms ? "arm" : "solver"}},
+                    .is_of_study = !is_of_arms};
+  table.caption = fmt::format("{} {}{}, here and as printed{}", is_of_arms ? "Solved of" : "Means of",
+                              base::counted(repeated.study().study.definition.runs, "targets"),
+                              is_of_arms ? " an arm" : "", is_of_arms ? " by " + plan.tables.at(table.name) : "");
   std::set<std::string_view> signs;
-  for (const auto& [solver, rates] : rates_of(repeated)) {
-    table.columns.push_back({solver, "%"});
+  for (const auto& [column, rates, unit, are_counts] : rates_of(repeated, name)) {
+    table.columns.push_back({column, unit});
     table.rows.resize(rates.size());  // arms, in each solver's order
     for (std::size_t i = 0; i < rates.size(); ++i) {
       const Rate& rate = rates[i];
-      if (table.rows[i].empty()) table.rows[i].emplace_back(rate.row + (rate.is_picked ? " *" : ""));
-      table.rows[i].emplace_back(show::Printed{std::round(1e12 * rate.share) / 1e10,
-                                               fmt::format("{:.2f}", 100 * rate.printed), std::string(rate.sign())});
+      const bool is_picked =
+          std::ranges::any_of(plan.picked, [&](const auto& arm) { return plan.rows.at(arm) == rate.row; });
+      if (table.rows[i].empty()) table.rows[i].emplace_back(rate.row + (is_picked ? " *" : ""));
+      table.rows[i].emplace_back(
+          show::Printed{std::round(1e10 * rate.ours) / 1e10, rate.digits, std::string(rate.sign())});
       signs.insert(rate.sign());
     }
-    if (rates.front().printed_ms.empty()) continue;  // is no program's
+    if (rates.empty() || rates.front().printed_ms.empty()) continue;  // is no program's
     table.columns.push_back({"mean time", "ms"});
     for (std::size_t i = 0; i < rates.size(); ++i)
       table.rows[i].emplace_back(show::Printed{rates[i].mean_ms, rates[i].printed_ms});
@@ -213,10 +301,10 @@ show::Table rates_table(const Repeated& repeated) {
   std::vector<std::string> key;
   if (signs.contains("~")) key.emplace_back("~ it contains 0");
   if (signs.contains("x")) key.emplace_back("x it excludes 0");
-  if (signs.contains("?"))
-    key.push_back(fmt::format("? it is wider than {:g} points", 200 * repeated.study().study.definition.plan.margin));
+  if (signs.contains("?")) key.emplace_back("? it is too wide");
   table.notes.push_back(
       fmt::format("{:g} % interval of ours minus the printed: {}.", 100 * plan.level, fmt::join(key, "; ")));
+  if (!is_first) return table;
   if (!plan.picked.empty())
     table.notes.emplace_back("* of several files or sides of the arm, the one nearest to the printed.");
   if (!plan.note.empty()) table.notes.push_back(plan.note);
@@ -228,25 +316,25 @@ show::Table rates_table(const Repeated& repeated) {
 }
 
 std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
+  const Rates& plan = repeated.paper.rates;
   std::vector<figures::IntervalRow> rows;
-  for (const auto& [solver, rates] : rates_of(repeated)) {
-    for (const Rate& rate : rates) {
-      const auto minus_printed = [&](double share) { return 100 * (share - rate.printed); };
-      rows.push_back({.label = repeated.paper.rates.is_of_arms() ? fmt::format("{}: {}", solver, rate.row) : rate.row,
-                      .estimate = minus_printed(rate.share),
-                      .low = minus_printed(rate.interval.low),
-                      .high = minus_printed(rate.interval.high),
+  std::vector<RateColumn> columns = rates_of(repeated);
+  if (!plan.is_of_arms()) columns.resize(std::min<std::size_t>(columns.size(), 1));  // of one unit
+  for (const auto& [solver, rates, unit, are_counts] : columns) {
+    for (const Rate& rate : rates)
+      rows.push_back({.label = plan.is_of_arms() ? fmt::format("{}: {}", solver, rate.row) : rate.row,
+                      .estimate = rate.ours - rate.printed,
+                      .low = rate.interval.low - rate.printed,
+                      .high = rate.interval.high - rate.printed,
                       .verdict = rate.sign() == "x"   ? "not as printed"
                                  : rate.sign() == "~" ? "as printed"
                                                       : "not decided",
                       .style = rate.sign() == "x" ? 1 : 0});
-    }
   }
-  return differences(
-      {"printed",
-       fmt::format("Share solved minus the printed one, with its {:g} % interval.", 100 * repeated.paper.rates.level),
-       "ours minus printed", "points"},
-      rows, false);
+  const std::string what = plan.is_of_arms() || columns.empty() ? "Share solved" : "Targets " + columns[0].name;
+  return differences({"printed", fmt::format("{} minus the printed, with its {:g} % interval.", what, 100 * plan.level),
+                      "ours minus printed", plan.is_of_arms() ? "points" : "targets"},
+                     rows, false);
 }
 
 }  // namespace ikbench::papers

@@ -49,14 +49,15 @@ constexpr std::string_view meaning_of_signs =
 // Means beside the printed ones, a row a solver, and how many of its numbers repeat by seed.
 show::Table means_table(const Repeated& repeated, const SeedCounts& counts = {});
 
-// A solver's share of solved targets. The interval is ours, as wide as that of the difference of the two
-// shares: it has the printed one where the two do not differ.
+// A number of ours beside a printed one, in its unit. The interval is ours, as wide as that of the difference of the
+// two: it has the printed one where they do not differ.
 struct Rate {
   std::string row;  // the arm as printed, or the solver
-  bool is_picked;
-  double printed, share;
+  std::string digits;
+  double printed, ours;
   judge::Interval interval;
-  double margin;                                              // of the study, which matters
+  double margin;  // what matters
+  double n, n_printed = 0;
   double mean_ms = std::numeric_limits<double>::quiet_NaN();  // of a program's solves
   std::string printed_ms = {};
 
@@ -66,14 +67,20 @@ struct Rate {
     return interval.high - interval.low <= 2 * margin ? "~" : "?";
   }
 };
+struct RateColumn {
+  std::string name;  // a solver, or what is counted
+  std::vector<Rate> rates = {};
+  std::string unit = {};
+  bool are_counts = false;  // of targets not solved, of as many as are printed
+};
 
-// By solver, of the arms of all studies that the printed table has, in its order; or of its solvers in the paper's own
-// study, under "solved".
-std::map<std::string, std::vector<Rate>> rates_of(const Repeated& repeated);
+// By solver, of the arms of all studies that a printed table has (empty: the paper's own), in its order; or the columns
+// of means.
+std::vector<RateColumn> rates_of(const Repeated& repeated, std::string table = "");
 // "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then who fails where; none if none is printed.
 std::vector<std::string> rates_sentences(const Repeated& repeated);
 // Without rows if none is printed.
-show::Table rates_table(const Repeated& repeated);
+show::Table rates_table(const Repeated& repeated, const std::string& table = "");
 // Ours minus the printed ones, with their intervals.
 std::optional<figures::Figure> rates_figure(const Repeated& repeated);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -123,16 +124,25 @@ Names same_there(const Claim& claim, const Repeated& repeated) {
   return same;
 }
 
-// A larger share in each study, which are arms, than the best of the rivals.
-JudgedClaims better_in_each_study(const Claim& claim, const Repeated& repeated) {
-  const std::string& own = claim.solvers.front();
+// A larger share on each arm than the best of the rivals, by the interval of the difference: programs have other poses.
+JudgedClaims solves_most(const Claim& claim, const Repeated& repeated) {
   JudgedClaim result{claim};
   Tally tally;
-  for (const JudgedStudy& on_arm : repeated.studies) {
-    const std::optional<JudgedMetric> judged = about(claim, judged_in(on_arm, *claim.metrics.front()));
-    if (!judged) continue;
-    const std::string best = rivals_of(*judged, {own}).back();  // read_claim takes shares alone
-    tally.add(verdict_between(*judged, own, best));
+  const std::vector<RateColumn> columns = rates_of(repeated);
+  const auto own = std::ranges::find(columns, claim.solvers.front(), &RateColumn::name);
+  for (std::size_t i = 0; own != columns.end() && i < own->rates.size(); ++i) {
+    const Rate& rate = own->rates[i];
+    std::vector<Rate> rivals;
+    for (const RateColumn& column : columns) {
+      if (has(claim.against, column.name))
+        std::ranges::copy_if(column.rates, std::back_inserter(rivals),
+                             [&](const Rate& each) { return each.row == rate.row; });
+    }
+    if (rivals.empty()) continue;
+    const Rate best = *std::ranges::max_element(rivals, {}, &Rate::ours);
+    const Interval difference =
+        newcombe(rate.ours / 100, rate.n, best.ours / 100, best.n, repeated.study().study.definition.plan.significance);
+    tally.add(difference.low > 0 ? Verdict::better : difference.high < 0 ? Verdict::worse : Verdict::undecided);
   }
   if (tally.all() == 0) return {};
   result.holds = holds_of(tally);
@@ -141,7 +151,6 @@ JudgedClaims better_in_each_study(const Claim& claim, const Repeated& repeated) 
 }
 
 JudgedClaims better(const Claim& claim, const Repeated& repeated) {
-  if (claim.of == Of::each_study) return better_in_each_study(claim, repeated);
   const Names& own = claim.solvers;
   JudgedClaim result{claim};
   std::vector<Holds> here;
@@ -235,17 +244,18 @@ JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
   return {result};
 }
 
-// A claim of each solver, over all arms, or of all solvers.
+// A claim of each solver, over all arms, or of each printed column.
 JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   JudgedClaims judged;
   const bool is_of_arms = repeated.paper.rates.is_of_arms();
-  for (const auto& [solver, rates] : rates_of(repeated)) {
+  for (const auto& [name, rates, unit, are_counts] : rates_of(repeated)) {
+    if (rates.empty()) continue;
     std::vector<Holds> repeats;
     for (const Rate& rate : rates)
       repeats.push_back(rate.sign() == "x" ? Holds::fails : rate.sign() == "~" ? Holds::holds : Holds::undecided);
     JudgedClaim& result = judged.emplace_back(JudgedClaim{claim});
-    result.id = fmt::format("{}-{}", claim.id, solver);
-    result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", solver));
+    result.id = fmt::format("{}-{}", claim.id, name);
+    result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", name));
     result.holds = holds_of(repeats);
     if (std::ranges::count(repeats, Holds::undecided) < std::ssize(repeats))
       result.number =
@@ -259,7 +269,8 @@ constexpr Rule all_rules[]{{"better", better},
                            {"ahead", ahead},
                            {"differ", differ},
                            {"at_rounding", at_rounding, false},
-                           {"as_printed", as_printed, false}};
+                           {"as_printed", as_printed, false},
+                           {"solves_most", solves_most, false}};
 
 }  // namespace
 

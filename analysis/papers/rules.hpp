@@ -44,7 +44,8 @@ struct Rule {
 };
 // better: its solvers are better than the others in each metric. ahead: its solver is better than each other in some
 // metric, and worse in none. differ: all differ, by one-way ANOVA. at_rounding: all of its solver's errors are.
-// as_printed: each printed share of solved targets is ours.
+// as_printed: each printed share of solved targets is ours. solves_most: the share of its solver is the largest on each
+// arm.
 std::span<const Rule> rules();
 
 // How solvers do against others.

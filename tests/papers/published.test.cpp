@@ -27,13 +27,6 @@ TEST_CASE("printed rows have their digits, and the names that a table gives by i
   CHECK(row_of(times, "13 bats") == nullptr);
 }
 
-TEST_CASE("shares solved are what the printed infeasible ones leave", "[papers]") {
-  const base::CsvTable table = results::published::table("haviland2023", "one-search");
-  REQUIRE(table.rows() == 10);
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    CHECK(table.number(row, "solved_percent") == Approx(100 - table.number(row, "infeasible_percent")));
-}
-
 TEST_CASE("printed means are compared as summaries, and give the printed ANOVA but for rounding", "[papers]") {
   // F of Tables 4 to 6: the means and standard deviations of Table 3 as printed, by R 4.2.2.
   for (const auto& [metric, f] :
@@ -98,6 +91,4 @@ TEST_CASE("papers are read from their files, and a mistake says where it is", "[
   const std::string whole = "id = 'a'\nsentence = 'b'\ndecides = 'c'\n";
   CHECK(read(whole).claims.front().id == "a");
   check_mistakes("paper", "x.toml:", read, whole);
-  const std::string each = whole + "rule = 'better'\nof = 'each_study'\nmetrics = ";
-  CHECK(read(each + "['solved']").claims.front().of == Of::each_study);
 }
