@@ -109,7 +109,7 @@ class RandomTargets final : public PathKind {
         "below its first percentile; edge: farther from the shoulder than 95 % of the largest distance of 1000 random configurations; unreachable: moved beyond the reach");
     io.choice(
         "generator", generator_, {"ikbench", "numpy"},
-        "what draws them. numpy: NumPy's np.random.seed(seed), then np.random.uniform joint by joint, at most half a turn each way");
+        "what draws them. numpy: NumPy's np.random.seed(seed), then np.random.uniform joint by joint, of one with room for more than a turn half a turn each way");
     io.number("beyond_percent", beyond_, 0.01, {0.01, 1000},
               "of unreachable ones: how far beyond, as a share of the reach");
   }
@@ -158,7 +158,7 @@ class RandomTargets final : public PathKind {
     const Demand demand = set_ == Set::near_singular ? near_singular(arm) : set_ == Set::edge ? at_edge(arm) : Demand{};
     JointLimits range = range_of(arm);
     for (Eigen::Index j = 0; j < range.lower.size() && is_of_numpy(); ++j) {
-      if (arm.chain.slides(j)) continue;
+      if (arm.chain.slides(j) || range.upper[j] - range.lower[j] <= whole_turn) continue;
       range.lower[j] = std::max(range.lower[j], -whole_turn / 2);
       range.upper[j] = std::min(range.upper[j], whole_turn / 2);
     }
