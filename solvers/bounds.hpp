@@ -64,6 +64,13 @@ inline bool counts(Bounds bounds, const Problem& problem, const robots::Configur
          ((q.array() >= problem.lower.array()).all() && (q.array() <= problem.upper.array()).all());
 }
 
+// Whether a search that made this step to q, and is free, will end outside: where its steps shrink, what follows is no
+// more than the last one or two, so a joint that is outside by four does not come back.
+inline bool ends_outside(const Problem& problem, const robots::Configuration& q, const robots::Configuration& step) {
+  const double near = 4 * step.cwiseAbs().maxCoeff();
+  return (q.array() > problem.upper.array() + near || q.array() < problem.lower.array() - near).any();
+}
+
 // Draws candidates uniformly between the limits.
 inline void draw_within_limits(const Problem& problem, numerics::Random& random, robots::Candidates& out) {
   random.uniforms(out);

@@ -59,6 +59,7 @@ class DampedLeastSquares final : public Searcher {
     const double predicted = objective.rows() == 3 ? propose<3>() : propose<6>();
     keep_inside(options_.bounds, problem_, candidate_);
     const double merit = evaluate(objective);
+    if (options_.bounds == Bounds::free && ends_outside(problem_, candidate_, step_)) is_outside_ = true;
     failures_ = is_outside_ ? options_.patience : merit < 0.99 * merit_ ? 0 : failures_ + 1;
     if (merit < merit_) {
       const double gain = (merit_ * merit_ - merit * merit) / predicted;
@@ -122,7 +123,7 @@ class DampedLeastSquares final : public Searcher {
   Linearized trial_;
   double merit_ = 0, mu_ = 0, growth_ = 2;
   int failures_ = 0, restarts_ = 0;
-  bool is_outside_ = false;  // at the target, outside the limits
+  bool is_outside_ = false;  // at the target, outside the limits, or on the way there
 };
 
 }  // namespace

@@ -77,6 +77,41 @@ TEST_CASE("a search of Levenberg and Marquardt's method begins again where no jo
   }
 }
 
+TEST_CASE("a search of Levenberg and Marquardt's method begins again after steps without a smaller residual", "[lm]") {
+  Task task = planar_task(1);
+  task.target = {2, 0, 0};  // out of reach, so that steps overshoot
+  RecordingObjective objective(task.chain, task.target);
+  Random random{Key(1)}, drawn{Key(1)};
+  const auto descent = solver("levenberg_marquardt").make({{"bounds", "initial"}});
+  solve(*descent, task.problem, objective, random, {.iterations = 100});
+  double least = objective.given[0];
+  int failures = 0, restarts = 0;
+  for (std::size_t i = 1; i < objective.given.size(); ++i) {
+    const bool is_drawn = failures == 3;
+    failures = is_drawn || objective.given[i] < least ? 0 : failures + 1;
+    least = is_drawn ? objective.given[i] : std::min(least, objective.given[i]);
+    restarts += is_drawn ? 1 : 0;
+    for (Eigen::Index j = 0; j < 2 && is_drawn; ++j) CHECK(objective.candidates[i][j] == drawn.uniform(-1, 1));
+  }
+  CHECK(restarts > 2);
+  CHECK(descent->restarts() == restarts);
+}
+
+TEST_CASE("a free search ends outside where it is outside by more than its last steps", "[lm]") {
+  const Task task = planar_task(1);  // from -1 to 1
+  const auto ends = [](const Problem& problem, double q, double step) {
+    return ends_outside(problem, Eigen::Vector2d(0, q), Eigen::Vector2d(step, 0));
+  };
+  CHECK(ends(task.problem, 1.5, 0.1));
+  CHECK(ends(task.problem, -1.5, -0.1));
+  CHECK_FALSE(ends(task.problem, 1.5, 0.2));
+  CHECK_FALSE(ends(task.problem, 1, 0));
+  CHECK_FALSE(ends({.start = task.problem.start,
+                    .lower = Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity()),
+                    .upper = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity())},
+                   1e3, 0));
+}
+
 TEST_CASE("Levenberg and Marquardt's method solves most reachable poses within the limits, by each rule", "[lm]") {
   for (const Settings& settings :
        {Settings{}, Settings{{"bounds", "clamp"}}, Settings{{"rule", "sugihara"}, {"damping", 1e-4}},
