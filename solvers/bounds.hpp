@@ -15,6 +15,7 @@ enum class Bounds {
   initial,  // only the first candidates are inside
   clamp,    // a joint outside is set to its limit
   free,     // it is turned back by whole turns, else stays; where a joint is outside, the candidate does not count
+  resample  // it is drawn again: the solver does that, by draw_outside_again
 };
 
 // Of a search by slopes.
@@ -81,6 +82,16 @@ inline void draw_within_limits(const Problem& problem, numerics::Random& random,
   }
 }
 
+// Draws joints that are outside again: they become those of `fresh`, drawn within the limits.
+template <class Some>
+void draw_outside_again(const Problem& problem, const robots::Candidates& fresh, Eigen::Index first, Some&& q) {
+  for (Eigen::Index j = 0; j < q.rows(); ++j) {
+    auto row = q.row(j).array();
+    row =
+        (row >= problem.lower[j] && row <= problem.upper[j]).select(row, fresh.row(j).segment(first, q.cols()).array());
+  }
+}
+
 // Draws one configuration (a vector, or a column), joint after joint.
 template <class Some>
 void draw_one_within_limits(const Problem& problem, numerics::Random& random, Some&& q) {
@@ -93,7 +104,7 @@ void draw_one_within_limits(const Problem& problem, numerics::Random& random, So
 // Brings candidates (a vector, or columns of Candidates) back inside, if `bounds` says so.
 template <class Some>
 void keep_inside(Bounds bounds, const Problem& problem, Some&& q) {
-  if (bounds == Bounds::initial) return;
+  if (bounds == Bounds::initial || bounds == Bounds::resample) return;
   for (Eigen::Index j = 0; j < q.rows(); ++j) {
     if (bounds == Bounds::free) {  // of a joint that slides it makes another candidate, no worse than any
       q(j, 0) = turned_inside(q(j, 0), problem.lower[j], problem.upper[j]);

@@ -109,7 +109,7 @@ class DifferentialEvolution final : public Searcher {
                          .out = &trials_(j, first),
                          .count = count});
       }
-      bring_inside(Eigen::seqN(first, count));
+      bring_inside(first, count);
     };
     if (options_.replacement == Replacement::at_once) {
       // A trial stays if none of its partners was replaced since it was proposed.
@@ -150,16 +150,16 @@ class DifferentialEvolution final : public Searcher {
     return other;
   }
 
-  template <class Some>
-  void bring_inside(const Some& some) {
+  void bring_inside(Eigen::Index first, Eigen::Index count) {
+    if (options_.bounds == Outside::resample)
+      draw_outside_again(problem_, fresh_, first, trials_.middleCols(first, count));
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       const double lower = problem_.lower[j], upper = problem_.upper[j];
-      auto q = trials_(j, some).array();
-      const auto inside = q >= lower && q <= upper;
-      if (options_.bounds == Outside::clamp) kernels_.clamp(lower, upper, &trials_(j, some.first()), some.size());
+      auto q = trials_.row(j).segment(first, count).array();
+      if (options_.bounds == Outside::clamp) kernels_.clamp(lower, upper, &trials_(j, first), count);
       if (options_.bounds == Outside::reflect)
-        q = inside.select(q, (q < lower).select(2 * lower - q, 2 * upper - q).max(lower).min(upper));
-      if (options_.bounds == Outside::resample) q = inside.select(q, fresh_(j, some).array());
+        q = (q >= lower && q <= upper)
+                .select(q, (q < lower).select(2 * lower - q, 2 * upper - q).max(lower).min(upper));
     }
   }
 

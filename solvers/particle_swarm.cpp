@@ -40,7 +40,9 @@ class ParticleSwarm final : public Searcher {
           "use the three numbers by name; with c1 and c2 exchanged, so that of Table 1 only w and c2 are; or as "
           "Table 1 labels them: w = cognitive, c1 = social, c2 = inertia (diverges unless the inertia is "
           "damped)");
-      list_bounds(list, bounds);
+      list.choice("bounds", bounds,
+                  {{"initial", Bounds::initial}, {"clamp", Bounds::clamp}, {"resample", Bounds::resample}},
+                  "joint limits apply to the initial candidates only, or a joint outside is clamped, or drawn again");
       list.later();
       list.choice("random", random, {{"per_joint", Draws::per_joint}, {"per_particle", Draws::per_particle}},
                   "the two random numbers of the velocity are drawn for each joint, or for each particle; not given in "
@@ -71,7 +73,7 @@ class ParticleSwarm final : public Searcher {
     take(problem);
     inertia_ = options_.inertia;
     const int particles = problem.population;
-    for (Candidates* each : {&x_, &v_, &x_next_, &v_next_}) each->resize(problem.joints(), particles);
+    for (Candidates* each : {&x_, &v_, &x_next_, &v_next_, &fresh_}) each->resize(problem.joints(), particles);
     const int drawn = options_.random == Draws::per_joint ? problem.joints() : 1;
     for (Candidates* each : {&u1_, &u2_}) each->resize(drawn, particles);
     for (Eigen::VectorXd* each : {&errors_, &found_}) each->resize(particles);
@@ -85,6 +87,7 @@ class ParticleSwarm final : public Searcher {
   void step(Objective& objective, Random& random) override {
     random.uniforms(u1_);
     random.uniforms(u2_);
+    if (options_.bounds == Bounds::resample) draw_within_limits(problem_, random, fresh_);
     objective.one_by_one(
         x_next_, found_, [&](Eigen::Index first, Eigen::Index count) { fly(first, count); },
         [&](Eigen::Index i) {
@@ -120,7 +123,9 @@ class ParticleSwarm final : public Searcher {
                       .count = count});
       if (options_.velocity_limit > 0) slow_down(j, first, count);
     }
-    keep_inside(options_.bounds, problem_, x_next_.middleCols(first, count));
+    auto flown = x_next_.middleCols(first, count);
+    keep_inside(options_.bounds, problem_, flown);
+    if (options_.bounds == Bounds::resample) draw_outside_again(problem_, fresh_, first, flown);
   }
 
   void slow_down(Eigen::Index j, Eigen::Index first, Eigen::Index count) {
@@ -134,7 +139,7 @@ class ParticleSwarm final : public Searcher {
   Options options_;
   double inertia_ = 0;
   const Kernels& kernels_ = kernels();
-  Candidates x_, v_, x_next_, v_next_, personal_, u1_, u2_;
+  Candidates x_, v_, x_next_, v_next_, personal_, u1_, u2_, fresh_;
   Eigen::VectorXd errors_, found_;  // errors of the personal bests; of x_next_
 };
 

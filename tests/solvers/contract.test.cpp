@@ -195,10 +195,11 @@ TEST_CASE("every candidate goes through the objective, which counts it", "[contr
   });
 }
 
-TEST_CASE("with bounds = clamp no candidate is outside the limits", "[contract]") {
-  at_corners(solvers_of_positions(), [](const SolverInfo& info, Settings settings) {
-    if (!has_choice(info, "bounds", "clamp")) return;
-    settings["bounds"] = "clamp";
+TEST_CASE("with bounds = clamp or resample no candidate is outside the limits", "[contract]") {
+  const std::string bounds = GENERATE("clamp", "resample");
+  at_corners(solvers_of_positions(), [&](const SolverInfo& info, Settings settings) {
+    if (!has_choice(info, "bounds", bounds)) return;
+    settings["bounds"] = bounds;
     Task task = iiwa_task();
     const JointLimits limits{task.problem.lower / 4, task.problem.upper / 4};
     task.problem.lower = limits.lower;

@@ -200,6 +200,7 @@ void particle_swarm(Loop& loop) {
   std::vector<Vector> v(particles, Vector(loop.joints, 0)), personal = loop.x;
   for (int t = 0; t < iterations; ++t) {
     const std::vector<Vector> u1 = draw(), u2 = draw();
+    const std::vector<Vector> fresh = loop.is("bounds", "resample") ? loop.each_uniform(particles) : u1;
     Best next = loop.best;
     for (std::size_t i = 0; i < particles; ++i) {
       Vector& x = loop.x[i];
@@ -209,6 +210,8 @@ void particle_swarm(Loop& loop) {
         const double most = limit * (loop.upper(j) - loop.lower(j));
         if (limit > 0) v[i][j] = std::clamp(v[i][j], -most, most);
         x[j] += v[i][j];
+        if (loop.is("bounds", "resample") && !(x[j] >= loop.lower(j) && x[j] <= loop.upper(j)))
+          x[j] = loop.lower(j) + (loop.upper(j) - loop.lower(j)) * fresh[i][j];
       }
       if (loop.clamps) loop.clamp(x);
       const double error = loop.error(x);
@@ -430,6 +433,7 @@ TEST_CASE("PSO is its pseudo-code bit for bit, one particle after another", "[on
                  {{"coefficients", "as_printed"}},
                  {{"coefficients", "as_printed"}, {"inertia", 0.1}, {"cognitive", 0.2}, {"social", 0.3}},
                  {{"damping", 0.9}, {"velocity_limit", 0.1}},
+                 {{"bounds", "resample"}, {"inertia", 0.9}},
                  {{"coefficients", "exchanged"}, {"random", "per_particle"}},
                  {{"best_update", "generation"}, {"random", "per_particle"}, {"bounds", "initial"}},
                  {{"cognitive", 0.0}, {"inertia", 0.7}, {"bounds", "initial"}}});
