@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""A library of one's own that reads URDF and solves poses: KDL's Levenberg-Marquardt (Debian's python3-pykdl)."""
+"""A library of one's own that reads URDF and solves poses: KDL's Levenberg-Marquardt (Debian's python3-pykdl), from random
+starts until an answer, turned by whole turns, is inside the limits, which it does not know. Its Newton, clipped at the limits,
+is the option `method`."""
 import xml.etree.ElementTree as xml
 
 import ikbench, PyKDL as kdl
@@ -20,16 +22,31 @@ def prepare(robot):  # KDL's own reader is for C++ alone
         moves = (frame.p, axis, kdl.Joint.TransAxis if kind == "prismatic" else kdl.Joint.RotAxis)
         chain.addSegment(kdl.Segment(kdl.Joint(link, *([kdl.Joint.Fixed] if kind == "fixed" else moves)), frame))
     add(robot.tip_link)
-    return chain
+    return robot, chain, kdl.ChainFkSolverPos_recursive(chain), kdl.ChainIkSolverVel_pinv(chain)
 
 
-def solve(chain, problem):
-    q, answer = kdl.JntArray(len(problem.start)), kdl.JntArray(len(problem.start))
-    for j, value in enumerate(problem.start): q[j] = value
-    near = min(problem.tolerance.position, 0.01 * problem.tolerance.rotation) or 1e-5  # a radian weighs 0.01 m in KDL
-    library = kdl.ChainIkSolverPos_LMA(chain, eps=near, maxiter=problem.budget.iterations)
-    library.CartToJnt(q, kdl.Frame(kdl.Rotation(*sum(problem.rotation, [])), kdl.Vector(*problem.position)), answer)
-    return answer
+def array(values):
+    q = kdl.JntArray(len(values))
+    for j, value in enumerate(values): q[j] = value
+    return q
 
 
-ikbench.run("pykdl_lma", prepare, solve, version="1.5", goals=["pose"])
+def solve(prepared, problem):
+    robot, chain, forward, velocity = prepared
+    answer, steps = array(problem.start), min(robot.options["steps"], problem.budget.iterations)
+    target = kdl.Frame(kdl.Rotation(*sum(problem.rotation, [])), kdl.Vector(*problem.position))
+    place, turn = problem.tolerance.position, problem.tolerance.rotation
+    if robot.options["method"] == "lma":  # a radian weighs 0.01 m in it
+        library = kdl.ChainIkSolverPos_LMA(chain, eps=min(place, 0.01 * turn) or 1e-5, maxiter=steps)
+    else:
+        library = kdl.ChainIkSolverPos_NR_JL(chain, array(problem.lower), array(problem.upper), forward, velocity, steps,
+                                             min(place, turn) / 3**0.5 or 1e-5)
+    for start in problem.starts():
+        is_near = library.CartToJnt(array(start), target, answer) >= 0
+        q = ikbench.inside(list(answer), robot.turns, problem.lower, problem.upper)
+        if is_near and all(low <= x <= high for x, low, high in zip(q, problem.lower, problem.upper)): return q
+    return q
+
+
+ikbench.run("pykdl", prepare, solve, version="1.5", goals=["pose"], options={
+    "method": ["lma", "newton"], "steps": (60, 1, 100000, "steps before the next start")})

@@ -1,10 +1,15 @@
 #!/usr/bin/env bash
-# install.sh [PROGRAM...]: a virtual environment for each program here, with what its head names; needs uv.
+# install.sh [PROGRAM...]: a virtual environment for each program here, with what its head names (needs uv), and with_k in
+# Rust (needs cargo).
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 2
-(($#)) || set -- with_*.py
+(($#)) || set -- with_*.py with_k
 code=1  # if none is installed
 for file; do
   place=../../build/libraries/$(basename "$file" .py)
+  if [[ -d $file ]]; then
+    cargo build --quiet --release --manifest-path "$file/Cargo.toml" --target-dir "$place" && code=0 || echo "not installed: $file" >&2
+    continue
+  fi
   python=$(sed -n 's/^# requires-python = "==\(.*\)\.\*"$/\1/p' "$file")
   if uv venv --quiet --allow-existing ${python:+--python "$python"} "$place" &&
     uv pip install --quiet --only-binary :all: --python "$place/bin/python" --requirements "$file"; then

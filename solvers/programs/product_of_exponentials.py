@@ -25,3 +25,15 @@ def forward(axes, ways, q):
         rotation = rotation @ (np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
         place = place + rotation @ way
     return rotation, place
+
+
+def tool_beyond(robot, its_forward):
+    """What is between the tool of a library's own arm, by its kinematics, and the robot's; None if that is not one frame."""
+    axes, ways, tool = axes_of(robot)
+    tools = []
+    for q in np.random.default_rng(1).uniform(-1, 1, (3, len(axes))):
+        whole = np.eye(4)
+        rotation, whole[:3, 3] = forward(axes, ways, q)
+        whole[:3, :3] = rotation @ tool
+        tools.append(np.linalg.inv(its_forward(q)) @ whole)
+    return tools[0] if max(np.abs(each - tools[0]).max() for each in tools) < 1e-9 else None

@@ -8,29 +8,21 @@ import ssik
 
 import ikbench
 import numpy as np
-from product_of_exponentials import axes_of, forward
+from product_of_exponentials import tool_beyond
 
 
 def prepare(robot):
     robot.require(turning=True)
-    axes, ways, tool = axes_of(robot)
-
-    def tool_of(arm, q):  # in the frame of its tool
-        rotation, place = forward(axes, ways, q)
-        whole = np.eye(4)
-        whole[:3, :3], whole[:3, 3] = rotation @ tool, place
-        return np.linalg.inv(arm.fk(q)) @ whole
-
-    limits, some = [*zip(robot.lower, robot.upper)], np.random.default_rng(1).uniform(-1, 1, (3, len(axes)))
-    alike = None
+    limits, alike = [*zip(robot.lower, robot.upper)], None
     for its in ssik.list_arms():
-        if its.dof == len(axes):
+        if its.dof == len(limits):
             arm = ssik.Manipulator.from_prebuilt(its.name)
-            its_limits, tools = [of or (None, None) for of in arm.joint_limits], [tool_of(arm, q) for q in some]
-            if max(np.abs(each - tools[0]).max() for each in tools) < 1e-9:
+            tool = tool_beyond(robot, arm.fk)
+            if tool is not None:
+                its_limits = [of or (None, None) for of in arm.joint_limits]
                 has_limits = np.allclose(np.array(its_limits, float), np.array(limits, float), atol=1e-3, equal_nan=True)
                 if alike is None or has_limits:
-                    alike = arm, np.linalg.inv(tools[0]), has_limits
+                    alike = arm, np.linalg.inv(tool), has_limits
                 if has_limits:
                     break
     if alike:
