@@ -115,12 +115,12 @@ class Problem(_Members):
 
 def inside(q, turns, lower, upper, start=None):
     """Turns angles by whole turns to where they are nearest to the start, if there is one, and those that are outside
-    then to where they are nearest to the middle; what is 5e-7 outside, by single precision or other digits of a limit,
+    then to where they are nearest to the middle; what is 7e-7 outside, by single precision or other digits of a limit,
     comes inside. A value too few or too many stays, for ikbench to tell."""
     def one(x, turn, low, high, near):
         if turn and near is not None and math.isfinite(x):
             x = near + math.remainder(x - near, 2 * math.pi)
-        is_near = lambda: low - 5e-7 <= x <= high + 5e-7
+        is_near = lambda: low - 7e-7 <= x <= high + 7e-7
         if turn and math.isfinite(x) and not is_near():
             x = (low + high) / 2 + math.remainder(x - (low + high) / 2, 2 * math.pi)
         return min(max(x, low), high) if is_near() else x

@@ -19,6 +19,7 @@ def prepare(robot):
     target = dart.dynamics.SimpleFrame(dart.dynamics.Frame.World(), "target", dart.math.Isometry3())
     module = tip.getOrCreateIK()
     module.setTarget(target)
+    module.getSolver().setNumMaxIterations(robot.options["steps"])
     return arm, [arm.getDof(name) for name in robot.names], target, module
 
 
@@ -30,7 +31,6 @@ def solve(prepared, problem):
     target.setTransform(pose)
     bounds = np.array([problem.tolerance.rotation] * 3 + [problem.tolerance.position] * 3) / 3**0.5
     module.getErrorMethod().setBounds(-bounds, bounds)
-    module.getSolver().setNumMaxIterations(100)
     for start in problem.starts():
         for joint, value in zip(joints, start):
             joint.setPosition(value)
@@ -38,4 +38,5 @@ def solve(prepared, problem):
             return [joint.getPosition() for joint in joints]
 
 
-ikbench.run("dart", prepare, solve, version="6.20.3", goals=["pose"])
+ikbench.run("dart", prepare, solve, version="6.20.3", goals=["pose"],
+            options={"steps": (200, 1, 100000, "steps before the next start")})

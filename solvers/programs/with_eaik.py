@@ -1,7 +1,7 @@
 # /// script
 # dependencies = ["eaik==1.2.2"]
 # ///
-"""EAIK: closed forms by subproblems, all its answers. Of seven joints one is locked, as its documentation does: the first
+"""EAIK: closed forms by subproblems, all its answers. Of seven joints one is locked, as its documentation does: the last
 with which it answers a pose, at its start, then at random values until an answer is inside the limits."""
 import eaik.pybindings.EAIK as eaik
 
@@ -27,7 +27,7 @@ def prepare(robot):
     target = np.eye(4)
     rotation, target[:3, 3] = forward(*arm[:2], [0.3] * n)
     target[:3, :3] = rotation @ arm[2]
-    for lock in [None] if n <= 6 else range(n if n == 7 else 0):
+    for lock in [None] if n <= 6 else reversed(range(n if n == 7 else 0)):
         derived = robot_of(arm, lock, 0.3)
         if derived.has_known_decomposition() and exact(derived, target, lock, 0.3):
             return arm, lock, derived

@@ -11,7 +11,7 @@ import ikbench
 
 def prepare(robot):
     robot.require()
-    chain = Chain.from_urdf_file(robot.file, base_elements=[robot.base_link], symbolic=False)
+    chain = Chain.from_urdf_file(robot.file, base_elements=[robot.base_link])
     moving = [link.name in robot.names for link in chain.links]
     chain.active_links_mask = np.array(moving)
     return chain, moving

@@ -1,8 +1,8 @@
 # /// script
 # dependencies = ["klampt==0.10.1.post1", "numpy"]
 # ///
-"""Klampt: its Newton-Raphson solver for a fixed objective, 100 iterations, from random starts. Its tolerance is of the
-largest component of place and rotation, so it is the tolerance by the square root of 3."""
+"""Klampt: its Newton-Raphson solver for a fixed objective, from random starts. Its tolerance is of the largest
+component of place and rotation, so it is the tolerance by the square root of 3."""
 from klampt import WorldModel
 from klampt.math import so3
 from klampt.model import ik
@@ -18,14 +18,14 @@ def prepare(robot):
     arm = world.robot(0)
     names = {arm.link(i).getName(): i for i in range(arm.numLinks())}
     joints = [arm.driver(i).getAffectedLink() for i in range(arm.numDrivers())]
-    return world, arm, arm.link(names[robot.tip_link]), joints
+    return world, arm, arm.link(names[robot.tip_link]), joints, robot.options["steps"]
 
 
 def solve(prepared, problem):
-    world, arm, tip, joints = prepared
+    world, arm, tip, joints, steps = prepared
     goal = ik.objective(tip, R=so3.from_matrix(problem.rotation), t=problem.position)
     tolerance = min(problem.tolerance.position, problem.tolerance.rotation) / 3**0.5
-    solver = ik.solver(goal, iters=100, tol=tolerance)
+    solver = ik.solver(goal, iters=steps, tol=tolerance)
     solver.setActiveDofs(joints)
     q = arm.getConfig()
     for start in problem.starts():
@@ -37,4 +37,5 @@ def solve(prepared, problem):
             return [found[joint] for joint in joints]
 
 
-ikbench.run("klampt", prepare, solve, version="0.10.1", goals=["pose"])
+ikbench.run("klampt", prepare, solve, version="0.10.1", goals=["pose"],
+            options={"steps": (15, 1, 100000, "steps before the next start")})

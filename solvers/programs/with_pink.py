@@ -1,8 +1,7 @@
 # /// script
 # dependencies = ["pin-pink==4.4.0", "daqp==0.11.0"]
 # ///
-"""Pink: solve_ik with a frame task and the limits of joints, by the solver daqp; from random starts, each for at most
-200 steps."""
+"""Pink: solve_ik with a frame task and the limits of joints, by the solver daqp, in whole steps; from random starts."""
 import warnings
 
 import pinocchio as pin
@@ -26,7 +25,7 @@ def solve(prepared, problem):
         arm = pink.Configuration(model, data, np.array(start))
         base = arm.get_transform_frame_to_world(robot.base_link)
         task.set_target(base * pin.SE3(np.array(problem.matrix)))
-        for _ in range(200):
+        for _ in range(robot.options["steps"]):
             error = task.compute_error(arm)
             if np.linalg.norm(error[:3]) < problem.tolerance.position and np.linalg.norm(error[3:]) < problem.tolerance.rotation:
                 return arm.q
@@ -40,4 +39,5 @@ def solve(prepared, problem):
 
 
 warnings.simplefilter("ignore")
-ikbench.run("pink_qp", prepare, solve, version="4.4.0", goals=["pose"])
+ikbench.run("pink_qp", prepare, solve, version="4.4.0", goals=["pose"],
+            options={"steps": (10, 1, 100000, "steps before the next start")})

@@ -1,8 +1,8 @@
 # /// script
 # dependencies = ["pin==4.1.0"]
 # ///
-"""Pinocchio: the closed-loop inverse kinematics of its own example (steps of 0.1, damping 1e-12, 1000 iterations),
-which knows no limits; from random starts until an answer, turned by whole turns, is inside them."""
+"""Pinocchio: the closed-loop inverse kinematics of its own example (damping 1e-12), in whole steps, not tenths of one;
+it knows no limits; from random starts until an answer, turned by whole turns, is inside them."""
 import pinocchio as pin
 
 import ikbench
@@ -16,8 +16,8 @@ def prepare(robot):
     return robot, model, model.createData(), model.getFrameId(robot.tip_link), model.getFrameId(robot.base_link)
 
 
-def descend(model, data, tip, target, q, problem):
-    for _ in range(1000):
+def descend(model, data, tip, target, q, problem, steps):
+    for _ in range(steps):
         pin.forwardKinematics(model, data, q)
         off = pin.updateFramePlacement(model, data, tip).actInv(target)
         if norm(off.translation) < problem.tolerance.position and norm(pin.log3(off.rotation)) < problem.tolerance.rotation:
@@ -27,7 +27,7 @@ def descend(model, data, tip, target, q, problem):
         error = pin.log6(off).vector
         jacobian = -pin.Jlog6(off.inverse()) @ pin.computeFrameJacobian(model, data, q, tip)
         speed = -jacobian.T @ solved(jacobian @ jacobian.T + 1e-12 * np.eye(6), error)
-        q = pin.integrate(model, q, speed * 1e-1)
+        q = pin.integrate(model, q, speed)
 
 
 def solve(prepared, problem):
@@ -35,7 +35,7 @@ def solve(prepared, problem):
     pin.framesForwardKinematics(model, data, pin.neutral(model))
     target = data.oMf[base] * pin.SE3(np.array(problem.matrix))
     for start in problem.starts():
-        q = descend(model, data, tip, target, np.array(start), problem)
+        q = descend(model, data, tip, target, np.array(start), problem, robot.options["steps"])
         if q is None:
             continue
         q = ikbench.inside(q, robot.turns, problem.lower, problem.upper)
@@ -43,4 +43,5 @@ def solve(prepared, problem):
             return q
 
 
-ikbench.run("pinocchio_clik", prepare, solve, version="4.1.0", goals=["pose"])
+ikbench.run("pinocchio_clik", prepare, solve, version="4.1.0", goals=["pose"],
+            options={"steps": (10, 1, 100000, "steps before the next start")})

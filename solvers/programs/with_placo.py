@@ -1,7 +1,7 @@
 # /// script
 # dependencies = ["placo==0.10.2"]
 # ///
-"""PlaCo: a frame task and the limits of joints, solved step by step (at most 200); from random starts."""
+"""PlaCo: a frame task and the limits of joints, solved step by step; from random starts."""
 import placo
 
 import ikbench
@@ -30,7 +30,7 @@ def solve(prepared, problem):
         for name, value in zip(robot.names, start):
             arm.set_joint(name, value)
         arm.update_kinematics()
-        for _ in range(200):
+        for _ in range(robot.options["steps"]):
             off = arm.get_T_world_frame(robot.tip_link) - target
             if np.linalg.norm(off[:3, 3]) < problem.tolerance.position and \
                     np.linalg.norm(off[:3, :3]) < 2**0.5 * problem.tolerance.rotation:
@@ -44,4 +44,5 @@ def solve(prepared, problem):
             arm.update_kinematics()
 
 
-ikbench.run("placo", prepare, solve, version="0.10.2", goals=["pose"])
+ikbench.run("placo", prepare, solve, version="0.10.2", goals=["pose"],
+            options={"steps": (15, 1, 100000, "steps before the next start")})
