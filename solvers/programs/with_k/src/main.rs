@@ -52,7 +52,7 @@ fn solve(arm: &Arm, problem: &Value) -> Vec<f64> {
 
 fn main() {
     println!("{}", json!({"message": "hello", "ikbench": 2, "name": "k", "version": "0.32.0", "goals": ["pose"], "options": [
-        {"name": "steps", "type": "integer", "default": 30, "low": 1, "high": 100000, "meaning": "steps before the next start"}]}));
+        {"name": "steps", "type": "integer", "default": 60, "low": 1, "high": 100000, "meaning": "steps before the next start"}]}));
     let mut arm = Err(String::new());
     for line in io::stdin().lock().lines() {
         let message: Value = serde_json::from_str(&line.unwrap()).unwrap();
