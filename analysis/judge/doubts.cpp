@@ -94,23 +94,15 @@ bool are_of_other_sessions(const StudyResults& study) {
 }
 
 // Those that have fewer sessions than a test takes in common with most, who made the same ones.
-std::vector<std::string> measured_apart(const StudyResults& study, const std::map<int, std::size_t>& whole) {
+std::vector<std::string> measured_apart(const StudyResults& study) {
   std::map<std::set<int>, std::size_t> solvers_of;
-  const auto sessions_of = [&](const std::string& solver) {
-    std::map<int, std::size_t> counts;
-    for (const Solve& solve : study.of(solver)) ++counts[solve.session];
-    std::set<int> sessions;
-    for (const auto& [session, count] : counts)
-      if (const auto its = whole.find(session); its != whole.end() && its->second == count) sessions.insert(session);
-    return sessions;
-  };
-  for (const std::string& solver : study.labels) ++solvers_of[sessions_of(solver)];
+  for (const std::string& solver : study.labels) ++solvers_of[sessions_of(study, solver)];
   const std::set<int> most = std::ranges::max_element(solvers_of, {}, [](const auto& each) {
-                               return std::pair(each.second, each.first.size());
+                               return std::pair(each.first.size() >= fewest_sessions, each.second);
                              })->first;
   std::vector<std::string> apart;
   for (const std::string& solver : study.labels) {
-    const std::set<int> its = sessions_of(solver);
+    const std::set<int> its = sessions_of(study, solver);
     const auto common = std::ranges::count_if(its, [&](int session) { return most.contains(session); });
     if (!study.of(solver).empty() && common < fewest_sessions) apart.push_back(solver);
   }
@@ -225,21 +217,27 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   if (std::ranges::any_of(study.solves, is_timed(Timing::parallel))) return {doubt_of("solved in parallel")};
   if (std::ranges::any_of(study.solves, is_timed(Timing::debug_build))) return {doubt_of("a debug build")};
   if (std::ranges::none_of(study.sessions, is_of_this_clock)) return {doubt_of("of the clock of a former version")};
-  const std::map<int, std::size_t> sessions = sessions_that_compare(study);
-  const std::set<int> busy = busy_sessions(study);
-  if (std::ssize(sessions) < fewest_sessions && !busy.empty())
-    return {doubt_of(fmt::format("the machine was busy in {} of {}", busy.size(),
-                                 base::counted(std::ssize(study.sessions), "sessions")))};
-  if (std::ssize(sessions) < fewest_sessions)
-    return {doubt_of(
-        fmt::format("{}, and {} are the fewest", base::counted(std::ssize(sessions), "sessions"), fewest_sessions))};
+  const auto sessions = std::ssize(sessions_that_compare(study));
+  if (sessions < fewest_sessions)
+    return {doubt_of(fmt::format("{}, and {} are the fewest", base::counted(sessions, "sessions"), fewest_sessions))};
   Doubts doubts;
   const auto add_of = [&](std::vector<std::string> who, const char* what) {  // one reason is enough
     for (const Doubt& told : doubts)
       std::erase_if(who, [&](const std::string& solver) { return std::ranges::count(told.who, solver) > 0; });
     add(doubts, doubt_of(what, std::move(who)));
   };
-  add_of(measured_apart(study, sessions), "measured in other sessions; to compare them solve all again: --out NEW");
+  std::vector<std::string> busy;
+  Doubt left_out{.kind = DoubtKind::sessions_left_out};
+  const std::set<std::pair<int, int>> busy_ones = busy_sessions(study);
+  for (std::size_t place = 0; place < study.labels.size(); ++place) {
+    const auto count = std::ranges::count(busy_ones, static_cast<int>(place), &std::pair<int, int>::first);
+    if (sessions - count < fewest_sessions)
+      busy.push_back(study.labels[place]);
+    else if (count > 0)
+      left_out.who.push_back(study.labels[place]);
+  }
+  add_of(std::move(busy), "the machine was busy");
+  add_of(measured_apart(study), "measured in other sessions; to compare them solve all again: --out NEW");
   std::vector<std::string> silent, short_ones, alone;
   for (const std::string& solver : study.labels) {
     const Solves all = study.of(solver);
@@ -253,10 +251,7 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   if (silent.size() < study.labels.size()) add_of(std::move(silent), "messages are in them");
   add_of(std::move(short_ones), "it tells less than half of its processor time");
   add_of(std::move(alone), "nothing is known of its processor time, as behind a wrapper that does not exec it");
-  if (!busy.empty())
-    doubts.push_back({.kind = DoubtKind::sessions_left_out,
-                      .count = static_cast<double>(busy.size()),
-                      .of = static_cast<double>(study.sessions.size())});
+  add(doubts, std::move(left_out));
   return doubts;
 }
 
@@ -350,7 +345,7 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::times_not_comparable:
       return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what, in_solves);
     case DoubtKind::sessions_left_out:
-      return fmt::format("{} sessions, in which the machine was busy, are left out of the tests of time", share);
+      return fmt::format("sessions in which the machine was busy are left out of the tests of time ({})", who);
     case DoubtKind::seconds_decide:
       return fmt::format("results of {} that seconds decide are not compared: {}{}", who, what, in_solves);
     case DoubtKind::out_of_reach:

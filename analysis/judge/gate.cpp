@@ -9,6 +9,7 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 namespace ikbench::judge {
@@ -33,21 +34,30 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
       throw std::invalid_argument(fmt::format("not compared: {} has other {} than before", other.labels.front(), what));
 }
 
-// The sessions by their beginnings, if each turn of both began before the next of either, by this clock; a second is
-// the least that times of sessions tell. Of each of theirs the one of ours.
+// Of each of their sessions the one of ours of the same turn, which is a shard, if each turn of both began before the
+// next of either; a second is the least that times of sessions tell. None if they were not solved in turn.
 std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, const std::vector<Session>& theirs) {
+  using Turn = std::tuple<std::string, std::string, int>;  // its beginning, its shard
   const auto by_beginning = [](const std::vector<Session>& sessions) {
-    std::vector<std::pair<std::string, int>> all;
-    for (const Session& session : sessions) all.emplace_back(session.began, static_cast<int>(session.id));
+    std::vector<Turn> all;
+    for (const Session& session : sessions) {
+      const auto shard = session.environment.find("shard");
+      all.emplace_back(session.began, shard == session.environment.end() ? "" : shard->second,
+                       static_cast<int>(session.id));
+    }
     std::ranges::sort(all);
     return all;
   };
-  const auto one = by_beginning(ours), other = by_beginning(theirs);
+  const std::vector<Turn> one = by_beginning(ours), other = by_beginning(theirs);
   if (one.size() != other.size() || one.size() < 2) return {};
   std::map<int, int> turns;
   for (std::size_t i = 0; i < one.size(); ++i) {
-    if (i > 0 && std::max(one[i - 1].first, other[i - 1].first) > std::min(one[i].first, other[i].first)) return {};
-    turns[other[i].second] = one[i].second;
+    const auto& [our_begin, our_shard, our_session] = one[i];
+    const auto& [their_begin, their_shard, their_session] = other[i];
+    const bool is_before =
+        i > 0 && std::max(std::get<0>(one[i - 1]), std::get<0>(other[i - 1])) > std::min(our_begin, their_begin);
+    if (our_shard.empty() || our_shard != their_shard || is_before) return {};
+    turns[their_session] = our_session;
   }
   return turns;
 }

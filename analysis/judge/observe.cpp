@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "analysis/judge/describe.hpp"
 #include "analysis/judge/tests_of_two.hpp"
@@ -178,7 +179,7 @@ double of_session(const StudyResults& study, const Metric& metric, const std::ve
 }
 
 Group group_of_times(const StudyResults& study, const Metric& metric, const std::string& solver,
-                     const std::map<int, std::size_t>& sessions) {
+                     const std::set<int>& sessions) {
   std::map<int, std::vector<const Solve*>> solves;
   for (const Solve& solve : study.of(solver)) solves[solve.session].push_back(&solve);
   Group group{.name = solver};
@@ -186,9 +187,8 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
   std::vector<double> apart;  // of sessions that compare with none
   for (const auto& [session, its] : solves) {
     const double value = of_session(study, metric, its);
-    const auto whole = sessions.find(session);
     if (std::isnan(value)) continue;
-    if (whole == sessions.end() || whole->second != its.size())
+    if (!sessions.contains(session))
       apart.push_back(value);
     else
       measured.values.push_back(value), measured.blocks.push_back(session);
@@ -229,9 +229,8 @@ Observations observe_times(const StudyResults& study, const Metric& metric) {
                         .is_spent = metric.kind == Kind::spent,
                         .are_logs = metric.kind != Kind::in_time,
                         .fewest = fewest_sessions};
-  const std::map<int, std::size_t> sessions = sessions_that_compare(study);
   for (const std::string& solver : study.labels)
-    observed.groups.push_back(group_of_times(study, metric, solver, sessions));
+    observed.groups.push_back(group_of_times(study, metric, solver, sessions_of(study, solver)));
   observed.doubts = doubts_of_times(study);
   set_apart(observed);
   return observed;

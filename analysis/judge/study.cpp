@@ -169,15 +169,15 @@ std::string calls_of(const StudyResults& study) {
                                     : "calls of runs in a row";
 }
 
-std::set<int> busy_sessions(const StudyResults& study) {
-  std::map<std::pair<int, int>, std::pair<int, int>> disturbed;  // by session and solver, of how many
+std::set<std::pair<int, int>> busy_sessions(const StudyResults& study) {
+  std::map<std::pair<int, int>, std::pair<int, int>> disturbed;  // of how many
   for (const Solve& solve : study.solves) {
-    auto& [count, all] = disturbed[{solve.session, solve.label}];
+    auto& [count, all] = disturbed[{solve.label, solve.session}];
     count += solve.was_disturbed, ++all;
   }
-  std::set<int> busy;
+  std::set<std::pair<int, int>> busy;
   for (const auto& [of, counts] : disturbed)
-    if (counts.first > 1 && 10 * counts.first > counts.second) busy.insert(of.first);
+    if (counts.first > 1 && 10 * counts.first > counts.second) busy.insert(of);
   return busy;
 }
 
@@ -186,12 +186,23 @@ std::map<int, std::size_t> sessions_that_compare(const StudyResults& study) {
   for (const Solve& solve : study.solves) ++solves[{solve.session, solve.label}];
   std::map<int, std::size_t> whole;
   for (const auto& [of, count] : solves) whole[of.first] = std::max(whole[of.first], count);
-  const std::set<int> busy = busy_sessions(study);
   std::erase_if(whole, [&](const auto& each) {
     const auto its = std::ranges::find(study.sessions, each.first, &Session::id);
-    return busy.contains(each.first) || its == study.sessions.end() || !is_of_this_clock(*its);
+    return its == study.sessions.end() || !is_of_this_clock(*its);
   });
   return whole;
+}
+
+std::set<int> sessions_of(const StudyResults& study, std::string_view solver) {
+  const std::map<int, std::size_t> whole = sessions_that_compare(study);
+  const std::set<std::pair<int, int>> busy = busy_sessions(study);
+  std::map<int, std::size_t> counts;
+  for (const Solve& solve : study.of(solver))
+    if (!busy.contains({solve.label, solve.session})) ++counts[solve.session];
+  std::set<int> sessions;
+  for (const auto& [session, count] : counts)
+    if (const auto its = whole.find(session); its != whole.end() && its->second == count) sessions.insert(session);
+  return sessions;
 }
 
 StudyResults read_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {

@@ -77,10 +77,13 @@ constexpr int fewest_sessions = 4;  // that compare times
 bool is_of_this_clock(const results::Session& session);
 // "first calls on a target": which calls this clock timed; empty: none.
 std::string calls_of(const StudyResults& study);
-// A solver was slower by more than a tenth than its processor time in more than a tenth of its solves.
-std::set<int> busy_sessions(const StudyResults& study);
-// The sessions whose times compare, of this clock and not busy, with the number of solves of those who made all in it.
+// Sessions of a solver, by its place, in which more than a tenth of its solves took over a tenth longer than their
+// processor time.
+std::set<std::pair<int, int>> busy_sessions(const StudyResults& study);
+// The sessions of this clock, with the number of solves of those who made all in it.
 std::map<int, std::size_t> sessions_that_compare(const StudyResults& study);
+// Those of a solver whose times compare: it made all, and was not busy.
+std::set<int> sessions_of(const StudyResults& study, std::string_view solver);
 
 constexpr std::int64_t most_solves = 10'000'000;
 constexpr int most_drawn = 10'000;  // of a first run

@@ -143,7 +143,10 @@ StudyResults in_turns(int turns, int lag, double seconds) {
   };
   StudyResults all = study(asked, change, {"mine"});
   int turn = 0;
-  for (results::Session& session : all.sessions) session.began = fmt::format("{:04}", 10 * ++turn + lag);
+  for (results::Session& session : all.sessions) {
+    session.began = fmt::format("{:04}", 10 * ++turn + lag);
+    session.environment["shard"] = fmt::format("{}/{}", turn, turns);
+  }
   return all;
 }
 
@@ -162,6 +165,9 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
   CHECK_NOTHROW(gates_of(6, 10, 1));                           // it began in the same second
   CHECK_THROWS_AS(gates_of(6, 11, 1), std::invalid_argument);  // one had begun its next turn
   CHECK_THROWS_AS(gates_of(1, 1, 1), std::invalid_argument);
+  StudyResults whole = in_turns(6, 0, 1e-5);  // a study's own turns are those of no other
+  for (results::Session& session : whole.sessions) session.environment.erase("shard");
+  CHECK_THROWS_AS(gate(whole, in_turns(6, 1, 1e-5), 0.1), std::invalid_argument);
   StudyResults former = in_turns(6, 0, 1e-5);
   for (results::Session& session : former.sessions) session.environment.erase("state");
   CHECK_THROWS_WITH(gate(former, in_turns(6, 1, 1e-5), 0.1), ContainsSubstring("the clock of a former version"));
