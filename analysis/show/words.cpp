@@ -10,6 +10,7 @@
 #include <set>
 
 #include "analysis/show/text.hpp"
+#include "analysis/show/then.hpp"
 #include "base/names.hpp"
 
 namespace ikbench::show {
@@ -430,7 +431,8 @@ Sentence headline_of(const Answer& whole) {
 
 std::string headline(const Answer& answer) {
   const auto [subject, rest] = headline_of(answer);
-  return subject + rest + (answer.verdict.empty() ? "." : "");
+  const std::string then = answer.verdict.empty() ? then_of(answer) : "";
+  return subject + rest + (answer.verdict.empty() ? "." : "") + (then.empty() ? "" : ' ' + then);
 }
 
 std::string margin_words(const JudgedMetric& judged) {

@@ -50,5 +50,6 @@ cd "$work"
 "$program" run --robot ur5e --figures none --out screen >said 2>/dev/null
 table_of() { grep -A 8 '^ .* solved  ' "$1" | cut -c 1-48; }
 sed -n '/^\$ ikbench run --robot/,/^```/p' "$root/README.md" >readme
-equal "README's headline" "$(sed -n 2,3p readme)" "$(head -n 2 said)"
+first_sentence() { tr '\n' ' ' | sed 's/\. .*//'; }
+equal "README's headline" "$(sed 1d readme | first_sentence)" "$(first_sentence <said)"
 equal "README's table" "$(table_of readme)" "$(table_of said)"
