@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """wheel.py ARCHIVE: makes a Python wheel of the program's archive (ikbench-VERSION-linux-MACHINE.tar.gz), beside it.
 
-A wheel is that archive with other names: what is in bin/ are scripts, the rest stands in the same place of the prefix.
-Nothing of it is Python, so it is one for all versions of Python.
+A wheel is that archive with other names: what is in bin/ are scripts, the rest stands in the same place of the prefix. Its
+module is the helper of programs in Python, which any Python 3 runs.
 """
 import base64
 import hashlib
@@ -27,8 +27,26 @@ with tarfile.open(archive) as tar:
             place = path.replace("bin/", "scripts/", 1) if path.startswith("bin/") else f"data/{path}"
             files[f"ikbench-{version}.data/{place}"] = tar.extractfile(member).read()
 files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: ikbench\nRoot-Is-Purelib: false\nTag: py3-none-manylinux_2_{needed}_{machine}\n".encode()
-files[f"{info}/METADATA"] = (f"Metadata-Version: 2.1\nName: ikbench\nVersion: {version}\nLicense: MIT\n"
-                             "Summary: compares inverse-kinematics solvers and judges published claims\n").encode()
+files["ikbench.py"] = files[f"ikbench-{version}.data/data/share/doc/ikbench/docs/examples/ikbench.py"]
+files[f"{info}/METADATA"] = f"""Metadata-Version: 2.1
+Name: ikbench
+Version: {version}
+Summary: compares inverse-kinematics solvers and judges published claims
+License: MIT
+Keywords: inverse kinematics,robotics,benchmark,statistics
+Classifier: Environment :: Console
+Classifier: Operating System :: POSIX :: Linux
+Classifier: Topic :: Scientific/Engineering
+Requires-Python: >=3.7
+Requires-External: gnuplot
+Provides-Extra: notebook
+Requires-Dist: pandas; extra == "notebook"
+Description-Content-Type: text/markdown
+
+The program `ikbench` runs inverse-kinematics solvers on studies and says which is better. Without gnuplot it draws no figures.
+The module `ikbench` is what a solver in Python imports; its `solves` and `results` are pandas DataFrames, for a notebook.
+The pages are in `share/doc/ikbench` of the environment: begin with `README.md` and `docs/tutorial.md`.
+""".encode()
 digest = lambda data: base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
 record = [f"{name},sha256={digest(data)},{len(data)}" for name, data in files.items()] + [f"{info}/RECORD,,"]
 files[f"{info}/RECORD"] = ("\n".join(record) + "\n").encode()

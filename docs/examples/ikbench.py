@@ -12,7 +12,25 @@
 
 It tells ikbench how long `solve` took, and turns angles that are outside their limits back by whole turns. Numbers in
 `problem.extras`, by name, are kept beside the answer; `setup_s`, how long `prepare` took, is one."""
-import functools, json, math, os, random, resource, sys, tempfile, time
+import functools, io, json, math, os, pathlib, random, resource, shutil, subprocess, sys, tempfile, time
+
+
+def solves(store, study=None):
+    """The solves of a study, a pandas DataFrame: of a store.sqlite, or of the folder that `ikbench run` wrote."""
+    import pandas
+    store = pathlib.Path(store, "store.sqlite") if pathlib.Path(store).is_dir() else store
+    here = os.path.dirname(sys.executable)  # a wheel's program stands beside Python
+    program = shutil.which("ikbench", path=os.pathsep.join([here, os.environ.get("PATH", "")])) or "ikbench"
+    said = subprocess.run([program, "export", store, *(["--study", study] if study else [])], capture_output=True, text=True)
+    if said.returncode:
+        raise ValueError(said.stderr.strip())
+    return pandas.read_csv(io.StringIO(said.stdout))
+
+
+def results(folder, table="findings"):
+    """The findings of a report, or another table of its results.json, a pandas DataFrame."""
+    import pandas
+    return pandas.DataFrame(json.loads(pathlib.Path(folder, "results.json").read_text())[table])
 
 
 class Declined(Exception):

@@ -32,11 +32,24 @@ if can dpkg-shlibdeps file; then
   equal "packages of the version" "$(ls package | grep -c "^ikbench[-_]$version[-_].*\(deb\|tar.gz\|whl\)$")" 3
   dpkg-deb -x package/ikbench_*.deb unpacked
   tar -xzf package/ikbench-*.tar.gz
+  for each in libfmt libnlopt liborocos-kdl libsqlite3; do
+    [ ! -e /usr/share/doc/$each-dev ] || [ -s unpacked/usr/share/doc/ikbench/licenses/$each-dev ] || fail "no notice of $each"
+  done
   equal "other than C's libraries" "$(dpkg-deb -f package/ikbench_*.deb Depends | tr ',' '\n' | grep -cvE ' ?(zlib1g|lib(c6|gcc-s1|stdc\+\+6|m6|[a-z]*san[0-9]))\b' || true)" 0
   prefixes=(unpacked/usr ikbench-*/)
   if python3 -c 'import ensurepip, venv' 2>/dev/null; then
     prefixes+=(venv)
     python3 -m venv venv && venv/bin/pip install -q --no-index --no-deps package/ikbench-*.whl >.log 2>&1 || fail "no wheel: $(<.log)"
+    # The tutorial's solver finds the wheel's module, and a notebook the results, which pandas would hold.
+    mkdir notebook
+    cp "$tree/docs/examples/pso.py" notebook/mine.py
+    (cd notebook && env -i PATH="$work/venv/bin:/usr/bin" ikbench check-solver -- python3 mine.py >../.out 2>&1) || fail "the wheel's module: $(<.out)"
+    (cd notebook && ../venv/bin/ikbench run slim2023 "${small[@]}" --figures none --out made >../.out 2>&1) || fail "$(<.out)"
+    printf 'import csv\ndef read_csv(file): return list(csv.DictReader(file))\nDataFrame = list\n' >notebook/pandas.py
+    (cd notebook && ../venv/bin/python -c 'import ikbench
+assert len(ikbench.solves("made")) == len(ikbench.solves("made/store.sqlite", "slim2023")) > 5
+assert "verdict" in ikbench.results("made")[0] and ikbench.results("made", "groups")') || fail "no results in Python"
+    has "$(venv/bin/pip show ikbench)" "compares inverse-kinematics solvers"
   else
     echo "skipped in part: no ensurepip"
   fi
