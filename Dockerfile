@@ -5,6 +5,6 @@ RUN apt-get update -qq && /source/setup --with-package release package
 
 FROM debian:12-slim
 COPY --from=build /source/build/release/ikbench_*.deb /tmp/ikbench.deb
-RUN apt-get update -qq && apt-get install -y -qq /tmp/ikbench.deb && rm -rf /var/lib/apt/lists /tmp/ikbench.deb
+RUN apt-get update -qq && apt-get install -y -qq /tmp/ikbench.deb python3 && rm -rf /var/lib/apt/lists /tmp/ikbench.deb
 WORKDIR /work
 ENTRYPOINT ["ikbench"]

@@ -27,7 +27,8 @@ old=${OLD:-} turns=${TURNS:-20} time_margin=
 [[ $turns =~ ^[1-9][0-9]{0,3}$ ]] || refuse "TURNS is $turns; expected a number from 1 to 9999"
 [[ -z $time_margin || $time_margin =~ ^[0-9]+(\.[0-9]+)?%$ ]] || refuse "TIME_MARGIN is $time_margin; expected 10%"
 [[ ${STRICT:-false} =~ ^(true|false)$ ]] || refuse "STRICT is $STRICT; expected true or false"
-[[ $(realpath -m "$baseline") != "$(realpath -m "$out/store.sqlite")" ]] || refuse "BASELINE is the new store; choose another OUT"
+differ() { [[ ! $baseline -ef $out/store.sqlite ]] || refuse "BASELINE is the new store; choose another OUT"; }
+differ
 solve() {
   "$1" run "$study" --shard "$i/$turns" --out="$2/shards/$i" && return
   local code=$?
@@ -49,6 +50,7 @@ else  # who begins a turn alternates
 fi
 rm -f -- "$out/verdict.md"  # of an earlier call
 [[ -e $baseline || -L $baseline ]] || { echo "No baseline: keep $out/store.sqlite as $baseline."; ended no-baseline 0; }
+differ  # of files that were not there
 options=(${MARGIN:+--margin="$MARGIN"} ${time_margin:+--time-margin="$time_margin"})
 [[ ${STRICT:-} != true ]] || options+=(--strict)
 "$program" compare "$baseline" "$out/store.sqlite" -o "$out/verdict.md" "${options[@]}"

@@ -17,4 +17,5 @@ int main() {
   const results::SolveRecord solve = experiments::solve_once(study, study.solvers.front(), target);
   std::printf("%s, %.1e cm:", results::name_of(solve.status).data(), solve.position_error_cm);
   for (const double angle : solve.answer_rad) std::printf(" %.6f", angle);
+  std::puts("");
 }
