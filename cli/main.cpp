@@ -22,6 +22,7 @@
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
 #include "numerics/instruction_set.hpp"
+#include "robots/urdf.hpp"
 
 namespace ikbench::cli {
 #define COMMAND(name) void add_##name(CLI::App& app, Invocation& invocation);
@@ -113,6 +114,12 @@ int main(int argc, char** argv) {
     if (std::cout.flush()) return 0;
     cli::say_mistake(unwritten);
     return 2;
+  } catch (const ikbench::robots::LinkQuestion& question) {
+    cli::say_mistake(std::string(question.what()) + "; type one of");
+    for (const auto& [option, link, joints] : question.answers)
+      cli::say_command(
+          fmt::format("{}    # {}", cli::shell_command(invocation.command, {option, link}), counted(joints, "joints")));
+    return 1;
   } catch (const std::invalid_argument& error) {
     cli::say_mistake(error.what());
     return 1;

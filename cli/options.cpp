@@ -33,6 +33,11 @@ CLI::Validator not_empty() {
   return {[](const std::string& text) { return text.empty() ? "it is empty" : ""; }, ""};
 }
 
+void add_link_options(CLI::App& command, robots::UrdfChoice& urdf) {
+  command.add_option("--base", urdf.base, "link of a URDF file where the arm begins; default: the root");
+  command.add_option("--tip", urdf.tip, "link of a URDF file where it ends; default: behind the most joints");
+}
+
 void add_json_option(CLI::App& command, bool& is_json) {
   command.add_flag("--json", is_json, "print the answer as JSON");
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/json.hpp"
+#include "robots/robot.hpp"
 
 namespace ikbench::cli {
 
@@ -37,6 +38,9 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, T& value,
                         std::pair<std::int64_t, std::int64_t> range, const std::string& meaning) {
   return add_with_default(command, name, value, meaning)->check(whole_number(range));
 }
+
+// Adds --base and --tip, links of a URDF file.
+void add_link_options(CLI::App& command, robots::UrdfChoice& urdf);
 
 void add_json_option(CLI::App& command, bool& is_json);
 void show_json(const base::OrderedJson& json);

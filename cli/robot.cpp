@@ -123,6 +123,7 @@ std::string robot_text(const Robot& arm) {
                                  SphericalWrist::fits(arm.chain)
                                      ? "spherical; search = \"wrist\", \"all_joints\", \"axis\" or \"pose\""
                                      : "not spherical; search = \"all_joints\", \"axis\" or \"pose\"");
+  if (!arm.other_tip.empty()) rest += fmt::format("note: --tip {} for another end\n", arm.other_tip);
   for (const std::string& note : arm.notes) rest += fmt::format("note: {}\n", note);
   return wrapped(head) + joint_table(arm) + wrapped(rest);
 }
@@ -140,10 +141,7 @@ void add_robot(CLI::App& app, Invocation&) {
           "values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the limits")
       ->delimiter(',')
       ->check(number_in({-1e6, 1e6}));
-  command->add_option("--base", arguments->urdf.base,
-                      "link of a URDF file from which the arm is read; default: the root");
-  command->add_option("--tip", arguments->urdf.tip,
-                      "link of a URDF file to which the arm is read; default: the end after most joints");
+  add_link_options(*command, arguments->urdf);
   add_with_default(
       *command, "--snap-deg", arguments->snap_deg,
       "angles of a URDF file this near a multiple of 15 deg, and axes this near parallel, are meant to be it")
@@ -170,6 +168,7 @@ void add_robot(CLI::App& app, Invocation&) {
     const Configuration q = joints_at(arm, arguments->at);
     const std::string where_tool_is = tool_text(arm, q);
     fmt::print("{}{}\n", robot_text(arm), wrapped(where_tool_is));
+    for (const std::string& doubt : doubts_of(arm)) warn(doubt);
     if (arguments->out.empty()) return;
     const std::filesystem::path folder(arguments->out);
     draw(picture(arm, q, fmt::format("{}: {}.", arm.name, where_tool_is)), folder, {});

@@ -38,6 +38,7 @@ constexpr const char* study_of_any_arm = "any-arm";
 
 struct StudyToRun {
   std::string study, robot;
+  robots::UrdfChoice urdf;
   std::vector<std::string> set, sweep, only;
   RunArguments run;
   ReportArguments report;
@@ -55,6 +56,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
                                   "--robot {}",
                                   study_of_any_arm));
   command->add_option("--robot", arguments->robot, "solve it on this arm: my_arm.urdf, my_arm.toml, ur5e");
+  add_link_options(*command, arguments->urdf);
   add_with_default(*command, "--set", arguments->set,
                    "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp");
   add_with_default(*command, "--sweep", arguments->sweep,
@@ -82,6 +84,8 @@ void add_run(CLI::App& app, Invocation& invocation) {
     std::string& name = arguments->study;
     const bool is_of_any_arm = name.empty();
     if (!arguments->robot.empty()) overrides.insert(overrides.begin(), "robot=" + arguments->robot);
+    for (const auto& [key, link] : {std::pair{"base", arguments->urdf.base}, {"tip", arguments->urdf.tip}})
+      if (!link.empty()) overrides.push_back(fmt::format("urdf.{}={}", key, link));
     if (is_of_any_arm && arguments->robot.empty())
       throw std::invalid_argument(
           "no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");
@@ -112,9 +116,6 @@ void add_run(CLI::App& app, Invocation& invocation) {
     }
     const Store store(store_in(folder), Store::Mode::read);
     write_and_announce(store, stored, folder, arguments->report);
-    if (is_of_any_arm && !arguments->report.is_json)
-      say_command(fmt::format("To change it: ikbench list studies {} > my.toml, then {}", study_of_any_arm,
-                              shell_command("ikbench", {"run", "my.toml", "--robot", arguments->robot})));
   });
 }
 

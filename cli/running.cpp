@@ -66,9 +66,10 @@ std::filesystem::path store_in(const std::filesystem::path& folder) { return fol
 
 std::string run_study(const Study& study, const StoredStudy& stored, const std::filesystem::path& folder,
                       RunRequest request, Store::Mode mode) {
-  if (const auto& arm = study.robot_of_file; arm != nullptr && !arm->tip_link.empty()) {
-    say(fmt::format("arm: {}", arm->summary));
+  if (const auto& arm = study.robot_of_file; arm != nullptr) {
+    if (!arm->tip_link.empty()) say(fmt::format("arm: {} ({})", arm->summary, robots::size_of(*arm)));
     for (const std::string& note : arm->notes) say(note);
+    for (const std::string& doubt : robots::doubts_of(*arm)) warn(doubt);
   }
   for (const std::string& note : study.notes) say(note);
   warn_of_unreachable(study);

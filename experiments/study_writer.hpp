@@ -47,8 +47,7 @@ inline void list_fields(Fields& io, Path& path) { path->list_fields(io); }
 inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
   io.text("base", urdf.base, "link from which the arm is read; \"\": the root, behind joints that float",
           InKey::in_text);
-  io.text("tip", urdf.tip, "link to which it is read, the tool; \"\": the end with the most moving joints before it",
-          InKey::in_text);
+  io.text("tip", urdf.tip, "link to which it is read, the tool; \"\": the end behind the most joints", InKey::in_text);
   io.choice("limits", urdf.limits, {"hard", "soft"},
             "hard: the joints' <limit>; soft: the tighter of it and <safety_controller>", InKey::in_text);
   io.number(

@@ -134,6 +134,28 @@ std::vector<Robot> all_robots() {
   return all;
 }
 
+std::string size_of(const Robot& arm) {
+  Pose tool = Pose::Identity();  // behind the last joint
+  for (const DescribedJoint& joint : arm.description)
+    tool = joint.motion == DescribedJoint::Motion::none ? tool * joint.origin.pose() : Pose::Identity();
+  const double reach = arm.chain.reach().radius, offset = tool.translation().norm();
+  return fmt::format("{}{}{}{}", counted(arm.joints(), "joints"),
+                     std::isfinite(reach) ? fmt::format(", reach {:.3g} m", reach) : "",
+                     offset > 0 ? fmt::format(", tool {:.3g} m from the last", offset) : "",
+                     arm.other_tip.empty() ? "" : fmt::format("; --tip {} for another end", arm.other_tip));
+}
+
+std::vector<std::string> doubts_of(const Robot& arm) {
+  std::vector<std::string> doubts;
+  const double reach = arm.chain.reach().radius;
+  if (std::isfinite(reach) && (reach > 10 || reach < 0.05))
+    doubts.push_back(fmt::format("the arm reaches {:.3g} m; are all its lengths in metres?", reach));
+  if (arm.velocity.size() > 0 && arm.velocity.maxCoeff() > 100)
+    doubts.push_back(
+        fmt::format("a joint's velocity is {:g} rad/s (or m/s); is it in degrees?", arm.velocity.maxCoeff()));
+  return doubts;
+}
+
 Robot robot(std::string_view name) {
   if (const EmbeddedFile* const file = find_embedded(arm_files, name)) return built_in(*file);
   std::vector<std::string> names;

@@ -40,10 +40,16 @@ struct Robot {
   Description description = {};               // as in a URDF file; empty: the chain says all
   std::vector<std::string> notes = {};        // parts of its file that were not taken as they stand
   std::string base_link = {}, tip_link = {};  // of a URDF file
+  std::string other_tip = {};                 // that moves with tip_link, which was chosen between them
   double snapped = 0;                         // [m] largest move of the tool by what was read as rounded
 
   int joints() const { return chain.joints(); }
 };
+
+// "6 joints, reach 0.95 m, tool 0.1 m from the last; --tip flange for another".
+std::string size_of(const Robot& arm);
+// What hints at other units than metres and radians.
+std::vector<std::string> doubts_of(const Robot& arm);
 
 // The built-in arms, by name.
 std::vector<Robot> all_robots();
@@ -55,7 +61,7 @@ struct UrdfChoice {
   enum class Limits { hard, soft };  // <limit>, or the tighter of it and <safety_controller>
 
   std::string base;  // a link; empty: the root of the tree, or the link after the last joint that floats
-  std::string tip;   // a link; empty: the end of the tree with the most moving joints before it
+  std::string tip;   // a link; empty: the end behind the most joints, without a hand
   Limits limits = Limits::hard;
   double snap = least_snap;  // see snap() in description.hpp
 };

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -56,8 +56,9 @@ class Place {
     fail(at.GetLineNum(),
          name == nullptr ? std::string(message) : fmt::format("joint \"{}\": {}", shown(name), message));
   }
-  [[noreturn]] void fail(int line, std::string_view message) const {
-    throw std::invalid_argument(fmt::format("{}:{}: {}", file_.string(), line, message));
+  [[noreturn]] void fail(int line, std::string_view message) const { throw std::invalid_argument(at(line, message)); }
+  std::string at(int line, std::string_view message) const {
+    return fmt::format("{}:{}: {}", file_.string(), line, message);
   }
 
   [[noreturn]] void fail_as_xacro(const XMLElement& at) const {
@@ -141,18 +142,25 @@ bool mimics(const XMLElement& joint) { return joint.FirstChildElement("mimic") !
 
 bool moves(const XMLElement* joint) { return type_of(*joint) != "fixed" && !floats(*joint); }
 
-// By its name, or because it turns by less than half a turn, almost all of it to one side of 0, or slides a few
-// centimetres.
-bool may_be_jaw(const XMLElement& joint) {
-  std::string names = joint.Attribute("name");
-  if (const XMLElement* const child = joint.FirstChildElement("child")) names += child->Attribute("link");
-  names = lower_case(names);
-  for (const char* word : {"grip", "finger", "jaw"}) {
-    if (names.find(word) != std::string::npos) return true;
-  }
+bool contains_any(std::string name, const std::vector<std::string_view>& words) {
+  name = lower_case(name);
+  return std::ranges::any_of(words, [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
+bool is_called_jaw(const XMLElement& joint) {
+  const XMLElement* const child = joint.FirstChildElement("child");
+  return contains_any(std::string(joint.Attribute("name")) + child->Attribute("link"), {"grip", "finger", "jaw"});
+}
+
+std::pair<double, double> range_of(const XMLElement& joint) {
   const XMLElement* const limit = joint.FirstChildElement("limit");
-  if (limit == nullptr || limit->Attribute("lower") == nullptr || limit->Attribute("upper") == nullptr) return false;
-  const double lower = limit->DoubleAttribute("lower"), upper = limit->DoubleAttribute("upper");
+  if (limit == nullptr) return {0, 0};
+  return {limit->DoubleAttribute("lower"), limit->DoubleAttribute("upper")};
+}
+
+// It turns by less than half a turn, almost all of it to one side of 0, or slides a few centimetres.
+bool moves_like_jaw(const XMLElement& joint) {
+  const auto [lower, upper] = range_of(joint);
   const double range = upper - lower, less = std::min(std::abs(lower), std::abs(upper));
   if (type_of(joint) == "prismatic") return range > 0 && range <= 0.06;
   return type_of(joint) == "revolute" && less <= 0.15 * range && range > 0 && range < half_turn;
@@ -208,48 +216,24 @@ class Tree {
     return roots;
   }
 
+  struct End {
+    std::string link;
+    int joints = 0;          // behind a root, before another end
+    std::string other = {};  // a link that moves with it, if there is one
+    bool is_doubtful = false;
+  };
   std::string root() const {
-    const std::vector<std::string> all = roots();
-    if (all.size() == 1) return all.front();
-    place_.fail(1, all.empty()
-                       ? "the joints form a cycle; expected a tree"
-                       : fmt::format("there are {} links that no joint leads to: {}; add --base LINK, or base = "
-                                     "\"LINK\" in [urdf]",
-                                     all.size(), some(all)));
+    std::vector<End> all;
+    for (const std::string& link : roots()) all.push_back({link, most_behind(link)});
+    if (all.empty()) place_.fail(1, "the joints form a cycle; expected a tree");
+    return with_most(all, "--base", "no joint leads to several links, so the arm may begin at each").link;
   }
-
-  // The end of the tree with the most moving joints between the base and it. Frames of a camera are no joints. Where
-  // two ends are equal, as those of fingers are, the file does not say where the arm ends. The last joint may be a
-  // gripper's jaw if it mimics another, is called so or turns one way from closed, or if the link before it, which the
-  // arm moves, leads to an end without it.
-  std::string farthest(const std::string& base) const {
-    std::deque<std::string> ends;
-    int most = 0;
-    for (const Seen& seen : behind({base})) {
-      if (after_.contains(seen.link) || seen.moving < most) continue;
-      if (seen.moving > most) ends.clear();
-      most = seen.moving;
-      ends.push_back(seen.link);
-    }
-    if (ends.empty()) place_.fail(1, "the joints form a cycle; expected a tree");
-    const std::vector<const XMLElement*> way = path(base, ends.front());
-    if (most > 0 && ends.size() > 1) {  // the last link on the way to both
-      const std::string fork = end(**std::ranges::mismatch(way, path(base, ends.back())).in1, "parent");
-      if (std::ranges::any_of(path(base, fork), moves)) ends.push_front(fork);
-    } else if (most > 1) {
-      const XMLElement& last = **std::find_if(way.rbegin(), way.rend(), moves);
-      const std::string hand = end(last, "parent");
-      for (const Seen& seen : behind({hand}))
-        if (seen.moving == 0 && seen.depth > 0 && !after_.contains(seen.link)) ends.push_front(seen.link);
-      if (ends.size() > 1 || mimics(last) || may_be_jaw(last)) ends.push_front(hand);
-    }
-    if (most == 0 || ends.size() == 1) return ends.front();
-    place_.fail(
-        1,
-        fmt::format(
-            "the arm may end at {}; add --tip LINK (run: --set urdf.tip=LINK), or tip = \"LINK\" in [urdf] (robot FILE "
-            "--links shows the tree)",
-            some({ends.begin(), ends.end()})));
+  // Where an arm ends: behind the most joints. Of links that move together it is the leaf, of several the tool's frame,
+  // else the link that carries them. A hand ends at the link that carries it.
+  End end_behind(const std::string& base) const {
+    std::vector<End> ends;
+    follow(base, 0, ends);
+    return with_most(ends, "--tip", "joints branch, so the arm may end at several links");
   }
 
   // A line each link, behind the one before it.
@@ -315,6 +299,81 @@ class Tree {
       joints.push_back(at->second);
     }
     return joints;
+  }
+
+  // The one with the most joints; of two it asks.
+  End with_most(std::vector<End> ends, const char* option, std::string_view question) const {
+    std::ranges::stable_sort(ends, std::greater(), &End::joints);
+    const End& first = ends.front();
+    if (first.joints == 0 || (!first.is_doubtful && (ends.size() == 1 || ends[1].joints < first.joints))) return first;
+    std::vector<LinkQuestion::Answer> answers;
+    for (const End& each : ends)
+      if (each.joints > 0 && answers.size() < 20) answers.push_back({option, each.link, each.joints});
+    throw LinkQuestion(place_.at(1, fmt::format("{} (robot FILE --links shows the tree)", question)), answers);
+  }
+
+  int most_behind(const std::string& link) const { return std::ranges::max(behind({link}), {}, &Seen::moving).moving; }
+
+  // The last link on the way to both.
+  std::string fork_before(const std::string& one, std::string other) const {
+    std::set<std::string> way{one};
+    for (const XMLElement* const joint : above(one)) way.insert(end(*joint, "parent"));
+    while (!way.contains(other)) other = end(*before_.at(other), "parent");
+    return other;
+  }
+
+  // True for joints of a hand: each mimics another, is a jaw or has a twin; beside two such others may differ, as a
+  // thumb.
+  bool are_fingers(const std::vector<const XMLElement*>& joints) const {
+    std::map<std::string, int> alike;
+    std::vector<std::string> others;
+    for (const XMLElement* const joint : joints) {
+      bool is_jaw = true;
+      std::string kind;
+      for (const Seen& seen : behind({end(*joint, "child")})) {
+        const XMLElement& each = *before_.at(seen.link);
+        if (!moves(&each)) continue;
+        const auto [lower, upper] = range_of(each);
+        kind += fmt::format("{} {:.3g} ", type_of(each), upper - lower);
+        const int hints = (is_called_jaw(each) ? 1 : 0) + (moves_like_jaw(each) ? 1 : 0);
+        is_jaw = is_jaw && (mimics(each) || hints > (joints.size() == 1 ? 1 : 0));
+      }
+      ++alike[kind];
+      if (!is_jaw) others.push_back(kind);
+    }
+    std::erase_if(others, [&](const std::string& kind) { return alike[kind] > 1; });
+    return others.empty() || joints.size() > others.size() + 1;
+  }
+
+  // Adds the ends behind a link and the links where joints branch.
+  void follow(const std::string& link, int joints, std::vector<End>& ends) const {
+    std::vector<std::string> leaves, carriers;  // links that move with it: the last ones, and those before a next joint
+    std::vector<const XMLElement*> next;
+    int longest = 0;
+    for (const Seen& seen : behind({link})) {
+      longest = std::max(longest, seen.moving);
+      if (seen.moving == 0 && !after_.contains(seen.link)) leaves.push_back(seen.link);
+      if (seen.moving != 1 || !moves(before_.at(seen.link))) continue;
+      next.push_back(before_.at(seen.link));
+      carriers.push_back(end(*next.back(), "parent"));
+    }
+    const bool is_end = next.empty() || joints > most_joints || (joints > longest && are_fingers(next));
+    const bool may_be_jaw = !is_end && joints > 0 && next.size() == 1 && longest == 1 &&
+                            (is_called_jaw(*next[0]) || moves_like_jaw(*next[0]));
+    if (is_end || may_be_jaw || (next.size() > 1 && joints > 0)) {
+      const std::vector<std::string>& last = carriers.empty() ? leaves : carriers;
+      End& at = ends.emplace_back(End{last.empty() ? link : fork_before(last.front(), last.back()), joints});
+      for (const auto& words :
+           {std::vector<std::string_view>{"tool", "tcp", "end_effector", "ee_", "_ee", "eef"}, {"tool0"}}) {
+        const auto is_tool = [&](const std::string& leaf) { return contains_any(leaf, words); };
+        if (std::ranges::count_if(leaves, is_tool) == 1) at.link = *std::ranges::find_if(leaves, is_tool);
+      }
+      at.other = at.link == link && !leaves.empty() ? leaves.front() : link;
+    }
+    const std::size_t known = ends.size();
+    for (const XMLElement* const joint : next)
+      if (!is_end) follow(end(*joint, "child"), joints + 1, ends);
+    for (std::size_t i = known; i < ends.size(); ++i) ends[i].is_doubtful |= may_be_jaw;
   }
 
   struct Seen {
@@ -417,8 +476,8 @@ Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoic
     limits[0] = std::max(limits[0], place.limit(*safety, "soft_lower_limit", -infinity));
     limits[1] = std::min(limits[1], place.limit(*safety, "soft_upper_limit", infinity));
   }
-  const bool are_whole = limits == limits.array().round().matrix();  // as degrees are, beyond a turn
-  if (!slides && are_whole && limits.cwiseAbs().maxCoeff() > 2 * half_turn)
+  const bool are_whole = limits == limits.array().round().matrix();  // as degrees are, beyond three turns
+  if (!slides && are_whole && limits.cwiseAbs().maxCoeff() > 6 * half_turn)
     place.fail(*limit, fmt::format("its limits are {:g} and {:g} rad, more than a turn; if these are degrees, write "
                                    "{:.6g} and {:.6g}; {}",
                                    limits[0], limits[1], limits[0] * degree, limits[1] * degree, advice));
@@ -511,13 +570,14 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
   for (const auto& [key, link] : {std::pair{"base", choice.base}, std::pair{"tip", choice.tip}}) {
     if (!link.empty()) tree.expect_link(key, link);
   }
-  const std::string tip =
-      choice.tip.empty() ? tree.farthest(choice.base.empty() ? tree.root() : choice.base) : choice.tip;
+  const Tree::End end = choice.tip.empty() ? tree.end_behind(choice.base.empty() ? tree.root() : choice.base)
+                                           : Tree::End{.link = choice.tip};
+  const std::string& tip = end.link;
   const std::string base = choice.base.empty() ? tree.root_of(tip) : choice.base;
 
   Description printed;
   std::vector<double> lower, upper, velocity;
-  int unlimited = 0;  // joints whose limits do not count
+  int unlimited = 0, wide = 0;  // joints whose limits do not count, or are more than a turn
   for (const XMLElement* const joint : tree.path(base, tip)) {
     printed.push_back(described(*joint, place));
     if (printed.back().motion == Motion::none) continue;
@@ -530,6 +590,9 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     velocity.push_back(fastest > 0 && fastest <= 1000 ? fastest : 0);  // a million stands for none
     const bool has_some = limit != nullptr && (limit->Attribute("lower") || limit->Attribute("upper"));
     if (has_some && !limits.allFinite()) ++unlimited;
+    if (printed.back().motion == Motion::turns && limits.allFinite() &&
+        limits.cwiseAbs().maxCoeff() > 1.01 * whole_turn)
+      ++wide;
   }
   if (lower.empty()) {
     place.fail(1, fmt::format("no joint moves between links \"{}\" and \"{}\"; name others: --base LINK --tip LINK, "
@@ -548,16 +611,18 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
               .tip_link = tip};
     arm.limits = {Configuration::Map(lower.data(), arm.joints()), Configuration::Map(upper.data(), arm.joints())};
     if (std::ranges::max(velocity) > 0) arm.velocity = Configuration::Map(velocity.data(), arm.joints());
+    if (end.other != tip) arm.other_tip = end.other;
+    if (wide > 0) arm.notes.push_back(fmt::format("{} may turn by more than a turn each way", counted(wide, "joints")));
     if (unlimited > 0) {
       arm.notes.push_back(fmt::format("the file's limits of {} without end are ignored", counted(unlimited, "joints")));
     }
     if (!changed.empty()) {
       changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
       arm.snapped = moved_by_snapping(printed, snapped, arm.limits);
-      arm.notes.push_back(
-          fmt::format("the digits of {} are read as the round angles or parallel axes that they mean, which "
-                      "moves the tool by at most {:.2g} um",
-                      counted(static_cast<std::int64_t>(changed.size()), "joints"), 1e6 * arm.snapped));
+      arm.notes.push_back(fmt::format(
+          "the digits of {} are read as the round angles or parallel axes that they mean, which "
+          "moves the tool by at most {:.{}g} um",
+          counted(static_cast<std::int64_t>(changed.size()), "joints"), 1e6 * arm.snapped, arm.snapped < 1e-4 ? 2 : 6));
     }
     return arm;
   } catch (const std::invalid_argument& error) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "robots/robot.hpp"
@@ -15,6 +17,16 @@ namespace ikbench::robots {
 bool is_urdf_file(std::string_view name);
 // The tree of a file, a line each link and the joint before it.
 std::string link_tree(std::string_view text, const std::filesystem::path& file);
+
+// Which link it is the file leaves open: the answers are options of a command.
+struct LinkQuestion : std::invalid_argument {
+  struct Answer {
+    std::string option, link;
+    int joints;
+  };
+  LinkQuestion(const std::string& what, std::vector<Answer> all) : invalid_argument(what), answers(std::move(all)) {}
+  std::vector<Answer> answers;
+};
 
 // std::invalid_argument says where, what is wrong, and what is expected. The arm gets the name of the file without its
 // ending.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # An arm is a name, a file of joints, or a URDF: shown, run, and its mistakes.
 source "$(dirname "$0")/common.sh"
-cp "$scripts"/studies/my_*.toml .
+cp "$scripts"/studies/{my_*.toml,two.urdf} .
 cp "$root"/tests/data/urdf/{fetch,ur5e,gen3}.urdf .
 
 unwrapped() { sed -z 's/\n  / /g' .out; }
@@ -66,6 +66,14 @@ has_no "$out" "(6 were"
 sed 's/robot = .*/robot = "fetch.urdf"/' my_study.toml >urdf_study.toml
 succeeds run urdf_study.toml "${small[@]}" --set urdf.tip=wrist_roll_link --no-report --out described
 equal "solves" "$(column described/store.sqlite robot damped_least_squares | counted)" "6 fetch"
+
+# A question is commands to paste; the arm's size is shown, what is odd is warned of.
+ends 1 run --robot two.urdf "${small[@]}" --no-report
+equal "commands" "$(grep -c '^ *ikbench run .* --tip [lr][a-z]*2    # 3 joints$' .err)" 2
+eval "$(grep -m 1 '^ *ikbench run' .err | sed 's/ikbench/"$program"/')" >.out 2>.err || fail "the command that was proposed: $(<.err)"
+said=$(tr -s '\n ' ' ' <.err)
+for word in "from body to left2" "3 joints, reach " "warning: the arm reaches" "warning: a joint's velocity is 180"; do has "$said" "$word"; done
+rm two.urdf
 
 # Files with the features of public URDF files, held against other kinematics, and run.
 cp "$root"/tests/data/urdf/*.urdf "$scripts"/programs/snapped/*.urdf .

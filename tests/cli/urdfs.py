@@ -128,11 +128,9 @@ def continuous_wrist(f):
 def gripper(f):
     f.add("tool", "left", slide)
     f.add("tool", "right", slide, inside="<mimic joint='left_joint' multiplier='-1'/>")
-    f.asks = "tool"
 def free_fingers(f):
     f.add("tool", "left", slide)
     f.add("tool", "right", slide)
-    f.asks = "tool"
 def sensors(f):
     parent = "base"
     for i in range(12):
@@ -141,7 +139,6 @@ def sensors(f):
     f.add("link1", "lidar", "fixed")
 def two_tools(f):
     f.add(f.last, "camera", "fixed", (0, 0, 0.02))
-    f.asks = "camera"
 def dual_arm(f):
     for parent, child, *rest in f.joints[:-1]:
         f.add("r_" + parent if parent != "base" else parent, "r_" + child, *rest[:4])
@@ -241,7 +238,7 @@ def check(arm, feature):
 
 both = [(arm, feature) for arm in arms for feature in features]
 with ThreadPoolExecutor(4) as pool:  # the program mostly waits for the disk
-    for done in [pool.submit(runs, file, **{"tip": "tool"} if file == "jaw.urdf" else {}) for file in sys.argv[2:]] + [pool.submit(check, *each) for each in both]:
+    for done in [pool.submit(runs, file) for file in sys.argv[2:]] + [pool.submit(check, *each) for each in both]:
         done.result()
 assert len(both) >= 100
 print(f"{len(both)} files")

@@ -154,22 +154,37 @@ TEST_CASE("base and tip are links of the user's, or the root and the end with th
     }
     return longer;
   };
-  const auto ends_of = [&](const std::vector<More>& more) {
-    const std::string said = said_of(with(more));
-    return said.substr(0, said.find("; add --tip LINK"));
+  const auto asked = [](const std::string& of) {
+    std::string all;
+    try {
+      return read(of).tip_link + '!';  // not asked
+    } catch (const LinkQuestion& question) {
+      for (const auto& [option, link, joints] : question.answers)
+        all += fmt::format("{} {} {}, ", option, link, joints);
+    }
+    return all;
   };
+  const auto ends_of = [&](const std::vector<More>& more) { return asked(with(more)); };
   const std::vector<More> camera{
       {"fixed", "l1", "c1"}, {"fixed", "c1", "c2"}, {"fixed", "c2", "c3"}, {"fixed", "c3", "c4"}};
   CHECK(read(with(camera)).tip_link == "l4");
-  CHECK(ends_of({{"fixed", "l3", "s"}}) == "my_arm.urdf:1: the arm may end at \"l3\", \"l4\", \"s\"");
+  // Of links that move together: the leaf, of several the tool's frame, else the link that carries them.
+  CHECK(ends_of({}) == "l4!");
+  CHECK(read(text).other_tip == "l3");
+  CHECK(ends_of({{"fixed", "l3", "s"}}) == "l3!");
+  CHECK(ends_of({{"fixed", "l3", "my_tcp"}, {"fixed", "l3", "camera"}}) == "my_tcp!");
+  CHECK(ends_of({{"fixed", "l3", "ee_link"}, {"fixed", "l3", "left_tool0"}}) == "left_tool0!");
   CHECK(read(with({{"fixed", "l3", "s"}}), {.tip = "s"}).joints() == 2);
   const More finger{"prismatic", "l4", "f", limit}, other{"prismatic", "l4", "g", limit + "<mimic joint='jf'/>"};
-  CHECK(ends_of({finger, other}) == "my_arm.urdf:1: the arm may end at \"l4\", \"f\", \"g\"");
-  CHECK(ends_of({other}) == "my_arm.urdf:1: the arm may end at \"l4\", \"g\"");
+  CHECK(ends_of({finger, other}) == "l4!");
+  CHECK(ends_of({finger, other, {"fixed", "l3", "tool0"}}) == "tool0!");
+  CHECK(ends_of({finger, {"prismatic", "l4", "g", limit}}) == "l4!");
+  CHECK(ends_of({finger, {"revolute", "l4", "g", limit}}) == "--tip f 3, --tip g 3, --tip l4 2, ");
+  CHECK(ends_of({other}) == "l4!");
   CHECK(read(with({finger})).tip_link == "f");
-  CHECK(ends_of({{"revolute", "l3", "jaw", limit}}) == "my_arm.urdf:1: the arm may end at \"l3\", \"l4\", \"jaw\"");
-  CHECK(ends_of({{"revolute", "l0", "r", limit}, {"revolute", "r", "s", limit}}) ==
-        "my_arm.urdf:1: the arm may end at \"l4\", \"s\"");
+  CHECK(ends_of({{"revolute", "l3", "jaw", limit}}) == "--tip jaw 3, --tip l3 2, ");
+  CHECK(ends_of({{"revolute", "l3", "jaw", "<limit lower='0' upper='1'/>"}}) == "l3!");
+  CHECK(ends_of({{"revolute", "l0", "r", limit}, {"revolute", "r", "s", limit}}) == "--tip l4 2, --tip s 2, ");
   // A last joint that is called a gripper, or turns one way from closed.
   const auto with_last = [&](const std::string& name, const std::string& its_limit) {
     std::string last = urdf({{"revolute", limit}});
@@ -179,9 +194,9 @@ TEST_CASE("base and tip are links of the user's, or the root and the end with th
   };
   CHECK(read(with_last("j2", limit)).joints() == 2);
   CHECK(read(with_last("j2", "<limit lower='0' upper='4'/>")).joints() == 2);
-  CHECK(contains(said_of(with_last("jointGripper", limit)), "the arm may end at \"l1\", \"hand\"; add --tip LINK"));
-  CHECK(contains(said_of(with_last("j2", "<limit lower='-0.2' upper='2'/>")), "the arm may end at \"l1\", \"hand\""));
-  CHECK(contains(said_of(with_last("j2", "<limit lower='-1.5' upper='0'/>")), "the arm may end at \"l1\", \"hand\""));
+  for (const auto& last : {with_last("jointGripper", limit), with_last("j2", "<limit lower='-0.2' upper='2'/>"),
+                           with_last("j2", "<limit lower='-1.5' upper='0'/>")})
+    CHECK(asked(last) == "--tip hand 2, --tip l1 1, ");
   // A joint that floats ends the arm's tree, unless joints move on both sides of it.
   const std::string middle = urdf({{"revolute", limit}, {"planar"}, {"revolute", limit}, {"fixed", to_tool}});
   CHECK(
@@ -194,9 +209,15 @@ TEST_CASE("base and tip are links of the user's, or the root and the end with th
   CHECK(walker.joints() == 1);
   std::string apart = text;
   apart.insert(apart.find("</robot>"), "<link name='alone'/>");
-  CHECK(said_of(apart).find(
-            "there are 2 links that no joint leads to: \"alone\", \"l0\"; add --base LINK, or base = \"LINK\"") !=
-        std::string::npos);
+  CHECK(read(apart).base_link == "l0");
+  apart.insert(apart.find("</robot>"),
+               "<link name='two'/><joint name='jt' type='revolute'><parent link='alone'/>"
+               "<child link='two'/>" +
+                   limit +
+                   "</joint><link name='three'/><joint name='jh' type='revolute'><parent link='two'/>"
+                   "<child link='three'/>" +
+                   limit + "</joint>");
+  CHECK(asked(apart) == "--base alone 2, --base l0 2, ");
   CHECK(read(apart, {.tip = "l4"}).joints() == 2);
   CHECK(link_tree(with({other}), "my_arm.urdf") ==
         "l0\n  l1  (fixed j1)\n    l2  (revolute j2)\n      l3  (revolute j3)\n        l4  (fixed j4)\n"
@@ -267,6 +288,21 @@ TEST_CASE("limits are the hard ones, or the tighter of them and the soft ones", 
                           {.limits = UrdfChoice::Limits::soft});
   CHECK(wide.limits.lower[0] == -1);
   CHECK(wide.limits.upper[0] == 1);
+}
+
+TEST_CASE("limits of more than a turn are told, and lengths and velocities in other units are doubted",
+          "[urdf][traps]") {
+  const auto arm = [](const std::string& x, const std::string& content) {
+    return read({{"revolute", content}, {"revolute", "<origin xyz='" + x + " 0 0'/>" + limit}});
+  };
+  const Robot legs = arm("0.3", "<limit lower='-10' upper='10' velocity='12'/>");
+  CHECK(legs.limits.upper[0] == 10);
+  CHECK(contains(legs.notes.at(0), "more than a turn"));
+  CHECK(doubts_of(legs).empty());
+  CHECK(contains(size_of(legs), "2 joints, reach 0.3 m"));
+  CHECK(contains(doubts_of(arm("42", limit)).at(0), "42 m"));
+  CHECK(contains(doubts_of(arm("0.042", limit)).at(0), "0.042 m"));
+  CHECK(contains(doubts_of(arm("1", "<limit lower='-1' upper='1' velocity='180'/>")).at(0), "180"));
 }
 
 TEST_CASE("a limit with one end has 0 as the other, as the format says", "[urdf][traps]") {
