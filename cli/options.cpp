@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstring>
+#include <utility>
+
 #include "analysis/papers/paper.hpp"
 #include "base/number.hpp"
 
@@ -31,6 +34,22 @@ CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range) {
 
 CLI::Validator not_empty() {
   return {[](const std::string& text) { return text.empty() ? "it is empty" : ""; }, ""};
+}
+
+void add_time(CLI::App& command, const std::string& name, double& seconds, const std::string& meaning) {
+  command.add_option(name, seconds, meaning)
+      ->transform(CLI::Validator(
+          [](std::string& text) {
+            for (const auto& [unit, size] : {std::pair{"us", "e-6"}, {"ms", "e-3"}, {"s", ""}}) {
+              if (!text.ends_with(unit)) continue;
+              const auto value = base::number_from(text.substr(0, text.size() - std::strlen(unit)) + size);
+              if (!value || !(*value >= 1e-6 && *value <= 1e3)) break;
+              text = fmt::format("{}", *value);
+              return std::string();
+            }
+            return fmt::format("{} is no time from 1us to 1000s, such as 5ms", text.substr(0, 100));
+          },
+          ""));
 }
 
 void add_link_options(CLI::App& command, robots::UrdfChoice& urdf) {

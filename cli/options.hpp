@@ -39,6 +39,8 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, T& value,
   return add_with_default(command, name, value, meaning)->check(whole_number(range));
 }
 
+// A time such as 5ms, kept in seconds.
+void add_time(CLI::App& command, const std::string& name, double& seconds, const std::string& meaning);
 // Adds --base and --tip, links of a URDF file.
 void add_link_options(CLI::App& command, robots::UrdfChoice& urdf);
 

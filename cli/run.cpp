@@ -39,6 +39,7 @@ constexpr const char* study_of_any_arm = "any-arm";
 struct StudyToRun {
   std::string study, robot;
   robots::UrdfChoice urdf;
+  double limit = 0;  // [s]
   std::vector<std::string> set, sweep, only;
   RunArguments run;
   ReportArguments report;
@@ -57,6 +58,8 @@ void add_run(CLI::App& app, Invocation& invocation) {
                                   study_of_any_arm));
   command->add_option("--robot", arguments->robot, "solve it on this arm: my_arm.urdf, my_arm.toml, ur5e");
   add_link_options(*command, arguments->urdf);
+  add_time(*command, "--limit", arguments->limit,
+           "time that a solve may take, such as 1ms, and no other limit; tells what is solved in it");
   add_with_default(*command, "--set", arguments->set,
                    "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp");
   add_with_default(*command, "--sweep", arguments->sweep,
@@ -70,7 +73,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("--shard", arguments->shard,
                       "I/N: solve the I-th of N parts, without a report; --out is then out/<study>/shards/I-of-N");
   command->footer(
-      "  ikbench run --robot my_arm.urdf\n"
+      "  ikbench run --robot my_arm.urdf --limit 1ms\n"
       "  ikbench run my.toml\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
@@ -86,6 +89,11 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (!arguments->robot.empty()) overrides.insert(overrides.begin(), "robot=" + arguments->robot);
     for (const auto& [key, link] : {std::pair{"base", arguments->urdf.base}, {"tip", arguments->urdf.tip}})
       if (!link.empty()) overrides.push_back(fmt::format("urdf.{}={}", key, link));
+    if (const double limit = arguments->limit; limit > 0) {
+      const Overrides alone{fmt::format("stop.seconds={}", limit), "stop.evaluations=0", "stop.iterations=1000000",
+                            fmt::format("analysis.deadline_ms={}", 1000 * limit)};
+      overrides.insert(overrides.begin(), alone.begin(), alone.end());
+    }
     if (is_of_any_arm && arguments->robot.empty())
       throw std::invalid_argument(
           "no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");

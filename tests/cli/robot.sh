@@ -67,12 +67,14 @@ sed 's/robot = .*/robot = "fetch.urdf"/' my_study.toml >urdf_study.toml
 succeeds run urdf_study.toml "${small[@]}" --set urdf.tip=wrist_roll_link --no-report --out described
 equal "solves" "$(column described/store.sqlite robot damped_least_squares | counted)" "6 fetch"
 
-# A question is commands to paste; the arm's size is shown, what is odd is warned of.
-ends 1 run --robot two.urdf "${small[@]}" --no-report
+# A question is commands to paste; the arm's size is shown, what is odd is warned of, and a time is the only limit.
+ends 1 run --robot two.urdf --set runs=2 --limit 20ms --no-report
 equal "commands" "$(grep -c '^ *ikbench run .* --tip [lr][a-z]*2    # 3 joints$' .err)" 2
 eval "$(grep -m 1 '^ *ikbench run' .err | sed 's/ikbench/"$program"/')" >.out 2>.err || fail "the command that was proposed: $(<.err)"
 said=$(tr -s '\n ' ' ' <.err)
 for word in "from body to left2" "3 joints, reach " "warning: the arm reaches" "warning: a joint's velocity is 180"; do has "$said" "$word"; done
+equal "limits" "$(sqlite3 out/two/store.sqlite "SELECT definition->>'$.stop.seconds', definition->>'$.analysis.deadline_ms' FROM studies")" "0.02|20.0"
+refused 5ms run ur5e --limit 5
 rm two.urdf
 
 # Files with the features of public URDF files, held against other kinematics, and run.
