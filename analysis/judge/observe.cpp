@@ -220,15 +220,10 @@ void set_apart(Observations& observed) {
 }
 
 Observations observe_times(const StudyResults& study, const Metric& metric) {
-  Observations observed{.metric = std::string(metric.slug),
-                        .quantity = std::string(metric.name),
-                        .unit = std::string(metric.unit),
-                        .better = metric.kind == Kind::in_time ? Better::larger : Better::smaller,
-                        .scale = metric.scale,
-                        .is_paired = true,
-                        .is_spent = metric.kind == Kind::spent,
-                        .are_logs = metric.kind != Kind::in_time,
-                        .fewest = fewest_sessions};
+  Observations observed = observations_of(metric);
+  observed.is_paired = true;
+  observed.are_logs = metric.kind != Kind::in_time;
+  observed.fewest = fewest_sessions;
   for (const std::string& solver : study.labels)
     observed.groups.push_back(group_of_times(study, metric, solver, sessions_of(study, solver)));
   observed.doubts = doubts_of_times(study);
@@ -242,6 +237,17 @@ std::span<const Metric> metrics() { return rows; }
 
 const Metric& metric_named(std::string_view column) {
   return base::find_named("metric", column, rows, [](const Metric& metric) { return metric.column; });
+}
+
+Observations observations_of(const Metric& metric) {
+  return {.metric = std::string(metric.slug),
+          .quantity = std::string(metric.name),
+          .unit = std::string(metric.unit),
+          .better = metric.scale == Scale::share ? Better::larger : Better::smaller,
+          .scale = metric.scale,
+          .floor = metric.floor,
+          .rounding = metric.rounding,
+          .is_spent = metric.kind == Kind::spent};
 }
 
 Observations observe(const StudyResults& study, const Metric& metric) {
@@ -258,21 +264,12 @@ Observations observe(const StudyResults& study, const Metric& metric) {
 Observations observe_solves(const StudyResults& study, const Metric& metric) {
   const Definition& definition = study.definition;
   const bool of_runs = are_runs(study, metric);
-  Observations observed{.metric = std::string(metric.slug),
-                        .quantity = std::string(metric.name),
-                        .unit = std::string(metric.unit),
-                        .better = metric.kind == Kind::share ? Better::larger : Better::smaller,
-                        .scale = metric.scale,
-                        .absolute_margin = metric.unit == "cm" ? definition.plan.margin_cm : 0,
-                        .floor = metric.floor,
-                        .rounding = metric.rounding,
-                        .is_paired = definition.draws_targets || !of_runs,
-                        .is_of_solved = is_of_solved(study, metric),
-                        .is_spent = metric.kind == Kind::spent,
-                        .are_logs = metric.kind == Kind::spent,
-                        .trials = of_runs                    ? definition.points
-                                  : definition.draws_targets ? 1
-                                                             : definition.runs};
+  Observations observed = observations_of(metric);
+  observed.absolute_margin = metric.unit == "cm" ? definition.plan.margin_cm : 0;
+  observed.is_paired = definition.draws_targets || !of_runs;
+  observed.is_of_solved = is_of_solved(study, metric);
+  observed.are_logs = metric.kind == Kind::spent;
+  observed.trials = of_runs ? definition.points : definition.draws_targets ? 1 : definition.runs;
   for (const std::string& solver : study.labels)
     observed.groups.push_back(group_of(study, metric, observed.is_paired, solver));
   return observed;

@@ -41,6 +41,8 @@ const Metric& metric_named(std::string_view column);
 // Its unit of comparison is a session, since what decides a time is drawn once for a process: memory, hashes, cores.
 inline bool is_of_times(const Metric& metric) { return metric.unit == "s" || metric.kind == Kind::in_time; }
 
+// Without groups, and what a study adds.
+Observations observations_of(const Metric& metric);
 // One observation is a run, the mean of its targets, where solves are chained or all runs have one target; else a
 // target, the mean of its runs, or of drawn targets its one solve. Of times it is a session: the logarithm of the
 // median over its targets, or of the time spent by target solved.

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "analysis/papers/published.hpp"
-#include "analysis/papers/rules.hpp"
 #include "analysis/show/text.hpp"
 #include "base/names.hpp"
 
@@ -37,13 +36,8 @@ bool hangs_on_reading(const Claim& claim) {
 }
 
 Verdict verdict_of(const Group& own, const Group& theirs, const Claim& claim, const Plan& plan) {
-  const Metric& metric = *claim.metrics.front();
-  Observations observed{.metric = std::string(metric.slug),
-                        .quantity = std::string(metric.name),
-                        .scale = metric.scale,
-                        .floor = metric.floor,
-                        .rounding = metric.rounding,
-                        .groups = {own, theirs}};
+  Observations observed = observations_of(*claim.metrics.front());
+  observed.groups = {own, theirs};
   return judge::verdict_of(judge::compare(claim.of == Of::spread ? deviations(observed) : observed, plan).front());
 }
 
