@@ -61,50 +61,17 @@ auto is_timed(Timing how) {
   return [how](const Solve& solve) { return solve.timing == how; };
 }
 
-// Who was slowed, and by what. No solver, but a doubt: of all.
-std::vector<Doubt> doubts_of_load(const StudyResults& study) {
-  Doubts doubts;
-  const auto doubt_of = [](const char* what) { return Doubt{.kind = DoubtKind::times_not_comparable, .what = what}; };
-  add(doubts, study, doubt_of("solved in parallel"), is_timed(Timing::parallel));
-  add(doubts, study, doubt_of("a debug build"), is_timed(Timing::debug_build));
-  // Machines differ if their processors do, or both name and start: one that starts again keeps its name, and
-  // containers on it have their own.
-  const auto differ = [&](const char* fact) { return facts_of(study, fact).size() > 1; };
-  if (differ("cpu") || (differ("host") && differ("boot"))) doubts.push_back(doubt_of("several machines"));
-  for (Doubt& doubt : doubts) doubt.who.clear();
-  if (!doubts.empty()) return {doubts.front()};
-  add_counts(doubts, study, doubt_of("the machine was busy"), [&](const std::string& solver) {
-    const auto disturbed = std::ranges::count_if(study.of(solver), &Solve::was_disturbed);
-    const auto timed = std::ranges::count_if(study.of(solver), [](const Solve& solve) {
-      return solve.timing == Timing::clean || (solve.timing == Timing::process && solve.is_told);
-    });
-    return std::pair(disturbed > 1 && 10 * disturbed > timed ? disturbed : 0, timed);
-  });
-  return doubts;
-}
-
-bool are_of_other_sessions(const StudyResults& study) {
-  std::set<std::set<int>> all;
-  for (const std::string& solver : study.labels) {
-    std::set<int> sessions;
-    for (const Solve& solve : study.of(solver)) sessions.insert(solve.session);
-    if (!sessions.empty()) all.insert(std::move(sessions));
-  }
-  return all.size() > 1;
-}
-
 // Those that have fewer sessions than a test takes in common with most, who made the same ones.
-std::vector<std::string> measured_apart(const StudyResults& study) {
+std::vector<std::string> measured_apart(const StudyResults& study, const std::vector<std::set<int>>& sessions) {
   std::map<std::set<int>, std::size_t> solvers_of;
-  for (const std::string& solver : study.labels) ++solvers_of[sessions_of(study, solver)];
+  for (const std::set<int>& its : sessions) ++solvers_of[its];
   const std::set<int> most = std::ranges::max_element(solvers_of, {}, [](const auto& each) {
                                return std::pair(each.first.size() >= fewest_sessions, each.second);
                              })->first;
   std::vector<std::string> apart;
-  for (const std::string& solver : study.labels) {
-    const std::set<int> its = sessions_of(study, solver);
-    const auto common = std::ranges::count_if(its, [&](int session) { return most.contains(session); });
-    if (!study.of(solver).empty() && common < fewest_sessions) apart.push_back(solver);
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    const auto common = std::ranges::count_if(sessions[i], [&](int session) { return most.contains(session); });
+    if (!study.of(study.labels[i]).empty() && common < fewest_sessions) apart.push_back(study.labels[i]);
   }
   return apart;
 }
@@ -217,9 +184,10 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   if (std::ranges::any_of(study.solves, is_timed(Timing::parallel))) return {doubt_of("solved in parallel")};
   if (std::ranges::any_of(study.solves, is_timed(Timing::debug_build))) return {doubt_of("a debug build")};
   if (std::ranges::none_of(study.sessions, is_of_this_clock)) return {doubt_of("of the clock of a former version")};
-  const auto sessions = std::ssize(sessions_that_compare(study));
-  if (sessions < fewest_sessions)
-    return {doubt_of(fmt::format("{}, and {} are the fewest", base::counted(sessions, "sessions"), fewest_sessions))};
+  const Sessions sessions = sessions_of(study);
+  const auto compared = std::ssize(sessions.compared);
+  if (compared < fewest_sessions)
+    return {doubt_of(fmt::format("{}, and {} are the fewest", base::counted(compared, "sessions"), fewest_sessions))};
   Doubts doubts;
   const auto add_of = [&](std::vector<std::string> who, const char* what) {  // one reason is enough
     for (const Doubt& told : doubts)
@@ -228,16 +196,16 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   };
   std::vector<std::string> busy;
   Doubt left_out{.kind = DoubtKind::sessions_left_out};
-  const std::set<std::pair<int, int>> busy_ones = busy_sessions(study);
   for (std::size_t place = 0; place < study.labels.size(); ++place) {
-    const auto count = std::ranges::count(busy_ones, static_cast<int>(place), &std::pair<int, int>::first);
-    if (sessions - count < fewest_sessions)
+    const auto count = std::ssize(sessions.busy[place]);
+    if (compared - count < fewest_sessions)
       busy.push_back(study.labels[place]);
     else if (count > 0)
       left_out.who.push_back(study.labels[place]);
   }
   add_of(std::move(busy), "the machine was busy");
-  add_of(measured_apart(study), "measured in other sessions; to compare them solve all again: --out NEW");
+  add_of(measured_apart(study, sessions.told),
+         "measured in other sessions; to compare them solve all again: --out NEW");
   std::vector<std::string> silent, short_ones, alone;
   for (const std::string& solver : study.labels) {
     const Solves all = study.of(solver);
@@ -258,17 +226,38 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
 std::vector<Doubt> doubts_of_clock(const StudyResults& study, bool takes_unsolved) {
   const double limit = study.definition.stop.seconds;
   if (limit == 0) return {};
+  const auto doubt_of = [](const char* what) { return Doubt{.kind = DoubtKind::seconds_decide, .what = what}; };
+  Doubts doubts;
+  add(doubts, study, doubt_of("solved in parallel"), is_timed(Timing::parallel));
+  add(doubts, study, doubt_of("a debug build"), is_timed(Timing::debug_build));
+  // Machines differ if their processors do, or both name and start: one that starts again keeps its name, and
+  // containers on it have their own.
+  const auto differ = [&](const char* fact) { return facts_of(study, fact).size() > 1; };
+  if (differ("cpu") || (differ("host") && differ("boot"))) doubts.push_back(doubt_of("several machines"));
+  if (!doubts.empty()) {  // one reason is enough, of all
+    doubts = {std::move(doubts.front())};
+    doubts.front().who = study.labels;
+  } else {
+    add_counts(doubts, study, doubt_of("the machine was busy"), [&](const std::string& solver) {
+      const auto disturbed = std::ranges::count_if(study.of(solver), &Solve::was_disturbed);
+      const auto timed = std::ranges::count_if(study.of(solver), [](const Solve& solve) {
+        return solve.timing == Timing::clean || (solve.timing == Timing::process && solve.is_told);
+      });
+      return std::pair(disturbed > 1 && 10 * disturbed > timed ? disturbed : 0, timed);
+    });
+  }
+  const std::vector<std::set<int>> sessions = sessions_of(study).all;
+  std::set<std::set<int>> different(sessions.begin(), sessions.end());
+  different.erase(std::set<int>());  // of who has no solves
+  if (different.size() > 1) {
+    doubts.push_back(doubt_of("measured in different sessions"));
+    doubts.back().who = study.labels;
+  }
   const auto is_ended = [=](const Solve& solve) {  // programs stop before it
     return solve.seconds >= 0.9 * limit && (takes_unsolved || !solve.had_enough_time);
   };
-  std::vector<Doubt> doubts = doubts_of_load(study);
-  if (are_of_other_sessions(study)) doubts.push_back({.what = "measured in different sessions"});
-  for (Doubt& doubt : doubts) {
-    doubt.kind = DoubtKind::seconds_decide;
-    if (doubt.who.empty()) doubt.who = study.labels;
-    std::erase_if(doubt.who,
-                  [&](const std::string& solver) { return std::ranges::none_of(study.of(solver), is_ended); });
-  }
+  for (Doubt& doubt : doubts)
+    std::erase_if(doubt.who, [&](auto& solver) { return std::ranges::none_of(study.of(solver), is_ended); });
   std::erase_if(doubts, [](const Doubt& doubt) { return doubt.who.empty(); });
   return doubts;
 }

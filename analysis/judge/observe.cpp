@@ -224,8 +224,9 @@ Observations observe_times(const StudyResults& study, const Metric& metric) {
   observed.is_paired = true;
   observed.are_logs = metric.kind != Kind::in_time;
   observed.fewest = fewest_sessions;
-  for (const std::string& solver : study.labels)
-    observed.groups.push_back(group_of_times(study, metric, solver, sessions_of(study, solver)));
+  const Sessions sessions = sessions_of(study);
+  for (std::size_t i = 0; i < study.labels.size(); ++i)
+    observed.groups.push_back(group_of_times(study, metric, study.labels[i], sessions.told[i]));
   observed.doubts = doubts_of_times(study);
   set_apart(observed);
   return observed;

@@ -169,39 +169,26 @@ std::string calls_of(const StudyResults& study) {
                                     : "calls of runs in a row";
 }
 
-std::set<std::pair<int, int>> busy_sessions(const StudyResults& study) {
-  std::map<std::pair<int, int>, std::pair<int, int>> disturbed;  // of how many
+Sessions sessions_of(const StudyResults& study) {
+  std::map<int, std::map<std::size_t, std::pair<int, int>>> counts;  // by session and solver: solves, those slowed
   for (const Solve& solve : study.solves) {
-    auto& [count, all] = disturbed[{solve.label, solve.session}];
-    count += solve.was_disturbed, ++all;
+    auto& [all, slowed] = counts[solve.session][static_cast<std::size_t>(solve.label)];
+    ++all, slowed += solve.was_disturbed;
   }
-  std::set<std::pair<int, int>> busy;
-  for (const auto& [of, counts] : disturbed)
-    if (counts.first > 1 && 10 * counts.first > counts.second) busy.insert(of);
-  return busy;
-}
-
-std::map<int, std::size_t> sessions_that_compare(const StudyResults& study) {
-  std::map<std::pair<int, int>, std::size_t> solves;  // by session and solver
-  for (const Solve& solve : study.solves) ++solves[{solve.session, solve.label}];
-  std::map<int, std::size_t> whole;
-  for (const auto& [of, count] : solves) whole[of.first] = std::max(whole[of.first], count);
-  std::erase_if(whole, [&](const auto& each) {
-    const auto its = std::ranges::find(study.sessions, each.first, &Session::id);
-    return its == study.sessions.end() || !is_of_this_clock(*its);
-  });
-  return whole;
-}
-
-std::set<int> sessions_of(const StudyResults& study, std::string_view solver) {
-  const std::map<int, std::size_t> whole = sessions_that_compare(study);
-  const std::set<std::pair<int, int>> busy = busy_sessions(study);
-  std::map<int, std::size_t> counts;
-  for (const Solve& solve : study.of(solver))
-    if (!busy.contains({solve.label, solve.session})) ++counts[solve.session];
-  std::set<int> sessions;
-  for (const auto& [session, count] : counts)
-    if (const auto its = whole.find(session); its != whole.end() && its->second == count) sessions.insert(session);
+  const std::vector<std::set<int>> none(study.labels.size());
+  Sessions sessions{.all = none, .busy = none, .told = none};
+  for (const auto& [session, solvers] : counts) {
+    const auto most = std::ranges::max_element(solvers, {}, [](auto& each) { return each.second.first; })->second.first;
+    const auto its = std::ranges::find(study.sessions, session, &Session::id);
+    const bool is_compared = its != study.sessions.end() && is_of_this_clock(*its);
+    if (is_compared) sessions.compared.insert(session);
+    for (const auto& [solver, count] : solvers) {
+      const bool is_busy = count.second > 1 && 10 * count.second > count.first;
+      sessions.all[solver].insert(session);
+      if (is_busy) sessions.busy[solver].insert(session);
+      if (is_compared && !is_busy && count.first == most) sessions.told[solver].insert(session);
+    }
+  }
   return sessions;
 }
 

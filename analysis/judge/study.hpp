@@ -77,13 +77,15 @@ constexpr int fewest_sessions = 4;  // that compare times
 bool is_of_this_clock(const results::Session& session);
 // "first calls on a target": which calls this clock timed; empty: none.
 std::string calls_of(const StudyResults& study);
-// Sessions of a solver, by its place, in which more than a tenth of its solves took over a tenth longer than their
-// processor time.
-std::set<std::pair<int, int>> busy_sessions(const StudyResults& study);
-// The sessions of this clock, with the number of solves of those who made all in it.
-std::map<int, std::size_t> sessions_that_compare(const StudyResults& study);
-// Those of a solver whose times compare: it made all, and was not busy.
-std::set<int> sessions_of(const StudyResults& study, std::string_view solver);
+// What times are compared by; lists are by solver.
+struct Sessions {
+  std::set<int> compared = {};          // of this clock
+  std::vector<std::set<int>> all = {};  // of its solves
+  std::vector<std::set<int>> busy =
+      {};  // over a tenth of its solves took over a tenth longer than their processor time
+  std::vector<std::set<int>> told = {};  // whose times compare: it made as many solves as anybody, and was not busy
+};
+Sessions sessions_of(const StudyResults& study);
 
 constexpr std::int64_t most_solves = 10'000'000;
 constexpr int most_drawn = 10'000;  // of a first run
