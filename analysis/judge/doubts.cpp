@@ -273,7 +273,8 @@ std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
 
 std::vector<Doubt> doubts_of(const StudyResults& study) {
   Doubts doubts;
-  add_counts(doubts, study, {.kind = DoubtKind::runs_missing}, [&](const std::string& solver) {
+  const Doubt missing{.kind = DoubtKind::runs_missing, .what = "runs missing or without some targets"};
+  add_counts(doubts, study, missing, [&](const std::string& solver) {
     return std::pair(study.definition.runs - std::ssize(complete_runs_of(study, solver)), study.definition.runs);
   });
   add(doubts, study, {.kind = DoubtKind::without_answer}, [](const Solve& solve) { return !gave_answer(solve); });
@@ -309,56 +310,40 @@ std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyRes
 }
 
 std::string words_of(const Doubt& doubt) {
-  const std::string who = names_of(doubt.who), &what = doubt.what;
-  const std::string of_whom = who.empty() ? "" : fmt::format(" ({})", who);
-  const std::string share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
-  const std::string in_solves = doubt.of > 0 ? fmt::format(" in {} solves", share) : "";
-  switch (doubt.kind) {
-    case DoubtKind::runs_missing:
-      return fmt::format("{} {}{}", share, what.empty() ? "runs missing or without some targets" : what, of_whom);
-    case DoubtKind::incomplete:
-      return fmt::format("{} {}: no verdict on {}; write inf for no answer, or drop them", share, what, who);
-    case DoubtKind::without_answer:
-      return what.empty() ? fmt::format("{} solves gave no answer{}", share, of_whom)
-                          : fmt::format("no answer in {} {}{}", share, what, of_whom);
-    case DoubtKind::claimed_but_wrong:
-      return fmt::format("{} solves claimed an error that is wrong, and do not count as solved ({})", share, who);
-    case DoubtKind::outside_limits:
-      return fmt::format("{} answers outside the joint limits ({})", share, who);
-    case DoubtKind::near_misses:
-      return fmt::format("{} unsolved answers of {} are within twice the tolerance: does it know the tolerance?", share,
-                         who);
-    case DoubtKind::budgets_differ:
-    case DoubtKind::counted_otherwise:
-      return fmt::format("{} ({})", what, who);
-    case DoubtKind::times_not_comparable:
-      return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what, in_solves);
-    case DoubtKind::sessions_left_out:
-      return fmt::format("sessions in which the machine was busy are left out of the tests of time ({})", who);
-    case DoubtKind::seconds_decide:
-      return fmt::format("results of {} that seconds decide are not compared: {}{}", who, what, in_solves);
-    case DoubtKind::out_of_reach:
-      return fmt::format("{} targets of a run out of reach, so no solver can solve them", share);
-    case DoubtKind::solved_by_nobody:
-      return fmt::format("{} targets were solved by nobody in any run (points {})", share, what);
-    case DoubtKind::too_few_joints:
-      return what;
-    case DoubtKind::few_decide_mean:
-      return fmt::format("few values decide the {} of {}: nothing is called better by it", what, who);
-    case DoubtKind::ranks_disagree:
-      return fmt::format("{} is better than {} by ranks, though its {} is worse", doubt.who.front(), doubt.who.back(),
-                         what);
-    case DoubtKind::plan_changed:
-      return fmt::format("the plan was changed after {} solves were made{}: {}", share, of_whom, what);
-    case DoubtKind::repeats_itself:
-      return fmt::format("{} gave the same {} {:.0f} {}, {}", who, what.empty() ? "answers in all" : what, doubt.count,
-                         what.empty() ? "runs" : "times",
-                         doubt.of > 0 ? "or its spread was rounded away: not tested" : "which count as one");
-    case DoubtKind::other_version:
-      return fmt::format("ignored: {} of another version ({})", base::counted(std::llround(doubt.count), "solves"),
-                         who);
-  }
-  return {};
+  // In the order of DoubtKind.
+  static constexpr std::string_view sentences[]{
+      "the plan was changed after {share} solves were made{of_whom}: {what}",
+      "{share} {what}{of_whom}",
+      "{share} {what}: no verdict on {who}; write inf for no answer, or drop them",
+      "ignored: {solves} of another version ({who})",
+      "{share} solves claimed an error that is wrong, and do not count as solved ({who})",
+      "results of {who} that seconds decide are not compared: {what}{in_solves}",
+      "{what} ({who})",
+      "{share} unsolved answers of {who} are within twice the tolerance: does it know the tolerance?",
+      "{what} ({who})",
+      "{share} answers outside the joint limits ({who})",
+      "no answer in {share} {what}{of_whom}",
+      "times{of_who} are not compared: {what}{in_solves}",
+      "sessions in which the machine was busy are left out of the tests of time ({who})",
+      "{share} targets of a run out of reach, so no solver can solve them",
+      "{share} targets were solved by nobody in any run (points {what})",
+      "{what}",
+      "{who} gave the same {what} {count} times, or its spread was rounded away: not tested",
+      "few values decide the {what} of {who}: nothing is called better by it",
+      "{first} is better than {last} by ranks, though its {what} is worse"};
+  std::string_view sentence = sentences[static_cast<std::size_t>(doubt.kind)];
+  if (doubt.kind == DoubtKind::without_answer && doubt.what.empty())
+    sentence = "{share} solves gave no answer{of_whom}";
+  if (doubt.kind == DoubtKind::repeats_itself && doubt.what.empty())
+    sentence = "{who} gave the same answers in all {count} runs, which count as one";
+  const std::string who = names_of(doubt.who), share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
+  const auto if_any = [&](const char* before, const char* after) { return who.empty() ? "" : before + who + after; };
+  return fmt::format(
+      fmt::runtime(sentence), fmt::arg("who", who), fmt::arg("of_whom", if_any(" (", ")")),
+      fmt::arg("of_who", if_any(" of ", "")), fmt::arg("share", share), fmt::arg("what", doubt.what),
+      fmt::arg("in_solves", doubt.of > 0 ? fmt::format(" in {} solves", share) : ""),
+      fmt::arg("count", std::llround(doubt.count)), fmt::arg("solves", counted(std::llround(doubt.count), "solves")),
+      fmt::arg("first", who.empty() ? who : doubt.who.front()), fmt::arg("last", who.empty() ? who : doubt.who.back()));
 }
 
 }  // namespace ikbench::judge
