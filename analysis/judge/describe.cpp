@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "analysis/judge/prepare.hpp"
-#include "analysis/judge/tests_of_two.hpp"
 
 namespace ikbench::judge {
 namespace {

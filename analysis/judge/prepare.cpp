@@ -13,10 +13,7 @@ constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon(
 
 // Makes values equal that lie above the smallest of them by no more than its own rounding or theirs.
 void remove_rounding(std::vector<double>& values, const std::vector<double>& roundings) {
-  std::vector<std::pair<double, std::size_t>> order;  // pairs stay in the cache, which places alone would not
-  order.reserve(values.size());
-  for (const double value : values) order.emplace_back(value, order.size());
-  std::ranges::sort(order, {}, &std::pair<double, std::size_t>::first);
+  const std::vector<Placed> order = rising(values);
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
     const auto [least, its] = order[first];
     const auto is_equal = [&](const auto& other) {

@@ -7,10 +7,8 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <numeric>
-#include <utility>
 
 namespace ikbench::judge {
 namespace {
@@ -258,11 +256,16 @@ Summary summarise(Values values) {
   return {.n = static_cast<int>(values.size()), .mean = shift + sum / n, .sd = is_rounding ? 0 : sd};
 }
 
-Ranks midranks(Values values) {
-  std::vector<std::pair<double, std::size_t>> order;  // pairs stay in the cache, which places alone would not
+std::vector<Placed> rising(Values values) {
+  std::vector<Placed> order;
   order.reserve(values.size());
   for (const double value : values) order.emplace_back(value, order.size());
-  std::ranges::sort(order, {}, &std::pair<double, std::size_t>::first);
+  std::ranges::sort(order, {}, &Placed::first);
+  return order;
+}
+
+Ranks midranks(Values values) {
+  const std::vector<Placed> order = rising(values);
   Ranks result{.ranks = std::vector<double>(values.size())};
   for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
     while (end < order.size() && order[end].first == order[first].first) ++end;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "analysis/judge/observations.hpp"
@@ -30,6 +31,10 @@ double critical_z(double alpha);  // of the normal distribution, two-sided
 
 // Two passes, shifted by the first value. sd is 0 if it is rounding. Needs a value.
 Summary summarise(Values values);
+
+// Values that rise, each with its place. Pairs stay in the cache, which places alone would not.
+using Placed = std::pair<double, std::size_t>;
+std::vector<Placed> rising(Values values);
 
 // Equal values share the mean of their ranks; 1 is the smallest.
 struct Ranks {
