@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <random>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -217,7 +216,7 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
     study.trace = solve.trace_cm.empty() ? solvers::Trace::none : solvers::Trace::best_error;
     const SolveRunner& runner = runners.at(solve.label);
     const SolveRecord again =
-        runner.solve(*runner.make_solver(), target_of(solve), vector_of(solve.start_rad), solve.run, solve.point);
+        runner.solve(*runner.make_solver(), {target_of(solve), vector_of(solve.start_rad), solve.run, solve.point});
     of_stored([&] {
       const auto compare = [&](const char* column, const auto& made, const auto& of_store) {
         if (made != of_store) refuse(solve, fmt::format("made again, it has {} {}, not {}", column, made, of_store));

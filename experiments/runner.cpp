@@ -160,12 +160,11 @@ struct Bench {
   std::vector<std::unique_ptr<solvers::Solver>> solvers = {};
   RunTask task = {};
 
-  void go_to(const Work& work, int run) {
+  // What is asked at a point; `left_arm` is where a chain goes on.
+  Call call_at(const Work& work, int run, int point, const Configuration& left_arm) {
     if (task.run != run) task = {run, targets(work.study, work.arm, run), starts(work.study, work.arm, run)};
-  }
-  const Pose& target(int point) const { return task.targets[static_cast<std::size_t>(point - 1)]; }
-  const Configuration& start(int point, const Configuration& left_arm) const {
-    return task.starts.empty() ? left_arm : task.starts[static_cast<std::size_t>(point - 1)];
+    const auto place = static_cast<std::size_t>(point - 1);
+    return {task.targets[place], task.starts.empty() ? left_arm : task.starts[place], run, point};
   }
 };
 
@@ -179,12 +178,10 @@ void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, cons
   PauseWatch pauses;
   std::vector<Bench> benches(static_cast<std::size_t>(jobs));
   const auto prepare = [&](Bench& bench) {
-    bench.go_to(work, parts.back().run);
+    const Call call = bench.call_at(work, parts.back().run, parts.back().last, work.study.initial);
     for (const std::size_t s : solvers) {
       bench.solvers.push_back(work.solve_runners[s].make_solver());
-      work.solve_runners[s].warm_up(*bench.solvers.back(), bench.target(parts.back().last),
-                                    bench.start(parts.back().last, work.study.initial), parts.back().run,
-                                    parts.back().last);
+      work.solve_runners[s].warm_up(*bench.solvers.back(), call);
     }
   };
   const auto work_on = [&](std::size_t turn, std::size_t worker, const IsOver& is_over) {
@@ -195,20 +192,16 @@ void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, cons
     const auto end = group + 1 == groups ? parts.end() : first + static_cast<std::ptrdiff_t>(together);
     const SolveRunner& solve_runner = work.solve_runners[s];
     solvers::Solver& solver = *bench.solvers[its];
-    for (auto part = first; is_hot && part != end && !is_over(); ++part) {
-      bench.go_to(work, part->run);
-      solve_runner.heat(solver, bench.target(part->first), bench.start(part->first, work.study.initial), part->run,
-                        part->first);
-    }
+    for (auto part = first; is_hot && part != end && !is_over(); ++part)
+      solve_runner.heat(solver, bench.call_at(work, part->run, part->first, work.study.initial));
     for (auto part = first; part != end; ++part) {
       const auto stored_chain = work.left_arm.find({s, part->run});
       Configuration left_arm = work.study.initial;
       if (stored_chain != work.left_arm.end()) left_arm = stored_chain->second;
-      bench.go_to(work, part->run);
       for (int point = work.next_point(s, *part); point <= part->last && !is_over(); ++point) {
-        std::optional<SolveRecord> record = undisturbed(pauses, is_over, [&] {
-          return solve_runner.solve(solver, bench.target(point), bench.start(point, left_arm), part->run, point);
-        });
+        const Call call = bench.call_at(work, part->run, point, left_arm);
+        std::optional<SolveRecord> record =
+            undisturbed(pauses, is_over, [&] { return solve_runner.solve(solver, call); });
         if (!record) return;
         if (check) check(*record);
         if (!is_over()) solve_runner.count_failure(solver);
@@ -374,7 +367,7 @@ bool moves_arm(const SolveRecord& solve, Start start) {
 SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target) {
   const Robot arm = arm_of(study);
   const SolveRunner solve_runner(study, entry, series_key(study, entry), arm);
-  return solve_runner.solve(*solve_runner.make_solver(), target, study.initial, 1, 1);
+  return solve_runner.solve(*solve_runner.make_solver(), {target, study.initial, 1, 1});
 }
 
 }  // namespace ikbench::experiments

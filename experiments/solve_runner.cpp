@@ -4,7 +4,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <array>
 #include <cfenv>
 #include <chrono>
 #include <cmath>
@@ -130,8 +129,8 @@ std::string SolveRunner::odd() const {
   return told;
 }
 
-SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const Configuration& start, int run,
-                                      int point) const {
+SolveRunner::Timed SolveRunner::timed(Solver& solver, const Call& call) const {
+  const auto& [target, start, run, point] = call;
   const Problem problem = task_.problem(start, effective_population(study_, entry_));
   Objective objective(task_.arm(), task_.goal(target));
   Random random(Key(study_.seed)
@@ -170,22 +169,22 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Pose& target, const 
   return timed;
 }
 
-void SolveRunner::warm_up(Solver& solver, const Pose& target, const Configuration& start, int run, int point) const {
+void SolveRunner::warm_up(Solver& solver, const Call& call) const {
   if (conversations_) {
-    const Problem problem = task_.problem(start, effective_population(study_, entry_));
-    return static_cast<ForeignSolver&>(solver).prepare(problem, Objective(task_.arm(), task_.goal(target)));
+    const Problem problem = task_.problem(call.start, effective_population(study_, entry_));
+    return static_cast<ForeignSolver&>(solver).prepare(problem, Objective(task_.arm(), task_.goal(call.target)));
   }
   WarmUp unrecorded;
   try {
-    while (unrecorded.goes_on()) timed(solver, target, start, run, point);
+    while (unrecorded.goes_on()) timed(solver, call);
   } catch (const std::exception&) {  // which the solve itself will say
   }
 }
 
-SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configuration& start, int run,
-                               int point) const {
+SolveRecord SolveRunner::solve(Solver& solver, const Call& call) const {
+  const auto& [target, start, run, point] = call;
   const double interrupted_before = thread_interruptions(), before = thread_seconds();
-  Timed made = timed(solver, target, start, run, point);
+  Timed made = timed(solver, call);
   if (!made.account) made.cpu_seconds = thread_seconds() - before;
   const double interruptions = thread_interruptions() - interrupted_before;
   const Solution& solution = made.solution;
@@ -200,7 +199,7 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
   }
   constexpr int one_in = 10;
   if ((conversations_ || entry_.own) && !is_without_answer(status) && (run + point) % one_in == 0) {
-    const Timed again = timed(solver, target, start, run, point);
+    const Timed again = timed(solver, call);
     if (!again.account || !again.account->failure) {
       ++asked_again_;
       differed_ += !same_bits(again.answer, made.answer);

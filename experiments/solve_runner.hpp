@@ -26,6 +26,13 @@ bool same_bits(const Numbers& a, const Numbers& b) {
   });
 }
 
+// What a solver is asked; all of it outlives the call.
+struct Call {
+  const Pose& target;
+  const Configuration& start;
+  int run, point;
+};
+
 // Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
 class SolveRunner {
  public:
@@ -43,16 +50,13 @@ class SolveRunner {
   void count_failure(solvers::Solver& solver) const;
   std::string odd() const;  // of what others wrote: a failure, or answers that it does not repeat; empty: nothing
   // Starts a program; solves a few times, unrecorded, whatever comes of it.
-  void warm_up(solvers::Solver& solver, const Pose& target, const Configuration& start, int run, int point) const;
+  void warm_up(solvers::Solver& solver, const Call& call) const;
   // Both throw std::runtime_error, with label, run and point, if the solver throws (std::invalid_argument, if it throws
   // that). Solves once, unrecorded.
-  void heat(solvers::Solver& solver, const Pose& target, const Configuration& start, int run, int point) const {
-    timed(solver, target, start, run, point);
-  }
+  void heat(solvers::Solver& solver, const Call& call) const { timed(solver, call); }
   // One timed call. Of what others wrote one in ten is asked again, for `odd`. Where the solver ends the process by
   // `exit`, that prints a sentence, and its code is 2.
-  results::SolveRecord solve(solvers::Solver& solver, const Pose& target, const Configuration& start, int run,
-                             int point) const;
+  results::SolveRecord solve(solvers::Solver& solver, const Call& call) const;
 
  private:
   struct Timed {
@@ -63,7 +67,7 @@ class SolveRunner {
     double cpu_seconds = 0;               // of the program, else of this thread
     std::map<std::string, double> extras = {};
   };
-  Timed timed(solvers::Solver& solver, const Pose& target, const Configuration& start, int run, int point) const;
+  Timed timed(solvers::Solver& solver, const Call& call) const;
   results::StopReason stop_reason_of(const Timed& timed) const;
   results::Status status_of(const Timed& timed, const Verification& verified, const Pose& target) const;
   bool is_late(const Timed& timed) const;
