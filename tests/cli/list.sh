@@ -6,8 +6,7 @@ for kind in solvers robots studies paths columns metrics instruction-sets; do
   succeeds list $kind
   [ -z "$err" ] && [ "$(wc -L <.out)" -le 100 ] || fail "list $kind: $(wc -L <.out) columns; $err"
   quiet
-  names=$(grep -E '^[a-z]' .out | cut -d' ' -f1)
-  [ -n "$names" ] || fail "there are no $kind"
+  names=$(grep -E '^[a-z]' .out | cut -d' ' -f1) && [ -n "$names" ] || fail "there are no $kind"
   case $kind in robots) show=robot ;; solvers | paths) show="list $kind" ;; *) continue ;; esac
   for name in $names; do
     succeeds $show "$name"
@@ -51,6 +50,7 @@ done
 
 succeeds list figures
 has "$out" "text_pt = 8"
+succeeds list metrics && [[ $out =~ solved_in_time\ +larger ]] || fail "more solved in time is not better: $out"
 
 # Help, and the version.
 succeeds --help
