@@ -17,12 +17,9 @@
 
 namespace ikbench::cli {
 
-using namespace experiments;
-using namespace base;
 using namespace numerics;
 using namespace robots;
 using namespace solvers;
-using namespace results;
 
 namespace {
 

@@ -19,9 +19,6 @@
 
 namespace ikbench::cli {
 
-using namespace experiments;
-using namespace base;
-
 namespace {
 
 // The state for the thread of SignalWatch.

@@ -15,6 +15,11 @@
 
 namespace ikbench::cli {
 
+// What all commands speak of.
+using namespace base;
+using namespace results;
+using namespace experiments;
+
 // Makes any text valid UTF-8 with control characters as escapes or blanks, so that no name moves a cursor, colours a
 // terminal or reverses its writing; newlines stay.
 std::string printable(std::string_view text);

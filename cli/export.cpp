@@ -17,10 +17,6 @@
 
 namespace ikbench::cli {
 
-using namespace base;
-using namespace results;
-using namespace experiments;
-
 void add_export(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string store, study, format = "csv", file = "-";

@@ -23,12 +23,9 @@
 
 namespace ikbench::cli {
 
-using namespace base;
 using namespace numerics;
 using namespace robots;
 using namespace solvers;
-using namespace results;
-using namespace experiments;
 
 namespace {
 

@@ -18,9 +18,6 @@
 
 namespace ikbench::cli {
 
-using namespace base;
-using namespace results;
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -19,10 +19,6 @@
 
 namespace ikbench::cli {
 
-using namespace base;
-using namespace results;
-using namespace experiments;
-
 namespace {
 
 struct MultiverseArguments {

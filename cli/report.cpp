@@ -24,10 +24,6 @@
 
 namespace ikbench::cli {
 
-using namespace base;
-using namespace results;
-using namespace experiments;
-
 namespace {
 
 void write_studies(const std::vector<std::string>& files, const std::string& study, const std::string& out,

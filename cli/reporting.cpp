@@ -21,15 +21,10 @@
 #include "cli/options.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/runner.hpp"
-#include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "results/export.hpp"
 
 namespace ikbench::cli {
-
-using namespace base;
-using namespace results;
-using namespace experiments;
 
 namespace {
 

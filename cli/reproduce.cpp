@@ -27,9 +27,6 @@
 
 namespace ikbench::cli {
 
-using namespace base;
-using namespace results;
-using namespace experiments;
 using papers::Paper;
 
 namespace {

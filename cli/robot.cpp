@@ -22,7 +22,6 @@
 
 namespace ikbench::cli {
 
-using namespace base;
 using namespace robots;
 using namespace figures;
 

@@ -20,10 +20,6 @@
 
 namespace ikbench::cli {
 
-using namespace base;
-using namespace results;
-using namespace experiments;
-
 namespace {
 
 void refuse_empty_shard(const Study& study, Shard shard) {

@@ -18,10 +18,6 @@
 
 namespace ikbench::cli {
 
-using namespace base;
-using namespace results;
-using namespace experiments;
-
 namespace {
 
 // Explains why solves that look done are made anew.

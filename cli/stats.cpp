@@ -12,7 +12,6 @@
 #include "analysis/csv/user_csv.hpp"
 #include "analysis/figures/of_study.hpp"
 #include "analysis/show/answer_tables.hpp"
-#include "analysis/show/publish.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/screen.hpp"
 #include "analysis/show/words.hpp"

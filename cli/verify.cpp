@@ -15,10 +15,6 @@
 
 namespace ikbench::cli {
 
-using namespace base;
-using namespace results;
-using namespace experiments;
-
 void add_verify(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::string store, study;
