@@ -19,11 +19,7 @@ TEST_CASE("a step is (J^T J + W)^-1 J^T e with the damping of each rule, in metr
       descent->start(task.problem, recorded, random);
       for (int iteration = 0; iteration < 4; ++iteration) {
         const Eigen::VectorXd q = recorded.candidates.back();
-        Matrix6Xd J(6, q.size());
-        const Pose reached = task.arm.chain.pose_jacobian(q, J);
-        const Eigen::AngleAxisd turn(task.goal.target.linear() * reached.linear().transpose());
-        Eigen::VectorXd e(6);
-        e << task.goal.target.translation() - reached.translation(), turn.angle() * turn.axis();
+        const auto [J, e] = linearized(task, q);
         const double W = damping(e.squaredNorm() / 2);
         const Eigen::MatrixXd A = J.transpose() * J + W * Eigen::MatrixXd::Identity(q.size(), q.size());
         descent->step(recorded, random);

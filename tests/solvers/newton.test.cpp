@@ -14,11 +14,7 @@ TEST_CASE("a step of Newton's method is J^+ times what is to go, in metres and r
       newton->start(task.problem, recorded, random);
       for (int iteration = 0; iteration < 4; ++iteration) {
         const Eigen::VectorXd q = recorded.candidates.back();
-        Matrix6Xd J(6, q.size());
-        const Pose reached = task.arm.chain.pose_jacobian(q, J);
-        const Eigen::AngleAxisd turn(task.goal.target.linear() * reached.linear().transpose());
-        Eigen::VectorXd to_go(6);
-        to_go << task.goal.target.translation() - reached.translation(), turn.angle() * turn.axis();
+        const auto [J, to_go] = linearized(task, q);
         const Eigen::MatrixXd A = J * J.transpose();
         const Eigen::VectorXd solved = A.inverse() * to_go, step = J.transpose() * solved;  // J has all its rows
         newton->step(recorded, random);

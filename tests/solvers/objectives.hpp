@@ -158,6 +158,15 @@ struct ReachablePose {
   solvers::Problem problem;
 };
 
+// What is to go from q [m, rad], and its Jacobian.
+inline std::pair<robots::Matrix6Xd, Eigen::VectorXd> linearized(const ReachablePose& task, const Eigen::VectorXd& q) {
+  std::pair<robots::Matrix6Xd, Eigen::VectorXd> both{robots::Matrix6Xd(6, q.size()), Eigen::VectorXd(6)};
+  const robots::Pose reached = task.arm.chain.pose_jacobian(q, both.first);
+  const Eigen::AngleAxisd turn(task.goal.target.linear() * reached.linear().transpose());
+  both.second << task.goal.target.translation() - reached.translation(), turn.angle() * turn.axis();
+  return both;
+}
+
 inline bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return a.size() == b.size() && (a - b).cwiseAbs().maxCoeff() <= 4e-16 * (1 + b.cwiseAbs().maxCoeff());
 }
