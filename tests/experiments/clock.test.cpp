@@ -75,8 +75,7 @@ TEST_CASE("a study is done in sessions, in each of which all solvers have the sa
   for (const auto& [points, turns, sessions] : {std::tuple(12, 6, 6), {4, 6, 4}, {12, 1, 1}, {13, 3, 3}}) {
     Study study = study_of_calls(points);
     study.turns = turns;
-    const ScratchFolder folder;
-    Store store(folder.path / "store.sqlite", Store::Mode::write);
+    ScratchStore store;
     run(study, store, {});
     const auto places = places_in(store, study);
     CHECK(std::ssize(places) == sessions);
@@ -87,8 +86,7 @@ TEST_CASE("a study is done in sessions, in each of which all solvers have the sa
 
 TEST_CASE("a shard is one session", "[clock]") {
   const Study study = study_of_calls(12);
-  const ScratchFolder folder;
-  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  ScratchStore store;
   run(study, store, {.shard = {2, 3}});
   CHECK(places_in(store, study).size() == 1);
 }
@@ -96,8 +94,7 @@ TEST_CASE("a shard is one session", "[clock]") {
 TEST_CASE("all solvers solve a target before the next, and take turns at being first", "[clock]") {
   Study study = study_of_calls(8);
   study.turns = 2;
-  const ScratchFolder folder;
-  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  ScratchStore store;
   run(study, store, {});
   constexpr std::size_t warm_ups = 6, solves = 8;  // of both, in each session
   REQUIRE(Calls::all.size() == 2 * (warm_ups + solves));
@@ -118,8 +115,7 @@ TEST_CASE("hot is the second call, after one on another target", "[clock]") {
   study.turns = 1;
   study.state = State::hot;
   study.solvers.pop_back();
-  const ScratchFolder folder;
-  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  ScratchStore store;
   run(study, store, {});
   CHECK(store.sessions().front().environment.at("state") == "hot");
   const std::vector<Pose> poses = targets(study, 1);
@@ -139,8 +135,7 @@ TEST_CASE("a stop cuts one session, and all others have the same targets of all 
   for (const std::int64_t solves : {1, 3, 4, 7}) {
     Study study = study_of_calls(12);
     study.turns = 3;
-    const ScratchFolder folder;
-    Store store(folder.path / "store.sqlite", Store::Mode::write);
+    ScratchStore store;
     std::atomic<bool> cancelled{false};
     const auto look = [&](const Progress& now) { cancelled = now.done >= solves; };
     run(study, store, {.progress = look, .cancelled = &cancelled});
@@ -155,8 +150,7 @@ TEST_CASE("a stop cuts one session, and all others have the same targets of all 
 TEST_CASE("a class that remembers is told of", "[clock]") {
   Study study = study_of_calls(20);
   study.turns = 1;
-  const ScratchFolder folder;
-  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  ScratchStore store;
   Recorded<'a'>::shift = 1;
   const Progress progress = run(study, store, {});
   Recorded<'a'>::shift = 0;
@@ -166,8 +160,7 @@ TEST_CASE("a class that remembers is told of", "[clock]") {
 
 TEST_CASE("a session says how much time the host kept from the machine meanwhile", "[clock]") {
   const double before = stolen_seconds();
-  const ScratchFolder folder;
-  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  ScratchStore store;
   run(small_study(), store, {});
   const double all = stolen_seconds() - before;
   if (!(before >= 0)) return;  // no /proc/stat

@@ -148,8 +148,7 @@ TEST_CASE("a solve that no reader would take ends the run with its place, and th
   study.solvers.front().solver = "newton";  // whose evaluations are always counted
   const StoredStudy stored = stored_study(study);
   Faulty::place = "", Faulty::asks = false;
-  const ScratchFolder folder;
-  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  ScratchStore store;
   const auto request = RunRequest{.patience = std::chrono::milliseconds(10'000)};
   CHECK_THAT(complaint<std::runtime_error>([&] { run(study, stored, store, request); }),
              ContainsSubstring("mine, run 1, point 2: it has 0 evaluations"));
@@ -200,8 +199,7 @@ TEST_CASE("a solve during which a stop came is stored if it solved, and else lef
   Study study = study_of_faulty("all_joints");
   for (const double tolerance : {0.0, 1e-9}) {
     study.stop.tolerance = tolerance;
-    const ScratchFolder folder;
-    Store store(folder.path / "store.sqlite", Store::Mode::write);
+    ScratchStore store;
     cancelled = false;
     CHECK(run(study, store, {.cancelled = &cancelled}).done == (tolerance == 0 ? 2 : 1));
   }

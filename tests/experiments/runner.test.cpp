@@ -3,13 +3,6 @@
 
 namespace {
 
-// A store in a folder that vanishes with the test.
-struct ScratchStore {
-  ScratchFolder folder;
-  std::filesystem::path file = folder.path / "store.sqlite";
-  Store store{file, Store::Mode::write};
-};
-
 // Runs until `solves` more are done, then stops as Ctrl-C does.
 Progress run_for(const Study& study, Store& store, std::int64_t solves) {
   std::atomic<bool> cancelled{false};
@@ -66,8 +59,8 @@ TEST_CASE("a study from the store's point of view: name, series in order, option
   ScratchStore scratch;
   Study study = small_study();
   study.solvers[1].options["alpha"] = 0.25;
-  run(study, scratch.store, {});
-  const StoredStudy entry = scratch.store.study("small");
+  run(study, scratch, {});
+  const StoredStudy entry = scratch.study("small");
   REQUIRE(entry.series.size() == 3);
   CHECK(entry.series[0].label == "IK-BA");
   CHECK(entry.series[1].algorithm == "bat");
@@ -81,33 +74,33 @@ TEST_CASE("a study from the store's point of view: name, series in order, option
 TEST_CASE("every session remembers how the study was to be judged when its solves were made", "[runner][analysis]") {
   ScratchStore scratch;
   Study study = small_study();
-  run_for(study, scratch.store, 3);
+  run_for(study, scratch, 3);
   study.plan.significance = 0.01;
-  run(study, scratch.store, {});
-  const std::vector<results::Session> sessions = scratch.store.sessions();
+  run(study, scratch, {});
+  const std::vector<results::Session> sessions = scratch.sessions();
   REQUIRE(sessions.size() >= 2);
   CHECK(nlohmann::json::parse(sessions.front().environment.at("analysis"))["significance"] == 0.05);
   CHECK(nlohmann::json::parse(sessions.back().environment.at("analysis"))["significance"] == 0.01);
-  CHECK(nlohmann::json::parse(scratch.store.study("small").definition.json)["analysis"]["significance"] == 0.01);
-  CHECK(scratch.store.solves("small").size() == 24);  // the earlier ones are kept
+  CHECK(nlohmann::json::parse(scratch.study("small").definition.json)["analysis"]["significance"] == 0.01);
+  CHECK(scratch.solves("small").size() == 24);  // the earlier ones are kept
 }
 
 // ---- only what is missing -----------------------------------------------------------------------------------------
 
 TEST_CASE("running again does nothing", "[runner]") {
   ScratchStore scratch;
-  const Progress first = run(small_study(), scratch.store, {});
+  const Progress first = run(small_study(), scratch, {});
   CHECK(first.done == 24);
   CHECK(first.reused == 0);
-  const std::vector<SolveRecord> before = scratch.store.solves("small");
-  const Progress second = run(small_study(), scratch.store, {});
+  const std::vector<SolveRecord> before = scratch.solves("small");
+  const Progress second = run(small_study(), scratch, {});
   CHECK(second.done == 24);
   CHECK(second.total == 24);
   CHECK(second.reused == 24);
-  const std::vector<SolveRecord> after = scratch.store.solves("small");
+  const std::vector<SolveRecord> after = scratch.solves("small");
   CHECK(std::equal(before.begin(), before.end(), after.begin(), after.end(),
                    [](const auto& a, const auto& b) { return same(a, b); }));  // times too
-  CHECK(scratch.store.sessions().size() == 2);                                 // of two runs
+  CHECK(scratch.sessions().size() == 2);                                       // of two runs
 }
 
 TEST_CASE("a run that is stopped anywhere and continued gives what an uninterrupted one gives", "[runner]") {
@@ -115,14 +108,14 @@ TEST_CASE("a run that is stopped anywhere and continued gives what an uninterrup
   for (const std::int64_t solves : {1, 3, 5, 12, 23}) {
     INFO(solves);
     ScratchStore scratch;
-    const Progress stopped = run_for(small_study(), scratch.store, solves);
+    const Progress stopped = run_for(small_study(), scratch, solves);
     CHECK(stopped.done == solves);
     CHECK(stopped.total == 24);
-    CHECK(scratch.store.solves("small").size() == static_cast<std::size_t>(solves));
-    const Progress rest = run(small_study(), scratch.store, {.jobs = 2});
+    CHECK(scratch.solves("small").size() == static_cast<std::size_t>(solves));
+    const Progress rest = run(small_study(), scratch, {.jobs = 2});
     CHECK(rest.done == 24);
     CHECK(rest.reused == solves);
-    CHECK(same_numbers(scratch.store.solves("small"), uninterrupted));
+    CHECK(same_numbers(scratch.solves("small"), uninterrupted));
   }
 }
 
@@ -132,12 +125,12 @@ TEST_CASE("parallel jobs stop soon after they are asked to, and what they did st
   study.runs = 10'000;  // takes longer than any transaction
   std::atomic<bool> cancelled{false};
   const auto look = [&](const Progress& now) { cancelled = now.done >= 5; };
-  const Progress stopped = run(study, scratch.store, {.jobs = 4, .progress = look, .cancelled = &cancelled});
+  const Progress stopped = run(study, scratch, {.jobs = 4, .progress = look, .cancelled = &cancelled});
   CHECK(stopped.done >= 5);
   CHECK(stopped.done < stopped.total);
-  CHECK(scratch.store.solves("small").size() == static_cast<std::size_t>(stopped.done));
-  run(small_study(), scratch.store, {});
-  CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
+  CHECK(scratch.solves("small").size() == static_cast<std::size_t>(stopped.done));
+  run(small_study(), scratch, {});
+  CHECK(same_numbers(scratch.solves("small"), solves_of(small_study())));
 }
 
 TEST_CASE("what fails where solves are taken is told, ends the work, and what was taken before stays", "[runner]") {
@@ -148,13 +141,12 @@ TEST_CASE("what fails where solves are taken is told, ends the work, and what wa
     const auto fail = [](const Progress& now) {
       if (now.done == 5) throw std::runtime_error("no space");
     };
-    CHECK(complaint<std::runtime_error>([&] { run(study, scratch.store, {.jobs = jobs, .progress = fail}); }) ==
-          "no space");
-    const std::size_t kept = scratch.store.solves("small").size();
+    CHECK(complaint<std::runtime_error>([&] { run(study, scratch, {.jobs = jobs, .progress = fail}); }) == "no space");
+    const std::size_t kept = scratch.solves("small").size();
     CHECK(kept >= 5);
     CHECK(kept < 120'000);
-    CHECK(run(small_study(), scratch.store, {}).done == 24);
-    CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
+    CHECK(run(small_study(), scratch, {}).done == 24);
+    CHECK(same_numbers(scratch.solves("small"), solves_of(small_study())));
 
     int taken = 0;
     const auto refuse = [&](const SolveRecord&) {
@@ -199,15 +191,15 @@ TEST_CASE("of a changed study only what the store lacks is solved, and what it n
   const auto check = [](std::int64_t total, std::int64_t reused, void (*change)(Study&)) {
     ScratchStore scratch;
     Study study = small_study();
-    run(study, scratch.store, {});
+    run(study, scratch, {});
     change(study);
-    const Progress again = run(study, scratch.store, {});
+    const Progress again = run(study, scratch, {});
     CHECK(again.total == total);
     CHECK(again.reused == reused);
-    CHECK(same_numbers(scratch.store.solves(study.name), solves_of(study)));
-    CHECK(scratch.store.studies().size() == (study.name == "small" ? 1 : 2));
-    CHECK(run(small_study(), scratch.store, {}).reused == 24);
-    CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
+    CHECK(same_numbers(scratch.solves(study.name), solves_of(study)));
+    CHECK(scratch.studies().size() == (study.name == "small" ? 1 : 2));
+    CHECK(run(small_study(), scratch, {}).reused == 24);
+    CHECK(same_numbers(scratch.solves("small"), solves_of(small_study())));
   };
   check(36, 24, [](Study& study) { study.runs = 3; });
   check(12, 12, [](Study& study) { study.runs = 1; });
@@ -238,29 +230,28 @@ TEST_CASE("solves of other source are left aside, told and solved anew", "[runne
                             .algorithm = one.solver,
                             .options = "{}"});
   }
-  scratch.store.save_study(entry);
-  scratch.store.append(records);
-  CHECK(scratch.store.solves("small").size() == 24);  // reports read them
-  LeftAside aside = left_aside(stored_study(study), scratch.store);
+  scratch.save_study(entry);
+  scratch.append(records);
+  CHECK(scratch.solves("small").size() == 24);  // reports read them
+  LeftAside aside = left_aside(stored_study(study), scratch);
   CHECK(aside.labels == std::vector<std::string>{"IK-BA", "BA", "DE"});
   CHECK(aside.solves == 24);
 
-  CHECK(run(study, scratch.store, {}).reused == 0);
-  CHECK(same_numbers(scratch.store.solves("small"), solves_of(study)));
-  CHECK(series_of(scratch.store, entry.series[0].key).size() == 8);   // they stay
-  CHECK(left_aside(stored_study(study), scratch.store).solves == 0);  // nothing is solved anew any more
+  CHECK(run(study, scratch, {}).reused == 0);
+  CHECK(same_numbers(scratch.solves("small"), solves_of(study)));
+  CHECK(series_of(scratch, entry.series[0].key).size() == 8);   // they stay
+  CHECK(left_aside(stored_study(study), scratch).solves == 0);  // nothing is solved anew any more
 }
 
 TEST_CASE("a run whose study another process replaces is refused, keeps its solves, and is told what to do",
           "[runner]") {
   for (const int jobs : {1, 4}) {
-    const ScratchFolder folder;
-    Store store(folder.path / "store.sqlite", Store::Mode::write);
+    ScratchStore store;
     Study other = small_study();
     other.seed = 2;
     const auto meddle = [&](const Progress& now) {
       if (now.done != 5) return;
-      Store rival(folder.path / "store.sqlite", Store::Mode::write);
+      Store rival(store.file, Store::Mode::write);
       run(other, rival, {});
     };
     const std::string said =
@@ -276,9 +267,9 @@ TEST_CASE("a run whose study another process replaces is refused, keeps its solv
 TEST_CASE("a store that was edited is refused and says where", "[runner]") {
   const auto complaint_after = [](const char* edit) {
     ScratchStore scratch;
-    run(small_study(), scratch.store, {});
+    run(small_study(), scratch, {});
     SQLite::Database(scratch.file.string(), SQLite::OPEN_READWRITE).exec(edit);
-    return complaint<std::invalid_argument>([&] { run(small_study(), scratch.store, {}); });
+    return complaint<std::invalid_argument>([&] { run(small_study(), scratch, {}); });
   };
   for (const auto& [edit, part] : std::vector<std::pair<const char*, const char*>>{
            {"DELETE FROM solves WHERE label = 'BA' AND run = 2 AND point = 3", "run 2, point 4 by BA is not what"},
@@ -295,10 +286,10 @@ TEST_CASE("progress is told before the first solve and after every one, and neve
   for (const int jobs : {1, 3}) {
     ScratchStore scratch;
     std::vector<std::int64_t> told;
-    run(small_study(), scratch.store, {.jobs = jobs, .progress = [&](const Progress& now) {
-                                         CHECK(now.total == 24);
-                                         told.push_back(now.done);
-                                       }});
+    run(small_study(), scratch, {.jobs = jobs, .progress = [&](const Progress& now) {
+                                   CHECK(now.total == 24);
+                                   told.push_back(now.done);
+                                 }});
     REQUIRE(told.size() == 25);
     for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i] == static_cast<std::int64_t>(i));
   }
@@ -344,9 +335,9 @@ TEST_CASE("a study may start every solve at its initial configuration, also afte
   study.start = Start::initial;
   study.initial << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7;
   ScratchStore scratch;
-  run_for(study, scratch.store, 7);
-  run(study, scratch.store, {.jobs = 2});
-  const std::vector<SolveRecord> records = scratch.store.solves("small");
+  run_for(study, scratch, 7);
+  run(study, scratch, {.jobs = 2});
+  const std::vector<SolveRecord> records = scratch.solves("small");
   for (const SolveRecord& record : records) CHECK(same(record.start_rad, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}));
   CHECK(same_numbers(records, solves_of(study)));
 }
@@ -355,11 +346,11 @@ TEST_CASE("a population is the number of candidates, and an option in the store"
   Study study = small_study();
   study.solvers = {{"6 bats", "ik_bat", {}}, {"9 bats", "ik_bat", {}, 9}};
   ScratchStore scratch;
-  run(study, scratch.store, {});
-  for (const SolveRecord& record : scratch.store.solves("small")) {
+  run(study, scratch, {});
+  for (const SolveRecord& record : scratch.solves("small")) {
     CHECK(record.evaluations == (record.label == "9 bats" ? 9 : 6) * (1 + study.stop.iterations));
   }
-  const std::vector<Series> series = scratch.store.study("small").series;
+  const std::vector<Series> series = scratch.study("small").series;
   CHECK(nlohmann::json::parse(series[0].options)["population"] == 6);
   CHECK(nlohmann::json::parse(series[1].options)["population"] == 9);
 }
@@ -407,9 +398,9 @@ TEST_CASE("a refused answer leaves the arm where it was, and the record tells of
   CHECK(refused < static_cast<int>(records.size()));
 
   ScratchStore scratch;  // after a stop, a chain continues behind a refusal
-  for (int more = 1; more <= 5; ++more) run_for(study, scratch.store, 17);
-  run(study, scratch.store, {});
-  CHECK(same_numbers(scratch.store.solves(study.name), records));
+  for (int more = 1; more <= 5; ++more) run_for(study, scratch, 17);
+  run(study, scratch, {});
+  CHECK(same_numbers(scratch.solves(study.name), records));
 }
 
 TEST_CASE("where limits are enforced the wrist takes the branch inside, whichever was asked for", "[runner]") {
@@ -631,8 +622,8 @@ TEST_CASE("a run is continued after a solve that was not finite as if it had not
   Study study = small_study();
   study.path = path_through({at(0.5, 0.1, 0.4), at(std::nan(""), 0, 0), at(0.5, 0.1, 0.5)});
   ScratchStore scratch;
-  for (int i = 0; i < 18; ++i) run_for(study, scratch.store, 1);
-  CHECK(same_numbers(scratch.store.solves("small"), solves_of(study)));
+  for (int i = 0; i < 18; ++i) run_for(study, scratch, 1);
+  CHECK(same_numbers(scratch.solves("small"), solves_of(study)));
 }
 
 // ---- stop rules, traces, times ------------------------------------------------------------------------------------
@@ -664,11 +655,11 @@ TEST_CASE("times say under what circumstances they were taken", "[runner]") {
 TEST_CASE("every solve knows its session, and the session its machine and its jobs", "[runner]") {
   ScratchStore scratch;
   Study study = small_study();
-  run_for(study, scratch.store, 4);
+  run_for(study, scratch, 4);
   study.turns = 1;
   study.left_out = {{"theirs", "it was not built"}};
-  run(study, scratch.store, {.jobs = 2});
-  const std::vector<results::Session> sessions = scratch.store.sessions();
+  run(study, scratch, {.jobs = 2});
+  const std::vector<results::Session> sessions = scratch.sessions();
   REQUIRE(sessions.size() == 3);  // the rest of the first run, and the second
   CHECK(sessions[0].environment.at("jobs") == "1");
   CHECK(sessions[1].environment.at("jobs") == "2");
@@ -677,7 +668,7 @@ TEST_CASE("every solve knows its session, and the session its machine and its jo
   CHECK(sessions[1].environment.at("source") == shared_source_digest());
   CHECK(sessions[1].environment.at("source.bat") == solver_source_digest("bat"));
   std::int64_t in_first = 0;
-  for (const SolveRecord& record : scratch.store.solves("small")) in_first += record.session == sessions[0].id ? 1 : 0;
+  for (const SolveRecord& record : scratch.solves("small")) in_first += record.session == sessions[0].id ? 1 : 0;
   CHECK(in_first == 4);
 }
 
@@ -685,15 +676,15 @@ TEST_CASE("an unknown robot, solver or option is refused before anything is writ
   ScratchStore scratch;
   Study study = small_study();
   study.solvers[2].options["alpha"] = "much";
-  CHECK_THROWS_AS(run(study, scratch.store, {}), std::invalid_argument);
+  CHECK_THROWS_AS(run(study, scratch, {}), std::invalid_argument);
   study = small_study();
   study.solvers[2].solver = "none";
-  CHECK_THROWS_AS(run(study, scratch.store, {}), std::invalid_argument);
+  CHECK_THROWS_AS(run(study, scratch, {}), std::invalid_argument);
   study = small_study();
   study.robot = "none";
-  CHECK_THROWS_AS(run(study, scratch.store, {}), std::invalid_argument);
-  CHECK(scratch.store.studies().empty());
-  CHECK(scratch.store.sessions().empty());
+  CHECK_THROWS_AS(run(study, scratch, {}), std::invalid_argument);
+  CHECK(scratch.studies().empty());
+  CHECK(scratch.sessions().empty());
 }
 
 TEST_CASE("the Dobot's circle has the reference numbers, verified ones too", "[runner][paper]") {

@@ -94,8 +94,7 @@ inline bool same_numbers(const std::vector<results::SolveRecord>& a, const std::
 
 // The solves of a study that is run into a store of its own.
 inline std::vector<results::SolveRecord> solves_of(const experiments::Study& study, int jobs = 1) {
-  const ScratchFolder folder;
-  results::Store store(folder.path / "store.sqlite", results::Store::Mode::write);
+  ScratchStore store;
   experiments::run(study, store, {.jobs = jobs});
   return store.solves(study.name);
 }

@@ -39,8 +39,7 @@ TEST_CASE("what shards solve is what one machine solves, where points are divide
   for (const Start start : {Start::previous, Start::initial, Start::random}) {
     Study study = small_study();
     study.start = start;
-    const ScratchFolder folder;
-    Store store(folder.path / "store", Store::Mode::write);
+    ScratchStore store;
     std::int64_t solved = 0;
     for (const int index : {3, 1, 2}) {
       const Progress progress = run(study, store, {.shard = {index, 3}});

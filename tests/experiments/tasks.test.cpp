@@ -175,8 +175,7 @@ TEST_CASE("every solver starts where the study says, run after run and from a st
       const Configuration expected = starts(study, arm_of(study), solve.run)[static_cast<std::size_t>(solve.point - 1)];
       CHECK(std::ranges::equal(solve.start_rad, expected));
     }
-    const ScratchFolder folder;
-    Store store(folder.path / "store.sqlite", Store::Mode::write);
+    ScratchStore store;
     const std::vector<SolveRecord> whole = solves_of(study);
     study.runs = 1;
     run(study, store, {});

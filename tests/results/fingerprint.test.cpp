@@ -102,8 +102,7 @@ TEST_CASE("every NaN is the same, and the sign of zero counts in a list and not 
 }
 
 TEST_CASE("a store keeps the fingerprint, of numbers that are not finite too", "[fingerprint]") {
-  const ScratchFolder folder;
-  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  ScratchStore store;
   store.save_study(sample_study());
   std::vector<SolveRecord> records = sample_records();
   records[1].position_error_cm = -std::numeric_limits<double>::quiet_NaN();

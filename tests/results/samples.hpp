@@ -28,6 +28,12 @@ using namespace ikbench::results;
 
 namespace ikbench {
 
+// A store of its own, for as long as it lives.
+struct ScratchStore : ScratchFolder, results::Store {
+  ScratchStore() : Store(path / "store.sqlite", Mode::write) {}
+  const std::filesystem::path file = path / "store.sqlite";
+};
+
 // A record with a different value in every column, of the series and label of sample_study.
 inline results::SolveRecord sample_record(const std::string& series = "key-a", int run = 1, int point = 1) {
   return {.study = "table-3",

@@ -44,8 +44,7 @@ TEST_CASE("every double comes back bit for bit, finite or not", "[store]") {
   std::mt19937_64 random(754);  // any bits are a double (IEEE 754)
   for (int i = 0; i < 200; ++i) numbers.push_back(std::bit_cast<double>(random()));
 
-  const ScratchFolder folder;
-  Store store(folder.path / "a.ikb", Store::Mode::write);
+  ScratchStore store;
   std::vector<SolveRecord> records;
   for (const double number : numbers) {
     records.push_back(sample_record("doubles", static_cast<int>(records.size()) + 1));
@@ -81,8 +80,7 @@ TEST_CASE("any text comes back as it was", "[store]") {
     record.study = record.robot = record.label = record.series = text;
     CHECK(same(through_a_store(record), record));
 
-    const ScratchFolder folder;
-    Store store(folder.path / "a.ikb", Store::Mode::write);
+    ScratchStore store;
     StoredStudy study = sample_study(text);
     study.series[0].key = study.series[0].algorithm = text;
     study.series[0].label = record.label = text.substr(0, 1000);
@@ -97,8 +95,7 @@ TEST_CASE("any text comes back as it was", "[store]") {
 }
 
 TEST_CASE("studies come back with their series, in the order in which they were first saved", "[store]") {
-  const ScratchFolder folder;
-  Store store(folder.path / "a.ikb", Store::Mode::write);
+  ScratchStore store;
   store.save_study(sample_study("zebra"));
   store.save_study(sample_study("aardvark"));
   StoredStudy changed = sample_study("zebra");
@@ -131,8 +128,7 @@ TEST_CASE("a study that is not there is told which are", "[store]") {
 }
 
 TEST_CASE("a definition that cannot be is refused with its study, and other studies of its store are read", "[store]") {
-  const ScratchFolder folder;
-  Store store(folder.path / "a.ikb", Store::Mode::write);
+  ScratchStore store;
   store.save_study(sample_study("helix"));
   StoredStudy changed = sample_study("circle");
   changed.definition.json = R"({"name":"circle","runs":"many"})";
@@ -144,8 +140,7 @@ TEST_CASE("a definition that cannot be is refused with its study, and other stud
 }
 
 TEST_CASE("solves of a study are those of its current series, runs and points, in its order", "[store]") {
-  const ScratchFolder folder;
-  Store store(folder.path / "a.ikb", Store::Mode::write);
+  ScratchStore store;
   StoredStudy study = sample_study();
   study.definition = definition_of(R"({"runs":2,"points":2})");
   study.series = {{.key = "z", .label = "IK-BA", .algorithm = "ba", .options = "{}"},
@@ -202,8 +197,7 @@ TEST_CASE("the views have the current solves under the present labels, and the m
 }
 
 TEST_CASE("solves of a configuration by other sources are counted", "[store]") {
-  const ScratchFolder folder;
-  Store store(folder.path / "a.ikb", Store::Mode::write);
+  ScratchStore store;
   store.append({sample_record("00@1", 1, 1), sample_record("00@1", 1, 2), sample_record("00@2", 1, 1),
                 sample_record("001@1", 1, 1), sample_record("0@1", 1, 1)});
   CHECK(store.solves_of_other_sources("00@1") == 1);
@@ -213,8 +207,7 @@ TEST_CASE("solves of a configuration by other sources are counted", "[store]") {
 }
 
 TEST_CASE("a solve that is already there is refused, and nothing of its batch is kept", "[store]") {
-  const ScratchFolder folder;
-  Store store(folder.path / "a.ikb", Store::Mode::write);
+  ScratchStore store;
   store.append({sample_record("a", 1, 1)});
   CHECK_THAT(complaint<std::invalid_argument>([&] {
                store.append({sample_record("a", 1, 2), sample_record("a", 1, 1)});
@@ -260,8 +253,7 @@ TEST_CASE("the file names its program and the version of its schema", "[store]")
 }
 
 TEST_CASE("what is known of a session at its end is added to it, and to no other", "[store]") {
-  const ScratchFolder folder;
-  Store store(folder.path / "a.ikb", Store::Mode::write);
+  ScratchStore store;
   const std::int64_t first = store.begin_session({{"cpu", "x"}}), second = store.begin_session({{"cpu", "y"}});
   store.add_to_session(second, {{"stolen_seconds", "0.25"}});
   const std::vector<Session> sessions = store.sessions();
