@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "base/json.hpp"
 #include "base/toml_table.hpp"
-#include "base/units.hpp"
 
 namespace ikbench::results {
 
