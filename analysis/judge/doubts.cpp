@@ -205,7 +205,7 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   }
   add_of(std::move(busy), "the machine was busy");
   add_of(measured_apart(study, sessions.told),
-         "measured in other sessions; to compare them solve all again: --out NEW");
+         "too few sessions in common with the others; to compare them solve all again: --out NEW");
   std::vector<std::string> silent, short_ones, alone;
   for (const std::string& solver : study.labels) {
     const Solves all = study.of(solver);

@@ -37,13 +37,13 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
 // Of each of their sessions the one of ours of the same turn, which is a shard, if each turn of both began before the
 // next of either; a second is the least that times of sessions tell. None if they were not solved in turn.
 std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, const std::vector<Session>& theirs) {
-  using Turn = std::tuple<std::string, std::string, int>;  // its beginning, its shard
+  using Turn = std::tuple<std::string, std::size_t, std::string, int>;  // its beginning, its shard, which "9/20" begins
   const auto by_beginning = [](const std::vector<Session>& sessions) {
     std::vector<Turn> all;
     for (const Session& session : sessions) {
       const auto shard = session.environment.find("shard");
-      all.emplace_back(session.began, shard == session.environment.end() ? "" : shard->second,
-                       static_cast<int>(session.id));
+      const std::string name = shard == session.environment.end() ? "" : shard->second;
+      all.emplace_back(session.began, name.size(), name, static_cast<int>(session.id));
     }
     std::ranges::sort(all);
     return all;
@@ -52,8 +52,8 @@ std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, con
   if (one.size() != other.size() || one.size() < 2) return {};
   std::map<int, int> turns;
   for (std::size_t i = 0; i < one.size(); ++i) {
-    const auto& [our_begin, our_shard, our_session] = one[i];
-    const auto& [their_begin, their_shard, their_session] = other[i];
+    [[maybe_unused]] const auto& [our_begin, our_length, our_shard, our_session] = one[i];
+    [[maybe_unused]] const auto& [their_begin, their_length, their_shard, their_session] = other[i];
     const bool is_before =
         i > 0 && std::max(std::get<0>(one[i - 1]), std::get<0>(other[i - 1])) > std::min(our_begin, their_begin);
     if (our_shard.empty() || our_shard != their_shard || is_before) return {};

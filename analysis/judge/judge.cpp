@@ -26,7 +26,7 @@ void add_doubt(JudgedMetric& judged) {
 // one's median: at all). Where each has its own targets, these say nothing of two.
 void add_doubt_of_ranks(JudgedMetric& judged) {
   const Observations& observed = judged.observations;
-  if (observed.is_of_solved || judged.plan.test == Plan::Test::means) return;
+  if (observed.is_of_solved || observed.fewest > 0 || judged.plan.test == Plan::Test::means) return;
   for (const Finding& finding : judged.findings) {
     if (!std::holds_alternative<Tested>(finding.what) || !is_difference(verdict_of(finding))) continue;
     const Finding its = better_first(finding, "");

@@ -163,23 +163,50 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   return group;
 }
 
-// Of a session: the share solved in time; or the logarithm of the median time of its targets, where all are solved; or
-// that of the time spent by target solved. NaN: there is none.
+// Of a session: the share solved in time, or the logarithm of the median time of its targets, where all are solved.
+// NaN: there is none.
 double of_session(const StudyResults& study, const Metric& metric, const std::vector<const Solve*>& solves) {
-  const bool are_answers = metric.kind == Kind::time, must_solve = is_of_solved(study, metric);
+  const bool must_solve = is_of_solved(study, metric);
   std::vector<double> values;
-  double spent = 0, solved = 0;
+  double sum = 0;
   for (const Solve* const solve : solves) {
-    values.push_back(are_answers && must_solve && solve->status != Status::ok ? unknown : metric.value(*solve, study));
-    spent += values.back(), solved += solve->status == Status::ok;
+    values.push_back(must_solve && solve->status != Status::ok ? unknown : metric.value(*solve, study));
+    sum += values.back();
   }
-  if (metric.kind == Kind::in_time) return spent / static_cast<double>(values.size());
-  if (!std::isfinite(spent) || (!are_answers && solved == 0)) return unknown;
-  return std::log(std::max(are_answers ? described(values).median : spent / solved, 1e-9));
+  if (metric.kind == Kind::in_time) return sum / static_cast<double>(values.size());
+  return std::isfinite(sum) ? std::log(std::max(described(values).median, 1e-9)) : unknown;
+}
+
+// A value a session, whose mean is the logarithm of all that was spent by all that was solved.
+Group group_of_spent_times(const StudyResults& study, const Metric& metric, const std::string& solver,
+                           const std::set<int>& sessions) {
+  std::vector<Value> spent, solved;  // of each session
+  double all_spent = 0, all_solved = 0;
+  std::map<int, std::pair<double, double>> sums;
+  for (const Solve& solve : study.of(solver)) {
+    auto& [its_spent, its_solved] = sums[solve.session];
+    its_spent += metric.value(solve, study), its_solved += solve.status == Status::ok;
+    all_spent += metric.value(solve, study), all_solved += solve.status == Status::ok;
+  }
+  if (all_solved == 0) return {.name = solver, .sample = Untold{.why = Untold::Why::none}};
+  Measured measured{.solved = std::numeric_limits<double>::infinity()};
+  double squares = 0, told = 0, told_solved = 0;
+  for (const auto& [session, its] : sums) {
+    if (!sessions.contains(session) || !std::isfinite(its.first)) continue;
+    measured.blocks.push_back(session);
+    spent.push_back({session, its.first}), solved.push_back({session, its.second});
+    told += its.first, squares += its.first * its.first, told_solved += its.second;
+  }
+  if (spent.empty() || told_solved == 0)
+    return {.name = solver, .sample = Untold{.why = Untold::Why::apart, .values = {std::log(all_spent / all_solved)}}};
+  measured.worth = told * told / squares;  // Kish, as of targets
+  for (const Value& each : spent_by_solved(std::move(spent), solved)) measured.values.push_back(each.value);
+  return {.name = solver, .sample = std::move(measured)};
 }
 
 Group group_of_times(const StudyResults& study, const Metric& metric, const std::string& solver,
                      const std::set<int>& sessions) {
+  if (metric.kind == Kind::spent) return group_of_spent_times(study, metric, solver, sessions);
   std::map<int, std::vector<const Solve*>> solves;
   for (const Solve& solve : study.of(solver)) solves[solve.session].push_back(&solve);
   Group group{.name = solver};

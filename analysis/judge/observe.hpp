@@ -45,7 +45,7 @@ inline bool is_of_times(const Metric& metric) { return metric.unit == "s" || met
 Observations observations_of(const Metric& metric);
 // One observation is a run, the mean of its targets, where solves are chained or all runs have one target; else a
 // target, the mean of its runs, or of drawn targets its one solve. Of times it is a session: the logarithm of the
-// median over its targets, or of the time spent by target solved.
+// median over its targets, or its part in that of all time spent by all targets solved.
 Observations observe(const StudyResults& study, const Metric& metric);
 // As papers print it: times, too, are of runs or targets, of each the median. Describes, and compares no times.
 Observations observe_solves(const StudyResults& study, const Metric& metric);
