@@ -29,7 +29,7 @@ alone=$(column plain/store.sqlite position_error_cm DLS)
 runs faults "$(entry good fine)" "$(entry hangs hangs "" 2)" "$(entry dies dies)" "$(entry noise noise)" "$(entry lies lies)" \
   "$(entry nonsense nonsense)" "$(entry declines declines)" "$(entry deep deep)" "$(entry json "not JSON")" "$(entry twice twice)" \
   "$(entry eats eats "memory_mb = 400")" "$(entry names "new names")" "$(entry null "no extras")" \
-  "$(entry years "takes years")" "$(entry again "late twice")"
+  "$(entry years "takes years")" "$(entry again "late twice")" "$(entry warms "warms badly")"
 has "$err" "no more"                          # the last words of what died
 has "$err" '"q", a list of 7 numbers'         # what was expected of what made no sense
 has "$err" "a number that is not finite is null"
@@ -43,6 +43,7 @@ is faults hangs ".*1 timed_out"
 is faults dies "1 crashed $any"
 is faults eats "[12] crashed $any"
 is faults lies "16 claimed_but_wrong"
+is faults warms "$any"
 for label in nonsense deep json twice again names; do is faults $label ".*[0-9]+ broke_protocol.*"; done
 is faults declines "16 declined"
 is faults years "16 broke_protocol"
@@ -53,7 +54,7 @@ equal "evaluations that nobody counted" "$(column $store evaluations good | tr -
 equal "moves of solves without an answer" "$(sqlite3 $store "SELECT count(*) FROM solves WHERE
   status IN ('crashed', 'timed_out', 'broke_protocol', 'declined') AND start_rad <> answer_rad")" 0
 succeeds run faults.toml --figures none --out faults --json
-equal "solves of a second run" "$(solves $store)" 256
+equal "solves of a second run" "$(solves $store)" 272
 json 'any("lies" in doubt and "claimed" in doubt for doubt in of["doubts"])'
 ends 3 compare good declines --store $store --json
 json 'of["newly_missing"]["declines"] > 0'

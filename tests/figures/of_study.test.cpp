@@ -88,8 +88,9 @@ TEST_CASE("solvers whose costs are not known or not comparable are left out of s
   };
   CHECK(caption_of("solved-by-evaluations") ==
         "Share of targets solved within a number of evaluations. Without A, whose evaluations cannot be compared.");
-  CHECK(caption_of("solved-by-time") ==
-        "Share of targets solved within a time. Times: first calls on a target. Without B, D, whose time cannot be compared.");
+  CHECK(
+      caption_of("solved-by-time") ==
+      "Share of targets solved within a time. Times: first calls on a target. Without B, D, whose time cannot be compared.");
 }
 
 TEST_CASE("a difference is told as tables tell it: the better one first, in points or a ratio", "[of_study]") {

@@ -29,6 +29,7 @@ def solve(problem):
                 found = math.dist(tool(other), target)
                 if found < error: q, error = other, found
         step *= 0.8
+    if FAULT == "warms badly" and problem["seed"] < 3: sys.exit(3)  # as solves that are not recorded have
     if FAULT == "late": time.sleep(2 * problem["budget"]["seconds"])
     counted = {"boasts": {"evaluations": 1}, "spends": {"evaluations": 1000}, "takes years": {"seconds": 1e8}, "no extras": {"extras": None},
                "new names": {"extras": {f"{solves}.{i}": i for i in range(10)}}}.get(FAULT, {})
