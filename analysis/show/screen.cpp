@@ -32,7 +32,8 @@ std::string screen(const Answer& whole, const std::string& page) {
   text += in_columns(pairs);
   for (const std::string& note : {pairs.empty() ? "" : of_pairs(answer), what_decides(answer)})
     text += note.empty() ? "" : paragraph(note, "");
-  for (const Doubt& doubt : answer.all_doubts()) text += paragraph("! " + words_of(doubt), "  ");
+  for (const Doubt& doubt : answer.all_doubts())
+    if (doubt.kind != DoubtKind::sessions_left_out) text += paragraph("! " + words_of(doubt), "  ");  // on the page
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));
 }
 
