@@ -26,10 +26,10 @@ bool same_bits(const Numbers& a, const Numbers& b) {
   });
 }
 
-// What a solver is asked; all of it outlives the call.
+// What a solver is asked. The target outlives it; the start is its own, as it may be made of another type of vector.
 struct Call {
   const Pose& target;
-  const Configuration& start;
+  Configuration start;
   int run, point;
 };
 
