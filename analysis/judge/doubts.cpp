@@ -177,14 +177,13 @@ void add_of_targets(Doubts& doubts, const StudyResults& study) {
 
 }  // namespace
 
-std::vector<Doubt> doubts_of_times(const StudyResults& study) {
+std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& sessions) {
   const auto doubt_of = [](std::string what, std::vector<std::string> who = {}) {
     return Doubt{.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = std::move(what)};
   };
   if (std::ranges::any_of(study.solves, is_timed(Timing::parallel))) return {doubt_of("solved in parallel")};
   if (std::ranges::any_of(study.solves, is_timed(Timing::debug_build))) return {doubt_of("a debug build")};
   if (std::ranges::none_of(study.sessions, is_of_this_clock)) return {doubt_of("of the clock of a former version")};
-  const Sessions sessions = sessions_of(study);
   const auto compared = std::ssize(sessions.compared);
   if (compared < fewest_sessions)
     return {doubt_of(fmt::format("{}, and {} are the fewest", base::counted(compared, "sessions"), fewest_sessions))};

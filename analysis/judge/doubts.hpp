@@ -7,6 +7,7 @@
 
 namespace ikbench::judge {
 
+struct Sessions;
 struct StudyResults;
 
 // In the order of what they change.
@@ -45,7 +46,7 @@ std::string words_of(const Doubt& doubt);
 // Of all that concerns more than one metric.
 std::vector<Doubt> doubts_of(const StudyResults& study);
 // Of one: whom these name is not compared in it; all, if none is named.
-std::vector<Doubt> doubts_of_times(const StudyResults& study);
+std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& sessions);
 // What solvers reach in seconds depends on the load. A solve that had enough time is in doubt, too, in a metric that
 // takes its value though nothing was solved.
 std::vector<Doubt> doubts_of_clock(const StudyResults& study, bool takes_unsolved);

@@ -9,7 +9,6 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 namespace ikbench::judge {
@@ -37,28 +36,26 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
 // Of each of their sessions the one of ours of the same turn, which is a shard, if each turn of both began before the
 // next of either; a second is the least that times of sessions tell. None if they were not solved in turn.
 std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, const std::vector<Session>& theirs) {
-  using Turn = std::tuple<std::string, std::size_t, std::string, int>;  // its beginning, its shard, which "9/20" begins
-  const auto by_beginning = [](const std::vector<Session>& sessions) {
-    std::vector<Turn> all;
-    for (const Session& session : sessions) {
-      const auto shard = session.environment.find("shard");
-      const std::string name = shard == session.environment.end() ? "" : shard->second;
-      all.emplace_back(session.began, name.size(), name, static_cast<int>(session.id));
-    }
-    std::ranges::sort(all);
+  const auto by_shard = [](const std::vector<Session>& sessions) {
+    std::map<std::string, const Session*> all;
+    for (const Session& session : sessions)
+      if (const auto shard = session.environment.find("shard"); shard != session.environment.end())
+        all.emplace(shard->second, &session);
     return all;
   };
-  const std::vector<Turn> one = by_beginning(ours), other = by_beginning(theirs);
-  if (one.size() != other.size() || one.size() < 2) return {};
+  const auto one = by_shard(ours), other = by_shard(theirs);
+  if (one.size() < 2 || one.size() != ours.size() || other.size() != theirs.size()) return {};
   std::map<int, int> turns;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    [[maybe_unused]] const auto& [our_begin, our_length, our_shard, our_session] = one[i];
-    [[maybe_unused]] const auto& [their_begin, their_length, their_shard, their_session] = other[i];
-    const bool is_before =
-        i > 0 && std::max(std::get<0>(one[i - 1]), std::get<0>(other[i - 1])) > std::min(our_begin, their_begin);
-    if (our_shard.empty() || our_shard != their_shard || is_before) return {};
-    turns[their_session] = our_session;
+  std::vector<std::pair<std::string, std::string>> begins;  // of a turn, the earlier first
+  for (const auto& [shard, its] : other) {
+    const auto same = one.find(shard);
+    if (same == one.end()) return {};
+    turns[static_cast<int>(its->id)] = static_cast<int>(same->second->id);
+    begins.emplace_back(std::minmax(its->began, same->second->began));
   }
+  std::ranges::sort(begins);
+  const auto overlap = [](const auto& turn, const auto& next) { return turn.second > next.first; };
+  if (turns.size() != one.size() || std::ranges::adjacent_find(begins, overlap) != begins.end()) return {};
   return turns;
 }
 

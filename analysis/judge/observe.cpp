@@ -112,10 +112,13 @@ std::vector<Value> means_of(const std::vector<Value>& all, bool are_medians = fa
 }
 
 // What attempts spent by what they solved: of each observation a logarithm, so that their mean is that of the ratio of
-// the two sums, and their spread its error (the infinitesimal jackknife; Efron, The Jackknife, 1982, chapter 6).
-std::vector<Value> spent_by_solved(std::vector<Value> spent, const std::vector<Value>& solved) {
-  double all_spent = 0, all_solved = 0;
-  for (std::size_t i = 0; i < spent.size(); ++i) all_spent += spent[i].value, all_solved += solved[i].value;
+// the two sums, and their spread its error (the infinitesimal jackknife; Efron, The Jackknife, 1982, chapter 6). Tells
+// what they are worth (Kish, Survey Sampling, 1965), and the number solved.
+std::vector<Value> spent_by_solved(std::vector<Value> spent, const std::vector<Value>& solved, Measured& measured) {
+  double all_spent = 0, squares = 0, all_solved = 0;
+  for (const Value& each : spent) all_spent += each.value, squares += each.value * each.value;
+  for (const Value& each : solved) all_solved += each.value;
+  measured.worth = all_spent * all_spent / squares, measured.solved = all_solved;
   const auto n = static_cast<double>(spent.size());
   for (std::size_t i = 0; i < spent.size(); ++i)
     spent[i].value = std::log(all_spent / all_solved) + n * (spent[i].value / all_spent - solved[i].value / all_solved);
@@ -135,13 +138,7 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
       group.sample = Untold{.why = Untold::Why::none};
       return group;
     }
-    if (metric.kind == Kind::spent) {
-      double sum = 0, squares = 0;  // Kish, Survey Sampling, 1965
-      for (const Value& each : values) sum += each.value, squares += each.value * each.value;
-      measured.worth = sum * sum / squares;
-      for (const Value& each : solved) measured.solved += each.value;
-      values = spent_by_solved(std::move(values), solved);
-    }
+    if (metric.kind == Kind::spent) values = spent_by_solved(std::move(values), solved, measured);
   }
   int lost = 0;
   for (const auto& [block, value] : values) {
@@ -189,18 +186,16 @@ Group group_of_spent_times(const StudyResults& study, const Metric& metric, cons
     all_spent += metric.value(solve, study), all_solved += solve.status == Status::ok;
   }
   if (all_solved == 0) return {.name = solver, .sample = Untold{.why = Untold::Why::none}};
-  Measured measured{.solved = std::numeric_limits<double>::infinity()};
-  double squares = 0, told = 0, told_solved = 0;
+  Measured measured;
   for (const auto& [session, its] : sums) {
     if (!sessions.contains(session) || !std::isfinite(its.first)) continue;
-    measured.blocks.push_back(session);
     spent.push_back({session, its.first}), solved.push_back({session, its.second});
-    told += its.first, squares += its.first * its.first, told_solved += its.second;
   }
-  if (spent.empty() || told_solved == 0)
+  if (std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; }))
     return {.name = solver, .sample = Untold{.why = Untold::Why::apart, .values = {std::log(all_spent / all_solved)}}};
-  measured.worth = told * told / squares;  // Kish, as of targets
-  for (const Value& each : spent_by_solved(std::move(spent), solved)) measured.values.push_back(each.value);
+  for (const auto& [session, value] : spent_by_solved(std::move(spent), solved, measured))
+    measured.values.push_back(value), measured.blocks.push_back(session);
+  measured.solved = std::numeric_limits<double>::infinity();  // a session has a sum of its own
   return {.name = solver, .sample = std::move(measured)};
 }
 
@@ -254,7 +249,7 @@ Observations observe_times(const StudyResults& study, const Metric& metric) {
   const Sessions sessions = sessions_of(study);
   for (std::size_t i = 0; i < study.labels.size(); ++i)
     observed.groups.push_back(group_of_times(study, metric, study.labels[i], sessions.told[i]));
-  observed.doubts = doubts_of_times(study);
+  observed.doubts = doubts_of_times(study, sessions);
   set_apart(observed);
   return observed;
 }
