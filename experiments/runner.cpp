@@ -356,8 +356,8 @@ void solve_study(const Study& study, int jobs, const std::function<void(SolveRec
   RecordQueue record_queue([&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
-  const std::vector<bool> all(study.solvers.size(), true);
-  solve_parts(work, places_of(all), work.parts_in({}), jobs, cancelled, {}, record_queue);
+  solve_parts(work, places_of(std::vector<bool>(study.solvers.size(), true)), work.parts_in({}), jobs, cancelled, {},
+              record_queue);
 }
 
 bool moves_arm(const SolveRecord& solve, Start start) {

@@ -1,6 +1,7 @@
 #include "experiments/solve_runner.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -122,11 +123,13 @@ void SolveRunner::end_processes() const {
 }
 
 std::string SolveRunner::odd() const {
-  std::string told = conversations_ ? conversations_->odd() : "";
+  std::vector<std::string> told;
+  if (const std::string failure = conversations_ ? conversations_->last_failure() : ""; !failure.empty())
+    told.push_back("last failure: " + failure);
   if (differed_ > 0)
-    told += fmt::format("{}it answers otherwise when it is asked again, {} of {} times", told.empty() ? "" : "; ",
-                        differed_.load(), asked_again_.load());
-  return told;
+    told.push_back(fmt::format("it answers otherwise when it is asked again, {} of {} times", differed_.load(),
+                               asked_again_.load()));
+  return fmt::format("{}", fmt::join(told, "; "));
 }
 
 SolveRunner::Timed SolveRunner::timed(Solver& solver, const Call& call) const {
@@ -174,9 +177,8 @@ void SolveRunner::warm_up(Solver& solver, const Call& call) const {
     const Problem problem = task_.problem(call.start, effective_population(study_, entry_));
     return static_cast<ForeignSolver&>(solver).prepare(problem, Objective(task_.arm(), task_.goal(call.target)));
   }
-  WarmUp unrecorded;
   try {
-    while (unrecorded.goes_on()) timed(solver, call);
+    solve_unrecorded([&](std::uint32_t) { timed(solver, call); });
   } catch (const std::exception&) {  // which the solve itself will say
   }
 }

@@ -64,11 +64,6 @@ std::string Conversations::last_failure() const {
   return last_failure_;
 }
 
-std::string Conversations::odd() const {
-  const std::string failure = last_failure();
-  return failure.empty() ? "" : "last failure: " + failure;
-}
-
 void Conversations::end_processes() {
   const std::scoped_lock lock(mutex_);
   for (Conversation& idle : idle_) idle.child.reset();
@@ -128,16 +123,15 @@ void ForeignSolver::prepare(const Problem& problem, const Objective& objective) 
   guarded([&] {
     const bool is_new = ensure_running();
     try {
-      WarmUp unrecorded;
-      for (std::uint32_t seed = 0; is_new && own_.failures_in_a_row == 0 && unrecorded.goes_on(); ++seed) {
-        Objective uncounted(objective.arm(), objective.goal());
-        converse(problem, uncounted, seed);
-      }
+      if (is_new && own_.failures_in_a_row == 0)
+        solve_unrecorded([&](std::uint32_t seed) {
+          Objective uncounted(objective.arm(), objective.goal());
+          converse(problem, uncounted, seed);
+        });
     } catch (const Trouble& trouble) {  // which no target has: a new process solves it
       if (trouble.kind != Trouble::Kind::declined) own_.child.reset();
       ensure_running();
     }
-    account_ = {};
     if (!is_new && !own_.child->has_line()) return;
     // Who answers twice after a pause would stay behind, each answer that of the solve before.
     const Trouble heard = unasked(*own_.child, std::chrono::milliseconds(is_new ? 100 : 0));

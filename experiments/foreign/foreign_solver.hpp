@@ -44,15 +44,12 @@ struct Conversation {
   std::optional<Trouble> refusal = {};  // set if it is given up
 };
 
-// A few unrecorded solves: three, or fewer that take long.
-class WarmUp {
- public:
-  bool goes_on() { return solves_++ < 3 && std::chrono::steady_clock::now() - began_ < std::chrono::milliseconds(100); }
-
- private:
-  int solves_ = 0;
-  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
-};
+// A few unrecorded solves: solve(0), solve(1), solve(2), or fewer that take long.
+template <class Solve>
+void solve_unrecorded(Solve&& solve) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
+  for (std::uint32_t i = 0; i < 3 && std::chrono::steady_clock::now() < end; ++i) solve(i);
+}
 
 // The idle conversations with a program. Any thread may take one and give it back.
 class Conversations {
@@ -65,7 +62,6 @@ class Conversations {
   void give_back(Conversation conversation);
   void note(std::string failure);
   std::string last_failure() const;  // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
-  std::string odd() const;           // its last failure
   void end_processes();              // of the idle ones; a program that is given up stays so
 
   const std::shared_ptr<const Program> program;
