@@ -11,10 +11,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <limits>
 #include <new>
 #include <optional>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "base/files.hpp"
@@ -228,14 +230,24 @@ struct Store::Database {
     if (mode != Mode::read && is_new) sqlite.exec(create_tables() + create_views());
     check_file();
     transaction.commit();
-    if (mode == Mode::write) sqlite.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
-    if (mode == Mode::write_shared) sqlite.exec("PRAGMA journal_mode = DELETE");
+    if (mode == Mode::write) keep_journal("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+    if (mode == Mode::write_shared) keep_journal("PRAGMA journal_mode = DELETE");
   }
   ~Database() {
     if (mode == Mode::write) fold(0);
   }
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
+
+  // Where another process changes the kind of journal, too, SQLite is busy at once, whatever its patience.
+  void keep_journal(const char* statements) {
+    for (int waited_ms = 0;; waited_ms += 10) {
+      const int code = sqlite.tryExec(statements);
+      if (code == SQLITE_OK) return;
+      if (code != SQLITE_BUSY || waited_ms >= patience_ms) throw SQLite::Exception(sqlite.getHandle(), code);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  }
 
   std::int64_t number(const char* query) { return sqlite.execAndGet(query).getInt64(); }
 
