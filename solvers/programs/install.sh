@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# install.sh [PROGRAM...]: a virtual environment for each program here, with what its head names (needs uv), and with_k in
-# Rust (needs cargo).
+# install.sh [PROGRAM...]: a virtual environment for each program here, with what its head names (by uv, which it installs
+# into build/uv where there is none), and with_k in Rust (needs cargo).
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 2
 (($#)) || set -- with_*.py with_k
 code=1  # if none is installed
+export PATH=$PATH:$PWD/../../build/uv/bin
+command -v uv >/dev/null || { python3 -m venv ../../build/uv && ../../build/uv/bin/pip install --quiet uv; } || exit 2
 for file; do
   place=../../build/libraries/$(basename "$file" .py)
   if [[ -d $file ]]; then
