@@ -4,8 +4,8 @@
 //   auto solve = [](Library& library, ikbench::Problem& problem) { return library.ik(...); };  // joint values, or {}
 //   int main() { ikbench::run("library", {}, prepare, solve, R"(["pose"])"); }
 //
-// It tells ikbench how long `solve` took and, as an extra, `setup_s`, how long `prepare` did. ikbench::Declined("why")
-// says that an arm or a target cannot be solved.
+// It tells ikbench how long `solve` took and, as an extra, `setup_s`, how long `prepare` did, and turns angles that are
+// outside their limits back by whole turns. ikbench::Declined("why") says that an arm or a target cannot be solved.
 #pragma once
 
 #include <sys/resource.h>
@@ -154,48 +154,14 @@ inline void say(const std::string& line) {
   std::fflush(out);
 }
 
-struct Robot {
-  Json message;  // `robot`, whole
-  std::string urdf, base_link, tip_link;
-  std::vector<std::string> names;  // of the joints
-  double option(const std::string& name) const { return message["options"][name].number; }
-};
-
-struct Problem {
-  Json message;                                  // `solve`, whole
-  Values position, rotation;                     // of the target; 3, and of a pose 9, row by row
-  Values start, lower, upper;                    // of the joints
-  double near = 0, near_angle = 0, seconds = 0;  // tolerances, and the budget; 0: none
-  std::mt19937 random;
-  bool has_asked = false;
-  std::string extras = {};
-
-  // Keeps a number of the solver's own beside the answer: extra("restarts", 3).
-  void extra(const std::string& name, double value) {
-    extras += (extras.empty() ? "" : ",") + json_of(name) + ':' + json_of(value);
-  }
-
-  // Their errors; nothing where the solve is over, so return.
-  std::optional<Values> evaluate(const std::vector<Values>& candidates) {
-    has_asked = true;
-    std::string lists;
-    for (const Values& q : candidates) lists += (lists.empty() ? "" : ",") + json_of(q);
-    say(R"({"message":"evaluate","candidates":[)" + lists + "]}");
-    std::string line;
-    if (!std::getline(std::cin, line)) std::exit(0);
-    const Json told = Json::of(line);
-    if (told["over"].number == 1) return std::nullopt;
-    return told["errors"].numbers();
-  }
-};
-
 // Seconds since it was made, without those in which its thread waited for a processor that others had (Linux); no fewer
 // than the process, its threads and child processes computed, and no more than passed.
 class Timer {
  public:
+  double wall() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
   double seconds() const {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began_;
-    return std::min(passed.count(), std::max(passed.count() - (waits() - waited_), computes() - computed_));
+    const double passed = wall();
+    return std::min(passed, std::max(passed - (waits() - waited_), computes() - computed_));
   }
 
  private:
@@ -216,6 +182,64 @@ class Timer {
   const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
+struct Robot {
+  Json message;  // `robot`, whole
+  std::string urdf, base_link, tip_link;
+  std::vector<std::string> names;  // of the joints
+  std::vector<bool> turns;         // a joint that does not slide
+  double option(const std::string& name) const { return message["options"][name].number; }
+};
+
+struct Problem {
+  Json message;                                  // `solve`, whole
+  Values position, rotation;                     // of the target; 3, and of a pose 9, row by row
+  Values start, lower, upper;                    // of the joints
+  double near = 0, near_angle = 0, seconds = 0;  // tolerances, and the budget; 0: none
+  std::mt19937 random;
+  bool has_asked = false;
+  std::string extras = {};
+  Timer timer = {};
+
+  // Whether time is left of its budget; where there is none, always.
+  bool is_left() const { return seconds <= 0 || timer.wall() < seconds || timer.seconds() < seconds; }
+  // Random values inside the limits, where a library may begin again.
+  Values another_start() {
+    Values q(lower);
+    for (std::size_t j = 0; j < q.size(); ++j) q[j] = std::uniform_real_distribution(lower[j], upper[j])(random);
+    return q;
+  }
+  // Keeps a number of the solver's own beside the answer: extra("restarts", 3).
+  void extra(const std::string& name, double value) {
+    extras += (extras.empty() ? "" : ",") + json_of(name) + ':' + json_of(value);
+  }
+
+  // Their errors; nothing where the solve is over, so return.
+  std::optional<Values> evaluate(const std::vector<Values>& candidates) {
+    has_asked = true;
+    std::string lists;
+    for (const Values& q : candidates) lists += (lists.empty() ? "" : ",") + json_of(q);
+    say(R"({"message":"evaluate","candidates":[)" + lists + "]}");
+    std::string line;
+    if (!std::getline(std::cin, line)) std::exit(0);
+    const Json told = Json::of(line);
+    if (told["over"].number == 1) return std::nullopt;
+    return told["errors"].numbers();
+  }
+};
+
+// Turns angles that are outside the limits by whole turns to where they are nearest to the middle; what is 7e-7
+// outside, by single precision or other digits of a limit, comes inside. Values too few or too many stay, for ikbench
+// to tell.
+inline Values inside(Values q, const std::vector<bool>& turns, const Values& lower, const Values& upper) {
+  for (std::size_t j = 0; j < q.size() && q.size() == turns.size(); ++j) {
+    const auto is_near = [&] { return lower[j] - 7e-7 <= q[j] && q[j] <= upper[j] + 7e-7; };
+    const double middle = (lower[j] + upper[j]) / 2;
+    if (turns[j] && !is_near()) q[j] = middle + std::remainder(q[j] - middle, 2 * std::acos(-1.0));
+    if (is_near()) q[j] = std::clamp(q[j], lower[j], upper[j]);
+  }
+  return q;
+}
+
 // Says hello and answers until the input ends. `options` and `goals` are JSON as in the message `hello`; empty: none,
 // and all. An answer {} is the best candidate that was evaluated, or the start where none was.
 template <class Prepare, class Solve>
@@ -226,14 +250,19 @@ void run(const std::string& name, const std::string& options, Prepare prepare, S
   std::unique_ptr<decltype(prepare(Robot()))> prepared;
   std::string why;  // there is none: the arm is declined
   double setup = 0;
+  std::vector<bool> turns;
   for (std::string line; std::getline(std::cin, line);) {
     const Json told = Json::of(line);
     const bool is_robot = told["message"].text == "robot";
     try {
       if (is_robot) {
         prepared.reset();
-        Robot robot{told, told["urdf"].text, told["base_link"].text, told["tip_link"].text, {}};
-        for (const Json& joint : told["joints"].list) robot.names.push_back(joint["name"].text);
+        Robot robot{told, told["urdf"].text, told["base_link"].text, told["tip_link"].text, {}, {}};
+        for (const Json& joint : told["joints"].list) {
+          robot.names.push_back(joint["name"].text);
+          robot.turns.push_back(joint["type"].text == "revolute");
+        }
+        turns = robot.turns;
         const Timer timer;
         prepared = std::make_unique<decltype(prepare(Robot()))>(prepare(robot));
         setup = timer.seconds();
@@ -251,9 +280,9 @@ void run(const std::string& name, const std::string& options, Prepare prepare, S
                       tolerance["rotation"].number,
                       told["budget"]["seconds"].number,
                       std::mt19937(static_cast<unsigned>(told["seed"].number))};
-      const Timer timer;
-      const Values q = solve(*prepared, problem);
-      const double seconds = timer.seconds();
+      Values q = solve(*prepared, problem);
+      const double seconds = problem.timer.seconds();
+      q = inside(q, turns, problem.lower, problem.upper);
       if (!problem.has_asked) problem.extra("setup_s", setup);
       say(R"({"message":"solved","seed":)" + json_of(told["seed"].number) +
           (problem.has_asked ? "" : ",\"seconds\":" + json_of(seconds)) +

@@ -1,13 +1,29 @@
 #!/usr/bin/env bash
-# install.sh [PROGRAM...]: a virtual environment for each program here, with what its head names (by uv, which it installs
-# into build/uv where there is none), and with_k in Rust (needs cargo).
+# install.sh [PROGRAM...]: a virtual environment for each program here in Python, with what its head names (by uv, which it
+# installs into build/uv where there is none); each in C++, with the sources that its head names (needs g++, Eigen, KDL, NLopt,
+# Boost; by pip); and with_k in Rust (needs cargo).
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 2
-(($#)) || set -- with_*.py with_k
-code=1  # if none is installed
+(($#)) || set -- with_*.py *.cpp with_k
+here=$PWD code=1  # if none is installed
 export PATH=$PATH:$PWD/../../build/uv/bin
 command -v uv >/dev/null || { python3 -m venv ../../build/uv && ../../build/uv/bin/pip install --quiet uv; } || exit 2
+compiled() {  # FILE PLACE
+  local source flags
+  source=$(sed -n 's/^\/\/ source = //p' "$1") flags=$(sed -n 's/^\/\/ flags = //p' "$1" | paste -sd' ')
+  mkdir -p "$2/nanobind" && cd "$2" || return
+  [[ -z $source ]] || { python3 -m pip download --quiet --no-deps --no-binary "${source%==*}" "$source" &&
+    tar -xzf ./*.tar.gz --strip-components 1; } || return
+  printf '#include <cstdlib>\n#define PyMem_RawCalloc std::calloc\n#define PyMem_RawFree std::free\n' >Python.h
+  printf '#include <stdexcept>\nnamespace nanobind { using value_error = std::runtime_error; }\n' >nanobind/nanobind.h
+  eval "g++ -std=c++17 -O3 -DNDEBUG -w -I $here/../../docs/examples -o program $here/$1 $flags" \
+    -I /usr/include/eigen3 || return
+}
 for file; do
   place=../../build/libraries/$(basename "$file" .py)
+  if [[ $file == *.cpp ]]; then
+    (compiled "$file" "$place") && code=0 || echo "not installed: $file" >&2
+    continue
+  fi
   if [[ -d $file ]]; then
     cargo build --quiet --release --manifest-path "$file/Cargo.toml" --target-dir "$place" && code=0 || echo "not installed: $file" >&2
     continue

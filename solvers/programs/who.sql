@@ -4,7 +4,7 @@ WITH arms AS (
   SELECT robot, label, sum(status = 'ok') AS solved, sum(status = 'declined') = count(*) AS declines,
     sum(status = 'ok' AND run <= 20) = min(count(*), 20) AS is_whole,
     robot IN ('franka_panda', 'kuka_iiwa14', 'ur5e') AS is_shown
-  FROM current_solves WHERE study = 'libraries-' || robot GROUP BY robot, label),
+  FROM current_solves WHERE study = 'libraries-' || robot AND label <> 'nothing' GROUP BY robot, label),
 shown AS (SELECT robot, label, iif(declines, '-', solved) AS solved FROM arms)
 SELECT label AS library, (SELECT solved FROM shown WHERE label = a.label AND robot = 'franka_panda') AS Panda,
   (SELECT solved FROM shown WHERE label = a.label AND robot = 'kuka_iiwa14') AS "iiwa 14",

@@ -120,10 +120,10 @@ for python in python3 /usr/bin/python3; do
 done
 [ -n "$kdl" ] || echo "skipped in part: no PyKDL"
 
-# Each program around a library pins its version, and the study of libraries has it.
-for file in "$root"/solvers/programs/with_*.py; do
-  sed -n '/^# dependencies/p' "$file" | grep -q '==' || fail "$file pins no version"
-  grep -qF "\"$(basename "$file")\"" "$root/solvers/programs/libraries.toml" || fail "libraries.toml lacks $file"
+# Each program around a library pins its version, and a study of libraries has it.
+for file in "$root"/solvers/programs/with_*.{py,cpp}; do
+  grep -qE '^(# dependencies|// source) = .*==|^// flags = -lorocos-kdl$' "$file" || fail "$file pins no version"
+  grep -qE "[\"/]$(basename "$file")[\"/]" "$root"/solvers/programs/libraries*.toml || fail "no study has $file"
 done
 
 # A path from a program that writes poses, as a CSV.
