@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <sys/utsname.h>
 #include <time.h>
-#include <unistd.h>
 #ifdef __APPLE__
 #include <mach-o/dyld.h>
 #endif
@@ -14,7 +13,6 @@
 #include <array>
 #include <chrono>
 #include <fstream>
-#include <limits>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -74,16 +72,6 @@ double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double stolen_seconds() {
-  std::ifstream stat("/proc/stat");
-  std::string cpu;
-  double stolen = 0;
-  stat >> cpu;
-  for (int i = 0; i < 8; ++i) stat >> stolen;  // after user, nice, system, idle, iowait, irq and softirq
-  if (!stat || cpu != "cpu") return std::numeric_limits<double>::quiet_NaN();
-  return stolen / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 bool is_debug_build() {

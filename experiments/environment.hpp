@@ -13,9 +13,6 @@ namespace ikbench::experiments {
 std::map<std::string, std::string> environment();
 // The processor's name in /proc/cpuinfo; on ARM, where the kernel knows none, the numbers of its maker and part.
 std::string cpu_model(std::istream&& info);
-// Time [s] that the host of a virtual machine took from all its processors since it started (/proc/stat: steal). NaN if
-// unknown.
-double stolen_seconds();
 double thread_seconds();  // processor time [s] of this thread
 // Times of a debug or sanitized build say nothing about a solver.
 bool is_debug_build();

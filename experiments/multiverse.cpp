@@ -29,21 +29,18 @@ constexpr EmbeddedFile multiverse_files[]{
 
 constexpr std::size_t most_tables = 100;
 
-Alternative read_alternative(TomlReader reader) {
-  Alternative one;
-  reader.text("set", one.set);
-  reader.text("where", one.where);
-  reader.choice("in", one.scope, {"small", "default"});
-  reader.texts("except", one.except);
-  reader.refuse_unknown_keys();
-  return one;
-}
-
 Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labels) {
   Dimension one;
   reader.text("section", one.section);
-  for (const toml::table* table : reader.tables("alternatives", most_tables, "a list of tables"))
-    one.alternatives.push_back(read_alternative(reader.nested(*table, "dimensions.alternatives.")));
+  for (const toml::table* table : reader.tables("alternatives", most_tables, "a list of tables")) {
+    TomlReader of_one = reader.nested(*table, "dimensions.alternatives.");
+    Alternative& alternative = one.alternatives.emplace_back();
+    of_one.text("set", alternative.set);
+    of_one.text("where", alternative.where);
+    of_one.choice("in", alternative.scope, {"small", "default"});
+    of_one.texts("except", alternative.except);
+    of_one.refuse_unknown_keys();
+  }
   reader.refuse_unknown_keys();
   one.name = one.alternatives.front().set;  // "path.tool=eq27"
   one.name.resize(one.name.find('='));
@@ -51,44 +48,6 @@ Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labe
   if (std::ranges::find(labels, owner) != labels.end()) one.label = owner;
   return one;
 }
-
-}  // namespace
-
-std::vector<Dimension> dimensions(std::string_view study) {
-  const EmbeddedFile* const file = find_embedded(multiverse_files, study);
-  if (file == nullptr) return {};
-  const std::vector<std::string> labels = labels_of(load_study(std::string(study)));
-  const toml::table table = parse_toml(file->text, file->name);
-  TomlReader reader(table, file->name, "");
-  std::vector<Dimension> list;
-  for (const toml::table* each : reader.tables("dimensions", most_tables, "a list of tables"))
-    list.push_back(read_dimension(reader.nested(*each, "dimensions."), labels));
-  reader.refuse_unknown_keys();
-  return list;
-}
-
-std::vector<Dimension> within(Scope scope, std::vector<Dimension> dimensions) {
-  for (Dimension& each : dimensions) {
-    std::vector<Alternative>& all = each.alternatives;  // of which the first is in every scope
-    const auto is_beyond = [&](const Alternative& one) { return one.scope > scope; };
-    all.erase(std::remove_if(all.begin() + 1, all.end(), is_beyond), all.end());
-  }
-  std::erase_if(dimensions, [](const Dimension& each) { return each.alternatives.size() < 2; });
-  return dimensions;
-}
-
-std::vector<Dimension> named(const std::vector<std::string>& names, const std::vector<Dimension>& dimensions) {
-  for (const std::string& name : names) {
-    find_named("dimension", name, dimensions, [](const Dimension& each) { return each.name; });
-    if (std::ranges::count(names, name) > 1)
-      throw std::invalid_argument(fmt::format("the dimension {} is given twice; expected it once", name));
-  }
-  std::vector<Dimension> chosen = dimensions;
-  std::erase_if(chosen, [&](const Dimension& each) { return std::ranges::count(names, each.name) == 0; });
-  return chosen;
-}
-
-namespace {
 
 constexpr double most_combinations = 1e5, most_readings = 1e15;
 
@@ -142,7 +101,96 @@ void add_overrides(Overrides& overrides, const std::vector<Dimension>& dimension
   for (const Choice& each : chosen) overrides.push_back(alternative_of(dimensions, each).set);
 }
 
+// The key of the search alone: unless limits or wraps change where a solve starts, no search sees which way the wrist
+// bends and turns, and never whose motion counts. A program or library may be too late.
+std::string search_key(Study study) {
+  const SolverEntry& entry = study.solvers.front();
+  const bool is_built_in = !entry.program && info_of(entry).library.empty();
+  if (is_built_in && study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == Wrap::no) {
+    study.wrist_branch = WristBranch::nearest;
+    study.wrist_turns = WristTurns::principal;
+    study.motion_joints = 0;
+  }
+  return series_key(study, study.solvers.front());
+}
+
+// Solves of one search with the wrist of another study: its errors and joint motion.
+std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveRecord> solves) {
+  const robots::Robot arm = arm_of(study);
+  const Task task(study, arm);
+  std::vector<robots::Pose> poses;
+  std::vector<robots::Configuration> own_starts;
+  robots::Configuration start;
+  for (int run = 0; SolveRecord & solve : solves) {
+    if (solve.run != run) {
+      run = solve.run;
+      poses = targets(study, arm, run);
+      own_starts = starts(study, arm, run);
+      start = study.initial;
+    }
+    const auto place = static_cast<std::size_t>(solve.point - 1);
+    if (!own_starts.empty()) start = own_starts[place];
+    const robots::Configuration answer = task.completed(
+        Eigen::Map<const Eigen::VectorXd>(solve.answer_rad.data(), task.arm().joints()), poses[place], start);
+    const Verification verified = verify(arm, poses[place], start, answer, false, study.motion_joints);
+    solve.position_error_cm = verified.position_error / centimetre;
+    solve.variation_deg = verified.variation / degree;
+    if (moves_arm(solve, study.start)) start = answer;
+  }
+  return solves;
+}
+
+PartMeans means_of(const Study& study, const std::vector<SolveRecord>& solves) {
+  const bool are_runs = study.plan.values == Plan::Values::runs;
+  const int runs = study.runs, points = study.path->points();
+  const auto values = static_cast<std::size_t>(are_runs ? runs : points);
+  PartMeans means{.error_cm = std::vector<double>(values), .variation_deg = std::vector<double>(values)};
+  for (const SolveRecord& solve : solves) {
+    const auto value = static_cast<std::size_t>((are_runs ? solve.run : solve.point) - 1);
+    means.error_cm[value] += solve.position_error_cm;
+    means.variation_deg[value] += solve.variation_deg;
+  }
+  for (std::vector<double>* all : {&means.error_cm, &means.variation_deg}) {
+    for (double& value : *all) value /= are_runs ? points : runs;
+  }
+  return means;
+}
+
 }  // namespace
+
+std::vector<Dimension> dimensions(std::string_view study) {
+  const EmbeddedFile* const file = find_embedded(multiverse_files, study);
+  if (file == nullptr) return {};
+  const std::vector<std::string> labels = labels_of(load_study(std::string(study)));
+  const toml::table table = parse_toml(file->text, file->name);
+  TomlReader reader(table, file->name, "");
+  std::vector<Dimension> list;
+  for (const toml::table* each : reader.tables("dimensions", most_tables, "a list of tables"))
+    list.push_back(read_dimension(reader.nested(*each, "dimensions."), labels));
+  reader.refuse_unknown_keys();
+  return list;
+}
+
+std::vector<Dimension> within(Scope scope, std::vector<Dimension> dimensions) {
+  for (Dimension& each : dimensions) {
+    std::vector<Alternative>& all = each.alternatives;  // of which the first is in every scope
+    const auto is_beyond = [&](const Alternative& one) { return one.scope > scope; };
+    all.erase(std::remove_if(all.begin() + 1, all.end(), is_beyond), all.end());
+  }
+  std::erase_if(dimensions, [](const Dimension& each) { return each.alternatives.size() < 2; });
+  return dimensions;
+}
+
+std::vector<Dimension> named(const std::vector<std::string>& names, const std::vector<Dimension>& dimensions) {
+  for (const std::string& name : names) {
+    find_named("dimension", name, dimensions, [](const Dimension& each) { return each.name; });
+    if (std::ranges::count(names, name) > 1)
+      throw std::invalid_argument(fmt::format("the dimension {} is given twice; expected it once", name));
+  }
+  std::vector<Dimension> chosen = dimensions;
+  std::erase_if(chosen, [&](const Dimension& each) { return std::ranges::count(names, each.name) == 0; });
+  return chosen;
+}
 
 void refuse_varied(const Overrides& overrides, const std::vector<Dimension>& dimensions) {
   for (const std::string& text : overrides) {
@@ -202,65 +250,6 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
   }
   return plan;
 }
-
-namespace {
-
-// The key of the search alone: unless limits or wraps change where a solve starts, no search sees which way the wrist
-// bends and turns, and never whose motion counts. A program or library may be too late.
-std::string search_key(Study study) {
-  const SolverEntry& entry = study.solvers.front();
-  const bool is_built_in = !entry.program && info_of(entry).library.empty();
-  if (is_built_in && study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == Wrap::no) {
-    study.wrist_branch = WristBranch::nearest;
-    study.wrist_turns = WristTurns::principal;
-    study.motion_joints = 0;
-  }
-  return series_key(study, study.solvers.front());
-}
-
-// Solves of one search with the wrist of another study: its errors and joint motion.
-std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveRecord> solves) {
-  const robots::Robot arm = arm_of(study);
-  const Task task(study, arm);
-  std::vector<robots::Pose> poses;
-  std::vector<robots::Configuration> own_starts;
-  robots::Configuration start;
-  for (int run = 0; SolveRecord & solve : solves) {
-    if (solve.run != run) {
-      run = solve.run;
-      poses = targets(study, arm, run);
-      own_starts = starts(study, arm, run);
-      start = study.initial;
-    }
-    const auto place = static_cast<std::size_t>(solve.point - 1);
-    if (!own_starts.empty()) start = own_starts[place];
-    const robots::Configuration answer = task.completed(
-        Eigen::Map<const Eigen::VectorXd>(solve.answer_rad.data(), task.arm().joints()), poses[place], start);
-    const Verification verified = verify(arm, poses[place], start, answer, false, study.motion_joints);
-    solve.position_error_cm = verified.position_error / centimetre;
-    solve.variation_deg = verified.variation / degree;
-    if (moves_arm(solve, study.start)) start = answer;
-  }
-  return solves;
-}
-
-PartMeans means_of(const Study& study, const std::vector<SolveRecord>& solves) {
-  const bool are_runs = study.plan.values == Plan::Values::runs;
-  const int runs = study.runs, points = study.path->points();
-  const auto values = static_cast<std::size_t>(are_runs ? runs : points);
-  PartMeans means{.error_cm = std::vector<double>(values), .variation_deg = std::vector<double>(values)};
-  for (const SolveRecord& solve : solves) {
-    const auto value = static_cast<std::size_t>((are_runs ? solve.run : solve.point) - 1);
-    means.error_cm[value] += solve.position_error_cm;
-    means.variation_deg[value] += solve.variation_deg;
-  }
-  for (std::vector<double>* all : {&means.error_cm, &means.variation_deg}) {
-    for (double& value : *all) value /= are_runs ? points : runs;
-  }
-  return means;
-}
-
-}  // namespace
 
 std::vector<PartMeans> solve_parts(const std::vector<Study>& parts, const RunRequest& request) {
   std::map<std::string, std::vector<std::size_t>> by_search;

@@ -6,23 +6,13 @@ namespace ikbench::experiments {
 #include "experiments/paths.inc"
 #undef PATH
 
-namespace {
-
-using MakePath = std::unique_ptr<PathKind> (*)();
-
-constexpr MakePath path_makers[]{
-#define PATH(name) name##_path,
-#include "experiments/paths.inc"
-#undef PATH
-};
-
-}  // namespace
-
-Path::Path() : Path(path_makers[0]()) {}
+Path::Path() : Path(paths().front()) {}
 
 std::vector<Path> paths() {
   std::vector<Path> all;
-  for (const MakePath make : path_makers) all.emplace_back(make());
+#define PATH(name) all.emplace_back(name##_path());
+#include "experiments/paths.inc"
+#undef PATH
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "base/json.hpp"
@@ -27,10 +28,6 @@ using namespace numerics;
 using namespace results;
 
 namespace {
-
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
 
 Pose target_of(const SolveRecord& solve) {
   Pose target = Pose::Identity();
@@ -62,13 +59,6 @@ void expect(const char* column, const SolveRecord& solve, double stored, double 
                                                : !std::isfinite(stored);
   if (!is_same) refuse(solve, fmt::format("{} is {}, but {} follows from the answer", column, stored, computed));
 }
-
-// Where a solve left the arm.
-struct Left {
-  std::string label;
-  int run = 0, point = 0;
-  std::vector<double> arm_rad;
-};
 
 // One of our solvers, a library or a class of anybody's, of which a step is one call, or a program.
 enum class Kind { ours, called, program };
@@ -173,14 +163,14 @@ TakeSolve check_of(const StoredStudy& study) {
 
 TakeSolve recheck_of(const StoredStudy& study) {
   return [check = check_of(study), start = study.definition.start, is_chained = study.definition.is_chained(),
-          before = Left()](const SolveRecord& solve) mutable {
+          next = std::tuple(std::string(), 0, 0), left_rad = std::vector<double>()](const SolveRecord& solve) mutable {
     of_stored([&] {
-      const bool is_next = before.label == solve.label && before.run == solve.run && before.point + 1 == solve.point;
-      if (is_chained && is_next && before.arm_rad != solve.start_rad)
+      if (is_chained && next == std::tie(solve.label, solve.run, solve.point) && left_rad != solve.start_rad)
         refuse(solve, "it does not start where the solve before it left the arm");
       check(solve);
     });
-    before = {solve.label, solve.run, solve.point, moves_arm(solve, start) ? solve.answer_rad : solve.start_rad};
+    next = {solve.label, solve.run, solve.point + 1};
+    left_rad = moves_arm(solve, start) ? solve.answer_rad : solve.start_rad;
   };
 }
 

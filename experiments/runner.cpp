@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -64,12 +65,13 @@ struct Work {
     return parts;
   }
   // Of a turn, by who misses them: in a session all have the same to do. A stop leaves those apart that it cut.
-  std::map<std::vector<bool>, std::vector<Part>> sessions_of(int turn) const {
-    std::map<std::vector<bool>, std::vector<Part>> sessions;
+  std::map<std::vector<std::size_t>, std::vector<Part>> sessions_of(int turn) const {
+    std::map<std::vector<std::size_t>, std::vector<Part>> sessions;
     for (const Part& part : parts_in(shard.count > 1 ? shard : Shard{.index = turn, .count = turns()})) {
-      std::vector<bool> who;
-      for (std::size_t s = 0; s < stored.size(); ++s) who.push_back(next_point(s, part) <= part.last);
-      if (std::ranges::count(who, true) > 0) sessions[who].push_back(part);
+      std::vector<std::size_t> who;
+      for (std::size_t s = 0; s < stored.size(); ++s)
+        if (next_point(s, part) <= part.last) who.push_back(s);
+      if (!who.empty()) sessions[who].push_back(part);
     }
     return sessions;
   }
@@ -82,10 +84,6 @@ struct Work {
   std::vector<std::vector<bool>> stored;                          // by solver and place
   std::map<std::pair<std::size_t, int>, Configuration> left_arm;  // by solver and run, where a stored chain ends
 };
-
-Configuration answer_of(const SolveRecord& record) {
-  return Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), std::ssize(record.answer_rad));
-}
 
 // Throws if the study would not have made the stored solve next.
 void check_stored(const SolveRecord& record, const Work& work, std::size_t solver) {
@@ -112,21 +110,13 @@ std::int64_t move_past_stored(Work& work, const Store& store) {
       check_stored(record, work, s);
       work.stored[s][work.place(record.run, record.point)] = true;
       if (record.point < work.points && moves_arm(record, work.study.start))
-        work.left_arm[{s, record.run}] = answer_of(record);
+        work.left_arm[{s, record.run}] = vector_of(record.answer_rad);
       if (record.point == work.points) work.left_arm.erase({s, record.run});
       if (contains(work.shard, work.study, record.run, record.point)) ++stored;
     });
   }
   return stored;
 }
-
-// The targets and starts of a run, the same for all solvers. A worker keeps them while its chains are of that run,
-// since some sets take long to draw.
-struct RunTask {
-  int run = 0;
-  std::vector<Pose> targets = {};
-  std::vector<Configuration> starts = {};
-};
 
 // Makes a solve that is only what the solver did: anew if the process stood still for a tenth of its time. None if a
 // stop came meanwhile, unless it solved: whoever stops us may have stopped its program first.
@@ -155,16 +145,19 @@ std::vector<std::size_t> order_of(const Study& study, std::vector<std::size_t> s
   return solvers;
 }
 
-// A worker's solvers for a session, and the task of the run that it is at.
+// A worker's solvers for a session, and the targets and starts of the run that it is at, which may take long to draw.
 struct Bench {
   std::vector<std::unique_ptr<solvers::Solver>> solvers = {};
-  RunTask task = {};
+  int at_run = 0;
+  std::vector<Pose> poses = {};
+  std::vector<Configuration> own_starts = {};
 
   // What is asked at a point; `left_arm` is where a chain goes on.
   Call call_at(const Work& work, int run, int point, const Configuration& left_arm) {
-    if (task.run != run) task = {run, targets(work.study, work.arm, run), starts(work.study, work.arm, run)};
+    if (std::exchange(at_run, run) != run)
+      poses = targets(work.study, work.arm, run), own_starts = starts(work.study, work.arm, run);
     const auto place = static_cast<std::size_t>(point - 1);
-    return {task.targets[place], task.starts.empty() ? left_arm : task.starts[place], run, point};
+    return {poses[place], own_starts.empty() ? left_arm : own_starts[place], run, point};
   }
 };
 
@@ -205,7 +198,7 @@ void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, cons
         if (!record) return;
         if (check) check(*record);
         if (!is_over()) solve_runner.count_failure(solver);
-        if (moves_arm(*record, work.study.start)) left_arm = answer_of(*record);
+        if (moves_arm(*record, work.study.start)) left_arm = vector_of(record->answer_rad);
         record_queue.hand_in(std::move(*record));
       }
     }
@@ -219,13 +212,6 @@ void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, cons
   record_queue.flush();
   benches.clear();
   for (const std::size_t s : solvers) work.solve_runners[s].end_processes();
-}
-
-std::vector<std::size_t> places_of(const std::vector<bool>& who) {
-  std::vector<std::size_t> places;
-  for (std::size_t s = 0; s < who.size(); ++s)
-    if (who[s]) places.push_back(s);
-  return places;
 }
 
 // What is odd about solvers that others wrote, by label.
@@ -302,11 +288,7 @@ void solve_missing(Work& work, const StoredStudy& stored, Store& store, const Ru
     for (const auto& [who, parts] : work.sessions_of(turn)) {
       if (is_over()) break;
       session_id = store.begin_session(session);
-      const double stolen_before = stolen_seconds();
-      solve_parts(work, order_of(work.study, places_of(who), turn), parts, request.jobs, request.cancelled, check,
-                  record_queue);
-      if (const double stolen = stolen_seconds() - stolen_before; stolen >= 0)
-        store.add_to_session(session_id, {{"stolen_seconds", fmt::format("{:.2f}", stolen)}});
+      solve_parts(work, order_of(work.study, who, turn), parts, request.jobs, request.cancelled, check, record_queue);
     }
   }
   progress.notes = tell_of(work, odd, store, session_id);
@@ -356,8 +338,9 @@ void solve_study(const Study& study, int jobs, const std::function<void(SolveRec
   RecordQueue record_queue([&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
-  solve_parts(work, places_of(std::vector<bool>(study.solvers.size(), true)), work.parts_in({}), jobs, cancelled, {},
-              record_queue);
+  std::vector<std::size_t> all(study.solvers.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  solve_parts(work, all, work.parts_in({}), jobs, cancelled, {}, record_queue);
 }
 
 bool moves_arm(const SolveRecord& solve, Start start) {

@@ -19,11 +19,13 @@
 
 namespace ikbench::experiments {
 
-template <class Numbers>
-bool same_bits(const Numbers& a, const Numbers& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
-    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-  });
+inline Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+}
+
+bool same_bits(const auto& a, const auto& b) {
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](double x, double y) { return bits(x) == bits(y); });
 }
 
 // What a solver is asked. The target outlives it; the start is its own, as it may be made of another type of vector.

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cstdio>
 #include <optional>
 #include <stdexcept>
 
@@ -124,16 +124,10 @@ std::vector<Unreachable> unreachable(const Study& study) {
 }
 
 Shard shard_from(std::string_view text) {
-  const auto number = [](std::string_view digits) {
-    int value = 0;
-    const char* const last = digits.data() + digits.size();
-    const auto [end, error] = std::from_chars(digits.data(), last, value);
-    return error == std::errc() && end == last ? value : 0;
-  };
-  const std::size_t slash = std::min(text.find('/'), text.size());
-  const Shard shard{.index = number(text.substr(0, slash)),
-                    .count = number(text.substr(std::min(slash + 1, text.size())))};
-  if (shard.index >= 1 && shard.index <= shard.count && shard.count <= most_shards) return shard;
+  Shard shard;
+  std::sscanf(std::string(text).c_str(), "%6d/%6d", &shard.index, &shard.count);
+  if (shard.text() == text && shard.index >= 1 && shard.index <= shard.count && shard.count <= most_shards)
+    return shard;
   throw std::invalid_argument(
       fmt::format("'{}' is no shard; expected I/N with 1 <= I <= N <= {}, as 3/12", text.substr(0, 100), most_shards));
 }

@@ -72,13 +72,6 @@ void read_kind(TomlReader& reader, SolverEntry& entry) {
   at_key(reader, "solver", [&] { return solver(entry.solver); });
 }
 
-// Returns whether the default of an option is a number.
-bool is_of_numbers(const SolverEntry& entry, const std::string& option) {
-  const Settings defaults = options_with(entry, {});
-  const auto by_default = defaults.find(option);
-  return by_default != defaults.end() && std::holds_alternative<double>(by_default->second);
-}
-
 // A value of a setting, the population or an option. `settings` has the entry's label before its keys.
 Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std::string& setting,
                  const toml::node& node) {
@@ -93,7 +86,10 @@ Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std
   Setting value;
   if (const auto quoted = node.value<std::string>()) {
     if (!is_plain(*quoted)) settings.fail(setting, node, plain_text);
-    if (const auto number = number_from(*quoted); number && is_of_numbers(entry, setting))
+    const Settings defaults = options_with(entry, {});
+    const auto by_default = defaults.find(setting);
+    const bool is_number = by_default != defaults.end() && std::holds_alternative<double>(by_default->second);
+    if (const auto number = number_from(*quoted); number && is_number)
       settings.fail(setting, node,
                     std::isfinite(*number) ? fmt::format("a number, without quotes: {}", *number) : "a finite number");
     value = *quoted;

@@ -251,9 +251,6 @@ std::string no_study(const std::filesystem::path& file) {
   if (std::filesystem::exists(file, error)) return fmt::format("{} is not a regular file", file.string());
   if (const std::string beside = file.string() + ".toml"; std::filesystem::is_regular_file(beside, error))
     return fmt::format("no such file: {0}; did you mean {0}.toml?", file.string());
-  if (file.string().starts_with("baselines-"))
-    return fmt::format("{} is now the study baselines on another arm; type: ikbench run baselines --robot ARM",
-                       file.string());
   if (file.extension() == ".toml" || file.has_parent_path())
     return fmt::format("no such file: {}; expected a TOML file, or a name of: ikbench list studies", file.string());
   std::vector<std::string> names;

@@ -306,13 +306,7 @@ std::string to_json(const Study& study) {
   json["arm"] = arm_definition(arm_of(study));
   const std::optional<Study> original = original_of(study);
   json["departures"] = original ? departures(study, *original) : std::vector<std::string>();
-  if (const std::vector<Unreachable> beyond = unreachable(study); !beyond.empty()) {
-    const Unreachable& farthest = *std::ranges::max_element(beyond, {}, &Unreachable::distance);
-    json["out_of_reach"] = {{"points", beyond.size()},
-                            {"farthest_point", farthest.point},
-                            {"farthest_cm", farthest.distance / centimetre},
-                            {"reach_cm", farthest.reach / centimetre}};
-  }
+  if (const auto beyond = unreachable(study).size(); beyond > 0) json["out_of_reach"]["points"] = beyond;
   return base::text_of(json);
 }
 

@@ -38,19 +38,15 @@ SinCos witnessed_sin_cos(double angle) {
   return same ? of : SinCos{none, none};
 }
 
-Matrix turned_about_z(double angle) {
-  const auto [sine, cosine] = witnessed_sin_cos(angle);
-  return Matrix{{cosine, -sine, 0, 0}, {sine, cosine, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-}
+enum Axis : Eigen::Index { x_axis, y_axis, z_axis };
 
-Matrix turned_about_x(double angle) {
+Matrix turned_about(Axis axis, double angle) {
   const auto [sine, cosine] = witnessed_sin_cos(angle);
-  return Matrix{{1, 0, 0, 0}, {0, cosine, -sine, 0}, {0, sine, cosine, 0}, {0, 0, 0, 1}};
-}
-
-Matrix turned_about_y(double angle) {
-  const auto [sine, cosine] = witnessed_sin_cos(angle);
-  return Matrix{{cosine, 0, sine, 0}, {0, 1, 0, 0}, {-sine, 0, cosine, 0}, {0, 0, 0, 1}};
+  const Eigen::Index one = (axis + 1) % 3, other = (axis + 2) % 3;
+  Matrix turn = Matrix::Identity();
+  turn(one, one) = turn(other, other) = cosine;
+  turn(one, other) = -sine, turn(other, one) = sine;
+  return turn;
 }
 
 Matrix moved(double x, double y, double z) { return Matrix{{1, 0, 0, x}, {0, 1, 0, y}, {0, 0, 1, z}, {0, 0, 0, 1}}; }
@@ -60,14 +56,10 @@ double largest(const Eigen::VectorXd& values) {
   return values.allFinite() ? std::max(0.0, values.maxCoeff()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Keeps radians and metres apart.
-enum class Kind { turns, slides };
-
-// The values of the joints of one kind; 0 for the others.
-Eigen::VectorXd of_joints(const Robot& robot, Eigen::VectorXd values, Kind kind) {
-  for (Eigen::Index j = 0; j < values.size(); ++j) {
-    if (robot.chain.slides(j) != (kind == Kind::slides)) values[j] = 0;
-  }
+// The values of the joints that slide, or of those that turn; 0 for the others. Keeps radians and metres apart.
+Eigen::VectorXd of_joints(const Robot& robot, Eigen::VectorXd values, bool do_slide) {
+  for (Eigen::Index j = 0; j < values.size(); ++j)
+    if (robot.chain.slides(j) != do_slide) values[j] = 0;
   return values;
 }
 
@@ -100,8 +92,8 @@ double pose_error(const Verification& verified, double weight) {
 Matrix pose_of(const Frame& frame) {
   if (frame.position.isZero(0) && frame.rpy.isZero(0)) return Matrix::Identity();
   Matrix pose = moved(frame.position.x(), frame.position.y(), frame.position.z());
-  pose = product(product(pose, turned_about_z(frame.rpy.z())), turned_about_y(frame.rpy.y()));
-  return product(pose, turned_about_x(frame.rpy.x()));
+  pose = product(product(pose, turned_about(z_axis, frame.rpy.z())), turned_about(y_axis, frame.rpy.y()));
+  return product(pose, turned_about(x_axis, frame.rpy.x()));
 }
 
 // The motion along or about the axis of a joint: Rodrigues' formula by elements.
@@ -121,10 +113,10 @@ Matrix past(const DhLink& link, double joint, const Matrix& before) {
   const double angle = link.joint == Joint::slides ? link.offset : joint + link.offset;
   const double along_z = link.joint == Joint::slides ? link.d + joint : link.d;
   const bool is_coupled = link.joint == Joint::coupled;
-  Matrix pose = product(before, is_coupled ? turned_about_y(angle) : turned_about_z(angle));
+  Matrix pose = product(before, turned_about(is_coupled ? y_axis : z_axis, angle));
   pose = product(pose, moved(link.a, 0, along_z));
-  if (is_coupled) pose = product(pose, turned_about_y(-angle));  // a parallelogram turns back after the link
-  return product(pose, turned_about_x(link.alpha));
+  if (is_coupled) pose = product(pose, turned_about(y_axis, -angle));  // a parallelogram turns back after the link
+  return product(pose, turned_about(x_axis, link.alpha));
 }
 
 }  // namespace
@@ -156,7 +148,7 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
   const Eigen::VectorXd move = move_between(robot.limits, start, answer);
   const Eigen::VectorXd outside =
       answer.allFinite() ? (robot.limits.lower - answer).cwiseMax(answer - robot.limits.upper).cwiseMax(0) : answer;
-  const Eigen::VectorXd turned = of_joints(robot, move, Kind::turns), slid = of_joints(robot, move, Kind::slides);
+  const Eigen::VectorXd turned = of_joints(robot, move, false), slid = of_joints(robot, move, true);
   const Eigen::Index counted = motion_joints == 0 ? move.size() : std::min<Eigen::Index>(motion_joints, move.size());
   return {.reached = reached.topRightCorner<3, 1>(),
           .position_error = (reached - wanted).topRightCorner<3, 1>().norm(),
@@ -167,8 +159,8 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
           .variation = turned.head(counted).norm(),
           .variation_m = slid.norm(),
           .largest_move = largest(turned.cwiseAbs()),
-          .limit_violation = beyond_rounding(largest(of_joints(robot, outside, Kind::turns))),
-          .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, Kind::slides)))};
+          .limit_violation = beyond_rounding(largest(of_joints(robot, outside, false))),
+          .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, true)))};
 }
 
 bool is_over(const Spent& spent, const StopRule& budget) {

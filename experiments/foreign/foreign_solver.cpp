@@ -54,14 +54,10 @@ void Conversations::give_back(Conversation conversation) {
   idle_.push_back(std::move(conversation));
 }
 
-void Conversations::note(std::string failure) {
-  const std::scoped_lock lock(mutex_);
-  last_failure_ = std::move(failure);
-}
-
 std::string Conversations::last_failure() const {
   const std::scoped_lock lock(mutex_);
-  return last_failure_;
+  const auto has_failed = std::ranges::find_if(idle_, [](auto& its) { return !its.last_failure.empty(); });
+  return has_failed == idle_.end() ? "" : has_failed->last_failure;
 }
 
 void Conversations::end_processes() {
@@ -113,7 +109,7 @@ void ForeignSolver::count_failure() {
     failure_->why += "; it is given up after three failures in a row";
     own_.refusal = failure_;
   }
-  if (failure_) all_.note(fmt::format("{}: {}", name_of(status_of(failure_->kind)), failure_->why));
+  if (failure_) own_.last_failure = fmt::format("{}: {}", name_of(status_of(failure_->kind)), failure_->why);
   if (!account_.failure) own_.failures_in_a_row = 0;
 }
 

@@ -40,6 +40,7 @@ double own_seconds(const Account& account, double wall);
 struct Conversation {
   std::unique_ptr<ChildProcess> child = {};  // null until it is needed, and after a failure
   int failures_in_a_row = 0;
+  std::string last_failure = {};        // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
   std::set<std::string> extras = {};    // names
   std::optional<Trouble> refusal = {};  // set if it is given up
 };
@@ -60,8 +61,7 @@ class Conversations {
 
   Conversation take();
   void give_back(Conversation conversation);
-  void note(std::string failure);
-  std::string last_failure() const;  // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
+  std::string last_failure() const;  // of an idle one
   void end_processes();              // of the idle ones; a program that is given up stays so
 
   const std::shared_ptr<const Program> program;
@@ -70,7 +70,6 @@ class Conversations {
  private:
   mutable std::mutex mutex_;
   std::vector<Conversation> idle_;
-  std::string last_failure_;
 };
 
 // solvers::solve drives it like any other solver; `start` is the whole conversation. If the program fails, the error is

@@ -99,7 +99,6 @@ json 'len({row["solver"] for row in of["groups"]}) == 9'
 # A label may have commas, and so has a list of labels.
 succeeds run baselines --robot ur5e --only "Newton, restarts,LM" --set runs=1 --set path.points=2 --no-report --out only
 equal "study" "$(sqlite3 only/store.sqlite "SELECT name FROM studies")" baselines-ur5e
-refused "run baselines --robot" run baselines-panda --out no
 equal "labels" "$(sqlite3 only/store.sqlite "SELECT group_concat(label, ';') FROM series")" "LM;Newton, restarts"
 
 # Times of a former version's clock are shown, and compared with none.

@@ -157,14 +157,3 @@ TEST_CASE("a class that remembers is told of", "[clock]") {
   REQUIRE(progress.notes.size() == 1);
   CHECK(progress.notes.front() == "a: it answers otherwise when it is asked again, 2 of 2 times");
 }
-
-TEST_CASE("a session says how much time the host kept from the machine meanwhile", "[clock]") {
-  const double before = stolen_seconds();
-  ScratchStore store;
-  run(small_study(), store, {});
-  const double all = stolen_seconds() - before;
-  if (!(before >= 0)) return;  // no /proc/stat
-  const double stolen = std::stod(store.sessions().front().environment.at("stolen_seconds"));
-  CHECK(stolen >= 0);
-  CHECK(stolen <= all + 0.01);
-}
