@@ -178,8 +178,8 @@ void add_of_targets(Doubts& doubts, const StudyResults& study) {
 }  // namespace
 
 std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& sessions) {
-  const auto doubt_of = [](std::string what, std::vector<std::string> who = {}) {
-    return Doubt{.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = std::move(what)};
+  const auto doubt_of = [](std::string what) {
+    return Doubt{.kind = DoubtKind::times_not_comparable, .what = std::move(what)};
   };
   if (std::ranges::any_of(study.solves, is_timed(Timing::parallel))) return {doubt_of("solved in parallel")};
   if (std::ranges::any_of(study.solves, is_timed(Timing::debug_build))) return {doubt_of("a debug build")};
@@ -188,25 +188,18 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& se
   if (compared < fewest_sessions)
     return {doubt_of(fmt::format("{}, and {} are the fewest", base::counted(compared, "sessions"), fewest_sessions))};
   Doubts doubts;
-  const auto add_of = [&](std::vector<std::string> who, const char* what) {  // one reason is enough
+  const auto add_of = [&](std::vector<std::string> who, const char* what,  // one reason is enough
+                          DoubtKind kind = DoubtKind::times_not_comparable) {
     for (const Doubt& told : doubts)
       std::erase_if(who, [&](const std::string& solver) { return std::ranges::count(told.who, solver) > 0; });
-    add(doubts, doubt_of(what, std::move(who)));
+    add(doubts, {.kind = kind, .who = std::move(who), .what = what});
   };
-  std::vector<std::string> busy;
-  Doubt left_out{.kind = DoubtKind::sessions_left_out};
-  for (std::size_t place = 0; place < study.labels.size(); ++place) {
-    const auto count = std::ssize(sessions.busy[place]);
-    if (compared - count < fewest_sessions)
-      busy.push_back(study.labels[place]);
-    else if (count > 0)
-      left_out.who.push_back(study.labels[place]);
-  }
-  add_of(std::move(busy), "the machine was busy");
-  add_of(measured_apart(study, sessions.told),
+  add_of(measured_apart(study, sessions.made),
          "too few sessions in common with the others; to compare them solve all again: --out NEW");
-  std::vector<std::string> silent, short_ones, alone;
-  for (const std::string& solver : study.labels) {
+  add_of(measured_apart(study, sessions.told), "the machine was busy");
+  std::vector<std::string> silent, short_ones, alone, busy;
+  for (std::size_t place = 0; place < study.labels.size(); ++place) {
+    const std::string& solver = study.labels[place];
     const Solves all = study.of(solver);
     const auto tells_none = [](const Solve& solve) {
       return solve.timing == Timing::process && !solve.is_told && gave_answer(solve);
@@ -214,11 +207,12 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& se
     if (std::ranges::any_of(all, tells_none)) silent.push_back(solver);
     if (10 * std::ranges::count_if(all, &Solve::is_told_short) > std::ssize(all)) short_ones.push_back(solver);
     if (10 * std::ranges::count_if(all, &Solve::is_told_alone) > std::ssize(all)) alone.push_back(solver);
+    if (sessions.told[place] != sessions.made[place]) busy.push_back(solver);
   }
   if (silent.size() < study.labels.size()) add_of(std::move(silent), "messages are in them");
   add_of(std::move(short_ones), "it tells less than half of its processor time");
   add_of(std::move(alone), "nothing is known of its processor time, as behind a wrapper that does not exec it");
-  add(doubts, std::move(left_out));
+  add_of(std::move(busy), "", DoubtKind::sessions_left_out);
   return doubts;
 }
 

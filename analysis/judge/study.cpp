@@ -176,7 +176,7 @@ Sessions sessions_of(const StudyResults& study) {
     ++all, slowed += solve.was_disturbed;
   }
   const std::vector<std::set<int>> none(study.labels.size());
-  Sessions sessions{.all = none, .busy = none, .told = none};
+  Sessions sessions{.all = none, .made = none, .told = none};
   for (const auto& [session, solvers] : counts) {
     const auto most = std::ranges::max_element(solvers, {}, [](auto& each) { return each.second.first; })->second.first;
     const auto its = std::ranges::find(study.sessions, session, &Session::id);
@@ -185,8 +185,9 @@ Sessions sessions_of(const StudyResults& study) {
     for (const auto& [solver, count] : solvers) {
       const bool is_busy = count.second > 1 && 10 * count.second > count.first;
       sessions.all[solver].insert(session);
-      if (is_busy) sessions.busy[solver].insert(session);
-      if (is_compared && !is_busy && count.first == most) sessions.told[solver].insert(session);
+      if (!is_compared || count.first < most) continue;
+      sessions.made[solver].insert(session);
+      if (!is_busy) sessions.told[solver].insert(session);
     }
   }
   return sessions;

@@ -79,11 +79,10 @@ bool is_of_this_clock(const results::Session& session);
 std::string calls_of(const StudyResults& study);
 // What times are compared by; lists are by solver.
 struct Sessions {
-  std::set<int> compared = {};          // of this clock
-  std::vector<std::set<int>> all = {};  // of its solves
-  std::vector<std::set<int>> busy =
-      {};  // over a tenth of its solves took over a tenth longer than their processor time
-  std::vector<std::set<int>> told = {};  // whose times compare: it made as many solves as anybody, and was not busy
+  std::set<int> compared = {};           // of this clock
+  std::vector<std::set<int>> all = {};   // of its solves
+  std::vector<std::set<int>> made = {};  // of these: compared, and it made as many solves as anybody
+  std::vector<std::set<int>> told = {};  // of these: not over a tenth took over a tenth more than their processor time
 };
 Sessions sessions_of(const StudyResults& study);
 

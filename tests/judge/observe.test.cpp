@@ -232,6 +232,13 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   REQUIRE(four_left.doubts.size() == 1);
   CHECK(four_left.doubts.front().kind == DoubtKind::sessions_left_out);
   CHECK(four_left.doubts.front().who == std::vector<std::string>{"B"});
+  const auto words_of_apart = [&](const StudyResults& of) { return words_of(times(of).doubts.front()); };
+  const auto other_busy = study({.runs = 6}, [](SolveRecord& solve) {  // four sessions each, but two in common
+    const bool is_busy = solve.label == "A" ? solve.run <= 2 : solve.run >= 5;
+    solve.seconds = solve.cpu_seconds * (is_busy ? 2 : 1);
+  });
+  CHECK(apart(times(other_busy)).size() == 1);
+  CHECK_THAT(words_of_apart(other_busy), ContainsSubstring("busy"));
   StudyResults disturbed = slowed(5, 2, 2);
   CHECK(apart(observed(disturbed)).empty());
   disturbed.definition.stop.seconds = 0.002;  // it ended B's
