@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "analysis/judge/gate.hpp"
@@ -156,6 +157,7 @@ bool is_told(const Gate& gate) { return !gate.are_same || gate.do_times_decide; 
 // Of all that are the same, bit for bit, in one; empty if none are.
 std::string verdict_of_same(const std::vector<Gate>& all) {
   std::vector<std::string> names, times;
+  std::set<std::string> others;  // of another state, or clock
   int solves = 0;
   for (const Gate& gate : all) {
     if (!gate.are_same) continue;
@@ -163,6 +165,7 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
     solves += gate.judged.metrics.back().described.front().n;
     for (const judge::JudgedMetric& judged : show::answer_of(gate.judged).metrics) {
       if (gate.label.empty() || is_told(gate) || judged.observations.unit != "ms") continue;
+      for (const Doubt& doubt : judged.observations.doubts) others.insert(show::warning_of(doubt));
       times.push_back(fmt::format("{} {} and {} ms", gate.label,
                                   show::number_text(show::shown_average(judged, 1).value),
                                   show::number_text(show::shown_average(judged, 0).value)));
@@ -170,8 +173,9 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
   }
   if (names.empty()) return "";
   return fmt::format(
-      "{}: all solves are the same, bit for bit ({}).{}", show::listed(names), base::counted(solves, "solves"),
-      times.empty() ? "" : fmt::format(" Times before and now, of two sessions: {}.", show::listed(times)));
+      "{}: all solves are the same, bit for bit ({}).{}{}{}", show::listed(names), base::counted(solves, "solves"),
+      times.empty() ? "" : fmt::format(" Times before and now, of two sessions: {}.", show::listed(times)),
+      others.empty() ? "" : " ", fmt::join(others, " "));
 }
 
 show::Answer answer_of(const Gate& gate) {

@@ -200,17 +200,25 @@ Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> t
   const bool are_of_this_clock = std::ranges::all_of(baseline.sessions, is_of_this_clock) &&
                                  std::ranges::all_of(candidate.sessions, is_of_this_clock);
   const auto turns = turns_of(candidate.sessions, baseline.sessions);
-  if (time_margin && !(turns && are_of_this_clock))
+  const std::string now = calls_of(candidate), before = calls_of(baseline);
+  const std::string other = !are_of_this_clock
+                                ? "of the clock of a former version, which no time of this one is compared with"
+                            : now != before ? fmt::format("{}, before {}", now, before)
+                                            : "";
+  if (time_margin && !(turns && other.empty()))
     throw std::invalid_argument(fmt::format(
         "not compared: times of {} are {}", label,
-        are_of_this_clock ? "of other sessions than before; expected two stores that were solved in turn (cli/gate.sh "
-                            "with OLD), or leave out --time-margin"
-                          : "of the clock of a former version, which no time of this one is compared with"));
+        !other.empty() ? other
+                       : "of other sessions than before; expected two stores that were solved in turn (cli/gate.sh "
+                         "with OLD), or leave out --time-margin"));
   StudyResults study = study_of_both(baseline, std::move(candidate), time_margin ? *turns : std::map<int, int>());
   Gate both = gate(std::move(study), time_margin, label);
   refuse_vanished(both.judged, label);
-  for (JudgedMetric& metric : both.judged.metrics)  // of two sessions times are never comparable
-    if (is_time(metric) && !time_margin) metric.observations.doubts = {};
+  for (JudgedMetric& metric : both.judged.metrics) {  // of two sessions times are never comparable
+    if (!is_time(metric) || time_margin) continue;
+    metric.observations.doubts.clear();
+    if (!other.empty()) metric.observations.doubts.push_back({.kind = DoubtKind::times_not_comparable, .what = other});
+  }
   std::vector<Doubt> limits = doubts_of_limits(baseline, both.judged.study);
   if (!limits.empty())  // the stricter of what is said of budgets
     std::erase_if(both.judged.doubts, [](const Doubt& doubt) { return doubt.kind == DoubtKind::budgets_differ; });

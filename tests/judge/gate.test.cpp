@@ -171,6 +171,16 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
   StudyResults former = in_turns(6, 0, 1e-5);
   for (results::Session& session : former.sessions) session.environment.erase("state");
   CHECK_THROWS_WITH(gate(former, in_turns(6, 1, 1e-5), 0.1), ContainsSubstring("the clock of a former version"));
+  StudyResults hot = in_turns(6, 0, 1e-5);
+  for (results::Session& session : hot.sessions) session.environment["state"] = "hot";
+  CHECK_THROWS_WITH(gate(hot, in_turns(6, 1, 1e-5), 0.1), ContainsSubstring("before second calls on a target"));
+  const Gate told = gate_of(hot, in_turns(6, 1, 1e-5));
+  const auto time = std::ranges::find(told.judged.metrics, "s", [](auto& each) { return each.observations.unit; });
+  REQUIRE(time->observations.doubts.size() == 1);
+  CHECK_THAT(words_of(time->observations.doubts.front()), ContainsSubstring("before second calls on a target"));
+  CHECK(gate_of(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5))
+            .judged.metrics[time - told.judged.metrics.begin()]
+            .observations.doubts.empty());
 }
 
 TEST_CASE("a metric that vanished is refused, one that another solver lacks is not tested") {
