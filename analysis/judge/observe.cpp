@@ -214,9 +214,13 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
       apart.push_back(value);
     else
       measured.values.push_back(value), measured.blocks.push_back(session);
-    group.share += metric.kind == Kind::in_time ? value * static_cast<double>(its.size()) : 0;
   }
-  if (metric.kind == Kind::in_time) group.all = static_cast<int>(study.of(solver).size()), group.share /= group.all;
+  for (const auto& [session, its] : solves) {  // shown is what is compared
+    if (metric.kind != Kind::in_time || (!measured.values.empty() && !sessions.contains(session))) continue;
+    group.all += static_cast<int>(its.size());
+    group.share += of_session(study, metric, its) * static_cast<double>(its.size());
+  }
+  group.share /= std::max(1, group.all);
   measured.worth = static_cast<double>(measured.values.size());  // each is of a session, so none decides
   measured.solved = std::numeric_limits<double>::infinity();
   const bool is_none = study.definition.has_tolerance() && metric.kind != Kind::in_time &&

@@ -248,6 +248,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   for (Session session : sessions_of(5)) session.id += 10, ten.push_back(session);
   StudyResults later = study(chained, other_sessions, {"A", "B", "CC"}, ten);
   CHECK(apart(times(later)) == "B");
+  CHECK_THAT(words_of_apart(later), ContainsSubstring("too few sessions in common"));
   CHECK(apart(observed(later)).empty());
   later.definition.stop.seconds = 0.001;  // it ended all
   CHECK(apart(observed(later)) == "ABCC");
@@ -302,7 +303,7 @@ TEST_CASE("What a program tells is its time, if its processor time leaves room f
   CHECK(apart(told(0.01, 0.005)) == "B");  // it waited
 }
 
-TEST_CASE("Solved in time is a share of all solves, and compared over sessions") {
+TEST_CASE("Solved in time is a share of the solves that are compared, over sessions") {
   const Asked asked{.start = "middle",
                     .targets = "drawn",
                     .runs = 6,
@@ -325,6 +326,10 @@ TEST_CASE("Solved in time is a share of all solves, and compared over sessions")
   CHECK(found.n == 6);
   CHECK(found.test == "paired t");
   CHECK(judged_of(judge::judge(study({}, as_made)), "solved_in_time") == nullptr);
+  const auto late_when_busy = [](SolveRecord& solve) { solve.seconds = solve.run == 1 ? 0.003 : 0.001; };
+  const JudgedStudy quiet = judge::judge(study(asked, late_when_busy));
+  CHECK(judged_of(quiet, "solved_in_time")->described[0].n == 100);
+  CHECK(judged_of(quiet, "solved_in_time")->described[0].mean == 1);
 }
 
 TEST_CASE("Who stops just beyond the tolerance is asked whether it knows it") {
