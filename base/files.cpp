@@ -186,10 +186,8 @@ void remove_temporary_folders() {
   temporary_mutex.lock();  // to the end of the process: no half file gets its name meanwhile
   for (const fs::path& folder : temporary_folders) {
     std::error_code error;
-    for (int attempt = 0; attempt < 100; ++attempt) {  // another thread may still write into it
-      fs::remove_all(folder, error);
-      if (!error) break;
-    }
+    fs::remove_all(folder, error);
+    for (int more = 0; error && more < 99; ++more) fs::remove_all(folder, error);  // another thread may still write
   }
 }
 

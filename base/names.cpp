@@ -43,6 +43,22 @@ bool is_control(std::string_view character) {
          (character >= "\u2060" && character <= "\u206F") || character == "\uFEFF";
 }
 
+// Levenshtein's distance, one row of the table at a time.
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= from.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= to.size(); ++j) {
+      const std::size_t substituted = diagonal + (from[i - 1] == to[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row.back();
+}
+
 }  // namespace
 
 std::string one_line(std::string_view text) {
@@ -86,36 +102,13 @@ std::string shortened(std::string_view text, std::size_t length) {
   return result;
 }
 
-namespace {
-
-// Levenshtein's distance, one row of the table at a time.
-std::size_t edit_distance(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= from.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= to.size(); ++j) {
-      const std::size_t substituted = diagonal + (from[i - 1] == to[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
-
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
   name = name.substr(0, 100);  // a longer one is no misspelling
   std::string nearest;
   std::size_t smallest = name.size() / 3 + 2;
   for (const std::string& candidate : candidates) {
     const std::size_t distance = edit_distance(name, candidate);
-    if (distance < smallest) {
-      smallest = distance;
-      nearest = candidate;
-    }
+    if (distance < smallest) smallest = distance, nearest = candidate;
   }
   constexpr std::size_t fewest = 3;  // shorter names match too much
   if (!nearest.empty() || name.size() < fewest) return nearest;

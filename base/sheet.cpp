@@ -41,13 +41,9 @@ bool has_mark(std::string_view text) { return text.find_first_of(".,") != std::s
 std::optional<double> parsed(std::string_view text, char decimal) {
   if (text.find_first_of("' \xE2\xC2") != std::string_view::npos) {
     std::string plain(text);
-    replace_marks(plain, {{"\u2212", "-"},
-                          {"\u2019", "'"},
-                          {"\u00a0", "'"},
-                          {"\u2007", "'"},
-                          {"\u2009", "'"},
-                          {"\u202f", "'"},
-                          {" ", "'"}});
+    replace_marks(plain, {{"\u2212", "-"}});
+    for (const char* of_thousands : {"\u2019", "\u00a0", "\u2007", "\u2009", "\u202f", " "})
+      replace_marks(plain, {{of_thousands, "'"}});
     if (plain.find('\'') != std::string::npos &&
         !is_grouped(std::string_view(plain).substr(0, plain.find(decimal)), '\''))
       return std::nullopt;
