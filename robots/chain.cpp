@@ -189,18 +189,10 @@ void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& targe
 }
 
 void Chain::pose_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,
-                        Eigen::Ref<Eigen::VectorXd> errors) const {
-  errors_of_points(q, target, Eigen::Matrix<double, 3, 2>{{rotation_weight, 0}, {0, rotation_weight}, {0, 0}}, errors);
-}
-
-void Chain::axis_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,
-                        Eigen::Ref<Eigen::VectorXd> errors) const {
-  errors_of_points(q, target, Eigen::Matrix<double, 3, 2>{{0, 0}, {0, 0}, {rotation_weight, -rotation_weight}}, errors);
-}
-
-void Chain::errors_of_points(const CandidatesRef& q, const Pose& target, const Eigen::Matrix<double, 3, 2>& points,
-                             Eigen::Ref<Eigen::VectorXd> errors) const {
+                        Eigen::Ref<Eigen::VectorXd> errors, bool is_of_axis) const {
   check_sizes(q, errors);
+  Eigen::Matrix<double, 3, 2> points{{rotation_weight, 0}, {0, rotation_weight}, {0, 0}};
+  if (is_of_axis) points << 0, 0, 0, 0, rotation_weight, -rotation_weight;
   const Pose seen = has_base_ ? T_first_base_ * target : target;
   const auto copy = [](const Eigen::Vector3d& from, double* to) { std::copy(from.begin(), from.end(), to); };
   KernelPose goal;

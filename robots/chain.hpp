@@ -72,12 +72,10 @@ class Chain {
   void position_errors(const CandidatesRef& q, const Eigen::Vector3d& target, Eigen::Ref<Eigen::VectorXd> errors) const;
   // Distance of each candidate's tool from a pose: the root mean square [m] of the distances of three points of the
   // tool from their places in the pose. The points are its own and those `rotation_weight` [m] along its x and y axes.
-  // It is smooth except at 0, which only the pose itself has. Not finite in the same cases as position_errors.
+  // It is smooth except at 0, which only the pose itself has. Not finite in the same cases as position_errors. Of an
+  // axis, where the turn about the tool's z axis does not matter, the points are its own and those along z, both ways.
   void pose_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,
-                   Eigen::Ref<Eigen::VectorXd> errors) const;
-  // The same where the turn about the tool's z axis does not matter: of its own point and those along z, both ways.
-  void axis_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,
-                   Eigen::Ref<Eigen::VectorXd> errors) const;
+                   Eigen::Ref<Eigen::VectorXd> errors, bool is_of_axis = false) const;
   // A ball that contains every reachable tool point. Its centre, the shoulder, is a point of the first joint's axis.
   // Its radius is the sum of the lengths between points of successive axes, which no joint changes; infinite if a joint
   // slides.
@@ -102,9 +100,6 @@ class Chain {
   // turning.
   Pose follow_motions(const ConfigurationRef& q, Eigen::Ref<Eigen::Matrix3Xd> motions,
                       Eigen::Ref<Eigen::Matrix3Xd> axes) const;
-  // Of the tool's own point and two more, columns in the frame of the tool [m].
-  void errors_of_points(const CandidatesRef& q, const Pose& target, const Eigen::Matrix<double, 3, 2>& points,
-                        Eigen::Ref<Eigen::VectorXd> errors) const;
   void check_sizes(const CandidatesRef& q, const Eigen::Ref<Eigen::VectorXd>& errors) const;
   KernelChain kernel_chain() const;
   // A point seen from an axis: its distances along and beside it.

@@ -135,29 +135,21 @@ IKBENCH_LANES void errors_of(const KernelChain& chain, const Goal& goal, const d
   });
 }
 
-void position_errors(const KernelChain& chain, const double* target, const double* q, ptrdiff_t row, ptrdiff_t count,
-                     double* errors) {
-  const KernelPoint goal{target};
-  if (chain.all_turn) {
-    errors_of<Kind::all_turn>(chain, goal, q, row, count, errors);
-  } else {
-    errors_of<Kind::any>(chain, goal, q, row, count, errors);
-  }
+template <class Goal>
+void errors(const KernelChain& chain, const Goal& goal, const double* q, ptrdiff_t row, ptrdiff_t count, double* out) {
+  if (chain.all_turn) return errors_of<Kind::all_turn>(chain, goal, q, row, count, out);
+  errors_of<Kind::any>(chain, goal, q, row, count, out);
 }
 
-void pose_errors(const KernelChain& chain, const KernelPose& goal, const double* q, ptrdiff_t row, ptrdiff_t count,
-                 double* errors) {
-  if (chain.all_turn) {
-    errors_of<Kind::all_turn>(chain, goal, q, row, count, errors);
-  } else {
-    errors_of<Kind::any>(chain, goal, q, row, count, errors);
-  }
+void position_errors(const KernelChain& chain, const double* target, const double* q, ptrdiff_t row, ptrdiff_t count,
+                     double* out) {
+  errors(chain, KernelPoint{target}, q, row, count, out);
 }
 
 }  // namespace
 
 namespace IKBENCH_KERNELS {
-Kernels kernels() { return {&position_errors, &pose_errors}; }
+Kernels kernels() { return {&position_errors, &errors<KernelPose>}; }
 }  // namespace IKBENCH_KERNELS
 
 }  // namespace ikbench::robots

@@ -255,8 +255,12 @@ class Tree {
     if (links_.contains(name)) return;
     std::vector<std::string> names;
     for (const auto& [known, link] : links_) names.push_back(known);
-    place_.fail(1, fmt::format("{} is \"{}\", which is no link{}; there are {}", key, name, did_you_mean(name, names),
-                               some(names)));
+    const std::string meant = did_you_mean(name, names);
+    constexpr std::size_t most = 10;
+    const std::size_t more = names.size() > most ? names.size() - most : 0;
+    names.resize(names.size() - more);
+    place_.fail(1, fmt::format("{} is \"{}\", which is no link{}; there are \"{}\"{}", key, name, meant,
+                               fmt::join(names, "\", \""), more > 0 ? fmt::format(" and {} more", more) : ""));
   }
 
   // The joints from the base to the tip.
@@ -271,13 +275,6 @@ class Tree {
     }
     std::ranges::reverse(joints);
     return joints;
-  }
-
-  static std::string some(std::vector<std::string> names) {
-    constexpr std::size_t most = 10;
-    const std::size_t more = names.size() > most ? names.size() - most : 0;
-    names.resize(names.size() - more);
-    return fmt::format("\"{}\"{}", fmt::join(names, "\", \""), more > 0 ? fmt::format(" and {} more", more) : "");
   }
 
  private:

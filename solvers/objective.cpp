@@ -20,8 +20,8 @@ Eigen::Vector3d Objective::turn_from(const Eigen::Matrix3d& reached) const {
 }
 
 void Objective::evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
-  if (goal_.kind == GoalKind::pose) return arm_.pose_errors(q, goal_.target, goal_.rotation_weight, errors);
-  if (goal_.kind == GoalKind::axis) return arm_.axis_errors(q, goal_.target, goal_.rotation_weight, errors);
+  if (goal_.has_direction())
+    return arm_.pose_errors(q, goal_.target, goal_.rotation_weight, errors, goal_.kind == GoalKind::axis);
   arm_.position_errors(q, goal_.target.translation(), errors);
 }
 

@@ -51,7 +51,7 @@ class Objective {
   const Goal& goal() const { return goal_; }
 
   // Writes the error [m] of every candidate (a column of q) into `errors`: the position error (Eq. 1), or the
-  // root mean square of the distances of three points of the tool (Chain::pose_errors, Chain::axis_errors). It is 0
+  // root mean square of the distances of three points of the tool (Chain::pose_errors). It is 0
   // only at the goal, and smooth elsewhere. Counts one evaluation per candidate.
   void errors(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
     evaluations_ += q.cols();

@@ -230,7 +230,7 @@ TEST_CASE("what is claimed of a pose or an axis has to hold of its position and 
   target.translation() += Eigen::Vector3d(0.03, 0, 0.04);
   const Verification verified = verify(arm, target, q, q, is_axis);
   Eigen::VectorXd error(1);
-  is_axis ? arm.chain.axis_errors(q, target, 0.3, error) : arm.chain.pose_errors(q, target, 0.3, error);
+  arm.chain.pose_errors(q, target, 0.3, error, is_axis);
   const Requirement honest{.claimed_error = 0.05, .claimed_pose_error = error[0], .rotation_weight = 0.3};
   CHECK(status_by(verified, honest) == Status::ok);
   Requirement wrong = honest;
