@@ -218,14 +218,18 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   if (account_.claimed_seconds == 0) account_.claimed_seconds = std::nan("");  // no clock tells so little
   const std::int64_t steps = message.count("iterations");  // else its questions; the first is the start of the search
   account_.iterations = steps >= 0 ? steps : std::max<std::int64_t>(0, account_.iterations - 1);
-  const std::int64_t ours = objective.evaluations(), own = message.count("evaluations");
+  const std::int64_t ours = objective.evaluations();
   const bool was_evaluated = std::ranges::find(seen, best_.error) != seen.end();
   // One tells nothing, and no more than joints not even the slope.
   const bool is_too_good = best_.error < (ours == 1 ? 1 : ours <= joints ? 0.1 : 0) * at_start;
-  if (was_evaluated && !is_too_good && own <= ours) {
+  count(ours, message.count("evaluations"), was_evaluated && !is_too_good, best.error);
+}
+
+void ForeignSolver::count(std::int64_t ours, std::int64_t own, bool is_explained, double best) {
+  if (is_explained && own <= ours) {
     account_.counted_by = CountedBy::suite;
     account_.evaluations = ours;
-    if (account_.improved.at.back() < ours) account_.improved.add(ours, best.error);
+    if (account_.improved.at.back() < ours) account_.improved.add(ours, best);
   } else {
     account_.counted_by = own >= 0 ? CountedBy::solver : CountedBy::nobody;
     account_.evaluations = own >= 0 ? std::max(ours, own) : 0;

@@ -99,6 +99,8 @@ class ForeignSolver final : public solvers::Searcher {
   robots::Configuration nearest(const robots::Candidates& answers, const solvers::Problem& problem,
                                 solvers::Objective& objective) const;
   void converse(const solvers::Problem& problem, solvers::Objective& objective, std::uint32_t seed);
+  // Our count of evaluations where they explain the answer, or the program's own, if it has one.
+  void count(std::int64_t ours, std::int64_t own, bool is_explained, double best);
 
   Conversations& all_;
   const solvers::StopRule& stop_;
