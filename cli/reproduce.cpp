@@ -171,7 +171,6 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
                   [](const judge::JudgedMetric& each) { return each.observations.metric == "evaluations"; });
   }
   if (sentences.empty()) sentences = papers::rates_sentences(repeated);
-  if (sentences.empty()) sentences = {papers::tally_words(claims)};
   reported.first = papers::beginning(paper, sentences, means);
   if (has_arms) {
     const std::string& arm = paper.rates.rows.at(all.front().study.definition.robot);

@@ -33,15 +33,13 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
     return std::string(std::ranges::any_of(claims, is_counted) ? "not counted" : "");
   };
   for (const JudgedClaim& claim : claims) {
-    std::vector<std::string> remarks;
-    if (!claim.section.empty()) remarks.push_back(claim.section + '.');
-    if (!claim.evidence.empty()) remarks.push_back(claim.evidence);
+    const std::string_view between = claim.section.empty() ? "" : claim.evidence.empty() ? "." : ". ";
     const show::Tone tone = claim.holds == Holds::holds   ? show::Tone::good
                             : claim.holds == Holds::fails ? show::Tone::bad
                                                           : show::Tone::neutral;
     table.rows.push_back({claim.sentence, show::Judgement{std::string(name_of(claim.holds)), tone},
                           show::text_cell(claim.number), in_readings(claim.in_readings),
-                          fmt::format("{}", fmt::join(remarks, " "))});
+                          claim.section + std::string(between) + claim.evidence});
   }
   return table;
 }
@@ -69,15 +67,6 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated, const std::map<
 const JudgedClaim* claim_named(const std::vector<JudgedClaim>& claims, std::string_view id) {
   const auto found = std::ranges::find(claims, id, &JudgedClaim::id);
   return found == claims.end() ? nullptr : &*found;
-}
-
-std::string tally_words(const std::vector<JudgedClaim>& claims) {
-  std::vector<std::string> parts;
-  for (const Holds holds : {Holds::holds, Holds::in_part, Holds::fails, Holds::undecided, Holds::not_tested}) {
-    const auto count = std::ranges::count(claims, holds, &JudgedClaim::holds);
-    if (count > 0) parts.push_back(fmt::format("{} {}", name_of(holds), count));
-  }
-  return fmt::format("{}: {}.", base::counted(std::ssize(claims), "claims"), show::listed(parts, ", "));
 }
 
 show::Blocks beginning(const Paper& paper, const std::vector<std::string>& sentences, const show::Table& table) {

@@ -18,7 +18,6 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated,
                                        const std::map<std::string, InReadings>& in_readings = {});
 
 const JudgedClaim* claim_named(const std::vector<JudgedClaim>& claims, std::string_view id);  // null if it is not there
-std::string tally_words(const std::vector<JudgedClaim>& claims);  // "3 claims: holds 2, fails 1."
 
 // The sentences, which paper it is, and the table.
 show::Blocks beginning(const Paper& paper, const std::vector<std::string>& sentences, const show::Table& table);

@@ -189,7 +189,7 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
 SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse) {
   SeedCounts counts;
   const std::size_t seeds = multiverse.studies.front().solvers[0][0].parts.size();
-  std::vector<std::vector<int>> alike(seeds, std::vector<int>(seeds));  // numbers of the second in ranges of the first
+  std::map<std::pair<std::size_t, std::size_t>, int> alike;  // numbers of the second seed in ranges of the first
   counts.all.resize(seeds);
   for (std::size_t m = 0; m < metrics_of_readings.size(); ++m) {
     for (const PrintedRow& row : printed_means(paper.name, paper.means, metrics_of_readings[m])) {
@@ -220,17 +220,13 @@ SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse
           of_row[seed] += is_in, counts.all[seed] += is_in;
           for (std::size_t other = 0; other < seeds; ++other) {
             const double theirs = ours[other].*statistics[s].of;
-            alike[seed][other] += range.low <= theirs && theirs <= range.high;
+            if (other != seed) alike[{seed, other}] += range.low <= theirs && theirs <= range.high;
           }
         }
       }
     }
   }
-  for (std::size_t seed = 0; seed < seeds; ++seed) {
-    for (std::size_t other = 0; other < seeds; ++other) {
-      if (seed != other) counts.same.push_back(alike[seed][other]);
-    }
-  }
+  for (const auto& [pair, count] : alike) counts.same.push_back(count);
   return counts;
 }
 

@@ -62,9 +62,9 @@ Claim read_claim(TomlReader reader, const std::string& papers_own) {
 Rates read_rates(TomlReader reader) {
   Rates rates;
   read_texts(reader, "tables", rates.tables);
-  for (const toml::table* const table : reader.table().contains("numbers")
-                                            ? reader.tables("numbers", 100, "1 to 100 tables [[rates.numbers]]")
-                                            : std::vector<const toml::table*>()) {
+  std::vector<const toml::table*> numbers;
+  if (reader.table().contains("numbers")) numbers = reader.tables("numbers", 100, "1 to 100 tables [[rates.numbers]]");
+  for (const toml::table* const table : numbers) {
     TomlReader of_column = reader.nested(*table, "rates.numbers.");
     PrintedColumn& column = rates.numbers.emplace_back();
     std::string metric;

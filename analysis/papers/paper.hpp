@@ -49,7 +49,7 @@ struct Rates {
   std::map<std::string, std::string> columns = {};  // solver to column
   std::string programs = {};                        // table of what programs did by the clock, an arm a row
 
-  bool is_of_arms() const { return numbers.empty(); }
+  bool is_of_arms() const { return !rows.empty(); }
 };
 
 struct Paper {

@@ -22,18 +22,6 @@ double parsed(std::string_view text) {
   throw std::invalid_argument(fmt::format("'{}' is no number", text));
 }
 
-// Columns such as mean_ms.
-PrintedRow read_row(const CsvTable& table, std::size_t row, std::string solver, std::string_view unit) {
-  PrintedRow printed{.solver = std::move(solver), .numbers = {.n = static_cast<int>(table.number(row, "n"))}};
-  for (std::size_t s = 0; s < statistics.size(); ++s) {
-    const std::string column = fmt::format("{}{}", statistics[s].column, unit);
-    if (std::ranges::count(table.header, column) == 0) continue;
-    printed.numbers.*statistics[s].of = table.number(row, column);
-    printed.digits[s] = table.cell(row, table.column(column));
-  }
-  return printed;
-}
-
 // From (0, 1), the same on every machine.
 double open_uniform(std::mt19937_64& engine) { return (static_cast<double>(engine() >> 32) + 0.5) * 0x1p-32; }
 
@@ -78,17 +66,14 @@ PrintedRows printed_means(std::string_view paper, std::string_view name, std::st
   PrintedRows rows;
   const CsvTable table = results::published::table(paper, name);
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (table.cell(i, table.column("metric")) == metric)
-      rows.push_back(read_row(table, i, std::string(table.cell(i, table.column("algorithm"))), ""));
+    if (table.cell(i, table.column("metric")) != metric) continue;
+    PrintedRow& row = rows.emplace_back(PrintedRow{.solver = std::string(table.cell(i, table.column("algorithm")))});
+    row.numbers.n = static_cast<int>(table.number(i, "n"));
+    for (std::size_t s = 0; s < statistics.size(); ++s) {
+      row.numbers.*statistics[s].of = table.number(i, statistics[s].column);
+      row.digits[s] = table.cell(i, table.column(statistics[s].column));
+    }
   }
-  return rows;
-}
-
-PrintedRows printed_times(std::string_view paper, std::string_view name) {
-  PrintedRows rows;
-  const CsvTable table = results::published::table(paper, name);
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    rows.push_back(read_row(table, i, fmt::format("{} {}", table.cell(i, 0), table.header[0]), "_ms"));
   return rows;
 }
 

@@ -31,7 +31,7 @@ constexpr std::array<Statistic, 5> statistics{{{"mean", &judge::Description::mea
 // Of one solver and metric.
 struct PrintedRow {
   std::string solver;
-  judge::Description numbers = {};  // unknown where the table has no such column
+  judge::Description numbers = {};
   std::array<std::string, statistics.size()> digits = {};
 };
 using PrintedRows = std::vector<PrintedRow>;
@@ -40,8 +40,6 @@ const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver);  // 
 
 // Of a table with the columns algorithm, metric, n and the statistics.
 PrintedRows printed_means(std::string_view paper, std::string_view table, std::string_view metric);
-// Of a table with n, mean_ms, median_ms and so on; its solvers are named "12 bats" from its first column, bats.
-PrintedRows printed_times(std::string_view paper, std::string_view table);
 
 // The range of each statistic in most studies of so many runs, by Hill's A(n) (JASA 63 (1968) 677) on the logarithms of
 // the values: the next one is equally likely in each gap of the known ones, and then is known itself; beyond the last

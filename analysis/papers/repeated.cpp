@@ -41,9 +41,8 @@ PrintedRows printed_rows(const Paper& paper, const JudgedMetric& judged) {
   return printed_means(paper.name, paper.means, metric->column);
 }
 
-show::Cell beside(double ours, const PrintedRow* row, std::size_t statistic) {
-  if (row == nullptr || row->digits[statistic].empty()) return ours;
-  return show::Printed{ours, row->digits[statistic]};
+show::Cell beside(double ours, std::string_view printed) {
+  return printed.empty() ? show::Cell(ours) : show::Printed{ours, std::string(printed)};
 }
 
 std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& solver, const PrintedRow* row) {
@@ -58,7 +57,7 @@ std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& so
   std::vector<show::Cell> cells;
   for (std::size_t s = 0; s < statistics.size(); ++s) {
     const double number = ours.*statistics[s].of;
-    auto* const printed = std::get_if<show::Printed>(&cells.emplace_back(beside(number, row, s)));
+    auto* const printed = std::get_if<show::Printed>(&cells.emplace_back(beside(number, row ? row->digits[s] : "")));
     if (printed && ranges) printed->sign = repeats(number, (*ranges)[s], printed->printed) ? '~' : 'x';
   }
   return cells;
@@ -124,8 +123,7 @@ std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
     if (judged == nullptr) continue;
     const base::CsvTable table = results::published::table(repeated.paper.name, column.table);
     const Observations observed = observe(judged->study, *column.metric);
-    const bool is_share = column.metric->kind == Kind::share;
-    RateColumn& of = columns.emplace_back(RateColumn{.name = column.name, .are_counts = is_share});
+    RateColumn& of = columns.emplace_back(RateColumn{.name = column.name});
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const std::size_t place = place_of(observed, table.cell(row, 0));
       if (place == observed.groups.size()) continue;
@@ -133,7 +131,7 @@ std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
       if (its.n == 0) continue;
       const std::string_view digits = table.cell(row, table.column(column.column));
       const double n = table.number(row, "n"), ours = its.mean;
-      if (is_share) {
+      if (column.metric->kind == Kind::share) {  // of so many the number that is not solved
         of.rates.push_back(rate_of(observed.groups[place].name, 1 - ours, its.n, digits, n, n, repeated));
         continue;
       }
@@ -156,13 +154,13 @@ std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
 
 std::vector<RateColumn> rates_of(const Repeated& repeated, std::string name) {
   const Rates& plan = repeated.paper.rates;
-  if (!plan.is_of_arms() || plan.tables.empty()) return columns_of_means(repeated);
+  if (!plan.is_of_arms()) return columns_of_means(repeated);
   if (name.empty()) name = plan.tables.begin()->first;
   const base::CsvTable table = results::published::table(repeated.paper.name, name);
   const base::CsvTable* const programs = repeated.programs;
   std::vector<RateColumn> columns;
   for (const auto& [solver, column] : plan.columns) {
-    RateColumn of{.name = solver, .unit = "%"};
+    RateColumn of{.name = solver};
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const auto add = [&](double solved, double n) -> Rate& {
         return of.rates.emplace_back(rate_of(std::string(table.cell(row, 0)), solved / n, n,
@@ -180,9 +178,8 @@ std::vector<RateColumn> rates_of(const Repeated& repeated, std::string name) {
               static_cast<double>(solves.size()));
       }
       for (std::size_t i = 0; programs != nullptr && i < programs->rows(); ++i) {
-        if (programs->cell(i, programs->column("solver")) != solver ||
-            !is_of_row(programs->cell(i, programs->column("robot"))))
-          continue;
+        const auto its = [&](std::string_view of_it) { return programs->cell(i, programs->column(of_it)); };
+        if (its("solver") != solver || !is_of_row(its("robot"))) continue;
         Rate& rate = add(programs->number(i, "solved"), programs->number(i, "n"));
         rate.mean_ms = programs->number(i, "mean_ms");
         rate.printed_ms = table.cell(row, table.column(column.substr(0, column.rfind('_')) + "_ms"));
@@ -202,18 +199,17 @@ std::vector<std::string> means_sentences(const std::vector<RateColumn>& columns)
   std::vector<std::string> same, others;
   std::size_t counted = 0;
   constexpr double most = 2;
-  for (const auto& [name, rates, unit, are_counts] : columns) {
+  for (const auto& [name, rates] : columns) {
     for (const Rate& rate : rates) {
       const std::string ours = show::number_text(rate.ours);
       ++all, repeat += rate.sign() == "~", open += rate.sign() == "?";
       if (rate.sign() == "x")
         others.push_back(fmt::format("{} of {} {} (printed {})", name, rate.row, ours, rate.digits));
-      if (!are_counts || rate.n != rate.n_printed) continue;
+      if (rate.n != rate.n_printed) continue;
       ++counted;
       if (std::abs(rate.ours - rate.printed) < most + 0.5) same.push_back(fmt::format("{}/{}", ours, rate.digits));
     }
   }
-  if (all == 0) return {};
   std::vector<std::string> sentences{all == open
                                          ? "Too few targets to decide whether any printed number repeats."
                                          : fmt::format("{} of {} printed numbers repeat{}.", repeat, all,
@@ -272,17 +268,17 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
 show::Table rates_table(const Repeated& repeated, const std::string& name) {
   const Rates& plan = repeated.paper.rates;
   const bool is_of_arms = plan.is_of_arms(), is_first = name.empty();
-  show::Table table{.name = !is_of_arms || plan.tables.empty() ? "numbers"
-                            : is_first                         ? plan.tables.begin()->first
-                                                               : name,
+  show::Table table{.name = !is_of_arms ? "numbers"
+                            : is_first  ? plan.tables.begin()->first
+                                        : name,
                     .columns = {{is_of_arms ? "arm" : "solver"}},
                     .is_of_study = !is_of_arms};
   table.caption = fmt::format("{} {}{}, here and as printed{}", is_of_arms ? "Solved of" : "Means of",
                               base::counted(repeated.study().study.definition.runs, "targets"),
                               is_of_arms ? " an arm" : "", is_of_arms ? " by " + plan.tables.at(table.name) : "");
   std::set<std::string_view> signs;
-  for (const auto& [column, rates, unit, are_counts] : rates_of(repeated, name)) {
-    table.columns.push_back({column, unit});
+  for (const auto& [column, rates] : rates_of(repeated, name)) {
+    table.columns.push_back({column, is_of_arms ? "%" : ""});
     table.rows.resize(rates.size());  // arms, in each solver's order
     for (std::size_t i = 0; i < rates.size(); ++i) {
       const Rate& rate = rates[i];
@@ -320,7 +316,7 @@ std::optional<figures::Figure> rates_figure(const Repeated& repeated) {
   std::vector<figures::IntervalRow> rows;
   std::vector<RateColumn> columns = rates_of(repeated);
   if (!plan.is_of_arms()) columns.resize(std::min<std::size_t>(columns.size(), 1));  // of one unit
-  for (const auto& [solver, rates, unit, are_counts] : columns) {
+  for (const auto& [solver, rates] : columns) {
     for (const Rate& rate : rates)
       rows.push_back({.label = plan.is_of_arms() ? fmt::format("{}: {}", solver, rate.row) : rate.row,
                       .estimate = rate.ours - rate.printed,

@@ -38,7 +38,7 @@ struct Repeated {
 // Of its table of means.
 PrintedRows printed_rows(const Paper& paper, const judge::JudgedMetric& judged);
 // Ours beside the printed digits, if there are any.
-show::Cell beside(double ours, const PrintedRow* row, std::size_t statistic);
+show::Cell beside(double ours, std::string_view printed);
 // A solver's statistics beside a printed row, with signs; unknown where values are lost. Times have no sign, for
 // machines differ.
 std::vector<show::Cell> beside(const judge::JudgedMetric& judged, const std::string& solver, const PrintedRow* row);
@@ -55,8 +55,8 @@ struct Rate {
   std::string digits;
   double printed, ours;
   judge::Interval interval;
-  double margin;  // what matters
-  double n, n_printed = 0;
+  double margin;                                              // what matters
+  double n, n_printed = 0;                                    // printed: of shares
   double mean_ms = std::numeric_limits<double>::quiet_NaN();  // of a program's solves
   std::string printed_ms = {};
 
@@ -69,8 +69,6 @@ struct Rate {
 struct RateColumn {
   std::string name;  // a solver, or what is counted
   std::vector<Rate> rates = {};
-  std::string unit = {};
-  bool are_counts = false;  // of targets not solved, of as many as are printed
 };
 
 // By solver, of the arms of all studies that a printed table has (empty: the paper's own), in its order; or the columns

@@ -23,10 +23,9 @@ using Names = std::vector<std::string>;
 
 bool has(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
-// The study that the claim is about; with a part, only where numbers are taken from it.
-const JudgedStudy* study_of(const Claim& claim, const Repeated& repeated, bool is_of_part = true) {
-  const bool is_part = is_of_part && !claim.study.empty();
-  return is_part ? repeated.part(claim.study) : &repeated.study();
+// The study that the claim is about; null if it is not there.
+const JudgedStudy* part_of(const Claim& claim, const Repeated& repeated) {
+  return claim.study.empty() ? &repeated.study() : repeated.part(claim.study);
 }
 
 // A rival has the name of one of the claim's solvers only where it is another study's, and asked for.
@@ -68,9 +67,10 @@ std::optional<JudgedMetric> about(const Claim& claim, JudgedMetric judged) {
 
 // The claim's solvers and others, each from its study.
 std::optional<JudgedMetric> judged_here(const Claim& claim, const Repeated& repeated, const Metric& metric) {
-  const JudgedStudy* const own = study_of(claim, repeated, claim.from != From::others);
-  const JudgedStudy* const others = study_of(claim, repeated, claim.from != From::solvers);
-  if (own == nullptr || others == nullptr) return {};
+  const JudgedStudy* const part = part_of(claim, repeated);
+  if (part == nullptr) return {};
+  const JudgedStudy* const own = claim.from == From::others ? &repeated.study() : part;
+  const JudgedStudy* const others = claim.from == From::solvers ? &repeated.study() : part;
   JudgedMetric judged = judged_in(*own, metric);
   if (own != others) {  // no report has a finding of these pairs
     Observations& all = judged.observations;
@@ -115,11 +115,11 @@ Names rivals_of(const JudgedMetric& judged, const Names& own) {
 // Solvers of the companion that give the claim's solver's answers, bit for bit.
 Names same_there(const Claim& claim, const Repeated& repeated) {
   Names same;
-  if (claim.from != From::others || study_of(claim, repeated) == nullptr) return same;
-  const std::span<const Solve> ours = study_of(claim, repeated, false)->study.of(claim.solvers.front());
-  const StudyResults& there = study_of(claim, repeated)->study;
-  for (const std::string& rival : there.labels) {
-    if (is_rival(rival, claim) && have_same_solves(ours, there.of(rival))) same.push_back(rival);
+  const JudgedStudy* const part = part_of(claim, repeated);
+  if (claim.from != From::others || part == nullptr) return same;
+  const std::span<const Solve> ours = repeated.study().study.of(claim.solvers.front());
+  for (const std::string& rival : part->study.labels) {
+    if (is_rival(rival, claim) && have_same_solves(ours, part->study.of(rival))) same.push_back(rival);
   }
   return same;
 }
@@ -130,18 +130,15 @@ JudgedClaims solves_most(const Claim& claim, const Repeated& repeated) {
   Tally tally;
   const std::vector<RateColumn> columns = rates_of(repeated);
   const auto own = std::ranges::find(columns, claim.solvers.front(), &RateColumn::name);
-  for (std::size_t i = 0; own != columns.end() && i < own->rates.size(); ++i) {
-    const Rate& rate = own->rates[i];
-    std::vector<Rate> rivals;
+  for (const Rate& rate : own == columns.end() ? std::vector<Rate>() : own->rates) {
+    const Rate* best = nullptr;
     for (const RateColumn& column : columns) {
-      if (has(claim.against, column.name))
-        std::ranges::copy_if(column.rates, std::back_inserter(rivals),
-                             [&](const Rate& each) { return each.row == rate.row; });
+      for (const Rate& each : column.rates)
+        if (has(claim.against, column.name) && each.row == rate.row && (!best || best->ours < each.ours)) best = &each;
     }
-    if (rivals.empty()) continue;
-    const Rate best = *std::ranges::max_element(rivals, {}, &Rate::ours);
-    const Interval difference =
-        newcombe(rate.ours / 100, rate.n, best.ours / 100, best.n, repeated.study().study.definition.plan.significance);
+    if (best == nullptr) continue;
+    const Interval difference = newcombe(rate.ours / 100, rate.n, best->ours / 100, best->n,
+                                         repeated.study().study.definition.plan.significance);
     tally.add(difference.low > 0 ? Verdict::better : difference.high < 0 ? Verdict::worse : Verdict::undecided);
   }
   if (tally.all() == 0) return {};
@@ -222,19 +219,17 @@ JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
 
 // At most ten times the spacing of doubles at the farthest target.
 JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
-  const JudgedStudy* const judged = study_of(claim, repeated);
+  const JudgedStudy* const judged = part_of(claim, repeated);
   const std::string& solver = claim.solvers.front();
   if (judged == nullptr || judged->study.of(solver).empty()) return {};
-  const StudyResults& study = judged->study;
   JudgedClaim result{claim};
   double farthest_cm = 0;
-  for (const results::SolveRecord& solve : study.first_run_of(solver)) {
-    double square = 0;
-    for (const double at : solve.target_position_m) square += 1e4 * at * at;
-    farthest_cm = std::max(farthest_cm, std::sqrt(square));
+  for (const results::SolveRecord& solve : judged->study.first_run_of(solver)) {
+    const std::vector<double>& at = solve.target_position_m;
+    farthest_cm = std::max(farthest_cm, 100 * std::hypot(at[0], at[1], at[2]));
   }
   std::vector<double> errors;
-  for (const Solve& solve : study.of(solver)) errors.push_back(solve.position_error_cm);
+  for (const Solve& solve : judged->study.of(solver)) errors.push_back(solve.position_error_cm);
   const double most = 10 * std::numeric_limits<double>::epsilon() * farthest_cm;
   const double largest = *std::ranges::max_element(errors), mean = summarise(errors).mean;
   result.holds = largest <= most ? Holds::holds : mean <= most ? Holds::in_part : Holds::fails;
@@ -248,7 +243,7 @@ JudgedClaims at_rounding(const Claim& claim, const Repeated& repeated) {
 JudgedClaims as_printed(const Claim& claim, const Repeated& repeated) {
   JudgedClaims judged;
   const bool is_of_arms = repeated.paper.rates.is_of_arms();
-  for (const auto& [name, rates, unit, are_counts] : rates_of(repeated)) {
+  for (const auto& [name, rates] : rates_of(repeated)) {
     if (rates.empty()) continue;
     std::vector<Holds> repeats;
     for (const Rate& rate : rates)

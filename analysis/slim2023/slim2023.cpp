@@ -40,27 +40,23 @@ std::string with(const std::string& reading) { return reading.empty() ? "" : " w
 
 std::string first_sentence(Holds conclusion, const std::vector<SeedCounts>& counts,
                            const std::vector<JudgedClaim>& claims) {
-  const std::string words = conclusion == Holds::holds     ? "repeats in its conclusion"
-                            : conclusion == Holds::in_part ? "repeats in a part of its conclusion"
-                            : conclusion == Holds::fails   ? "does not repeat in its conclusion"
-                                                           : "is not shown to repeat in its conclusion";
+  const std::string_view words = conclusion == Holds::holds     ? "repeats in"
+                                 : conclusion == Holds::in_part ? "repeats in a part of"
+                                 : conclusion == Holds::fails   ? "does not repeat in"
+                                                                : "is not shown to repeat in";
   const JudgedClaim* const other = claim_named(claims, "best_compromise_50");
   const std::string by = other != nullptr && other->holds == conclusion ? " by both readings" : "";
   const auto open = std::ranges::count_if(
       claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
   std::string besides = open == 0 ? "" : fmt::format("; so few runs leave {} open", base::counted(open, "claims"));
-  if (!counts.empty() && counts.front().of > 0) {
-    besides = ";";
-    for (const SeedCounts& each : counts)
-      besides +=
-          fmt::format(" {}{}{},", span_of(each.all),
-                      &each == &counts.front()
-                          ? fmt::format(" of the {} statistics of error and joint motion in Table 3 repeat", each.of)
-                          : "",
-                      with(each.reading));
-    besides += fmt::format(" by seed; the same program would repeat {}, by simulation", span_of(counts.front().same));
+  if (!counts.empty() && counts[0].of > 0) {
+    besides = fmt::format("; {} of the {} statistics of error and joint motion in Table 3 repeat{},",
+                          span_of(counts[0].all), counts[0].of, with(counts[0].reading));
+    for (const SeedCounts& each : std::span(counts).subspan(1))
+      besides += fmt::format(" {}{},", span_of(each.all), with(each.reading));
+    besides += fmt::format(" by seed; the same program would repeat {}, by simulation", span_of(counts[0].same));
   }
-  return fmt::format("Slim et al. 2023 {}{}{}.", words, by, besides);
+  return fmt::format("Slim et al. 2023 {} its conclusion{}{}.", words, by, besides);
 }
 
 bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds == Holds::holds; }
@@ -107,24 +103,20 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
     figures.all.push_back(std::move(*overview));
   }
   figures.add(5, path_of(study, look, 1, ", with the arm."));
+  Numbered of_runs;
   for (const PaperMetric& metric : paper_metrics) {
     const bool is_time = metric.column == time;
+    const std::string_view average = is_time ? "median" : "mean";
     const Metric& drawn = metric_named(metric.column);
-    const About about = about_of(
-        study, drawn, fmt::format("The {} at each point, {} of the runs.", drawn.name, is_time ? "median" : "mean"));
+    About about = about_of(study, drawn, fmt::format("The {} at each point, {} of the runs.", drawn.name, average));
     figures.add(metric.curves, curves(about, "point",
                                       by_point(study, metric.column, look, is_time ? Average::median : Average::mean)));
-  }
-  figures.add(9, joints({.caption = "Joint angles along the path, first run of each solver. Dashed: limits."},
-                        joint_rows(study, look)));
-  for (const PaperMetric& metric : paper_metrics) {
     const std::optional<JudgedMetric> values = by_runs(judged, metric.column);
     if (!values) continue;
-    const Metric& drawn = metric_named(metric.column);
-    About about = about_of(
+    about = about_of(
         study, drawn,
         fmt::format("The {}: a dot is the {} of a run; box: quartiles and median; whiskers: smallest and largest.",
-                    drawn.name, metric.column == time ? "median" : "mean"));
+                    drawn.name, average));
     if (metric.column == error) about.floor = 0.00005;  // errors are printed with four decimals
     std::vector<BoxRow> boxed =
         box_rows(values->observations, drawn_unit(study, values->observations.unit), drawn_solvers(study, look), look);
@@ -133,8 +125,11 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
       if (const auto* const its = row_of(printed, row.label))
         row.printed = {its->numbers.smallest, its->numbers.median, its->numbers.largest};
     }
-    figures.add(metric.boxes, boxes(about, boxed));
+    of_runs.add(metric.boxes, boxes(about, boxed));
   }
+  figures.add(9, joints({.caption = "Joint angles along the path, first run of each solver. Dashed: limits."},
+                        joint_rows(study, look)));
+  std::ranges::move(of_runs.all, std::back_inserter(figures.all));
   return figures.all;
 }
 
@@ -234,10 +229,7 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
     const auto ours = rows_of(ours_of_all);
     for (std::size_t r = 0; r < ours.size(); ++r) {
       auto& row = table.rows.emplace_back(std::vector<Cell>{std::string(printed.cell(r, 0))});
-      for (std::size_t c = 0; c < ours[r].size(); ++c) {
-        const std::string digits(printed.cell(r, c + 1));
-        row.push_back(!digits.empty() ? Cell(show::Printed{ours[r][c], digits}) : Cell(ours[r][c]));
-      }
+      for (std::size_t c = 0; c < ours[r].size(); ++c) row.push_back(beside(ours[r][c], printed.cell(r, c + 1)));
     }
   }
   return tables;
@@ -245,7 +237,7 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
 
 std::optional<Table> table_7(const StudyResults& study) {
   constexpr double limit_ms = 50, verifier_rounding_cm = 1e-7;
-  const PrintedRows printed = printed_times("slim2023", "table-7");
+  const PrintedRows printed = printed_means("slim2023", "table-7", "milliseconds");
   if (study.definition.path != "random" || study.solves.empty()) return {};
   const double tolerance = study.definition.stop.tolerance_cm();
   Table table{.name = "table-7",
@@ -265,8 +257,9 @@ std::optional<Table> table_7(const StudyResults& study) {
       in_time += is_near && ms.back() < limit_ms;
     }
     auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(ms), reached, in_time});
+    const PrintedRow* const its = row_of(printed, solver);
     for (std::size_t s = 0; s < statistics.size(); ++s)
-      row.push_back(beside(described(ms).*statistics[s].of, row_of(printed, solver), s));
+      row.push_back(beside(described(ms).*statistics[s].of, its ? its->digits[s] : ""));
     row.emplace_back(described(iterations).median);
   }
   return table;
@@ -278,28 +271,25 @@ std::optional<Table> table_8(const StudyResults& study) {
   Table table{.name = "table-8",
               .caption = "Table 8: joint angles and position error along the circle",
               .columns = {{"point"}}};
-  const std::size_t angles = printed.header.size() - 2;  // between point and error
-  for (std::size_t joint = 1; joint <= angles; ++joint)
-    table.columns.push_back({fmt::format("theta {}", joint), "deg"});
+  const std::vector<std::size_t> joints{0, 1, 2, 0};  // theta 4 is theta 1
+  for (std::size_t angle = 1; angle <= joints.size(); ++angle)
+    table.columns.push_back({fmt::format("theta {}", angle), "deg"});
   table.columns.push_back({"position error", "cm"});
   std::size_t agreeing = 0;
   for (const SolveRecord& solve : study.first_run_of(study.labels.front())) {
     auto& row = table.rows.emplace_back(std::vector<Cell>{std::int64_t{solve.point}});
-    for (std::size_t c = 1; c <= angles + 1; ++c) {
-      const bool is_angle = c <= angles;
-      const std::size_t joint = c == 4 ? 0 : c - 1;  // theta4 is theta1
-      const double ours = !is_angle                         ? solve.position_error_cm
-                          : joint < solve.answer_rad.size() ? solve.answer_rad[joint] / base::degree
-                                                            : unknown;
-      const std::string in_print(printed.cell(static_cast<std::size_t>(solve.point - 1), c));
-      row.push_back(show::Printed{ours, in_print});
-      agreeing += is_angle && agrees(ours, in_print);
+    const auto in_print = [&] { return printed.cell(static_cast<std::size_t>(solve.point - 1), row.size()); };
+    for (const std::size_t joint : joints) {
+      const double ours = solve.answer_rad.at(joint) / base::degree;
+      agreeing += agrees(ours, in_print());
+      row.push_back(beside(ours, in_print()));
     }
+    row.push_back(beside(solve.position_error_cm, in_print()));
   }
   table.notes = {
       fmt::format("{} of {} printed angles are ours to the printed digit; theta 4 is set as theta 1. The arm's lengths "
                   "are not printed: they were fitted to these angles.",
-                  agreeing, table.rows.size() * angles)};
+                  agreeing, table.rows.size() * joints.size())};
   return table;
 }
 
@@ -307,8 +297,8 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   const JudgedClaim *const best = claim_named(claims, "best_compromise"),
                            *const accurate = claim_named(claims, "most_accurate"),
                            *const classical = claim_named(claims, "better_than_classical");
-  if (best == nullptr || accurate == nullptr || accurate->number.empty()) return {};
   std::vector<std::string> all{first_sentence(best->holds, counts, claims)};
+  if (accurate->number.empty()) return all;
   std::string words =
       fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
   if (holds(best) && holds(accurate) && holds(claim_named(claims, "least_variation")))

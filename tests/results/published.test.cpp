@@ -16,13 +16,6 @@ std::size_t row_of(const CsvTable& table, std::string_view algorithm, std::strin
 
 }  // namespace
 
-TEST_CASE("Tables 3 to 8 of the paper are in the program", "[published]") {
-  CHECK(std::ranges::count(published::papers(), "slim2023") == 1);
-  const std::vector<std::size_t> rows = {18, 3, 3, 3, 4, 20, 0};  // 6 algorithms x 3 metrics, ANOVA, swarms, points
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    CHECK(published::table("slim2023", "table-" + std::to_string(i + 3)).rows() == rows[i]);
-}
-
 TEST_CASE("every table has its files' text, as printed", "[published]") {
   for (const std::string name : {"table-3", "table-4", "table-5", "table-6", "table-7", "table-8"}) {
     CAPTURE(name);
@@ -70,9 +63,9 @@ TEST_CASE("in Tables 4 to 6 the sums of squares and the degrees of freedom add u
 
 TEST_CASE("Table 7 keeps the misprint: with 20 bats the mean exceeds the maximum", "[published][paper]") {
   const CsvTable table = published::table("slim2023", "table-7");
-  CHECK(table.number(2, "bats") == 20);
-  CHECK(cell(table, 2, "mean_ms") == "83.75");
-  CHECK(cell(table, 2, "max_ms") == "80.06");
+  CHECK(cell(table, 2, "algorithm") == "20 bats");
+  CHECK(cell(table, 2, "mean") == "83.75");
+  CHECK(cell(table, 2, "max") == "80.06");
 }
 
 TEST_CASE("the printed errors of Table 8 average 2.55e-14 cm", "[published][paper]") {
