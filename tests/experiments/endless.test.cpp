@@ -7,28 +7,10 @@ using ParsedJson = nlohmann::json;
 
 constexpr double without_end = std::numeric_limits<double>::infinity(), half = std::numbers::pi;
 
-Study study_of_gen3(const std::string& more) {
-  return parse_study("robot = \"kinova_gen3\"\nsearch = \"pose\"\nwrap = \"no\"\nruns = 60\n" + more +
-                         "[path]\nkind = \"random\"\npoints = 1\n",
-                     "my.toml");
-}
-
-std::string an_entry(const std::string& label, const std::string& solver, const std::string& options) {
-  return "[[solvers]]\nlabel = \"" + label + "\"\nsolver = \"" + solver +
-         "\"\nif_missing = \"leave_out\"\noptions = { " + options + " }\n";
-}
-
 }  // namespace
 
 TEST_CASE("no solver's answer is held at half a turn from the start", "[endless]") {
-  const Study study = study_of_gen3(
-      "start = \"middle\"\nbounds = \"clamp\"\n[stop]\niterations = 100\ntolerance_cm = 0.01\ntolerance_deg = 0.1\n" +
-      an_entry("Newton", "newton", "restarts = \"none\"") + an_entry("wrapped", "newton", "bounds = \"wrap\"") +
-      an_entry("DLS", "damped_least_squares", "") + an_entry("LM", "levenberg_marquardt", "") +
-      an_entry("PSO", "particle_swarm", "") + an_entry("K-ABC", "k_artificial_bee_colony", "") +
-      an_entry("MO-PSO", "multi_objective_swarm", "") + an_entry("KDL", "kdl_newton", "") +
-      an_entry("SLSQP", "nlopt", "restarts = \"random\"") + an_entry("BOBYQA", "nlopt", "algorithm = \"bobyqa\"") +
-      an_entry("CRS2", "nlopt", "algorithm = \"crs2_lm\""));
+  const Study study = load_study("tests/data/endless.toml");
   const Robot arm = arm_of(study);
   std::map<std::string, int> held, beyond;
   solve_study(study, 1, [&](const SolveRecord& solve) {

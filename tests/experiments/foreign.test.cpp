@@ -4,25 +4,6 @@
 
 namespace {
 
-// It computes for some milliseconds, then answers with the start.
-constexpr const char* busy = R"(echo '{"message":"hello","ikbench":2,"name":"busy"}'
-while read -r line; do
-  i=0
-  case $line in
-    *'"message":"solve"'*)
-      while [ $i -lt 2000 ]; do i=$((i + 1)); done
-      echo '{"message":"solved","q":[0.1,0.1,0.1,0.1,0.1,0.1],"seconds":0}' ;;
-  esac
-done
-)";
-constexpr const char* its_study = R"(robot = "ur5e"
-search = "all_joints"
-path.kind = "helix"
-[[solvers]]
-process = ["sh", "busy.sh"]
-patience_s = 100
-)";
-
 // Keeps this thread, and processes that it starts, on one processor.
 void stay_on_one_processor() {
   cpu_set_t one;
@@ -40,9 +21,7 @@ void give_way() {
 }  // namespace
 
 TEST_CASE("the clock of a program's solve runs before the program does", "[foreign]") {
-  const ScratchFolder folder;
-  std::ofstream(folder.path / "busy.sh") << busy;
-  const Study study = parse_study(its_study, (folder.path / "busy.toml").string());
+  const Study study = load_study("tests/data/busy/busy.toml");
   std::vector<results::SolveRecord> solves;
   // As soon as the program can read its message, it has the processor, and we do not.
   std::thread([&] {

@@ -49,12 +49,7 @@ TEST_CASE("an arm from a URDF file, verified by its origins and axes, is checked
 }
 
 TEST_CASE("an answer far beyond a slide's way follows from itself", "[recheck]") {
-  const robots::Robot arm = robots::parse_urdf(
-      R"(<robot name="slides"><link name="a"/><link name="b"/><link name="c"/>
-         <joint name="x" type="prismatic"><parent link="a"/><child link="b"/><limit lower="-1" upper="1"/></joint>
-         <joint name="y" type="prismatic"><parent link="b"/><child link="c"/><axis xyz="0 1 0"/>
-           <limit lower="-1" upper="1"/></joint></robot>)",
-      "slides.urdf", {});
+  const robots::Robot arm = robots::load_robot("tests/data/arms/slides.urdf");
   Study study = study_with("planar_2");
   study.robot_of_file = std::make_shared<const robots::Robot>(arm);
   SolveRecord far = solves_of(study).front();

@@ -12,16 +12,7 @@ std::string said_of_arm(const std::string& text) {
   return complaint<std::invalid_argument>([&] { read_arm(text); });
 }
 
-const std::string scara = R"(summary = "SCARA: two turns and a slide"
-source = "an example"
-links = [
-  { a_m = 0.3, d_m = 0.4, limits_deg = [-130, 130] },
-  { a_m = 0.2, alpha_deg = 180, offset_deg = 90 },
-  { joint = "slides", limits_m = [0, 0.15] },
-]
-base = { position_m = [0, 0, 1], rpy_deg = [0, 0, 90] }
-tool = { position_m = [0, 0, 0.05], rpy_deg = [180, 0, 0] }
-)";
+const std::string scara = text_in("tests/data/arms/scara.toml");
 
 }  // namespace
 
@@ -56,33 +47,10 @@ TEST_CASE("angles in degrees may be near a quarter turn in radians, if they are 
 
 // Rows as printed (Craig's: alpha and a are those before the joint), without what is 0.
 TEST_CASE("modified tables are the arms of their URDF files", "[arm]") {
-  struct Printed {
-    std::string urdf, rows, frames;
-  };
-  const std::string to_tool = "tool = { position_m = [0, 0, ";
-  for (const auto& [urdf, rows, frames] :
-       {// Franka's documentation of its control interface, with the flange
-        Printed{
-            "panda",
-            "{ d_m = 0.333 }, { alpha_deg = -90 }, { alpha_deg = 90, d_m = 0.316 }, { a_m = 0.0825, alpha_deg = 90 },"
-            "{ a_m = -0.0825, alpha_deg = -90, d_m = 0.384 }, { alpha_deg = 90 }, { a_m = 0.088, alpha_deg = 90 }",
-            to_tool + "0.107] }"},
-        Printed{"iiwa14",
-                "{ d_m = 0.36 }, { alpha_deg = -90 }, { alpha_deg = 90, d_m = 0.42 }, { alpha_deg = 90 },"
-                "{ alpha_deg = -90, d_m = 0.4 }, { alpha_deg = -90 }, { alpha_deg = 90 }",
-                to_tool + "0.126] }"},
-        Printed{"ur5e",
-                "{ d_m = 0.1625 }, { alpha_deg = 90 }, { a_m = -0.425 }, { a_m = -0.3922, d_m = 0.1333 },"
-                "{ alpha_deg = 90, d_m = 0.0997 }, { alpha_deg = -90, d_m = 0.0996 }",
-                "base = { rpy_deg = [0, 0, 180] }"},
-        Printed{"gen3",
-                "{ alpha_deg = 180, d_m = -0.28481 }, { alpha_deg = 90, d_m = -0.01175 }, { alpha_deg = -90, d_m = "
-                "-0.42076 }, { alpha_deg = 90, d_m = -0.01275 }, { alpha_deg = -90, d_m = -0.31436 },"
-                "{ alpha_deg = 90, d_m = -0.0003501 }, { alpha_deg = -90 }",
-                "tool = { position_m = [0, 0, -0.167455], rpy_deg = [180, 0, 0] }"}}) {
-    CAPTURE(urdf);
-    const Robot table = read_arm("dh = 'modified'\nlinks = [" + rows + "]\n" + frames);
-    const Robot file = load_robot("tests/data/urdf/" + urdf + ".urdf");
+  for (const std::string arm : {"panda", "iiwa14", "ur5e", "gen3"}) {
+    CAPTURE(arm);
+    const Robot table = load_robot("tests/data/arms/" + arm + ".toml");
+    const Robot file = load_robot("tests/data/urdf/" + arm + ".urdf");
     RandomConfigurations random;
     for (int trial = 0; trial < 100; ++trial) {
       const Eigen::VectorXd q = random(file.limits);

@@ -2,6 +2,7 @@
 // decide one candidate after another.
 #include <ranges>
 
+#include "base/number.hpp"
 #include "tests/solvers/objectives.hpp"
 
 namespace {
@@ -354,16 +355,25 @@ Task task_of(int joints, std::uint64_t key) {
   return task;
 }
 
-void check_against(const std::string& name, void (*run)(Loop&), const std::vector<Settings>& variants) {
+// With each of its lines in tests/data/variants.txt.
+void check_against(const std::string& name, void (*run)(Loop&)) {
   const SolverInfo info = solver(name);
   int solves = 0;
-  for (const Settings& variant : variants) {
+  std::istringstream variants(text_in("tests/data/variants.txt"));
+  for (std::string line; std::getline(variants, line);) {
+    std::istringstream words(line);
+    Settings variant;
+    std::string word;
+    if (!(words >> word) || word != name) continue;
+    while (words >> word) {
+      const std::string key = word.substr(0, word.find('=')), value = word.substr(key.size() + 1);
+      variant[key] = number_from(value) ? Setting(*number_from(value)) : Setting(value);
+    }
     const auto registered = info.make(variant);
     const Settings settings = info.options(variant);
     for (const int joints : {4, 7}) {
       for (std::uint64_t key = 0; key < keys; ++key) {
-        CAPTURE(name, joints, key);
-        for (const auto& [option, value] : variant) UNSCOPED_INFO(option << " = " << text_of(value));
+        CAPTURE(line, joints, key);
         const Task task = task_of(joints, key);
         Objective ahead(task.chain, task.target), by_itself(task.chain, task.target);
         Random random{Key(key)};
@@ -384,25 +394,11 @@ void check_against(const std::string& name, void (*run)(Loop&), const std::vecto
 }  // namespace
 
 TEST_CASE("IK-BA is its pseudo-code bit for bit, one bat after another", "[one_by_one][ik_bat]") {
-  check_against("ik_bat", ik_bat,
-                {{},
-                 {{"bounds", "clamp"}, {"acceptance", "loudness"}},
-                 {{"epsilon", "truncated"}, {"step_factor", 1.0}, {"f_max", 0.0}},
-                 {{"acceptance", "yang2020"}, {"bounds", "clamp"}, {"alpha", 0.9}},
-                 {{"epsilon", "uniform"}, {"first_iteration", 1.0}, {"seeded", "no"}},
-                 {{"spread_deg", 40.0}, {"pulse", "constant"}, {"seeded", "no"}, {"bounds", "clamp"}}});
+  check_against("ik_bat", ik_bat);
 }
 
 TEST_CASE("BA is its pseudo-code bit for bit, one bat after another", "[one_by_one][bat]") {
-  check_against("bat", bat,
-                {{},
-                 {{"bounds", "initial"}, {"pulse_rate", 0.5}},
-                 {{"best_of", "evaluated"}, {"pulse_rate", 0.9}, {"gamma", 0.1}},
-                 {{"alpha", 0.99}, {"f_max", 0.5}, {"pulse_rate", 1.0}},
-                 {{"acceptance", "best"}, {"loudness", "own"}, {"flight", "moves"}},
-                 {{"acceptance", "best"}, {"best_of", "evaluated"}, {"pulse_rate", 0.9}},
-                 {{"loudness", "own"}, {"pulse_rate", 0.5}, {"alpha", 0.9}},
-                 {{"flight", "moves"}, {"bounds", "initial"}, {"pulse_rate", 0.5}}});
+  check_against("bat", bat);
 }
 
 TEST_CASE("BA of many bats is its pseudo-code bit for bit: the mean loudness is added up in order",
@@ -426,37 +422,13 @@ TEST_CASE("BA of many bats is its pseudo-code bit for bit: the mean loudness is 
 }
 
 TEST_CASE("PSO is its pseudo-code bit for bit, one particle after another", "[one_by_one][pso]") {
-  check_against("particle_swarm", particle_swarm,
-                {{},
-                 {{"bounds", "initial"}},
-                 {{"inertia", 0.9}, {"social", 0.3}},
-                 {{"coefficients", "as_printed"}},
-                 {{"coefficients", "as_printed"}, {"inertia", 0.1}, {"cognitive", 0.2}, {"social", 0.3}},
-                 {{"damping", 0.9}, {"velocity_limit", 0.1}},
-                 {{"bounds", "resample"}, {"inertia", 0.9}},
-                 {{"coefficients", "exchanged"}, {"random", "per_particle"}},
-                 {{"best_update", "generation"}, {"random", "per_particle"}, {"bounds", "initial"}},
-                 {{"cognitive", 0.0}, {"inertia", 0.7}, {"bounds", "initial"}}});
+  check_against("particle_swarm", particle_swarm);
 }
 
 TEST_CASE("DE is its pseudo-code bit for bit, one trial after another", "[one_by_one][de]") {
-  check_against("differential_evolution", differential_evolution,
-                {{},
-                 {{"crossover", 0.9}, {"bounds", "initial"}},
-                 {{"replacement", "at_once"}},
-                 {{"replacement", "at_once"}, {"bounds", "initial"}},
-                 {{"weight_drawn", "per_joint"}},
-                 {{"weight_drawn", "per_trial"}, {"replacement", "at_once"}},
-                 {{"replacement", "at_once"}, {"crossover", 0.3}, {"weight", 0.9}},
-                 {{"replacement", "at_once"}, {"crossover", 0.0}, {"bounds", "initial"}}});
+  check_against("differential_evolution", differential_evolution);
 }
 
 TEST_CASE("K-ABC is its pseudo-code bit for bit, one bee after another", "[one_by_one][k_abc]") {
-  check_against("k_artificial_bee_colony", k_artificial_bee_colony,
-                {{},
-                 {{"neighbour", "random"}, {"limit", 5.0}},
-                 {{"colony", "half"}, {"bounds", "initial"}, {"fitness_unit", "m"}},
-                 {{"limit", 3.0}, {"bounds", "initial"}},
-                 {{"best_neighbour", "random"}, {"best_source", "spared"}, {"limit", 3.0}},
-                 {{"best_neighbour", "itself"}, {"limit", 3.0}}});
+  check_against("k_artificial_bee_colony", k_artificial_bee_colony);
 }
