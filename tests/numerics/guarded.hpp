@@ -38,6 +38,33 @@ class Guarded {
   double* numbers_ = nullptr;
 };
 
+// Numbers between a page that must not be touched and, on the other side, some that must not change.
+class Row {
+ public:
+  Row(const std::vector<double>& numbers, Guarded::Page page)
+      : memory_(numbers.size() + margin, page),
+        first_(page == Guarded::Page::after ? margin : 0),
+        count_(numbers.size()) {
+    std::fill_n(memory_.data(), memory_.size(), untouched);
+    std::copy(numbers.begin(), numbers.end(), data());
+  }
+
+  double* data() { return memory_.data() + first_; }
+  std::vector<double> numbers() { return {data(), data() + count_}; }
+  bool kept_within() {
+    return std::count(memory_.data(), data(), untouched) == static_cast<ptrdiff_t>(first_) &&
+           std::count(data() + count_, memory_.data() + memory_.size(), untouched) ==
+               static_cast<ptrdiff_t>(margin - first_);
+  }
+
+ private:
+  static constexpr std::size_t margin = 20;
+  static constexpr double untouched = -9.25;
+
+  Guarded memory_;
+  std::size_t first_, count_;
+};
+
 inline bool same_bits(const double* a, const double* b, std::size_t count) {
   return count == 0 || std::memcmp(a, b, count * sizeof(double)) == 0;
 }

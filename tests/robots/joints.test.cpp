@@ -33,9 +33,9 @@ Chain random_chain(Dice& dice) {
   return {links, base, tool};
 }
 
-Eigen::VectorXd random_joints(const Chain& chain, Dice& dice) {
+Eigen::VectorXd random_joints(const Chain& chain, Dice& dice, double most_turned = 3) {
   Eigen::VectorXd q(chain.joints());
-  for (double& joint : q) joint = dice.between(-3, 3);
+  for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = (chain.slides(j) ? 3 : most_turned) * dice.between(-1, 1);
   return q;
 }
 
@@ -90,20 +90,24 @@ TEST_CASE("an arm of any kind has the pose of 4x4 products, and its errors their
   Dice dice;
   for (int trial = 0; trial < 3000; ++trial) {
     const Chain chain = random_chain(dice);
-    const Eigen::VectorXd q = random_joints(chain, dice);
+    // The angle that turns is the sum with its offset as a double: of 1e5, half a unit of its last place is 7e-12.
+    const double most_turned = trial % 2 == 0 ? 3 : 1e5, within = trial % 2 == 0 ? 1e-13 : 1e-9;
+    const Eigen::VectorXd q = random_joints(chain, dice, most_turned);
     const LongMatrix expected = reference_pose(chain, q);
     const Pose pose = chain.forward(q);
     for (std::size_t row = 0; row < 3; ++row) {
       for (std::size_t column = 0; column < 4; ++column) {
         const double element = pose(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
-        REQUIRE(std::abs(element - static_cast<double>(expected[row][column])) < 1e-13);
+        REQUIRE(std::abs(element - static_cast<double>(expected[row][column])) < within);
       }
     }
+    const Chain::Ball ball = chain.reach();
+    REQUIRE((pose.translation() - ball.centre).norm() <= ball.radius + within);
     const Eigen::Vector3d target(dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2));
     Eigen::VectorXd error(1);
     chain.position_errors(q, target, error);
     const auto distance = static_cast<double>(reference_distance(reference_position(chain, q), target));
-    REQUIRE(std::abs(error[0] - distance) < 1e-13);
+    REQUIRE(std::abs(error[0] - distance) < within);
   }
 }
 
@@ -156,15 +160,6 @@ TEST_CASE("the error of a pose is the root mean square of how far three points o
     }
     chain.pose_errors(q, chain.forward(q.col(1)), weight, errors);
     REQUIRE(errors[1] < 1e-13);  // the pose itself
-  }
-}
-
-TEST_CASE("no arm of any kind leaves its ball of reach", "[joints]") {
-  Dice dice;
-  for (int trial = 0; trial < 3000; ++trial) {
-    const Chain chain = random_chain(dice);
-    const Chain::Ball ball = chain.reach();
-    REQUIRE((chain.position(random_joints(chain, dice)) - ball.centre).norm() <= ball.radius + 1e-14);
   }
 }
 

@@ -41,16 +41,14 @@ TEST_CASE("a rotation vector is the axis times the angle, from next to nothing t
   }
 }
 
-TEST_CASE("no turn has no rotation vector, and half a turn one as long as pi", "[rotation]") {
+TEST_CASE("no turn has no rotation vector, half a turn one as long as pi, and what is no rotation none that is finite",
+          "[rotation]") {
   CHECK(rotation_vector(Eigen::Matrix3d::Identity()) == Eigen::Vector3d(0, 0, 0));
   for (int j = 0; j < 3; ++j) {
     Eigen::Matrix3d half = -Eigen::Matrix3d::Identity();
     half(j, j) = 1;
     CHECK(rotation_vector(half).cwiseAbs() == pi * Eigen::Vector3d::Unit(j));
   }
-}
-
-TEST_CASE("a rotation that is none has no finite vector", "[rotation]") {
   const double none = std::numeric_limits<double>::quiet_NaN();
   CHECK_FALSE(rotation_vector(Eigen::Matrix3d::Constant(none)).allFinite());
 }

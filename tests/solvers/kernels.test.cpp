@@ -29,33 +29,6 @@ Column drawn(Dice& dice, std::size_t count) {
   return numbers;
 }
 
-// Numbers between a page that must not be touched and, on the other side, some that must not change.
-class Row {
- public:
-  Row(const Column& numbers, Guarded::Page page)
-      : memory_(numbers.size() + margin, page),
-        first_(page == Guarded::Page::after ? margin : 0),
-        count_(numbers.size()) {
-    std::fill_n(memory_.data(), memory_.size(), untouched);
-    std::copy(numbers.begin(), numbers.end(), data());
-  }
-
-  double* data() { return memory_.data() + first_; }
-  Column numbers() { return {data(), data() + count_}; }
-  bool kept_within() {
-    return std::count(memory_.data(), data(), untouched) == static_cast<ptrdiff_t>(first_) &&
-           std::count(data() + count_, memory_.data() + memory_.size(), untouched) ==
-               static_cast<ptrdiff_t>(margin - first_);
-  }
-
- private:
-  static constexpr std::size_t margin = 20;
-  static constexpr double untouched = -9.25;
-
-  Guarded memory_;
-  std::size_t first_, count_;
-};
-
 // Compares to the last bit, except NaN: of a sum of two, no compiler promises which it is.
 bool same_column(const Column& a, const Column& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
@@ -98,13 +71,8 @@ TEST_CASE("every instruction set flies as the plain loop does, also in place, an
     Row frequency_row(frequency, page), x_row(x, page), v_row(v, page);
     Row other_x(Column(size, 1), page), other_v(Column(size, 1), page);
     Row &x_out = in_place ? x_row : other_x, &v_out = in_place ? v_row : other_v;
-    kernels.fly({.pole = pole,
-                 .frequency = frequency_row.data(),
-                 .x = x_row.data(),
-                 .v = v_row.data(),
-                 .x_next = x_out.data(),
-                 .v_next = v_out.data(),
-                 .count = static_cast<ptrdiff_t>(size)});
+    kernels.fly({pole, frequency_row.data(), x_row.data(), v_row.data(), x_out.data(), v_out.data(),
+                 static_cast<ptrdiff_t>(size)});
     REQUIRE(same_column(x_out.numbers(), x_next));
     REQUIRE(same_column(v_out.numbers(), v_next));
     REQUIRE((x_out.kept_within() && v_out.kept_within()));
@@ -128,18 +96,8 @@ TEST_CASE("every instruction set swarms as the plain loop does, also in place, a
     Row x_row(x, page), v_row(v, page), personal_row(personal, page), u1_row(u1, page), u2_row(u2, page);
     Row other_x(Column(size, 1), page), other_v(Column(size, 1), page);
     Row &x_out = in_place ? x_row : other_x, &v_out = in_place ? v_row : other_v;
-    kernels.swarm({.inertia = inertia,
-                   .cognitive = cognitive,
-                   .social = social,
-                   .best = best,
-                   .x = x_row.data(),
-                   .v = v_row.data(),
-                   .personal = personal_row.data(),
-                   .u1 = u1_row.data(),
-                   .u2 = u2_row.data(),
-                   .x_next = x_out.data(),
-                   .v_next = v_out.data(),
-                   .count = static_cast<ptrdiff_t>(size)});
+    kernels.swarm({inertia, cognitive, social, best, x_row.data(), v_row.data(), personal_row.data(), u1_row.data(),
+                   u2_row.data(), x_out.data(), v_out.data(), static_cast<ptrdiff_t>(size)});
     REQUIRE(same_column(x_out.numbers(), x_next));
     REQUIRE(same_column(v_out.numbers(), v_next));
     REQUIRE((x_out.kept_within() && v_out.kept_within()));
@@ -171,10 +129,11 @@ TEST_CASE("every instruction set clamps as the plain loop does, with every bit, 
     double lower, upper;
   };
   Dice dice;
-  for (const auto& [lower, upper] :
+  for (const Limits& limits :
        {Limits{-2, 3}, Limits{-2.9670597283903604, 2.9670597283903604}, Limits{1, 1}, Limits{0.0, 0.0},
         Limits{-0.0, 0.0}, Limits{-0.0, -0.0}, Limits{0.0, 5}, Limits{-5, -0.0}, Limits{-infinite, infinite},
         Limits{-infinite, 0}, Limits{0, infinite}, Limits{-largest, largest}}) {
+    const double lower = limits.lower, upper = limits.upper;
     // At the limits, next to them, and NaN of any bits.
     const double more[] = {lower,
                            upper,
@@ -182,22 +141,18 @@ TEST_CASE("every instruction set clamps as the plain loop does, with every bit, 
                            std::nextafter(upper, infinite),
                            std::copysign(no_number, -1),
                            std::nan("2023")};
-    for (const InstructionSet set : instruction_sets()) {
-      for (const std::size_t size : sizes()) {
-        for (const Guarded::Page page : {Guarded::Page::after, Guarded::Page::before}) {
-          CAPTURE(name_of(set), lower, upper, size, page == Guarded::Page::after);
-          Column q = drawn(dice, size), expected(size);
-          for (double& x : q) {
-            if (dice.below(4) == 0) x = more[dice.below(static_cast<int>(std::size(more)))];
-          }
-          for (std::size_t i = 0; i < size; ++i) expected[i] = q[i] < lower ? lower : q[i] > upper ? upper : q[i];
-          Row row(q, page);
-          solvers::kernels(set).clamp(lower, upper, row.data(), static_cast<ptrdiff_t>(size));
-          REQUIRE(same_bits(row.data(), expected.data(), size));  // NaN keeps its bits
-          REQUIRE(row.kept_within());
-        }
+    for_each_case([&](const solvers::Kernels& kernels, std::size_t size, Guarded::Page page, bool) {
+      CAPTURE(lower, upper);
+      Column q = drawn(dice, size), expected(size);
+      for (double& x : q) {
+        if (dice.below(4) == 0) x = more[dice.below(static_cast<int>(std::size(more)))];
       }
-    }
+      for (std::size_t i = 0; i < size; ++i) expected[i] = q[i] < lower ? lower : q[i] > upper ? upper : q[i];
+      Row row(q, page);
+      kernels.clamp(lower, upper, row.data(), static_cast<ptrdiff_t>(size));
+      REQUIRE(same_bits(row.data(), expected.data(), size));  // NaN keeps its bits
+      REQUIRE(row.kept_within());
+    });
   }
 }
 
