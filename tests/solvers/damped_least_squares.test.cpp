@@ -4,40 +4,6 @@
 #include "solvers/damped_step.hpp"
 #include "tests/solvers/objectives.hpp"
 
-TEST_CASE("a damped step is (J^T J + mu I)^-1 J^T e, and the gain ratio sets the next damping", "[dls]") {
-  Task task = planar_task(1);
-  task.target = {0.68, 0.70, 0};  // near (0.6, 0.4) rad
-  RecordingObjective objective(task.chain, task.target);
-  Random random{Key(1)};
-  const auto descent = solver("damped_least_squares").make({{"damping", 0.1}});
-  descent->start(task.problem, objective, random);
-
-  Eigen::Vector2d q = task.problem.start;
-  double mu = 0;
-  for (int iteration = 0; iteration < 4; ++iteration) {
-    // Two links of 0.5 m: the closed form of the position and of its Jacobian.
-    const double t1 = q[0], t12 = q[0] + q[1];
-    const Eigen::Vector2d e =
-        Eigen::Vector2d(0.68, 0.70) - 0.5 * Eigen::Vector2d(std::cos(t1) + std::cos(t12), std::sin(t1) + std::sin(t12));
-    Eigen::Matrix2d J;
-    J << -0.5 * std::sin(t1) - 0.5 * std::sin(t12), -0.5 * std::sin(t12), 0.5 * std::cos(t1) + 0.5 * std::cos(t12),
-        0.5 * std::cos(t12);
-    const Eigen::Matrix2d A = J.transpose() * J;
-    if (iteration == 0) mu = 0.1 * A.diagonal().maxCoeff();
-    const Eigen::Vector2d gradient = J.transpose() * e;
-    const Eigen::Vector2d h = (A + mu * Eigen::Matrix2d::Identity()).inverse() * gradient;
-
-    descent->step(objective, random);
-    const Eigen::VectorXd candidate = (q + h).cwiseMax(-1).cwiseMin(1);
-    REQUIRE((objective.candidates.back() - candidate).norm() < 1e-14);
-    const double error = objective.given.back();
-    REQUIRE(error < e.norm());
-    const double gain = (e.squaredNorm() - error * error) / h.dot(mu * h + gradient);
-    mu *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
-    q = candidate;
-  }
-}
-
 TEST_CASE("a step that makes it worse is undone, and damped by 2, 4, 8 and so on", "[dls]") {
   const Task task = planar_task(1);
   RecordingObjective objective(task.chain, std::vector<double>{0.5});  // every later candidate is worse

@@ -9,11 +9,8 @@ constexpr double without_end = std::numeric_limits<double>::infinity(), half = s
 Task endless_task(int population = 10) {
   return {Chain({{.a = 0.4}, {.a = 0.3, .alpha = half / 2}, {.joint = Joint::slides}}),
           {0.3, 0.3, 0},
-          {.start = Eigen::Vector3d(2.5, 0.3, 0.1),
-           .lower = Eigen::Vector3d(-without_end, -1.5, 0),
-           .upper = Eigen::Vector3d(without_end, 1.5, 0.4),
-           .population = population,
-           .iterations = 50}};
+          problem_of(Eigen::Vector3d(2.5, 0.3, 0.1), Eigen::Vector3d(-without_end, -1.5, 0),
+                     Eigen::Vector3d(without_end, 1.5, 0.4), population)};
 }
 
 std::vector<SolverInfo> solvers_for_endless() { return solvers_for(endless_task().chain, GoalKind::position); }

@@ -46,20 +46,6 @@ TEST_CASE("Levenberg and Marquardt's method takes a step that makes it worse, wi
   CHECK(descent->best().error == 0.5);
 }
 
-TEST_CASE("a search of Levenberg and Marquardt's method begins again at random after its iterations", "[lm]") {
-  Task task = planar_task(1);
-  task.target = {2, 0, 0};  // out of reach
-  RecordingObjective objective(task.chain, task.target);
-  Random random{Key(1)}, drawn{Key(1)};
-  const auto descent = solver("levenberg_marquardt").make({{"search_iterations", 3.0}});
-  solve(*descent, task.problem, objective, random, {.iterations = 9});
-  REQUIRE(objective.candidates.size() == 10);
-  for (const std::size_t start : {4u, 8u}) {
-    for (Eigen::Index j = 0; j < 2; ++j) CHECK(objective.candidates[start][j] == drawn.uniform(-1, 1));
-  }
-  CHECK(random.uniform() == drawn.uniform());
-}
-
 TEST_CASE("a search of Levenberg and Marquardt's method begins again where no joint moves any more", "[lm]") {
   Task task = planar_task(1);
   task.target = {-0.9, -0.1, 0};                                                      // both joints go to their limits

@@ -121,21 +121,21 @@ TEST_CASE("where no joint moves any more Newton's method ends, or starts again a
   CHECK(random.uniform() != untouched.uniform());
 }
 
-TEST_CASE("a search of Newton's method begins again at random after its iterations, if it has a number of them",
-          "[newton]") {
-  Task task = planar_task(1);
-  task.target = {-0.9, -0.1, 0};  // both joints go to their limits
-  for (const int search : {0, 3}) {
+TEST_CASE("a search begins again at random after its iterations, if it has a number of them", "[newton][lm]") {
+  for (const auto& [name, search, x] :
+       {std::tuple("newton", 0.0, -0.9), {"newton", 3.0, -0.9}, {"levenberg_marquardt", 3.0, 2.0}}) {
+    CAPTURE(name, search);
+    Task task = planar_task(1);
+    task.target = {x, -0.1, 0};  // both joints go to their limits; or it is out of reach
     RecordingObjective objective(task.chain, task.target);
     Random random{Key(1)}, drawn{Key(1)};
-    const auto newton =
-        solver("newton").make({{"search_iterations", static_cast<double>(search)}, {"small_move", 0.0}});
-    const Solution solution = solve(*newton, task.problem, objective, random, {.iterations = 9});
+    const auto descent = solver(name).make({{"search_iterations", search}, {"small_move", 0.0}});
+    solve(*descent, task.problem, objective, random, {.iterations = 9});
     REQUIRE(objective.candidates.size() == 10);
     for (const std::size_t start : search == 0 ? std::vector<std::size_t>{} : std::vector<std::size_t>{4, 8}) {
       for (Eigen::Index j = 0; j < 2; ++j) CHECK(objective.candidates[start][j] == drawn.uniform(-1, 1));
     }
-    CHECK(newton->restarts() == (search == 0 ? 0 : 2));
+    CHECK(descent->restarts() == (search == 0 ? 0 : 2));
     CHECK(random.uniform() == drawn.uniform());
   }
 }

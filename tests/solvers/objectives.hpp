@@ -101,17 +101,18 @@ struct Task {
   solvers::Problem problem;
 };
 
+inline solvers::Problem problem_of(const robots::ConfigurationRef& start, const robots::ConfigurationRef& lower,
+                                   const robots::ConfigurationRef& upper, int population) {
+  return {.start = start, .lower = lower, .upper = upper, .population = population, .iterations = 50};
+}
+
 // The iiwa's first four joints placing its wrist's centre, which is within reach.
 inline Task iiwa_task(int population = 10) {
   const robots::Robot iiwa = robots::robot("kuka_iiwa14");
   const std::vector<robots::DhLink>& links = iiwa.chain.links();
   return {robots::Chain({links.begin(), links.begin() + 4}, {0, 0, links[4].d}),
           {0.6, 0.2, 0.3},
-          {.start = Eigen::VectorXd::Zero(4),
-           .lower = iiwa.limits.lower.head(4),
-           .upper = iiwa.limits.upper.head(4),
-           .population = population,
-           .iterations = 50}};
+          problem_of(Eigen::VectorXd::Zero(4), iiwa.limits.lower.head(4), iiwa.limits.upper.head(4), population)};
 }
 
 // Any number of joints, with axes alternately upright and level; its target is half of the stretched arm away.
@@ -120,22 +121,15 @@ inline Task snake_task(int joints, int population = 10) {
   for (int j = 0; j < joints; ++j) links.push_back({.a = 0.1, .alpha = j % 2 == 0 ? 1.5 : -1.5});
   return {robots::Chain(links),
           {0.05 * joints, 0.02 * joints, 0.01},
-          {.start = Eigen::VectorXd::Constant(joints, 0.1),
-           .lower = Eigen::VectorXd::Constant(joints, -2),
-           .upper = Eigen::VectorXd::Constant(joints, 1.5),
-           .population = population,
-           .iterations = 50}};
+          problem_of(Eigen::VectorXd::Constant(joints, 0.1), Eigen::VectorXd::Constant(joints, -2),
+                     Eigen::VectorXd::Constant(joints, 1.5), population)};
 }
 
 // Two joints of a planar arm within +-1 rad, for equations by hand; its start is inside.
 inline Task planar_task(int population) {
   return {robots::robot("planar_2").chain,
           {0.5, 0.5, 0},
-          {.start = Eigen::Vector2d(0.3, -0.2),
-           .lower = Eigen::Vector2d(-1, -1),
-           .upper = Eigen::Vector2d(1, 1),
-           .population = population,
-           .iterations = 50}};
+          problem_of(Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1), population)};
 }
 
 // A task with a pose that the arm reaches within its limits, from their middle.
@@ -146,11 +140,7 @@ struct ReachablePose {
     Eigen::VectorXd q(arm.joints());
     for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(arm.limits.lower[j], arm.limits.upper[j]);
     goal = solvers::Goal(arm.chain.forward(q), weight);
-    problem = {.start = (arm.limits.lower + arm.limits.upper) / 2,
-               .lower = arm.limits.lower,
-               .upper = arm.limits.upper,
-               .population = 50,
-               .iterations = 50};
+    problem = problem_of((arm.limits.lower + arm.limits.upper) / 2, arm.limits.lower, arm.limits.upper, 50);
   }
 
   robots::Robot arm;
