@@ -30,10 +30,6 @@ TEST_CASE("lines end in LF or CRLF, the last one in nothing or either", "[csv]")
   }
 }
 
-TEST_CASE("a byte-order mark is no part of the first name", "[csv]") {
-  CHECK(parse_csv("\xEF\xBB\xBFrun,point\n1,2\n", "data.csv").header.front() == "run");
-}
-
 TEST_CASE("malformed CSV is refused with the line and what was expected", "[csv]") {
   CHECK(complaint_about("") == "data.csv:1: the file is empty; expected a line with the names of the columns");
   CHECK(complaint_about("a,b\n1,2\n3\n") == "data.csv:3: 1 cell; expected 2 as in the header");

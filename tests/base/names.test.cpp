@@ -5,14 +5,11 @@
 using namespace ikbench::base;
 using namespace ikbench;
 
-TEST_CASE("the nearest name is the one with the fewest edits", "[names]") {
+TEST_CASE("the nearest name is the one with the fewest edits, and none where none is near", "[names]") {
   const std::vector<std::string> names{"bat", "ik_bat", "particle_swarm"};
   CHECK(nearest_name("ik_bta", names) == "ik_bat");
   CHECK(nearest_name("particel_swarm", names) == "particle_swarm");
   CHECK(nearest_name("bat", names) == "bat");
-}
-
-TEST_CASE("no name is suggested where none is near", "[names]") {
   CHECK(nearest_name("gradient_descent", {"bat", "ik_bat"}).empty());
   CHECK(nearest_name("x", {}).empty());
   CHECK(nearest_name("", {"ik_bat"}).empty());
@@ -21,9 +18,6 @@ TEST_CASE("no name is suggested where none is near", "[names]") {
 TEST_CASE("a message about an unknown name quotes it, suggests one and lists all", "[names]") {
   CHECK(unknown_name("solver", "ik_bta", {"ik_bat", "bat"}) ==
         "unknown solver \"ik_bta\"; did you mean \"ik_bat\"? There are: ik_bat, bat");
-}
-
-TEST_CASE("a very long unknown name is cut in the message", "[names]") {
   CHECK(unknown_name("solver", std::string(100000, 'x'), {"bat"}).size() < 200);
 }
 

@@ -59,9 +59,12 @@ std::map<std::int64_t, std::map<std::string, std::set<std::pair<int, int>>>> pla
 
 }  // namespace
 
-TEST_CASE("a solve is one timed call", "[clock]") {
-  const Study study = small_study();
-  for (const SolveRecord& solve : solves_of(study)) {
+TEST_CASE("a solve is one timed call, and says under what circumstances its time was taken", "[clock]") {
+  const Timing alone = is_debug_build() ? Timing::debug_build : Timing::clean;
+  const Timing together = is_debug_build() ? Timing::debug_build : Timing::parallel;
+  for (const SolveRecord& solve : solves_of(small_study(), 2)) CHECK(solve.timing == together);
+  for (const SolveRecord& solve : solves_of(small_study())) {
+    CHECK(solve.timing == alone);
     CHECK(solve.repeats == 1);
     CHECK(solve.seconds > 0);
     CHECK(solve.smallest_seconds == solve.seconds);
@@ -71,7 +74,8 @@ TEST_CASE("a solve is one timed call", "[clock]") {
   }
 }
 
-TEST_CASE("a study is done in sessions, in each of which all solvers have the same targets", "[clock]") {
+TEST_CASE("a study is done in sessions, in each of which all solvers have the same targets, and a shard in one",
+          "[clock]") {
   for (const auto& [points, turns, sessions] : {std::tuple(12, 6, 6), {4, 6, 4}, {12, 1, 1}, {13, 3, 3}}) {
     Study study = study_of_calls(points);
     study.turns = turns;
@@ -82,9 +86,6 @@ TEST_CASE("a study is done in sessions, in each of which all solvers have the sa
     for (const auto& [session, of] : places) CHECK(of.at("a") == of.at("b"));
     for (const Session& session : store.sessions()) CHECK(session.environment.at("state") == "first");
   }
-}
-
-TEST_CASE("a shard is one session", "[clock]") {
   const Study study = study_of_calls(12);
   ScratchStore store;
   run(study, store, {.shard = {2, 3}});

@@ -10,13 +10,18 @@ std::vector<std::string> departures(const Overrides& overrides, const std::strin
 
 }  // namespace
 
-TEST_CASE("the paper's study under another seed, name or title is the paper's study", "[study]") {
+TEST_CASE("the paper's study under another seed, name or title is the paper's study; one of no paper departs from none",
+          "[study]") {
   CHECK(departures({}).empty());
   CHECK(departures({"seed=2", "name=again", "title=Once more", "trace=best_error", "turns=2"}).empty());
   CHECK(departures({"analysis.significance=0.01", "analysis.control=IK-BA"}).empty());  // no number of a solve
+  CHECK(departures({"published=", "runs=5"}).empty());
 }
 
-TEST_CASE("every other change of the paper's study is a departure, by its key", "[study]") {
+TEST_CASE("every other change of the paper's study is a departure, by its key, but for the other arms of a paper",
+          "[study]") {
+  CHECK(departures({"robot=kinova_gen3", "search=all_joints"}).front() == "robot");
+  CHECK(departures({"name=beeson2015-pr2_right", "robot=pr2_right"}, "beeson2015").empty());
   CHECK(departures({"runs=5"}) == std::vector<std::string>{"runs"});
   CHECK(departures({"path.tool=eq27", "bounds=clamp"}) ==
         std::vector<std::string>{"bounds", "path.tool", "options of IK-BA"});
@@ -40,13 +45,4 @@ TEST_CASE("a solver of the paper that a study lacks is no departure", "[study]")
   Study study = load_study("slim2023", {});
   std::erase_if(study.solvers, [](const SolverEntry& entry) { return entry.label == "DE"; });
   CHECK(nlohmann::json::parse(to_json(study))["departures"].empty());
-}
-
-TEST_CASE("another arm and another path are departures, and the other arms of a paper are none", "[study]") {
-  CHECK(departures({"robot=kinova_gen3", "search=all_joints"}).front() == "robot");
-  CHECK(departures({"name=beeson2015-pr2_right", "robot=pr2_right"}, "beeson2015").empty());
-}
-
-TEST_CASE("a study that claims no paper departs from none", "[study]") {
-  CHECK(departures({"published=", "runs=5"}).empty());
 }

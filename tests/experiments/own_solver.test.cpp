@@ -23,7 +23,8 @@ class Faulty final : public Solver {
     if (is_faulty_ && !noted.empty()) objective.note(noted, 1);
     if (is_faulty_ && place == "start") fault(best_);
   }
-  void step(Objective&, numerics::Random&) override {
+  void step(Objective& objective, numerics::Random&) override {
+    if (is_faulty_ && !noted.empty()) objective.note(noted, 2);
     if (is_faulty_ && place == "step") fault(best_);
   }
   const Best& best() const override {
@@ -106,6 +107,7 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
                              {"start", resize(6), Status::not_finite, finite},
                              {"step", resize(10), Status::not_finite, finite},
                              {"step", [](Best&) { std::fesetround(FE_UPWARD); }, Status::ok},
+                             {"", nothing, Status::ok, "", "stalls"},
                              {"", nothing, Status::ok, cut, "my\tcount"},
                              {"", nothing, Status::ok, cut, std::string(100'000, 'x')},
                              {"", nothing, Status::ok, cut, "\x1b]0;x\x07\xc2\x9b\xff"},
@@ -135,6 +137,8 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
       CHECK((odd[2].counted_by == CountedBy::suite) == asks);
       for (const std::string& name : store.names_of_extras(stored)) CHECK(is_plain(name));
       CHECK(store.names_of_extras(stored).empty() == noted.empty());
+      if (noted == "stalls")
+        CHECK(odd[2].extras == std::map<std::string, double>{{noted, 2}});  // the last that it said
       REQUIRE(progress.notes.size() == (told.empty() ? 0 : 1));
       if (!told.empty()) CHECK_THAT(progress.notes[0], StartsWith("mine: ") && ContainsSubstring(told));
     }
@@ -154,30 +158,6 @@ TEST_CASE("a solve that no reader would take ends the run with its place, and th
              ContainsSubstring("mine, run 1, point 2: it has 0 evaluations"));
   CHECK(store.solves(study.name).size() == 1);
   Faulty::asks = true;
-}
-
-TEST_CASE("a number that a solver notes is kept beside its answer", "[own_solver]") {
-  class Noting final : public Solver {
-   public:
-    struct Options {
-      void list(OptionList&) {}
-    };
-    explicit Noting(Options) {}
-    void start(const Problem& problem, Objective& objective, numerics::Random&) override {
-      best_ = {problem.start, objective.error(problem.start)};
-      objective.note("stalls", 1);
-    }
-    void step(Objective& objective, numerics::Random&) override { objective.note("stalls", 2); }
-    const Best& best() const override { return best_; }
-
-   private:
-    Best best_;
-  };
-  Study study = study_of_faulty("all_joints");
-  const SolverInfo noting = solver_info<Noting>("noting", "notes a number", "this test");
-  study.solvers = {{.label = "mine", .solver = noting.name, .own = std::make_shared<SolverInfo>(noting)}};
-  const results::SolveRecord solve = solve_once(study, study.solvers.front(), robots::Pose::Identity());
-  CHECK(solve.extras == std::map<std::string, double>{{"stalls", 2}});
 }
 
 TEST_CASE("an exception of a solver is told of with solver, run and point", "[own_solver]") {

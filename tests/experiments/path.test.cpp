@@ -157,15 +157,10 @@ TEST_CASE("every kind of path has a name and words of its own", "[path]") {
 
 // ---- orientation --------------------------------------------------------------------------------------------------
 
-TEST_CASE("tool down is diag(-1, 1, -1): the tool's z axis points to the floor", "[path][paper]") {
-  CHECK(rotation(Tool::down) == Eigen::Matrix3d(Eigen::Vector3d(-1, 1, -1).asDiagonal()));
-}
-
-TEST_CASE("the third column of Eq. 27 is (0, 1, 0): a horizontal tool", "[path][paper]") {
-  CHECK(rotation(Tool::eq27).col(2) == Eigen::Vector3d(0, 1, 0));
-}
-
-TEST_CASE("both tools are rotations, and every point of a path has its tool's", "[path]") {
+TEST_CASE("both tools are rotations, and every point of a path has its tool's", "[path][paper]") {
+  CHECK(rotation(Tool::down) == Eigen::Matrix3d(Eigen::Vector3d(-1, 1, -1).asDiagonal()));  // to the floor
+  CHECK(rotation_from_rpy({pi, 0, pi}).isApprox(rotation(Tool::down), 1e-15));
+  CHECK(rotation(Tool::eq27).col(2) == Eigen::Vector3d(0, 1, 0));  // level
   for (const Tool tool : {Tool::down, Tool::eq27}) {
     const Eigen::Matrix3d R = rotation(tool);
     CHECK(R * R.transpose() == Eigen::Matrix3d::Identity());
@@ -185,8 +180,4 @@ TEST_CASE("a tool turns about its own axis, then about the vertical", "[path]") 
   // Eq. 27 points along y; a quarter turn back about the vertical, it points outward, along x.
   CHECK(R({"tool=eq27", "tool_yaw_deg=-90"}).col(2).isApprox(Eigen::Vector3d::UnitX(), 1e-15));
   CHECK(R({"tool=eq27", "tool_yaw_deg=-90", "tool_roll_deg=180"}).col(2).isApprox(Eigen::Vector3d::UnitX(), 1e-15));
-}
-
-TEST_CASE("tool down is a roll of 180 and a yaw of 180 degrees", "[path]") {
-  CHECK(rotation_from_rpy({pi, 0, pi}).isApprox(rotation(Tool::down), 1e-15));
 }

@@ -330,18 +330,6 @@ TEST_CASE("random targets are those of the run: the same for all solvers, others
   CHECK(targets(study, 2)[3].matrix() != targets(small_random_study(), 2)[3].matrix());
 }
 
-TEST_CASE("a study may start every solve at its initial configuration, also after an interruption", "[runner]") {
-  Study study = study_of_every_solver();
-  study.start = Start::initial;
-  study.initial << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7;
-  ScratchStore scratch;
-  run_for(study, scratch, 7);
-  run(study, scratch, {.jobs = 2});
-  const std::vector<SolveRecord> records = scratch.solves("small");
-  for (const SolveRecord& record : records) CHECK(same(record.start_rad, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}));
-  CHECK(same_numbers(records, solves_of(study)));
-}
-
 TEST_CASE("a population is the number of candidates, and an option in the store", "[runner]") {
   Study study = small_study();
   study.solvers = {{"6 bats", "ik_bat", {}}, {"9 bats", "ik_bat", {}, 9}};
@@ -639,17 +627,6 @@ TEST_CASE("the trace has the best error after every iteration, and ends with the
     CHECK(std::is_sorted(record.trace_cm.rbegin(), record.trace_cm.rend()));  // never worse
     CHECK(record.trace_cm.back() == record.claimed_error_cm);
   }
-}
-
-TEST_CASE("times say under what circumstances they were taken", "[runner]") {
-  const Timing alone = is_debug_build() ? Timing::debug_build : Timing::clean;
-  const Timing together = is_debug_build() ? Timing::debug_build : Timing::parallel;
-  for (const SolveRecord& record : solves_of(small_study(), 1)) {
-    CHECK(record.timing == alone);
-    CHECK(record.seconds > 0);
-    CHECK(record.cpu_seconds > 0);
-  }
-  for (const SolveRecord& record : solves_of(small_study(), 2)) CHECK(record.timing == together);
 }
 
 TEST_CASE("every solve knows its session, and the session its machine and its jobs", "[runner]") {

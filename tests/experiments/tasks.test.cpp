@@ -165,14 +165,16 @@ TEST_CASE("near starts need targets that are made of configurations", "[starts]"
 }
 
 TEST_CASE("every solver starts where the study says, run after run and from a store that has some", "[starts]") {
-  for (const std::string start : {"middle", "random", "near"}) {
+  for (const std::string start : {"initial", "middle", "random", "near"}) {
     CAPTURE(start);
     Study study = study_of_robot(
         "ur5e", "start = \"" + start +
                     "\"\npopulation = 4\nruns = 2\n[stop]\niterations = 3\n[path]\nkind = \"random\"\npoints = 3");
     study.solvers.push_back({"other", "particle_swarm", {}});
     for (const SolveRecord& solve : solves_of(study)) {
-      const Configuration expected = starts(study, arm_of(study), solve.run)[static_cast<std::size_t>(solve.point - 1)];
+      const Configuration expected =
+          start == "initial" ? Configuration(study.initial)
+                             : starts(study, arm_of(study), solve.run)[static_cast<std::size_t>(solve.point - 1)];
       CHECK(std::ranges::equal(solve.start_rad, expected));
     }
     ScratchStore store;

@@ -7,10 +7,7 @@
 #include "experiments/study_reader.hpp"
 #include "tests/common.hpp"
 
-using namespace ikbench::base;
 using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::solvers;
 using namespace ikbench::results;
 using namespace ikbench::experiments;
 using namespace ikbench::judge;

@@ -209,47 +209,6 @@ TEST_CASE("studies that no study file makes are damage", "[store][faults]") {
   }
 }
 
-TEST_CASE("kill -9 loses nothing that was committed", "[store][faults]") {
-  std::mt19937 random(9);
-  for (int trial = 0; trial < 8; ++trial) {
-    const ScratchFolder folder;
-    const auto file = folder.path / "a.ikb";
-    int acknowledged[2];
-    REQUIRE(pipe(acknowledged) == 0);
-    const pid_t writer = in_a_process([&] {
-      Store store(file, Store::Mode::write);
-      store.save_study(sample_study());
-      SolveRecord record = sample_record("key-a");
-      record.trace_cm.assign(500, 0.1234567890123);  // large, so that the log is folded in now and then
-      for (record.run = 1;; ++record.run) {
-        store.append({record});
-        if (write(acknowledged[1], "!", 1) != 1) return false;
-      }
-    });
-    close(acknowledged[1]);
-    int solves = 0;
-    char byte = 0;
-    for (auto enough = 1 + random() % 1000; enough > 0 && read(acknowledged[0], &byte, 1) == 1; --enough) ++solves;
-    REQUIRE(kill(writer, SIGKILL) == 0);
-    while (read(acknowledged[0], &byte, 1) == 1) ++solves;
-    close(acknowledged[0]);
-    CHECK(exit_code(writer) == -1);
-
-    CAPTURE(trial, solves);
-    const auto check_solves = [&] {
-      const auto records = series_of(Store(file, Store::Mode::read), "key-a");
-      const int kept = static_cast<int>(records.size());
-      CHECK(kept >= solves);
-      CHECK(kept <= solves + 1);  // the last may have been committed and not yet acknowledged
-      for (int i = 0; i < kept; ++i) CHECK(records[static_cast<std::size_t>(i)].run == i + 1);
-    };
-    check_solves();
-    Store(file, Store::Mode::write).append({sample_record("key-b")});  // continues, and closes properly
-    CHECK(!std::filesystem::exists(file.string() + "-wal"));
-    check_solves();
-  }
-}
-
 TEST_CASE("half a page, which a kill leaves while the log is folded in, is no damage", "[store][faults]") {
   const ScratchFolder folder;
   const std::string file = folder.path / "a.ikb", killed = folder.path / "killed.ikb";
