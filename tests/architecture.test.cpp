@@ -52,8 +52,8 @@ std::string folder_of(const std::string& path) {
 std::vector<fs::path> sources_of(const std::string& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string type = entry.path().extension().string();
-    if (folder_of(entry.path().string()) != folder_of(folder + '/')) continue;
+    const std::string type = entry.path().extension().string(), path = entry.path().string();
+    if (folder_of(path) != folder_of(folder + '/') || path.starts_with("solvers/programs/")) continue;
     if (type == ".hpp" || type == ".cpp" || type == ".inc") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
