@@ -17,7 +17,6 @@
 #include <system_error>
 #include <utility>
 
-#include "analysis/figures/pdf_date.hpp"
 #include "base/child_process.hpp"
 #include "base/embedded_file.hpp"
 #include "base/files.hpp"
@@ -82,7 +81,6 @@ std::string draw(const Figure& figure, const std::filesystem::path& workshop, co
     if (picture->find(end, picture->size() - std::min(picture->size(), end.size() + 2)) == std::string::npos)
       throw std::runtime_error(fmt::format("{} wrote only a part of '{}'; if the disk is full, make room", gnuplot,
                                            (workshop.parent_path() / file).string()));
-    if (type == "pdf") picture = without_date(std::move(*picture));
     if (type == "svg") complete_svg(*picture, figure);
     write_file(workshop.parent_path() / file, *picture);
   }
