@@ -147,7 +147,7 @@ void write_through(const fs::path& file, const Contents& contents) {
 }
 
 void refuse_links(const fs::path& folder) {
-  for (const char* name : {"article", "tables", "figures"}) {
+  for (const char* name : {"article", "tables", "figures", "figures/source"}) {
     std::error_code ignored;
     if (const fs::path place = folder / name; fs::is_symlink(place, ignored))
       throw std::invalid_argument(fmt::format("'{}' is a link; remove it, or choose another folder", place.string()));

@@ -35,9 +35,7 @@ constexpr EmbeddedFile styles[]{
 #include "styles.inc"
 };
 
-bool is_meant(const std::string& figure, const std::string& name) {
-  return figure == name || figure.starts_with(name + "-");
-}
+using figures::is_meant;
 
 // Before anything is solved; a study may lack a figure that others have.
 void refuse_unknown_figures(const std::vector<std::string>& names) {
@@ -46,28 +44,6 @@ void refuse_unknown_figures(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (std::ranges::none_of(all, [&](const auto& figure) { return is_meant(figure, name) || is_meant(name, figure); }))
       throw std::invalid_argument(unknown_name("figure", name, all));
-  }
-}
-
-// Leaves the figures of these names or first words: "error" is error-boxes and error-by-point.
-void choose_figures(show::Report& reported, const std::vector<std::string>& names) {
-  std::set<std::string> lacking(names.begin(), names.end());
-  const auto is_left_out = [&](const figures::Figure& figure) {
-    std::erase_if(lacking, [&](const std::string& name) { return is_meant(figure.name, name); });
-    return std::ranges::none_of(names, [&](const std::string& name) { return is_meant(figure.name, name); });
-  };
-  std::erase_if(reported.figures, is_left_out);
-  for (show::Blocks& blocks : reported.additions) {
-    std::erase_if(blocks, [&](const show::Block& block) {
-      const auto* const figure = std::get_if<figures::Figure>(&block);
-      return figure != nullptr && is_left_out(*figure);
-    });
-  }
-  const auto kinds = show::all_figures();
-  for (const std::string& name : lacking) {
-    const auto kind = std::ranges::find_if(
-        kinds, [&](const auto& each) { return is_meant(each.first, name) || is_meant(name, each.first); });
-    warn(fmt::format("there is nothing to draw for {}: it is {}", name, kind->second));
   }
 }
 
@@ -146,7 +122,6 @@ std::vector<std::string> references_of(std::string_view name) {
 
 void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const Style& style, const std::string& screen) {
-  if (!arguments.figures.empty() && are_drawn(arguments.figures)) choose_figures(reported, arguments.figures);
   std::set<std::string> names, keys;
   for (const Series& series : reported.study.series)
     names.insert({series.algorithm, reported.study.definition.robot, reported.study.definition.published});
@@ -158,12 +133,20 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
   std::optional<ProgressBar> bar(std::in_place, "drawing", "figures");
   show::Written written =
       show::publish(reported, folder,
-                    {.render = are_drawn(arguments.figures),
+                    {.only = arguments.figures,
                      .progress = [&](std::int64_t done, std::int64_t all) { bar->show({.done = done, .total = all}); },
                      .style = style.figures},
                     program_name());
   bar.reset();  // leaves its line to the screen
   for (const std::string& warning : written.warnings) warn(warning);
+  const auto is_there = [&](const std::string& name) {
+    return std::ranges::any_of(written.files, [&](const std::filesystem::path& file) {
+      return file.parent_path() == "figures/source" && is_meant(file.stem(), name);
+    });
+  };
+  for (const std::string& name : arguments.figures)
+    if (name != "none" && !is_there(name))
+      warn(fmt::format("there is nothing to draw for {}; what it is of: ikbench list figures", name));
   if (arguments.is_json) {
     base::OrderedJson json = show::to_json(reported.answer);
     json["files"] = written.files;

@@ -32,9 +32,11 @@ struct FigureStyle {
   double text_pt = 8;
   std::vector<std::string> palette = own_palette;
   std::vector<std::string> solvers = {};  // labels in the order of the figures; empty: all, as in the study
-  std::vector<std::string> formats = picture_formats;
+  std::vector<std::string> formats = {"svg", "pdf"};
   enum class Background { white, dark } background = Background::white;
   std::map<std::string, std::string> colours = {};  // of solvers, by label: `colour` of their entries
+  // Of a style file: words in place of a figure's own ("x", "y", "caption"), by its name, or how its name begins.
+  std::map<std::string, std::map<std::string, std::string>> words = {};
 
   bool operator==(const FigureStyle&) const = default;
 };

@@ -65,10 +65,9 @@ void complete_svg(std::string& svg, const Figure& figure) {
 // cannot read. Throws std::invalid_argument with the reason if it could not draw, std::runtime_error if a disk is full.
 std::string draw(const Figure& figure, const std::filesystem::path& workshop, const RenderOptions& options) {
   const std::string& gnuplot = options.gnuplot;
-  // -d gives the same look whatever ~/.gnuplot says; the zone is in the date of a PDF; without a locale of UTF-8
-  // gnuplot 6 warns.
+  // -d gives the same look whatever ~/.gnuplot says; without a locale of UTF-8 gnuplot 6 warns.
   const ChildProcess::Ran result =
-      ChildProcess::run({gnuplot, "-d", figure.name + ".gp"}, workshop, {"TZ=UTC0", "LC_ALL=C.UTF-8"});
+      ChildProcess::run({gnuplot, "-d", figure.name + ".gp"}, workshop / sources, {"LC_ALL=C.UTF-8"});
   if (!result.succeeded) {
     throw std::invalid_argument(result.output.empty() ? fmt::format("{} failed without a message", gnuplot)
                                                       : result.output);
@@ -90,21 +89,21 @@ std::string draw(const Figure& figure, const std::filesystem::path& workshop, co
 // The complete script of a figure.
 std::string script_of(const Figure& figure, const std::vector<std::string>& formats) {
   std::string script = fmt::format(
-      "# To draw it again: gnuplot {0}.gp\ndata = '{0}.dat'\nwidth_cm = {1}\nheight_cm = {2}\nlegend = {3}\n"
-      "sides_cm = {4}\nload 'style.gp'\n\n{5}\n",
+      "# To draw it again, into the folder above: gnuplot {0}.gp\nwidth_cm = {1}\nheight_cm = {2}\nlegend = {3}\n"
+      "sides_cm = {4}\n{5}load 'style.gp'\ndata = '$numbers'\n$numbers << END\n{6}END\n\n{7}\n",
       figure.name, text_of(figure.width_cm), text_of(figure.height_cm), figure.legend, text_of(figure.sides_cm),
-      figure.settings);
+      figure.titles, figure.data, figure.settings);
   const bool can_repeat = !figure.plot.starts_with("set multiplot");
   for (const std::string& type : formats) {
     const bool is_repeated = can_repeat && type != formats.front();
     if (figure.legend > 0) script += fmt::format("set key spacing {}_rows\n", type);
-    script += fmt::format("set terminal @{0}\nset output '{1}.{0}'\n{2}\n", type, figure.name,
+    script += fmt::format("set terminal @{0}\nset output '../{1}.{0}'\n{2}\n", type, figure.name,
                           is_repeated ? "replot" : figure.plot);
   }
   return script + "unset output\n";
 }
 
-// The files that a report writes beside its pictures, with their texts.
+// The scripts and the style, with their texts.
 std::map<std::string, std::string> sources_of(const std::vector<Figure>& figures, const FigureStyle& look) {
   std::string style(style_file->text);
   const std::pair<std::string_view, std::string> values[]{{"TEXT_PT", text_of(look.text_pt)},
@@ -114,12 +113,9 @@ std::map<std::string, std::string> sources_of(const std::vector<Figure>& figures
                                                           {"DARK", std::to_string(static_cast<int>(look.background))},
                                                           {"COLOURS", fmt::format("{}", fmt::join(look.palette, " "))}};
   for (const auto& [name, value] : values) style.replace(style.find(name), name.size(), value);
-  std::map<std::string, std::string> sources{{std::string(style_file->name), style}};
-  for (const Figure& figure : figures) {
-    sources.emplace(figure.name + ".gp", script_of(figure, look.formats));
-    sources.emplace(figure.name + ".dat", figure.data);
-  }
-  return sources;
+  std::map<std::string, std::string> texts{{std::string(style_file->name), style}};
+  for (const Figure& figure : figures) texts.emplace(figure.name + ".gp", script_of(figure, look.formats));
+  return texts;
 }
 
 }  // namespace
@@ -153,18 +149,16 @@ void refuse_missing_font(const FigureStyle& style, const std::vector<std::string
 std::vector<std::string> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                                        const RenderOptions& options) {
   if (figures.empty()) return {};
-  const auto sources = sources_of(figures, options.style);
-  for (const auto& [file, text] : sources) write_file(folder / file, text);
-  ChildProcess::Ran gnuplot{.succeeded = true};
-  if (options.render) gnuplot = ChildProcess::run({options.gnuplot, "--version"}, {}, {});
-  if (!options.render || !gnuplot.succeeded) {
+  const auto scripts = sources_of(figures, options.style);
+  for (const auto& [file, text] : scripts) write_file(folder / sources / file, text);
+  const ChildProcess::Ran gnuplot = ChildProcess::run({options.gnuplot, "--version"}, {}, {});
+  if (!gnuplot.succeeded) {
     for (const Figure& figure : figures) remove_pictures(figure, folder, {});
-    if (gnuplot.succeeded) return {};
     return {fmt::format("figures are not drawn: {}; install gnuplot, then give the command again", gnuplot.output)};
   }
 
   const TemporaryFolder workshop(folder);
-  for (const auto& [file, text] : sources) write_file(workshop.path() / file, text);
+  for (const auto& [file, text] : scripts) write_file(workshop.path() / sources / file, text);
   std::atomic<std::size_t> next = 0;
   std::mutex one_at_a_time;
   std::int64_t done = 0;

@@ -1,5 +1,7 @@
 #include "analysis/figures/look.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -7,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/figures/parts.hpp"
 #include "base/names.hpp"
 
 namespace ikbench::figures {
@@ -105,6 +108,23 @@ Look look_of(const JudgedStudy& judged, FigureStyle style) {
   Look look = look_of(std::move(solvers), std::move(style));
   look.style.solvers = std::move(order);
   return look;
+}
+
+bool is_meant(const std::string& figure, const std::string& name) {
+  return figure == name || figure.starts_with(name + "-");
+}
+
+void reword(Figure& figure, const FigureStyle& style) {
+  for (const auto& [name, words] : style.words) {
+    if (!is_meant(figure.name, name)) continue;
+    for (const auto& [of, text] : words) {
+      if (text.empty()) continue;
+      if (of == "caption")
+        figure.caption = text;
+      else
+        figure.titles += fmt::format("{}_title = {}\n", of, gnuplot_text(text));
+    }
+  }
 }
 
 }  // namespace ikbench::figures

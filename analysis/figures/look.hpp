@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/figures/figure.hpp"
 #include "analysis/judge/judge.hpp"
 #include "results/figure_style.hpp"
 #include "results/store.hpp"
@@ -24,5 +25,10 @@ Look look_of(const judge::JudgedStudy& judged, results::FigureStyle style);  // 
 // that fewest have. From a palette of fewer than seven all get them in order. Solvers of one colour have different
 // markers and dashes. Colours of style.colours that the palette lacks are added to it.
 std::map<std::string, int> line_styles(const std::vector<results::Series>& solvers, results::FigureStyle& style);
+
+// "error" means error-boxes and error-by-point.
+bool is_meant(const std::string& figure, const std::string& name);
+// Gives a figure the words that the style has for it.
+void reword(Figure& figure, const results::FigureStyle& style);
 
 }  // namespace ikbench::figures

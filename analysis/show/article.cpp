@@ -202,10 +202,8 @@ void write_article(const Report& report, const std::vector<std::string>& tables,
   std::ranges::move(of_report, std::back_inserter(sentences));
   const std::string results = fmt::format("{}", fmt::join(sentences, " "));
   const auto& keys = report.keys;
-  write("methods.txt", one_line(methods) + ".\n");
   write("methods.tex", fmt::format("{}.{}{}{}\n", latex_text(methods), keys.empty() ? "" : " Solvers and arm: \\cite{",
                                    fmt::join(keys, ","), keys.empty() ? "" : "}."));
-  write("results.txt", one_line(results) + '\n');
   write("results.tex", latex_text(results) + '\n');
   if (!keys.empty()) write("references.bib", std::string(report.references));
   std::string floats;

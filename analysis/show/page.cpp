@@ -55,7 +55,7 @@ struct PageWriter {
         id.empty() ? "" : fmt::format(" id=\"table-{}\"", id), html_text(table.caption), to_html(table));
     for (const std::string& note : table.notes) text += fmt::format("<p class=\"note\">{}</p>\n", html_text(note));
     const std::string file = "tables/" + table.name;
-    if (!id.empty()) text += menu({{"CSV", file + ".csv"}, {"LaTeX", file + ".tex"}, {"Markdown", file + ".md"}});
+    if (!id.empty()) text += menu({{"CSV", file + ".csv"}, {"LaTeX", file + ".tex"}});
     return text + "</div>\n";
   }
   std::string operator()(const figures::Figure& figure) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
 #include <system_error>
 
 #include "analysis/figures/of_study.hpp"
@@ -24,11 +25,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 10> types_of_files{".bib", ".csv", ".dat", ".gp",  ".md",
-                                                          ".pdf", ".png", ".svg", ".tex", ".txt"};
+// With those of a former version: .dat, .md and .txt, and time-tail.*.
+constexpr std::array<std::string_view, 8> types_of_files{".csv", ".dat", ".gp", ".md", ".pdf", ".png", ".svg", ".tex"};
 constexpr std::array<const char*, 4> own_files{"report.html", "report.md", "results.json", "solves.csv"};
-constexpr std::array<const char*, 6> article_files{"main.tex",       "methods.tex", "methods.txt",
-                                                   "references.bib", "results.tex", "results.txt"};
+constexpr std::array<const char*, 6> article_files{"main.tex",    "methods.tex", "references.bib",
+                                                   "results.tex", "methods.txt", "results.txt"};
+constexpr std::array<const char*, 4> folders{"article", "tables", "figures", "figures/source"};
 
 // Whether a report can have written it, in a folder of its own. A table or figure that is not here outlives its report.
 bool may_be_of_report(const fs::path& file) {
@@ -37,8 +39,9 @@ bool may_be_of_report(const fs::path& file) {
   if (folder == "article") return std::ranges::count(article_files, file.filename()) > 0;
   if (std::ranges::count(types_of_files, file.extension().string()) == 0) return false;
   if (folder == "tables") return std::ranges::count(names_of_tables, name) > 0;
-  const auto is_of_kind = [&](const auto& kind) { return name == kind.first || name.starts_with(kind.first + "-"); };
-  return folder == "figures" && (name == "style" || std::ranges::any_of(all_figures(), is_of_kind));
+  const auto is_of_kind = [&](const auto& kind) { return figures::is_meant(std::string(name), kind.first); };
+  return (folder == folders[2] || folder == folders[3]) &&
+         (name == "style" || name == "time-tail" || std::ranges::any_of(all_figures(), is_of_kind));
 }
 
 // The results.json of a folder, or an empty object; a link may be to another folder's.
@@ -106,14 +109,13 @@ std::vector<std::string> types_of(const figures::Figure& figure, const fs::path&
 void write_table(const Table& table, const Table& article, const fs::path& folder, const std::string& program) {
   const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
   base::write_file(folder / (table.name + ".csv"), to_csv(table));
-  base::write_file(folder / (table.name + ".md"), to_markdown(table));
   base::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
 }
 
 void refuse_others(const fs::path& folder) {
   std::error_code none;
   std::vector<std::string> files(own_files.begin(), own_files.end());
-  for (const fs::path part : {"article", "tables", "figures"}) {
+  for (const fs::path part : folders) {
     for (fs::directory_iterator entry(folder / part, none), end; entry != end; entry.increment(none)) {
       const fs::path file = part / entry->path().filename();
       if (may_be_of_report(file)) files.push_back(file);
@@ -125,11 +127,13 @@ void refuse_others(const fs::path& folder) {
 std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<std::string>& figures) {
   std::vector<std::string> files;
   for (const std::string& table : tables)
-    for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table, type));
-  if (!figures.empty()) files.emplace_back("figures/style.gp");
-  for (const std::string& figure : figures)
-    for (const char* type : {"dat", "gp", "pdf", "png", "svg"})
+    for (const char* type : {"csv", "tex"}) files.push_back(fmt::format("tables/{}.{}", table, type));
+  if (!figures.empty()) files.emplace_back("figures/source/style.gp");
+  for (const std::string& figure : figures) {
+    files.push_back(fmt::format("figures/source/{}.gp", figure));
+    for (const std::string& type : results::picture_formats)
       files.push_back(fmt::format("figures/{}.{}", figure, type));
+  }
   return files;
 }
 
@@ -150,16 +154,25 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
                 const std::string& program) {
   for (const char* name : own_files) base::refuse_input(folder / name);
   std::vector<Blocks> sections = sections_of(report);
+  const auto is_left_out = [&](const Block& block) {
+    const auto* const figure = std::get_if<figures::Figure>(&block);
+    const auto is_named = [&](const std::string& name) { return figures::is_meant(figure->name, name); };
+    return figure != nullptr && !options.only.empty() && std::ranges::none_of(options.only, is_named);
+  };
+  for (Blocks& blocks : sections) std::erase_if(blocks, is_left_out);
   std::vector<Table*> tables = all_in<Table>(sections);
   std::vector<figures::Figure> figures;
-  for (const figures::Figure* figure : all_in<figures::Figure>(sections)) figures.push_back(*figure);
+  for (figures::Figure* figure : all_in<figures::Figure>(sections)) {
+    figures::reword(*figure, options.style);
+    figures.push_back(*figure);
+  }
   std::vector<std::string> names, names_of_figures;
   for (const Table* table : tables)
     if (!table->name.empty()) names.push_back(table->name);
   for (const figures::Figure& figure : figures) names_of_figures.push_back(figure.name);
   Written written{.page = folder / own_files[0]};
   std::vector<std::string>& files = written.files = files_of(names, names_of_figures);
-  for (const std::string file : article_files)
+  for (const std::string file : std::span(article_files).first(4))
     if (file != "references.bib" || !report.keys.empty()) files.push_back("article/" + file);
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
   std::vector<std::string> earlier = claim(folder, files);

@@ -16,7 +16,7 @@ std::vector<std::pair<std::string, std::string>> all_figures();
 // The types of a figure's pictures that stand there: "svg", "pdf", "png".
 std::vector<std::string> types_of(const figures::Figure& figure, const std::filesystem::path& folder);
 
-// NAME.csv, NAME.md and, of what an article shows, NAME.tex.
+// NAME.csv and, of what an article shows, NAME.tex.
 void write_table(const Table& table, const Table& article, const std::filesystem::path& folder,
                  const std::string& program);
 

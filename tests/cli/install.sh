@@ -67,7 +67,7 @@ else
   echo "skipped in part: no unshare of what is mounted"
 fi
 "${away[@]}" "$work/prefix/bin/ikbench" run slim2023 "${small[@]}" --out made >.out 2>.err || fail "installed: $(<.err)"
-for file in store.sqlite report.md report.html tables/results.csv figures/style.gp; do [ -s "made/$file" ] || fail "no $file"; done
+for file in store.sqlite report.md report.html tables/results.csv figures/source/style.gp; do [ -s "made/$file" ] || fail "no $file"; done
 ! can gnuplot || [ -s made/figures/error-boxes.svg ] || fail "no figure"
 
 # A project of somebody else's. Sanitizers are asked of it by the libraries.

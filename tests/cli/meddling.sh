@@ -78,9 +78,9 @@ succeeds report theirs/store.sqlite
 install -D thief.py own/report.md
 ln -s ../theirs/results.json own/results.json
 refused "own/report.md' is there" report theirs/store.sqlite --out own
-for script in theirs/figures/*.gp; do echo "system 'touch $PWD/ran'" >>"$script"; done
+for script in theirs/figures/source/*.gp; do echo "system 'touch $PWD/ran'" >>"$script"; done
 succeeds report theirs/store.sqlite
-[ ! -e ran ] && ! grep -q "touch" theirs/figures/*.gp || fail "a script of the folder was run, or stayed"
+[ ! -e ran ] && ! grep -q "touch" theirs/figures/source/*.gp || fail "a script of the folder was run, or stayed"
 
 # A parent that ignores SIGCHLD takes no picture away, and `--figures none` all.
 (trap '' CHLD; exec "$program" report theirs/store.sqlite) >.out 2>.err || fail "a report without SIGCHLD: $(<.err)"

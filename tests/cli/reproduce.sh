@@ -14,7 +14,7 @@ verdicts() {
   done
 }
 
-succeeds reproduce --jobs 2 --figures none --out whole
+PATH=/nowhere succeeds reproduce --jobs 2 --out whole # scripts alone, without gnuplot
 quiet
 sed -n '/./,$p' .out >screen
 [ "$(wc -l <screen)" -le 40 ] && [ "$(wc -L <screen)" -le 100 ] || fail "not one screen: $(<screen)"
@@ -29,7 +29,8 @@ done
 golden reproduce whole/results.json
 kept claims < <(verdicts whole)
 for table in 1 2 3 3-50 4 4-50 5 5-50 7 8; do [ -s "whole/tables/table-$table.csv" ] || fail "there is no Table $table"; done
-for figure in {5..12} {5..12}-50 {15..18}; do [ -s "whole/figures/figure-$figure.gp" ] || fail "there is no Figure $figure"; done
+for figure in {5..12} {5..12}-50 {15..18}; do [ -s "whole/figures/source/figure-$figure.gp" ] || fail "there is no Figure $figure"; done
+[ "$(find whole -type f | wc -l)" -le $((110 - 2 * 22)) ] || fail "too many files: $(find whole -type f)" # and two pictures a figure
 kept multiverse <whole/tables/multiverse.csv
 
 # Every instruction set, and other numbers of threads.

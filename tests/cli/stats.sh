@@ -41,7 +41,7 @@ has "$out" "Not tested, since neither has an answer"
 succeeds stats comma.csv --better smaller --out new/report --json
 golden stats-comma
 golden stats-comma new/report/results.json
-json '{"report.html", "tables/descriptives.tex", "figures/boxes.png", "figures/differences.pdf"} <= set(of["files"])'
+json '{"report.html", "tables/descriptives.tex", "figures/boxes.pdf", "figures/source/boxes.gp", "figures/differences.pdf"} <= set(of["files"])'
 json 'of["direction"] == {"wert": "smaller"}'
 for file in report.html report.md tables/results.tex; do
   grep -q 'smaller is better' new/report/$file || fail "no direction in $file"

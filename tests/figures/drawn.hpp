@@ -27,15 +27,16 @@ namespace ikbench {
 
 // Writes the figures into the folder and draws them. Returns gnuplot's message if one could not be drawn, else "".
 inline std::string drawn_as_svg(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder) {
-  figures::write_figures(figures, folder, {.render = false});
+  figures::write_figures(figures, folder, {.gnuplot = "none"});
+  const std::filesystem::path scripts = folder / figures::sources;
   std::string all;
   for (const figures::Figure& figure : figures) {
-    const std::string script = text_in(folder / (figure.name + ".gp"));
+    const std::string script = text_in(scripts / (figure.name + ".gp"));
     all += script.substr(0, script.find("set terminal @pdf")) + "unset output\nreset session\n";
   }
-  base::write_file(folder / "all.gp", all);
-  const auto result = base::ChildProcess::run({"gnuplot", "-d", "all.gp"}, folder, {});
-  std::filesystem::remove(folder / "all.gp");
+  base::write_file(scripts / "all.gp", all);
+  const auto result = base::ChildProcess::run({"gnuplot", "-d", "all.gp"}, scripts, {});
+  std::filesystem::remove(scripts / "all.gp");
   for (const figures::Figure& figure : figures) {
     const std::string svg = text_in(folder / (figure.name + ".svg"));
     if (result.succeeded && svg.ends_with("</svg>\n\n")) continue;

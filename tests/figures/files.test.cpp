@@ -99,29 +99,29 @@ TEST_CASE("a pipe that the user names is refused, and one in a folder of results
 
 TEST_CASE("a picture takes the place of a link, and keeps the permissions of a file", "[files][figure]") {
   const ScratchFolder folder;
-  const fs::path svg = folder.path / "f.svg", png = folder.path / "f.png";
+  const fs::path svg = folder.path / "f.svg", pdf = folder.path / "f.pdf";
   write_file(svg, "old");
   fs::permissions(svg, fs::perms{0600});
   write_file(folder.path / "victim", "precious");
-  fs::create_symlink("victim", png);
-  const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
+  fs::create_symlink("victim", pdf);
+  const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot data", .data = "1 1\n2 2\n"};
   REQUIRE(write_figures({figure}, folder.path, {}).empty());
   CHECK(mode_of(svg) == fs::perms{0600});
   CHECK(text_in(svg) != "old");
-  CHECK_FALSE(fs::is_symlink(png));
-  CHECK(text_in(png).starts_with("\x89PNG"));
+  CHECK_FALSE(fs::is_symlink(pdf));
+  CHECK(text_in(pdf).starts_with("%PDF"));
   CHECK(text_in(folder.path / "victim") == "precious");
 }
 
 TEST_CASE("a script or a style that lies in the folder is written anew and never run", "[files][figure]") {
   const ScratchFolder folder;
-  const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
+  const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot data ls 1", .data = "1 1\n2 2\n"};
   write_figures({figure}, folder.path, {});
   const fs::path pwned = folder.path / "pwned";
   const std::string picture = text_in(folder.path / "f.svg");
   for (const bool as_link : {false, true}) {
     for (const char* name : {"style.gp", "f.gp"}) {
-      const fs::path place = folder.path / name, file = as_link ? folder.path / "far" / name : place;
+      const fs::path place = folder.path / sources / name, file = as_link ? folder.path / "far" / name : place;
       CAPTURE(file.string());
       const std::string written = text_in(place);
       write_file(file, written + "system 'touch " + pwned.string() + "'\nset style line 1 lc rgb '#010203'\n");
@@ -137,10 +137,10 @@ TEST_CASE("a script or a style that lies in the folder is written anew and never
 
 TEST_CASE("a figure that is not drawn is told, and its old picture goes", "[files][figure]") {
   const ScratchFolder folder;
-  Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
+  Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot data", .data = "1 1\n2 2\n"};
   REQUIRE(write_figures({figure}, folder.path, {}).empty());
-  figure.plot = "plot 'f.dat' with nonsense";
-  const Figure other{.name = "g", .caption = "g", .settings = "", .plot = "plot 'g.dat'", .data = "1 1\n2 2\n"};
+  figure.plot = "plot data with nonsense";
+  const Figure other{.name = "g", .caption = "g", .settings = "", .plot = "plot data", .data = "1 1\n2 2\n"};
   const auto errors = write_figures({figure, other}, folder.path, {});
   REQUIRE(errors.size() == 1);
   CHECK(errors[0].starts_with("f is not drawn: "));
@@ -156,43 +156,62 @@ TEST_CASE("a figure that is not drawn is told, and its old picture goes", "[file
 TEST_CASE("what gnuplot warns of is told beside the picture", "[files][figure]") {
   const ScratchFolder folder;
   const Figure figure{
-      .name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat', 'gone.dat'", .data = "1 1\n2 2\n"};
+      .name = "f", .caption = "f", .settings = "", .plot = "plot data, 'gone.dat'", .data = "1 1\n2 2\n"};
   const auto warnings = write_figures({figure}, folder.path, {});
   REQUIRE(warnings.size() == 1);
   CHECK(contains(warnings[0], "gone.dat"));
   CHECK(fs::exists(folder.path / "f.svg"));
 }
 
-TEST_CASE("a picture has its caption as title, a width in points, and the same bytes each time", "[files][figure]") {
+TEST_CASE("a picture has its caption as title, a width in points, and as SVG the same bytes each time",
+          "[files][figure]") {
   const ScratchFolder folder;
   const Figure figure{.name = "f",
                       .caption = "Error of <mine> & others: as it is.",
                       .settings = "",
-                      .plot = "plot 'f.dat'",
+                      .plot = "plot data",
                       .data = "1 1\n2 2\n"};
   write_figures({figure}, folder.path, {});
-  const std::string svg = text_in(folder.path / "f.svg"), pdf = text_in(folder.path / "f.pdf");
+  const std::string svg = text_in(folder.path / "f.svg");
   CHECK(contains(svg, "<title>Error of &lt;mine&gt; &amp; others: as it is.</title>"));
   CHECK(contains(svg, "width=\"240pt\" height=\"181pt\""));
   write_figures({figure}, folder.path, {});
   CHECK(text_in(folder.path / "f.svg") == svg);
 }
 
-TEST_CASE("without drawing the pictures of an earlier report go", "[files][figure]") {
+TEST_CASE("without gnuplot the pictures of an earlier report go", "[files][figure]") {
   const ScratchFolder folder;
-  const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
+  const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot data ls 1", .data = "1 1\n2 2\n"};
   write_figures({figure}, folder.path, {});
-  write_figures({figure}, folder.path, {.render = false});
-  for (const char* const type : {".svg", ".pdf", ".png"})
-    CHECK_FALSE(fs::exists(folder.path / ("f" + std::string(type))));
+  write_figures({figure}, folder.path, {.gnuplot = "none"});
+  CHECK(files_in(folder.path) == std::set<std::string>{"source/f.gp", "source/style.gp"});
   write_figures({}, folder.path / "none", {});
   CHECK_FALSE(fs::exists(folder.path / "none"));
 }
 
+TEST_CASE("a script draws its picture again, with the words of a style", "[files][figure]") {
+  const ScratchFolder folder;
+  Figure figure{.name = "f-boxes",
+                .caption = "f",
+                .settings = linear_axis('x', std::vector{1.0, 2.0}, "error [mm]", Begins::around).settings +
+                            linear_axis('y', std::vector{1.0, 2.0}, "share", Begins::around).settings,
+                .plot = "plot data ls 1",
+                .data = "1 1\n2 2\n"};
+  reword(figure,
+         {.words = {{"f", {{"x", "Fehler größer"}, {"caption", "Bildunterschrift"}}}, {"g", {{"x", "other"}}}}});
+  CHECK(figure.caption == "Bildunterschrift");
+  REQUIRE(write_figures({figure}, folder.path, {.style = {.formats = {"svg"}}}).empty());
+  const std::string svg = text_in(folder.path / "f-boxes.svg");
+  for (const char* words : {"Fehler größer", ">share<", "Bildunterschrift"}) CHECK(contains(svg, words));
+  CHECK_FALSE(contains(svg, "error [mm]"));
+  fs::remove(folder.path / "f-boxes.svg");
+  CHECK(ChildProcess::run({"gnuplot", "f-boxes.gp"}, folder.path / sources, {"LC_ALL=C.UTF-8"}).succeeded);
+  CHECK(contains(text_in(folder.path / "f-boxes.svg"), "Fehler größer"));
+}
+
 TEST_CASE("a figure has the width, height, font, size of text, colours and formats of the style", "[files][figure]") {
   const ScratchFolder folder;
-  Figure figure{
-      .name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1 title 'x'", .data = "1 1\n2 2\n"};
+  Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot data ls 1 title 'x'", .data = "1 1\n2 2\n"};
   figure.legend = 1;
   write_figures({figure}, folder.path, {});
   const FigureStyle style{.width_cm = 12.7,
@@ -208,7 +227,7 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
     CAPTURE(part);
     CHECK(contains(svg, part));
   }
-  CHECK(!fs::exists(folder.path / "f.png"));  // of the look before
+  CHECK(!fs::exists(folder.path / "f.pdf"));  // of the look before
 }
 
 TEST_CASE("an SVG is well-formed whatever a label has", "[files][figure]") {

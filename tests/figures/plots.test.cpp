@@ -132,7 +132,7 @@ TEST_CASE("seven lines are drawn, their names in order and none above another", 
   CHECK(curves(error_in("c"), "point", lines)->legend == 0);
   lines[0].label = "solver 0 by a name that is long";
   const Figure below = *curves(error_in("c"), "point", lines);
-  CHECK(below.legend == 4);
+  CHECK(below.legend == 7);
   CHECK(contains(below.settings, "set label 'solver 6' at screen 0.05, screen up(0.35)"));
   lines.resize(1);
   CHECK_FALSE(contains(curves(error_in("c"), "point", lines)->settings, "solver 0"));

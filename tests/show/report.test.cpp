@@ -199,7 +199,7 @@ TEST_CASE("below the pairs of two solvers stands which metric decides", "[show]"
 TEST_CASE("a report is few files, and replaces those of the report before it", "[show]") {
   const ScratchFolder folder;
   const std::string hostile = "mine</script><script>alert(1)</script>{{scripts}}|";
-  const figures::RenderOptions options{.render = false};
+  const figures::RenderOptions options{.gnuplot = "none"};
   Report before = report_of();
   before.figures.push_back(figure("joints"));
   base::write_file(folder.path / "store.sqlite", "not ours");
@@ -218,11 +218,11 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   CHECK(fs::exists(folder.path / "tables" / "own.csv"));
 
   const auto json = base::parsed_json(*base::read_file(folder.path / "results.json"));
-  CHECK(json["files"].size() < 50);
+  CHECK(json["files"].size() < 40);
   for (const auto& file : json["files"]) CHECK(fs::is_regular_file(folder.path / std::string(file)));
   for (const char* file :
        {"report.html", "report.md", "results.json", "solves.csv", "tables/results.csv", "tables/pairs.tex",
-        "article/methods.tex", "article/main.tex", "article/results.txt", "tables/descriptives.md"})
+        "article/methods.tex", "article/main.tex", "figures/source/style.gp", "tables/descriptives.tex"})
     CHECK(std::ranges::find(json["files"], file) != json["files"].end());
 
   const std::string page = *base::read_file(written.page), text = *base::read_file(folder.path / "report.md");
@@ -239,17 +239,17 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
     base::write_file(out / file, "");
   base::write_file(out / "results.json", R"({"files": ["results.json", "tables/table-8.csv", "tables/mine.csv",
       "tables/results.xlsx", "store.sqlite", "../precious", "tables/../../precious", 7]})");
-  publish(report_of(), out, {.render = false});
+  publish(report_of(), out, {.only = {"none"}});
   CHECK_FALSE(fs::exists(out / "tables" / "table-8.csv"));
   for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious"})
     CHECK(fs::exists(out / file));
   for (const char* name : {"report.html", "report.md", "results.json", "solves.csv", "article/main.tex",
-                           "tables/results.csv", "figures/style.gp"}) {
+                           "tables/results.csv", "figures/source/style.gp"}) {
     const fs::path other = folder.path / fs::path(name).filename();
     base::write_file(other / name, "not ours");
     CHECK_THROWS_WITH(refuse_others(other), ContainsSubstring(name));
     if (name != std::string("solves.csv"))  // which publish does not write
-      CHECK_THROWS_WITH(publish(report_of(), other, {.render = false}), ContainsSubstring(name));
+      CHECK_THROWS_WITH(publish(report_of(), other, {.gnuplot = "none"}), ContainsSubstring(name));
     CHECK(*base::read_file(other / name) == "not ours");
   }
   // A report that was killed is continued.
@@ -261,7 +261,7 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
 TEST_CASE("a report of three solvers is short", "[show]") {
   const ScratchFolder folder;
   const auto text_of = [&](const char* file) { return *base::read_file(folder.path / file); };
-  publish(report_of(), folder.path, {.render = false});
+  publish(report_of(), folder.path, {.only = {"none"}});
   CHECK(words_in(visible(text_of("report.html"))) < 900);
   CHECK(words_in(text_of("report.md")) < 1200);
   for (const char* file : {"report.html", "report.md"}) CHECK_FALSE(contains(text_of(file), "Pictures"));  // none drawn
@@ -427,11 +427,13 @@ TEST_CASE("values below the floor of a ratio are told once", "[show]") {
 
 TEST_CASE("a report without a picture has no folder of pictures", "[show]") {
   const ScratchFolder folder;
-  publish(report_of(), folder.path, {.render = false});
+  publish(report_of(), folder.path, {.gnuplot = "none"});
+  publish(report_of(), folder.path / "drawn", {.only = {"none"}});
+  CHECK_FALSE(fs::exists(folder.path / "drawn" / "figures"));
   Report none = report_of();
   none.figures.clear();
   for (const std::string& file : publish(none, folder.path, {}).files) CHECK_FALSE(file.starts_with("figures"));
-  CHECK_FALSE(fs::exists(folder.path / "figures" / "style.gp"));
+  CHECK_FALSE(fs::exists(folder.path / "figures" / "source" / "style.gp"));
   publish(none, folder.path / "other", {});
   CHECK_FALSE(fs::exists(folder.path / "other" / "figures"));
 }
