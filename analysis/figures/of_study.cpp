@@ -160,22 +160,6 @@ std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& 
                 by_iteration(judged.study, look, average));
 }
 
-std::optional<Figure> time_tail(const JudgedStudy& judged, const Look& look) {
-  constexpr std::ptrdiff_t fewest = 300;
-  const StudyResults& study = judged.study;
-  const Metric& metric = metric_named(time);
-  const double factor = drawn_unit(study, metric.unit).factor;
-  const std::vector<std::string> without = not_compared(judged, time);
-  std::vector<std::string> solvers = drawn_solvers(study, look);
-  std::erase_if(solvers, [&](const std::string& solver) {
-    return std::ranges::count(without, solver) > 0 || std::ssize(study.of(solver)) < fewest;
-  });
-  return tails(about_of(study, metric, "Share of solves that took at least a time."),
-               successes_of(study, solvers, look, [&](const Solve& solve) {
-                 return factor * std::max(metric.value(solve, study), metric.floor);
-               }));
-}
-
 const JudgedMetric& deciding(const JudgedStudy& judged) { return judged.metrics[judged.deciding]; }
 
 std::optional<Figure> path(const JudgedStudy& judged, const Look& look) {
@@ -211,7 +195,6 @@ constexpr KindOfFigure all_kinds[]{
      [](auto& judged, auto& look) { return solved_by(judged, "evaluations", "a number of evaluations", look); }},
     {"solved-by-time", "with a tolerance, where times compare: share of targets solved within a time",
      [](auto& judged, auto& look) { return solved_by(judged, time, "a time", look); }},
-    {"time-tail", "of 300 solves or more: share that took at least a time", time_tail},
     {"ranks", "by ranks, of 3 solvers or more, no control: mean ranks; bars join pairs that are not told apart",
      [](auto& judged, auto& look) { return ranks_of(deciding(judged), drawn_solvers(judged.study, look), look); }},
     {"differences", "where pairs are tested, and not all equal: their intervals and verdicts",

@@ -247,46 +247,6 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
   return figure;
 }
 
-std::optional<Figure> tails(const About& about, const std::vector<Successes>& all) {
-  Figure figure{.name = about.name, .caption = about.caption};
-  const std::size_t drawn = drawn_of(all, most_lines, figure).size();
-  constexpr std::size_t most_single = 100;  // of the slowest; of others as many at even ranks
-  std::vector<double> costs;
-  std::vector<std::string> clauses;
-  std::vector<Named> ends;
-  std::size_t most = 0;
-  for (const Successes& each : all) {
-    costs.insert(costs.end(), each.costs.begin(), each.costs.end());
-    most = std::max(most, each.costs.size());
-  }
-  if (costs.empty()) return std::nullopt;
-  const auto [smallest, largest] = std::ranges::minmax(costs);
-  const Axis x = logarithmic_axis('x', smallest, largest, about.axis());
-  const Axis y = logarithmic_axis('y', 100 / static_cast<double>(most), 100, "solves [%]");
-  figure.data = fmt::format("# {}, share of all attempts [%]\n", about.axis());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    costs = all[i].costs;
-    std::ranges::sort(costs);
-    const std::size_t n = costs.size(), every = 1 + n / most_single;
-    figure.data += fmt::format("{}# {}\n", i == 0 ? "" : "\n\n", one_line(all[i].label));
-    std::size_t rows = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (k % every != 0 && k + most_single < n) continue;
-      figure.data += data_row({costs[k], 100 * static_cast<double>(n - k) / static_cast<double>(n)});
-      ++rows;
-    }
-    if (i >= drawn || n == 0) continue;
-    clauses.push_back(
-        fmt::format("data index {} using (place_x($1)):(place_y($2)) with linespoints ls {} pointinterval {}", i,
-                    all[i].style, 1 + rows / 8));
-    ends.push_back({all[i].label, all[i].style, y.share_of(100 / static_cast<double>(n)), x.share_of(costs.back())});
-  }
-  figure.settings += x.settings + y.settings;
-  add_names(figure, ends);
-  figure.plot = plotted(clauses);
-  return figure;
-}
-
 std::optional<Figure> ranks(const About& about, const std::vector<RankRow>& all_rows, double ruler) {
   Figure figure{.name = about.name, .caption = about.caption};
   const auto rows = drawn_of(all_rows, 20, figure);

@@ -53,9 +53,6 @@ struct Successes {
 std::optional<Figure> shares(const About& about, const std::string& y_axis, const std::vector<Successes>& all,
                              double dashed = nowhere);
 
-// How many of the costs are at least this one, both axes logarithmic.
-std::optional<Figure> tails(const About& about, const std::vector<Successes>& all);
-
 // Solvers by their place, a row each; at the right bars that join those that are not apart from one another; below a
 // length to hold against the places.
 struct RankRow {
