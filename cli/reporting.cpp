@@ -69,10 +69,10 @@ bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
   add_with_default(command, "--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
       ->delimiter(',');
-  command
-      .add_option("--style", arguments.style,
-                  "ieee, springer, slide, or a TOML file of keys of [figures], in place of the study's (list figures)")
-      ->check(not_empty());
+  add_with_default(
+      command, "--style", arguments.styles,
+      "ieee, springer, slide, or a TOML file of keys of [figures], in place of the study's (list figures); "
+      "repeat: the last counts");
   add_json_option(command, arguments.is_json);
 }
 
@@ -80,19 +80,25 @@ std::string list_of_figures() {
   Rows rows{{"FIGURE", "OF"}};
   for (const auto& [name, meaning] : show::all_figures()) rows.push_back({name, meaning});
   return aligned(rows) + fmt::format("\nStyles (--style): {}\n", fmt::join(shipped_styles(), ", ")) +
-         "\nKeys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle());
+         "\nKeys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle()) +
+         "\n[words.FIGURE]  # of a file, with x, y and caption: what its axes and its caption say\n";
 }
 
 Style styled(Style style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
-  const std::string& name = arguments.style;
-  if (!name.empty()) read_style_text(style_text(name), name, style.figures, style.tables);
+  for (const std::string& name : arguments.styles) read_style_text(style_text(name), name, style.figures, style.tables);
+  std::vector<std::string> named, texts = labels;
+  for (const auto& [name, words] : style.figures.words) {
+    named.push_back(name);
+    for (const auto& [of, text] : words) texts.push_back(text);
+  }
+  refuse_unknown_figures(named);
   for (const std::string& label : style.figures.solvers) {
     if (std::ranges::find(labels, label) == labels.end())
       throw std::invalid_argument(fmt::format("solvers of [figures]: {}", unknown_name("solver", label, labels)));
   }
   if (are_drawn(arguments.figures)) {
     refuse_unknown_figures(arguments.figures);
-    figures::refuse_missing_font(style.figures, labels);
+    figures::refuse_missing_font(style.figures, texts);
   }
   return style;
 }
@@ -188,7 +194,8 @@ judge::StudyResults exported_study(const Store& store, const StoredStudy& entry,
   return study;
 }
 
-void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options) {
+void draw(figures::Figure figure, const std::filesystem::path& folder, const figures::RenderOptions& options) {
+  figures::reword(figure, options.style);
   for (const std::string& error : figures::write_figures({figure}, folder, options)) warn(error);
 }
 

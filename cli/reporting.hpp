@@ -16,7 +16,7 @@ namespace ikbench::cli {
 struct ReportArguments {
   bool is_json = false;
   std::vector<std::string> figures = {};  // names; empty: all
-  std::string style = {};                 // shipped, or a file; its keys replace those of the study
+  std::vector<std::string> styles = {};   // shipped, or files; their keys replace those of the study
 };
 
 // The names of figures, and the keys of their look.
@@ -50,6 +50,6 @@ judge::StudyResults exported_study(const results::Store& store, const results::S
                                    const std::filesystem::path& folder);
 
 // Writes and draws a figure, and warns if it was not drawn.
-void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options);
+void draw(figures::Figure figure, const std::filesystem::path& folder, const figures::RenderOptions& options);
 
 }  // namespace ikbench::cli

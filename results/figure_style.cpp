@@ -70,6 +70,12 @@ void read_style_text(std::string_view toml, std::string_view source, FigureStyle
   base::TomlReader of_tables = reader.part("tables");
   list_fields(of_tables, tables);
   of_tables.refuse_unknown_keys();
+  base::TomlReader words = reader.part("words");
+  for (const auto& [name, node] : words.table()) {
+    base::TomlReader of_figure = words.part(name.str());
+    for (const char* of : {"x", "y", "caption"}) of_figure.text(of, style.words[std::string(name.str())][of]);
+    of_figure.refuse_unknown_keys();
+  }
   read_style(std::move(reader), style);
 }
 

@@ -75,7 +75,7 @@ std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle&
 
 // Sets the given keys and leaves the others. Throws std::invalid_argument (base/toml_table.hpp).
 void read_style(base::TomlReader reader, FigureStyle& style);
-// The same of a text, whose keys are those of [figures], and the table [tables].
+// The same of a text, whose keys are those of [figures], and the tables [tables] and [words.NAME], of a figure.
 void read_style_text(std::string_view toml, std::string_view source, FigureStyle& style, TableStyle& tables);
 
 }  // namespace ikbench::results

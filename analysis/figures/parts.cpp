@@ -33,9 +33,9 @@ std::string placed(char letter, double low, double high) {
 // That of y stands at the picture's left edge, wherever gnuplot thinks that the ticks end.
 std::string titled(char letter, const std::string& title) {
   if (title.empty()) return "";
-  const std::string text = gnuplot_text(shortened(title, letter == 'y' ? 34 : 44));
-  if (letter == 'x') return fmt::format("set xlabel {} noenhanced\n", text);
-  return fmt::format("set label {} at screen margin(0.3), graph 0.5 center rotate noenhanced tc rgb ink\n", text);
+  return title_of(letter, shortened(title, letter == 'y' ? 34 : 44)) +
+         (letter == 'x' ? "set xlabel x_title noenhanced\n"
+                        : "set label y_title at screen margin(0.3), graph 0.5 center rotate noenhanced tc rgb ink\n");
 }
 
 std::string logarithmic(char letter, double low, double high) {
@@ -86,7 +86,7 @@ std::string ticks_between(char letter, double low, double high, bool is_power) {
 // The same in every figure with two axes.
 void add_margins(Figure& figure) {
   figure.settings +=
-      "set lmargin at screen margin(1.7)\nset rmargin at screen 1 - margin(0.35)\n"
+      "set lmargin at screen margin(1.7)\nset rmargin at screen 1 - margin(0.5)\n"
       "set bmargin at screen up(1 + legend_rows_cm)\nset tmargin at screen 1 - up(0.3)\n";
 }
 
@@ -104,6 +104,10 @@ std::string gnuplot_text(std::string_view text) {
     }
   }
   return result + "'";
+}
+
+std::string title_of(char letter, std::string_view title) {
+  return fmt::format("if (!exists('{0}_title')) {0}_title = {1}\n", letter, gnuplot_text(title));
 }
 
 std::string data_row(const std::vector<double>& values) {
@@ -216,7 +220,7 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
     widest_cm = std::max(widest_cm, width_cm_of(label));
     ticks.push_back(fmt::format("{} {}", gnuplot_text(format), ticks.size() + 1));
   }
-  figure.sides_cm = widest_cm + 0.8;
+  figure.sides_cm = widest_cm + 0.95;
   add_margins(figure);
   figure.height_cm = 1.3 + row_cm * static_cast<double>(labels.size());
   figure.settings += fmt::format(
@@ -233,9 +237,10 @@ void add_names(Figure& figure, std::vector<Named> marks) {
   double widest_cm = 0;
   for (const Named& mark : marks) widest_cm = std::max(widest_cm, width_cm_of(mark.label));
   const bool is_below = widest_cm > 2;
+  const std::size_t columns = widest_cm > 3.4 ? 1 : 2;  // below
   if (is_below) {
-    figure.legend = (n + 1) / 2;
-    figure.sides_cm = std::max(figure.sides_cm, 1.3 * (widest_cm + stroke_cm));
+    figure.legend = (n + columns - 1) / columns;
+    figure.sides_cm = std::max(figure.sides_cm, 0.65 * static_cast<double>(columns) * (widest_cm + stroke_cm));
   } else {
     figure.height_cm = std::max(figure.height_cm, around_cm + row_cm * static_cast<double>(n));
     figure.sides_cm = 1.8 + stroke_cm + widest_cm;
@@ -252,8 +257,8 @@ void add_names(Figure& figure, std::vector<Named> marks) {
     const double height =
         std::clamp((at[i] + up[i]) / 2, row * static_cast<double>(n - 1 - i), 1 - row * static_cast<double>(i));
     const std::string at_name =
-        is_below ? fmt::format("screen {}, screen up({})", i % 2 == 0 ? 0.05 : 0.53,
-                               text_of(0.35 * static_cast<double>(figure.legend - i / 2)))
+        is_below ? fmt::format("screen {}, screen up({})", i % columns == 0 ? 0.05 : 0.53,
+                               text_of(0.35 * static_cast<double>(figure.legend - i / columns)))
                  : fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.3), text_of(height));
     // The marker has a label of its own, since SVG raises the text of one with a point.
     figure.settings += fmt::format(

@@ -14,7 +14,10 @@ namespace ikbench::figures {
 // style.gp's array `character`.
 std::string gnuplot_text(std::string_view text);
 
-// A line of a data file. "NaN" for what is not drawn; 1e300 for infinity: gnuplot needs room for an axis around.
+// Sets x_title or y_title, unless a style did.
+std::string title_of(char letter, std::string_view title);
+
+// A line of numbers. "NaN" for what is not drawn; 1e300 for infinity: gnuplot needs room for an axis around.
 std::string data_row(const std::vector<double>& values);
 
 std::string plotted(const std::vector<std::string>& clauses);
@@ -44,8 +47,8 @@ Axis logarithmic_axis(char letter, double smallest, double largest, const std::s
 
 // Rows 1, 2, ... from the top with their labels at the left. Sets the figure's size.
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm);
-// Names with their markers: at the right of the plot, each joined to its mark, or in two columns below where they would
-// take too much of the width. None for a single one. Sets the margins.
+// Names with their markers: at the right of the plot, each joined to its mark, or below, in two columns or one, where
+// they would take too much of the width. None for a single one. Sets the margins.
 struct Named {
   std::string label;
   int style = 1;        // 0: grey

@@ -427,7 +427,8 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
   figure.height_cm = 1.6 + static_cast<double>(drawn) * (panel_cm + gap_cm);
   const double span = std::ranges::max(all) - std::ranges::min(all);
   const double step = span >= 270 ? 180 : span >= 135 ? 90 : span >= 60 ? 30 : round_step_of(std::max(span, 1.0), 3);
-  figure.settings += linear_axis('y', all, "", Begins::around).settings +
+  figure.settings += title_of('x', "point") + title_of('y', "angle [deg]") +
+                     linear_axis('y', all, "", Begins::around).settings +
                      fmt::format(
                          "set xrange [0:{0}]\nset xtics (1, {1})\nset ytics {2}\nset tics scale 0.4\n"
                          "set samples 2\nunset key\n",
@@ -439,8 +440,8 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
       "    unset label\n    unset title\n    set format ''\n"
       "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.6 noenhanced tc rgb ink }}\n"
       "    if (r == 1) {{ set label name[c] at graph 0.5, graph 1 center offset 0, {3} noenhanced tc rgb ink }}\n"
-      "    if (r == 1 && c == 1) {{ set label 'angle [deg]' at screen margin(0.3), screen 0.5 center rotate tc rgb ink; "
-      "set label 'point' at screen 0.5, up(0.22) center tc rgb ink }}\n"
+      "    if (r == 1 && c == 1) {{ set label y_title at screen margin(0.3), screen 0.5 center rotate tc rgb ink; "
+      "set label x_title at screen 0.5, up(0.22) center tc rgb ink }}\n"
       "    if (r == {0} && c % 2 == 1) {{ set format x '%g' }}\n"
       "    plot NaN, lower[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
       "      upper[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
@@ -491,9 +492,9 @@ std::optional<Figure> bars(const About& about, const std::vector<std::string>& r
     figure.settings += fmt::format("set label {} at screen 0.5, screen up({}) center noenhanced tc rgb ink\n",
                                    gnuplot_text(key[i]), text_of(0.35 * static_cast<double>(key.size() - i)));
   figure.height_cm += 0.4;
-  figure.settings +=
-      fmt::format("set tmargin at screen 1 - up(0.7)\nset xrange [0:{}]\nset xtics ({})\nset xlabel {} noenhanced\n",
-                  pitch * static_cast<double>(panels.size()), fmt::join(ticks, ", "), gnuplot_text(about.axis()));
+  figure.settings += fmt::format(
+      "set tmargin at screen 1 - up(0.7)\nset xrange [0:{}]\nset xtics ({})\n{}set xlabel x_title noenhanced\n",
+      pitch * static_cast<double>(panels.size()), fmt::join(ticks, ", "), title_of('x', about.axis()));
   figure.plot = plotted(clauses);
   return figure;
 }

@@ -35,7 +35,7 @@ Answer answer_of(std::vector<judge::JudgedMetric> metrics, std::size_t deciding 
 Answer answer_of(const judge::JudgedStudy& judged);
 
 // With names of solvers that fit a line (base::short_names).
-constexpr std::size_t longest_name = 24;  // in a table
+constexpr std::size_t longest_name = 32;  // in a table
 Answer with_short_names(Answer answer, std::size_t length);
 
 bool is_share(const judge::JudgedMetric& judged);

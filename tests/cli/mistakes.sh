@@ -9,6 +9,7 @@ printf 'solver,error\nA,1\n' >table.csv
 printf 'solver,error\nA\u0378,1\nA\u0378,3\nB,2\nB,5\n' >glyph.csv # which no font has
 echo "a file" >file
 echo 'font = "No Such Font"' >font.toml
+printf '[words.eror-boxes]\nx = "Fehler"\n' >words.toml
 mkdir none taken folder.urdf
 mkfifo pipe.urdf
 echo "not a store" >taken/store.sqlite

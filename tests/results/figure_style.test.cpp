@@ -31,6 +31,19 @@ TEST_CASE("a style with a value that no figure may have is refused with its plac
   check_mistakes("style", "look.toml:", style_in);
 }
 
+TEST_CASE("a style file has words of figures, and the last file counts", "[style]") {
+  FigureStyle style;
+  TableStyle tables;
+  const auto read = [&](const std::string& text) { read_style_text(text, "look.toml", style, tables); };
+  read("text_pt = 10\n[words.error-boxes]\nx = 'Fehler [mm]'\ny = 'y'\n");
+  read("[words.error-boxes]\ny = 'Löser'\ncaption = 'Der Fehler.'\n");
+  CHECK(style.text_pt == 10);
+  CHECK(style.words.at("error-boxes") ==
+        std::map<std::string, std::string>{{"caption", "Der Fehler."}, {"x", "Fehler [mm]"}, {"y", "Löser"}});
+  CHECK_THROWS_AS(read("[words.error-boxes]\nz = 'a'\n"), std::invalid_argument);
+  CHECK_THROWS_AS(read("[words]\nx = 'a'\n"), std::invalid_argument);
+}
+
 TEST_CASE("a colour is six hexadecimal digits", "[style]") {
   CHECK(hex_colour("#abcdef") == "#ABCDEF");
   for (const char* const none : {"", "#", "red", "#fff", "#GGGGGG", "#ABCDEF'"}) CHECK(!hex_colour(none));
