@@ -217,6 +217,7 @@ void TomlReader::fail_number(std::string_view key, const toml::node& node, std::
 
 std::string TomlReader::where(const toml::source_region& region, std::string_view key) const {
   if (!is_of_text_) return fmt::format("{}: ", source_);
+  if (region.path && *region.path != override_source) return fmt::format("{}: ", *region.path);
   if (region.begin.line == 0 || region.path) return fmt::format("{} {}{}: ", override_source, prefix_, key);
   return fmt::format("{}:{}:{}: ", source_, region.begin.line, region.begin.column);
 }

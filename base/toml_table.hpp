@@ -21,7 +21,7 @@
 
 namespace ikbench::base {
 
-// The `path` of nodes that come from an override; nodes of a file have none.
+// The `path` of nodes that come from an override, or another option; nodes of a file have none.
 constexpr std::string_view override_source = "--set";
 
 // All of these throw std::invalid_argument with the place, as `source`:line:column, and the mistake.
@@ -58,7 +58,8 @@ class TomlReader : public Fields {
   [[noreturn]] void fail(std::string_view key, const toml::node& node, std::string_view expected) const;
   // Adds ", without quotes" for a number in quotes.
   [[noreturn]] void fail_number(std::string_view key, const toml::node& node, std::string_view expected) const;
-  // "study.toml:3:8: "; "--set path.tool: " for an override; "study x: " for a table that was no text.
+  // "study.toml:3:8: "; "--set path.tool: " for an override, "--robot: " of an option; "study x: " for a table that was
+  // no text.
   std::string where(const toml::source_region& region, std::string_view key) const;
 
   TomlReader nested(const toml::table& table, std::string prefix) const {

@@ -299,8 +299,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   command->add_option("--time-margin", arguments->time_margin,
                       "times decide, by this margin; two stores must have been solved in turn (cli/gate.sh with OLD)");
   command->add_flag("--strict", arguments->is_strict, "exit with 4 if nothing is worse but something is not decided");
-  command->add_option("-o,--output", arguments->output, "also write the verdict as Markdown to this file")
-      ->check(not_empty());
+  add_out_option(*command, arguments->output, "also write the verdict as Markdown to this file");
   add_json_option(*command, arguments->is_json);
   command->footer(
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"

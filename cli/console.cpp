@@ -207,9 +207,10 @@ void ProgressBar::show(const Progress& progress) {
 std::filesystem::path folder_for(std::string_view study, const std::string& out) {
   if (!out.empty()) return out;
   constexpr std::size_t longest = 100;
-  std::string name(study.substr(0, longest));
+  std::string name(base::front(base::one_line(study), longest));
   for (char& c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.') c = '_';
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80 && std::isalnum(byte) == 0 && c != '-' && c != '_' && c != '.') c = '_';
   }
   if (name.empty() || name.front() == '.') name = '_' + name;
   return std::filesystem::path("out") / name;

@@ -94,7 +94,7 @@ class ProgressBar : boost::noncopyable {
   Clock::time_point started_, next_;
 };
 
-// `out`, or if it is empty out/<name>, where '_' replaces all but letters, digits, '-', '_' and '.' in the name.
+// `out`, or if it is empty out/<name>, where '_' replaces all of ASCII but letters, digits, '-', '_' and '.'.
 std::filesystem::path folder_for(std::string_view study, const std::string& out);
 
 }  // namespace ikbench::cli

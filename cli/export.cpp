@@ -28,7 +28,7 @@ void add_export(CLI::App& app, Invocation&) {
   add_with_default(*command, "--format", arguments->format,
                    "csv: a row for each solve; fingerprint: a hash of every bit but of times")
       ->check(CLI::IsMember({"csv", "fingerprint"}));
-  add_with_default(*command, "-o,--output", arguments->file, "file to write; - for standard output");
+  add_out_option(*command, arguments->file, "file to write; - for standard output");
   command->footer(
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format fingerprint\n"

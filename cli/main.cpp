@@ -25,7 +25,7 @@
 #include "robots/urdf.hpp"
 
 namespace ikbench::cli {
-#define COMMAND(name) void add_##name(CLI::App& app, Invocation& invocation);
+#define COMMAND(name, use) void add_##name(CLI::App& app, Invocation& invocation);
 #include "cli/commands.inc"
 #undef COMMAND
 }  // namespace ikbench::cli
@@ -60,16 +60,16 @@ int main(int argc, char** argv) {
       "  ikbench reproduce         repeats Slim et al. 2023: which of its claims hold?\n"
       "  ikbench run my.toml       compares the solvers of a study, and writes a report\n"
       "  ikbench stats my.csv      says which group of your own data is better, or asks\n"
-      "  ikbench COMMAND --help    has more\n\n"
-      "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system, "
-      "3 something is worse, 4 something is not decided or tested (compare --strict), 5 solves are missing (merge), 128 + a signal's number.");
+      "  ikbench COMMAND --help    has more");
   app.set_version_flag("--version", program_name());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("ikbench: {}\n  see --help\n", cli::printable(error.what()));
   });
   cli::Invocation invocation{.command = cli::shell_command("ikbench", {argv + 1, argv + argc})};
-#define COMMAND(name) cli::add_##name(app, invocation);
+#define COMMAND(name, use)          \
+  cli::add_##name(app, invocation); \
+  app.get_subcommands({}).back()->group(use);
 #include "cli/commands.inc"
 #undef COMMAND
   std::vector<std::string> commands;
@@ -101,8 +101,7 @@ int main(int argc, char** argv) {
     for (const std::string& word : command.remaining()) {
       if (!word.starts_with('-')) continue;
       const std::string name = word.substr(0, word.find('='));
-      const std::string nearest =
-          nearest_name(name == "-o" ? "out" : name.substr(std::min<std::size_t>(2, name.size())), options);
+      const std::string nearest = nearest_name(name.substr(std::min<std::size_t>(2, name.size())), options);
       cli::say_mistake(fmt::format("{} has no option {}; {}see --help", command.get_name(), front(name, 100),
                                    nearest.empty() ? "" : fmt::format("did you mean --{}? Or ", nearest)));
       return 1;

@@ -49,14 +49,13 @@ void add_merge(CLI::App& app, Invocation& invocation) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("merge", "Put the stores of several shards or machines together into one");
-  command->add_option("OUT", arguments->out, "folder of the store that gets all; it may have one already")
-      ->required()
-      ->check(not_empty());
   command
-      ->add_option("IN", arguments->places,
-                   "stores, folders with a store.sqlite, or a folder of such folders, as out/<study>/shards")
+      ->add_option("FOLDERS", arguments->places,
+                   "first that of the store that gets all, unless -o names it; then stores, folders with a "
+                   "store.sqlite, or a folder of such folders, as out/<study>/shards")
       ->required()
       ->check(not_empty());
+  add_out_option(*command, arguments->out, "folder of the store that gets all; it may have one already");
   command->footer(
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
@@ -64,6 +63,11 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "then 5. A store with a wrong solve is named and left out; the exit code is then 1. After a merge that was killed "
       "give the same command again.");
   command->callback([arguments, &invocation] {
+    if (arguments->out.empty()) {
+      arguments->out = arguments->places.front();
+      arguments->places.erase(arguments->places.begin());
+    }
+    if (arguments->places.empty()) throw std::invalid_argument("nothing to merge; expected merge OUT IN ...");
     const fs::path out = store_in(arguments->out);
     std::vector<fs::path> stores;
     for (const std::string& place : arguments->places) std::ranges::copy(stores_in(place), std::back_inserter(stores));

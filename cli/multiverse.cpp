@@ -85,8 +85,7 @@ void add_multiverse(CLI::App& app, Invocation&) {
   add_number(*command, "--jobs", arguments->jobs, {1, 1024},
              "number of solvers at once; the results do not depend on it");
   add_with_default(*command, "--set", arguments->overrides, "change a key in every reading: runs=5, path.points=10");
-  command->add_option("--out", arguments->out, "folder for the table; default: out/PAPER-multiverse")
-      ->check(not_empty());
+  add_out_option(*command, arguments->out, "folder for the table; default: out/PAPER-multiverse");
   command->footer(
       "  ikbench multiverse slim2023 --list\n"
       "  ikbench multiverse slim2023 --small --seeds 2 --out out/small\n"

@@ -57,6 +57,10 @@ void add_link_options(CLI::App& command, robots::UrdfChoice& urdf) {
   command.add_option("--tip", urdf.tip, "link of a URDF file where it ends; default: behind the most joints");
 }
 
+CLI::Option* add_out_option(CLI::App& command, std::string& out, const std::string& meaning) {
+  return add_with_default(command, "-o,--out", out, meaning)->check(not_empty());
+}
+
 void add_json_option(CLI::App& command, bool& is_json) {
   command.add_flag("--json", is_json, "print the answer as JSON");
 }

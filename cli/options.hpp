@@ -44,6 +44,8 @@ void add_time(CLI::App& command, const std::string& name, double& seconds, const
 // Adds --base and --tip, links of a URDF file.
 void add_link_options(CLI::App& command, robots::UrdfChoice& urdf);
 
+// Adds -o, the place of the output, a folder or a file.
+CLI::Option* add_out_option(CLI::App& command, std::string& out, const std::string& meaning);
 void add_json_option(CLI::App& command, bool& is_json);
 void show_json(const base::OrderedJson& json);
 

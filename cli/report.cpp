@@ -83,8 +83,7 @@ void add_report(CLI::App& app, Invocation&) {
   command->add_option("STORE", arguments->stores, "path of a store.sqlite; of several: one table, solvers by studies")
       ->required();
   add_study_option(*command, arguments->study);
-  command->add_option("--out", arguments->out, "folder to write to; default: the folder of the store")
-      ->check(not_empty());
+  add_out_option(*command, arguments->out, "folder to write to; default: the folder of the store");
   add_report_options(*command, arguments->report);
   command->footer(
       "  ikbench report out/my/store.sqlite\n"

@@ -147,7 +147,7 @@ void add_robot(CLI::App& app, Invocation&) {
       ->check(number_in({0, 1}));
   command->add_flag("--links", arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
   command->add_flag("--urdf", arguments->shows_urdf, "print the arm as a URDF file, and nothing else");
-  command->add_option("--out", arguments->out, "also draw the arm into this folder: robot.svg, .pdf, .png");
+  add_out_option(*command, arguments->out, "also draw the arm into this folder: robot.svg and .pdf");
   command->footer(
       "  ikbench robot ur5e\n"
       "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45 --out out/panda\n"

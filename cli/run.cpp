@@ -82,14 +82,14 @@ void add_run(CLI::App& app, Invocation& invocation) {
     Overrides overrides = arguments->set;
     std::string& name = arguments->study;
     const bool is_of_any_arm = name.empty();
-    if (!arguments->robot.empty()) overrides.insert(overrides.begin(), "robot=" + arguments->robot);
+    if (!arguments->robot.empty()) overrides.insert(overrides.begin(), "--robot robot=" + arguments->robot);
     for (const auto& [key, link] : {std::pair{"base", arguments->urdf.base}, {"tip", arguments->urdf.tip}})
-      if (!link.empty()) overrides.push_back(fmt::format("urdf.{}={}", key, link));
-    if (const double limit = arguments->limit; limit > 0) {
-      const Overrides alone{fmt::format("stop.seconds={}", limit), "stop.evaluations=0", "stop.iterations=1000000",
-                            fmt::format("analysis.deadline_ms={}", 1000 * limit)};
-      overrides.insert(overrides.begin(), alone.begin(), alone.end());
-    }
+      if (!link.empty()) overrides.push_back(fmt::format("--{0} urdf.{0}={1}", key, link));
+    if (const double limit = arguments->limit; limit > 0)
+      for (const std::string& key :
+           {fmt::format("stop.seconds={}", limit), std::string("stop.evaluations=0"),
+            std::string("stop.iterations=1000000"), fmt::format("analysis.deadline_ms={}", 1000 * limit)})
+        overrides.insert(overrides.begin(), "--limit " + key);
     if (is_of_any_arm && arguments->robot.empty())
       throw std::invalid_argument(
           "no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");

@@ -50,7 +50,7 @@ void warn_of_unreachable(const Study& study) {
 }  // namespace
 
 void add_run_options(CLI::App& command, RunArguments& arguments) {
-  command.add_option("--out", arguments.out, "folder for the results; default: out/<study>")->check(not_empty());
+  add_out_option(command, arguments.out, "folder for the results; default: out/<study>");
   add_number(command, "--jobs", arguments.jobs, {1, 1024}, "number of solves at once; times are compared only with 1");
 }
 

@@ -139,7 +139,7 @@ void add_stats(CLI::App& app, Invocation& invocation) {
   add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]")
       ->check(not_empty());
   add("--significance", arguments->plan.significance, "of all pairs together")->check(number_in({0.0001, 0.2}));
-  auto* const out = add("--out", arguments->out, "folder for a report")->check(not_empty());
+  auto* const out = add_out_option(*command, arguments->out, "folder for a report");
   add_report_options(*command, arguments->report);
   for (const char* name : {"--figures", "--style"}) command->get_option(name)->needs(out);
   command->footer(

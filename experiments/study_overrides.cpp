@@ -19,24 +19,27 @@ using namespace solvers;
 
 namespace {
 
-// Inserts the text as a TOML value, or else as a string: people type both `runs=5` and `path.tool=eq27`.
-void insert(toml::table& table, std::string_view key, const std::string& text) {
-  refuse_deep_keys(text, override_source);
-  try {
-    toml::table parsed = toml::parse(std::string_view("value = " + text), override_source);
-    if (parsed.size() == 1) {
+// Inserts the text as a TOML value, or else as a string: people type both `runs=5` and `path.tool=eq27`. The value
+// knows the option that gave it.
+void insert(toml::table& table, std::string_view key, const std::string& text, std::string_view option) {
+  refuse_deep_keys(text, option);
+  for (const std::string& toml : {text, toml_string(text)}) {
+    try {
+      toml::table parsed = toml::parse(std::string_view("value = " + toml), option);
+      if (parsed.size() != 1) continue;
       parsed.get("value")->visit([&](auto& value) { table.insert_or_assign(key, std::move(value)); });
       return;
+    } catch (const toml::parse_error&) {
     }
-  } catch (const toml::parse_error&) {
   }
   table.insert_or_assign(key, text);
 }
 
-toml::table& subtable(toml::table& table, std::string_view key) {
-  if (!table.contains(key)) table.insert(key, toml::table{});
+toml::table& subtable(toml::table& table, std::string_view key, std::string_view option) {
+  if (!table.contains(key)) insert(table, key, "{}", option);
   toml::table* part = table.get(key)->as_table();
-  if (part == nullptr) throw std::invalid_argument(fmt::format("--set {}: {} of the study is not a table", key, key));
+  if (part == nullptr)
+    throw std::invalid_argument(fmt::format("{} {}: {} of the study is not a table", option, key, key));
   return *part;
 }
 
@@ -56,12 +59,15 @@ std::set<std::string> settings_of(const std::string& solver) {
 
 // Applies one override to a study's table. "IK-BA.alpha" is of the entries with that label or solver, and "sweep.alpha"
 // of those whose solver has that setting.
-void override_one(toml::table& study, const std::string& text) {
+void override_one(toml::table& study, const std::string& typed) {
+  const std::size_t blank = typed.starts_with("--") ? typed.find(' ') : std::string::npos;
+  const std::string option(blank == std::string::npos ? override_source : typed.substr(0, blank)),
+      text = blank == std::string::npos ? typed : typed.substr(blank + 1);
   const std::size_t equals = text.find('=');
   constexpr std::size_t longest_key = 300;
   if (equals == std::string::npos || equals == 0 || equals > longest_key) {
     throw std::invalid_argument(
-        fmt::format("--set {}: expected key=value, such as runs=5 or ik_bat.bounds=clamp", text.substr(0, 100)));
+        fmt::format("{} {}: expected key=value, such as runs=5 or ik_bat.bounds=clamp", option, text.substr(0, 100)));
   }
   const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
   const std::size_t dot = key.rfind('.');
@@ -69,15 +75,16 @@ void override_one(toml::table& study, const std::string& text) {
     constexpr std::array<std::string_view, 5> stops{"seconds", "iterations", "evaluations", "tolerance_cm",
                                                     "tolerance_deg"};
     if (std::ranges::find(stops, key) != stops.end())
-      throw std::invalid_argument(fmt::format("--set {0}: unknown key; did you mean stop.{0}?", key));
-    return insert(study, key, value);
+      throw std::invalid_argument(fmt::format("{0} {1}: unknown key; did you mean stop.{1}?", option, key));
+    return insert(study, key, value, option);
   }
   const std::string owner = key.substr(0, dot), field = key.substr(dot + 1);
   if (owner.empty() || field.empty()) {
-    throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
+    throw std::invalid_argument(
+        fmt::format("{} {}: expected a name on both sides of the dot", option, text.substr(0, 100)));
   }
   std::set<std::string> owners{"analysis", "figures", "loop", "path", "stop", "tables", "urdf"}, settings;
-  if (owners.contains(owner)) return insert(subtable(study, owner), field, value);
+  if (owners.contains(owner)) return insert(subtable(study, owner, option), field, value, option);
   const bool is_of_all = owner == swept_owner;
   bool is_known = false;
   if (toml::array* const entries = study["solvers"].as_array()) {
@@ -90,7 +97,7 @@ void override_one(toml::table& study, const std::string& text) {
       if (is_of_all ? own.contains(field) : owner == label || owner == solver) {
         const bool is_of_entry =
             field == population_key || field == "colour" || field == "memory_mb" || field == "patience_s";
-        insert(is_of_entry ? *entry : subtable(*entry, "options"), field, value);
+        insert(is_of_entry ? *entry : subtable(*entry, "options", option), field, value, option);
         is_known = true;
       }
       settings.insert(own.begin(), own.end());
@@ -99,10 +106,9 @@ void override_one(toml::table& study, const std::string& text) {
   }
   if (is_known) return;
   owners.erase("");
-  throw std::invalid_argument(
-      is_of_all
-          ? fmt::format("--sweep {}: {}", field, unknown_name("setting", field, {settings.begin(), settings.end()}))
-          : fmt::format("--set {}: {}", key, unknown_name("solver", owner, {owners.begin(), owners.end()})));
+  throw std::invalid_argument(fmt::format("{} {}: {}", option, is_of_all ? field : key,
+                                          is_of_all ? unknown_name("setting", field, {settings.begin(), settings.end()})
+                                                    : unknown_name("solver", owner, {owners.begin(), owners.end()})));
 }
 
 std::string sweep_override(const std::string& text) {
@@ -122,8 +128,9 @@ std::string sweep_override(const std::string& text) {
     from = end + 1;
   }
   const std::string setting = text.substr(0, equals);
-  return fmt::format(
-      "{}=[{}]", setting.find('.') == std::string::npos ? fmt::format("{}.{}", swept_owner, setting) : setting, values);
+  return fmt::format("--sweep {}=[{}]",
+                     setting.find('.') == std::string::npos ? fmt::format("{}.{}", swept_owner, setting) : setting,
+                     values);
 }
 
 }  // namespace ikbench::experiments

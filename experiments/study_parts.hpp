@@ -16,7 +16,8 @@ constexpr std::string_view population_key = "population";
 constexpr std::string_view not_enforced =
     "bounds is \"initial\", but limits is \"enforced\"; expected bounds by which answers are inside the limits";
 
-// study_overrides.cpp: sets a key of the study, or settings of its solvers, by "key=value".
+// study_overrides.cpp: sets a key of the study, or settings of its solvers, by "key=value" or "--option
+// key=value".
 void override_one(toml::table& study, const std::string& text);
 
 // study_entries.cpp: the solvers of a study, a sweep as one entry per combination.

@@ -10,7 +10,7 @@
 namespace ikbench::experiments {
 
 // Overrides of a study, "key=value": `runs=5`, `path.tool=eq27`, or an option of the solvers with that label or solver:
-// `IK-BA.bounds=clamp`.
+// `IK-BA.bounds=clamp`. Messages name --set, or another option that stands before: `--robot robot=ur5e`.
 using Overrides = std::vector<std::string>;
 
 // The override that sweeps a setting of one solver ("IK-BA.alpha=0.5,0.9"), or of all built-in ones that have it

@@ -10,6 +10,7 @@
 using ikbench::cli::aligned;
 using ikbench::cli::cancelled_exit_code;
 using ikbench::cli::CancelOnSignal;
+using ikbench::cli::folder_for;
 using ikbench::cli::ProgressBar;
 using ikbench::cli::SignalWatch;
 using ikbench::cli::wrapped;
@@ -66,6 +67,13 @@ TEST_CASE("rows that are too wide wrap the words of their widest columns", "[con
   CHECK(aligned({{"A", "B", "C"}, {"1", "one two", "x"}}, 10) == "A  B     C\n1  one   x\n   two\n");
   CHECK(aligned({{"A"}, {"longword"}}, 4) == "A\nlongword\n");
   CHECK(aligned({}, 10).empty());
+}
+
+TEST_CASE("a folder has the letters of its study's name", "[console]") {
+  CHECK(folder_for("Kurs – Übung 1/2", "") == "out/Kurs_–_Übung_1_2");
+  CHECK(folder_for("../a\nb\u202e\xff", "") == "out/_.._a_b_\uFFFD");
+  CHECK(folder_for(std::string(99, 'a') + "ü", "") == "out/" + std::string(99, 'a'));
+  CHECK(folder_for("a", "b/c") == "b/c");
 }
 
 TEST_CASE("a signal that was answered is told at the end, and after the end one ends the program",

@@ -24,7 +24,7 @@ for name in chained drawn; do
 done
 
 # Merged again, one by one or with itself, nothing is added. The verdict is the same, bit for bit, but for times.
-succeeds merge chained/7 chained/7/shards/{5,1}-of-7 chained/7/store.sqlite chained/7/shards/5-of-7/store.sqlite
+succeeds merge chained/7/shards/{5,1}-of-7 -o chained/7 chained/7/store.sqlite chained/7/shards/5-of-7/store.sqlite
 counts 0 72 # 6 solvers x 3 points x (1 run + 2 + 1), without itself
 for n in one 7; do succeeds report chained/$n/store.sqlite --figures none --out report-$n; done
 cmp <(grep -v '^time,' report-one/tables/descriptives.csv) <(grep -v '^time,' report-7/tables/descriptives.csv) || fail "another report of shards"
@@ -59,6 +59,7 @@ for command in verify "report --figures none"; do refused "stops by iterations" 
 cp -r drawn/7/shards/2-of-7 edited
 sqlite3 edited/store.sqlite "UPDATE solves SET evaluations = evaluations + 1 WHERE label = 'bat'"
 refused "run 1, point 2" merge drawn/7 edited
+refused "nothing to merge" merge drawn/7
 refused edited merge new drawn/7/shards/2-of-7 edited
 mkdir bad && echo text >bad/store.sqlite
 refused bad merge drawn/7 bad

@@ -494,6 +494,12 @@ TEST_CASE("a mistake in an override is reported as that of --set, not of the fil
   check_mistakes("set", "--set ", [](const std::string& override) { read(solver_entry, {override}); });
 }
 
+TEST_CASE("a mistake in another option is reported as that option's", "[study][set][mistakes]") {
+  CHECK(said_of(solver_entry, {"--robot robot=ur5f"}).starts_with("--robot: unknown robot"));
+  CHECK(said_of(solver_entry, {"--tip urdf.tip=tool0"}).starts_with("--tip: [urdf] is about"));
+  CHECK(said_of(solver_entry, {"--sweep ik_bat.alpha=[7, ]"}).starts_with("--sweep: "));
+}
+
 TEST_CASE("an override is key=value", "[study][set][mistakes]") {
   for (const std::string malformed : {"", "=", "=3", "runs", "runs 5", ".alpha=0.5", "ik_bat.=0.5", "."}) {
     INFO(malformed);
