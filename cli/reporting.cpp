@@ -64,6 +64,18 @@ std::string style_text(const std::string& name) {
 
 bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
 
+// Solvers whose program failed in every solve; one that only misses, or declines, did answer.
+std::vector<std::string> never_answering(const judge::StudyResults& study) {
+  std::vector<std::string> labels;
+  for (const std::string& label : study.labels) {
+    const auto failed = [](const judge::Solve& solve) {
+      return solve.status >= Status::crashed && solve.status <= Status::broke_protocol;
+    };
+    if (std::ranges::all_of(study.of(label), failed)) labels.push_back(label);
+  }
+  return labels;
+}
+
 }  // namespace
 
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
@@ -163,14 +175,21 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
                                             : fmt::format("{}Report: {}\n", screen, page)));
 }
 
-void write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
+bool write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
   const Style style = styled(study, arguments);  // refuses before the study is read
   show::refuse_others(folder);
   judge::JudgedStudy judged = judge::judge(exported_study(store, study, folder));
+  const std::vector<std::string> silent = never_answering(judged.study);
+  if (!silent.empty()) {
+    const std::string text = fmt::format("{} gave no answer in any solve (crash, time-out or protocol).",
+                                         fmt::join(silent, separator_of(silent)));
+    arguments.is_json ? say(text) : fmt::print("{}\n", wrapped(text));
+  }
   const figures::Look look = figures::look_of(judged, style.figures);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
   announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, {look.style, style.tables});
+  return !silent.empty();
 }
 
 judge::StudyResults checked_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {

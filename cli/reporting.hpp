@@ -38,8 +38,9 @@ std::vector<std::string> references_of(std::string_view name);
 // Writes the report into the folder, and prints its screen (the study's, if it is empty) or JSON.
 void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const Style& style, const std::string& screen = {});
-// The report of a study of the store, written and announced.
-void write_and_announce(const results::Store& store, const results::StoredStudy& study,
+// The report of a study of the store, written and announced. Says first which solvers gave no answer in any solve, and
+// returns whether there are such.
+bool write_and_announce(const results::Store& store, const results::StoredStudy& study,
                         const std::filesystem::path& folder, const ReportArguments& arguments);
 
 // Reads a study, computes the errors of all its solves again (experiments/runner.hpp), and passes each on to `also`.

@@ -119,7 +119,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       return;
     }
     const Store store(store_in(folder), Store::Mode::read);
-    write_and_announce(store, stored, folder, arguments->report);
+    if (write_and_announce(store, stored, folder, arguments->report)) invocation.exit_code = 3;
   });
 }
 

@@ -53,11 +53,19 @@ equal "evaluations that nobody counted" "$(column $store evaluations good | tr -
 [[ $(column $store timing good | counted) =~ ^16\ (process|debug_build)$ ]] || fail "$(column $store timing good | counted)"
 equal "moves of solves without an answer" "$(sqlite3 $store "SELECT count(*) FROM solves WHERE
   status IN ('crashed', 'timed_out', 'broke_protocol', 'declined') AND start_rad <> answer_rad")" 0
-succeeds run faults.toml --figures none --out faults --json
+ends 3 run faults.toml --figures none --out faults --json # since some answer in no solve
+[[ $err == *"years gave no answer in any solve"* ]] || fail "not told: $err"
 equal "solves of a second run" "$(solves $store)" 272
 json 'any("lies" in doubt and "claimed" in doubt for doubt in of["doubts"])'
 ends 3 compare good declines --store $store --json
 json 'of["newly_missing"]["declines"] > 0'
+
+study silent "$(entry dies dies)" "$(entry declines declines)"
+succeeds run silent.toml --figures none --out silent
+study silent "$(entry years "takes years")"
+ends 3 run silent.toml --figures none --out silent
+equal "first line" "$(head -n 1 .out)" "years gave no answer in any solve (crash, time-out or protocol)."
+[ "$(tail -n 1 .out)" = "Report: silent/report.html" ] && [ -s silent/report.html ] || fail "no report: $out"
 
 # Ends: one that is edited while it runs is another; one that is stuck, in a group of its own, is ended.
 sed '/solves += 1/a\        if solves == 6: open(__file__, "a").write("#"); os._exit(3)' faulty.py >changing.py
