@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/names.hpp"
-#include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "experiments/foreign/foreign_solver.hpp"

@@ -19,9 +19,7 @@
 #include "base/json.hpp"
 #include "base/names.hpp"
 #include "base/number.hpp"
-#include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 
 namespace ikbench::cli {

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "base/files.hpp"
-#include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "results/fingerprint.hpp"
@@ -36,11 +35,15 @@ void add_export(CLI::App& app, Invocation&) {
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
+    const auto write_it = [&](const Contents& contents) {
+      if (arguments->file != "-") return write_through(arguments->file, contents);
+      contents([](std::string_view part) { std::fwrite(part.data(), 1, part.size(), stdout); });  // which main checks
+    };
     if (arguments->format == "fingerprint") {
-      const auto [text, solves] = fingerprint(store, study);
-      const std::string line = fmt::format("{}  {}  {}\n", text, solves, printable(study.name));
-      if (arguments->file == "-") return fmt::print("{}", line);
-      return write_through(arguments->file, [&](const Write& write) { write(line); });
+      const auto found = fingerprint(store, study);
+      return write_it([&](const Write& write) {
+        write(fmt::format("{}  {}  {}\n", found.text, found.solves, printable(study.name)));
+      });
     }
     store.at_one_moment([&] {
       const bool has_bar = arguments->file != "-" || isatty(STDOUT_FILENO) == 0;  // else it would be among the solves
@@ -56,13 +59,7 @@ void add_export(CLI::App& app, Invocation&) {
           if (bar) bar->show(progress);
         });
       };
-      if (arguments->file == "-") {
-        // main checks that it could be written
-        write_csv(
-            pass, [](std::string_view part) { std::fwrite(part.data(), 1, part.size(), stdout); }, extras);
-      } else {
-        write_through(arguments->file, [&](const Write& write) { write_csv(pass, write, extras); });
-      }
+      write_it([&](const Write& write) { write_csv(pass, write, extras); });
     });
   });
 }

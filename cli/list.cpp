@@ -12,7 +12,6 @@
 #include "base/inputs.hpp"
 #include "base/names.hpp"
 #include "base/toml_table.hpp"
-#include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study_reader.hpp"

@@ -18,8 +18,8 @@
 
 #include "analysis/show/text.hpp"
 #include "base/names.hpp"
-#include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/options.hpp"
 #include "experiments/environment.hpp"
 #include "numerics/instruction_set.hpp"
 #include "robots/urdf.hpp"

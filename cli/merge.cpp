@@ -10,9 +10,7 @@
 
 #include "base/files.hpp"
 #include "base/names.hpp"
-#include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/running.hpp"
 #include "experiments/runner.hpp"
 

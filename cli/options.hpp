@@ -1,4 +1,4 @@
-// Checks of options, options that commands share, and JSON as an answer.
+// What commands are, checks of options, options that commands share, and JSON as an answer.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,6 +12,15 @@
 #include "robots/robot.hpp"
 
 namespace ikbench::cli {
+
+// The commands. One is a line in commands.inc, in the order of --help, with what it is used for, and a file, which
+// defines void add_NAME(CLI::App&, Invocation&). It adds itself to the program and sets its exit code: 0 done, 1 a
+// user's mistake or a damaged store, 2 our mistake or the system's, 3 something is worse or never answers, 4 not
+// decided, 5 solves are missing, 128 + the number of the signal that stopped it.
+struct Invocation {
+  std::string command;  // as typed, as a shell would take it again
+  int exit_code = 0;
+};
 
 // Accepts a decimal number in the range: CLI11 accepts more texts as numbers.
 CLI::Validator number_in(std::pair<double, double> range);

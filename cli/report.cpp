@@ -16,9 +16,7 @@
 #include "analysis/judge/judge.hpp"
 #include "analysis/show/answer_tables.hpp"
 #include "analysis/show/publish.hpp"
-#include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
 

@@ -18,7 +18,6 @@
 #include "base/inputs.hpp"
 #include "base/names.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_writer.hpp"

@@ -7,7 +7,7 @@
 
 #include "analysis/judge/study.hpp"
 #include "analysis/show/report.hpp"
-#include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "results/figure_style.hpp"
 #include "results/store.hpp"
 

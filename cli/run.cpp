@@ -9,9 +9,7 @@
 
 #include "analysis/show/publish.hpp"
 #include "base/names.hpp"
-#include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "cli/running.hpp"
 #include "experiments/runner.hpp"

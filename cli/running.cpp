@@ -12,7 +12,6 @@
 #include "analysis/judge/observe.hpp"
 #include "base/names.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "experiments/environment.hpp"
 #include "results/merge.hpp"
 

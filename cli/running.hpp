@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/papers/multiverse.hpp"
-#include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "experiments/multiverse.hpp"
 #include "experiments/runner.hpp"
 #include "results/store.hpp"

@@ -17,9 +17,7 @@
 #include "analysis/show/words.hpp"
 #include "base/csv.hpp"
 #include "base/inputs.hpp"
-#include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 
 namespace ikbench::cli {
@@ -54,20 +52,10 @@ std::string direction_of(const std::vector<judge::JudgedMetric>& metrics) {
   return "smaller is better" + (larger.empty() ? "" : fmt::format(" ({}: larger)", fmt::join(larger, ", ")));
 }
 
-// Tests of many values take some seconds.
-void say_if_long(const std::vector<judge::Group>& groups) {
-  constexpr std::size_t many = 200'000;
-  std::size_t values = 0;
-  for (const judge::Group& group : groups) values += values_of(group).size();
-  if (values > many)
-    say(fmt::format("comparing {} pairs of groups, {} values", groups.size() * (groups.size() - 1) / 2, values));
-}
-
 // With figures, and the look that they have, if there is a folder for them.
 show::Report judged(const StatsArguments& arguments, Style& style) {
   const std::string text = contents_of(arguments.file), source = name_of_source(arguments.file);
   csv::Quantities quantities = csv::read(text, source, arguments.csv);
-  say_if_long(quantities.observed.front().groups);
   std::vector<judge::JudgedMetric> metrics;
   for (judge::Observations& observed : quantities.observed) {
     const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, observed);

@@ -6,9 +6,7 @@
 #include <optional>
 
 #include "base/names.hpp"
-#include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/runner.hpp"
 #include "results/merge.hpp"
