@@ -182,25 +182,6 @@ show::Answer answer_of(const Gate& gate) {
   return answer;
 }
 
-// "mine: these 100 targets show a loss of 14 points or more with a chance of 0.8; 5 points take 700", of one label
-// without its name. Of solves that are the same nothing is left to show.
-std::string sights_of(const std::vector<Gate>& all) {
-  show::ByWord shown;
-  for (const Gate& gate : all) {
-    if (!gate.sight || gate.are_same) continue;
-    const auto& [smallest, n, of_margin] = *gate.sight;
-    shown.add(fmt::format("these {} show a loss of {:.2g} points or more with a chance of 0.8{}",
-                          base::counted(n, answer_of(gate).noun), std::ceil(100 * smallest),
-                          of_margin > n ? fmt::format("; {:.2g} points take {}",
-                                                      100 * gate.judged.metrics.front().plan.margin, of_margin)
-                                        : ""),
-              gate.label);
-  }
-  std::string text = fmt::format("{}", fmt::join(shown.told(all.size() == 1 ? "{0}." : "{1}: {0}."), " "));
-  if (all.size() == 1 && !text.empty()) text.front() = 'T';
-  return text;
-}
-
 // What all labels that differ have in common; empty if none does.
 std::string note_of(const std::vector<Gate>& all) {
   if (std::ranges::none_of(all, is_told)) return "";
@@ -220,8 +201,7 @@ std::string note_of(const std::vector<Gate>& all) {
 std::string screen_of(const std::vector<Gate>& all) {
   std::string text;
   for (const Gate& gate : all) text += is_told(gate) ? show::screen(answer_of(gate)) + '\n' : "";
-  for (const std::string& last : {note_of(all), verdict_of_same(all), sights_of(all)})
-    text += last.empty() ? "" : wrapped(last) + '\n';
+  for (const std::string& last : {note_of(all), verdict_of_same(all)}) text += last.empty() ? "" : wrapped(last) + '\n';
   return text;
 }
 
@@ -273,8 +253,7 @@ std::string markdown_of(const std::vector<Gate>& all) {
                         show::markdown_text(fmt::format("{}", fmt::join(sentences, " "))));
   }
   const std::string same = show::markdown_text(verdict_of_same(all));
-  std::vector<std::string> last{show::markdown_text(note_of(all)), same.empty() ? "" : fmt::format("**{}**", same),
-                                show::markdown_text(sights_of(all))};
+  std::vector<std::string> last{show::markdown_text(note_of(all)), same.empty() ? "" : fmt::format("**{}**", same)};
   std::erase(last, "");
   return text + fmt::format("{}\n", fmt::join(last, "\n\n"));
 }

@@ -383,15 +383,6 @@ std::set<std::string> losers_of(const std::vector<Finding>& findings) {
   return losers;
 }
 
-bool can_decide(const Observations& observed, const Plan& plan) {
-  std::vector<Pair> pairs = pairs_of(observed, plan);
-  testable(pairs, plan.significance);
-  return std::ranges::any_of(pairs, [&](const Pair& pair) {
-    return !pair.open && !pair.is_fact &&
-           !prepared(pair.a, pair.b, observed, pair.method->is_by_difference, pair.takes_logs).are_all_equal;
-  });
-}
-
 std::vector<Finding> compare(const Observations& observed, const Plan& plan, std::size_t metrics) {
   if (!plan.control.empty() && place_of(observed, plan.control) == observed.groups.size())
     throw std::invalid_argument("the control '" + plan.control + "' is no group");

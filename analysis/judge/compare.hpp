@@ -89,9 +89,6 @@ bool are_equal(const Finding& finding);  // no value differs
 // one size without blocks, and ratios are of values above 0, or have a floor above it.
 std::vector<Finding> compare(const Observations& observed, const Plan& plan, std::size_t metrics = 1);
 
-// Before any p is known: data of this size can decide some pair, and its values are not all equal.
-bool can_decide(const Observations& observed, const Plan& plan);
-
 bool is_difference(Verdict verdict);                               // better or worse
 Verdict turned(Verdict verdict);                                   // of the second
 std::set<std::string> losers_of(const std::vector<Finding>& all);  // worse than another

@@ -216,42 +216,31 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& se
   return doubts;
 }
 
-std::vector<Doubt> doubts_of_clock(const StudyResults& study, bool takes_unsolved) {
+std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
   const double limit = study.definition.stop.seconds;
   if (limit == 0) return {};
-  const auto doubt_of = [](const char* what) { return Doubt{.kind = DoubtKind::seconds_decide, .what = what}; };
-  Doubts doubts;
-  add(doubts, study, doubt_of("solved in parallel"), is_timed(Timing::parallel));
-  add(doubts, study, doubt_of("a debug build"), is_timed(Timing::debug_build));
+  const auto are_some = [&](Timing how) { return std::ranges::any_of(study.solves, is_timed(how)); };
   // Machines differ if their processors do, or both name and start: one that starts again keeps its name, and
   // containers on it have their own.
   const auto differ = [&](const char* fact) { return facts_of(study, fact).size() > 1; };
-  if (differ("cpu") || (differ("host") && differ("boot"))) doubts.push_back(doubt_of("several machines"));
-  if (!doubts.empty()) {  // one reason is enough, of all
-    doubts = {std::move(doubts.front())};
-    doubts.front().who = study.labels;
-  } else {
-    add_counts(doubts, study, doubt_of("the machine was busy"), [&](const std::string& solver) {
-      const auto disturbed = std::ranges::count_if(study.of(solver), &Solve::was_disturbed);
-      const auto timed = std::ranges::count_if(study.of(solver), [](const Solve& solve) {
-        return solve.timing == Timing::clean || (solve.timing == Timing::process && solve.is_told);
-      });
-      return std::pair(disturbed > 1 && 10 * disturbed > timed ? disturbed : 0, timed);
-    });
-  }
   const std::vector<std::set<int>> sessions = sessions_of(study).all;
   std::set<std::set<int>> different(sessions.begin(), sessions.end());
   different.erase(std::set<int>());  // of who has no solves
-  if (different.size() > 1) {
-    doubts.push_back(doubt_of("measured in different sessions"));
-    doubts.back().who = study.labels;
-  }
-  const auto is_ended = [=](const Solve& solve) {  // programs stop before it
-    return solve.seconds >= 0.9 * limit && (takes_unsolved || !solve.had_enough_time);
-  };
-  for (Doubt& doubt : doubts)
-    std::erase_if(doubt.who, [&](auto& solver) { return std::ranges::none_of(study.of(solver), is_ended); });
-  std::erase_if(doubts, [](const Doubt& doubt) { return doubt.who.empty(); });
+  Doubt doubt{.kind = DoubtKind::seconds_decide,
+              .what = are_some(Timing::parallel)                            ? "solved in parallel"
+                      : are_some(Timing::debug_build)                       ? "a debug build"
+                      : differ("cpu") || (differ("host") && differ("boot")) ? "several machines"
+                      : different.size() > 1                                ? "measured in different sessions"
+                                                                            : "the machine was busy"};
+  const bool is_of_all = doubt.what != "the machine was busy";
+  Doubts doubts;
+  add_counts(doubts, study, std::move(doubt), [&](const std::string& solver) {
+    const Solves all = study.of(solver);
+    const auto ended = std::ranges::count_if(all, [=](auto&its) { return its.seconds >= 0.9 * limit; }),
+               disturbed = std::ranges::count_if(all, &Solve::was_disturbed);
+    const bool is_busy = disturbed > 1 && 10 * disturbed > std::ssize(all);
+    return std::pair(is_of_all || is_busy ? ended : 0, std::ssize(all));  // programs stop before the limit
+  });
   return doubts;
 }
 
@@ -287,21 +276,6 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
   return doubts;
 }
 
-std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& both) {
-  const numerics::StopRule &a = both.definition.stop, &b = baseline.definition.stop;
-  std::vector<Doubt> doubts;
-  const auto add = [&](const char* unit, auto ours, auto theirs) {
-    if (ours == theirs) return;
-    doubts.push_back({.kind = DoubtKind::budgets_differ,
-                      .who = both.labels,
-                      .what = fmt::format("budgets differ: {} and {} {} a solve", ours, theirs, unit)});
-  };
-  add("iterations", a.iterations, b.iterations);
-  add("evaluations", a.evaluations, b.evaluations);
-  add("s", a.seconds, b.seconds);
-  return doubts;
-}
-
 std::string words_of(const Doubt& doubt) {
   // In the order of DoubtKind.
   static constexpr std::string_view sentences[]{
@@ -310,7 +284,7 @@ std::string words_of(const Doubt& doubt) {
       "{share} {what}: no verdict on {who}; write inf for no answer, or drop them",
       "ignored: {solves} of another version ({who})",
       "{share} solves claimed an error that is wrong, and do not count as solved ({who})",
-      "results of {who} that seconds decide are not compared: {what}{in_solves}",
+      "results of {who} that seconds decide are not compared: {what} ({share} solves)",
       "{what} ({who})",
       "{share} unsolved answers of {who} are within twice the tolerance: does it know the tolerance?",
       "{what} ({who})",

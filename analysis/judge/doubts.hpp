@@ -47,11 +47,8 @@ std::string words_of(const Doubt& doubt);
 std::vector<Doubt> doubts_of(const StudyResults& study);
 // Of one: whom these name is not compared in it; all, if none is named.
 std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& sessions);
-// What solvers reach in seconds depends on the load. A solve that had enough time is in doubt, too, in a metric that
-// takes its value though nothing was solved.
-std::vector<Doubt> doubts_of_clock(const StudyResults& study, bool takes_unsolved);
+// What solvers reach in seconds depends on the load.
+std::vector<Doubt> doubts_of_clock(const StudyResults& study);
 std::vector<Doubt> doubts_of_evaluations(const StudyResults& study);
-// Limits of a solve that two versions had, one doubt each.
-std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& both);
 
 }  // namespace ikbench::judge

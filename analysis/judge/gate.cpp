@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -36,26 +34,18 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
 // Of each of their sessions the one of ours of the same turn, which is a shard, if each turn of both began before the
 // next of either; a second is the least that times of sessions tell. None if they were not solved in turn.
 std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, const std::vector<Session>& theirs) {
-  const auto by_shard = [](const std::vector<Session>& sessions) {
-    std::map<std::string, const Session*> all;
-    for (const Session& session : sessions)
-      if (const auto shard = session.environment.find("shard"); shard != session.environment.end())
-        all.emplace(shard->second, &session);
-    return all;
+  if (ours.size() < 2 || ours.size() != theirs.size()) return {};
+  const auto shard_of = [](const Session& session) {
+    const auto shard = session.environment.find("shard");
+    return shard == session.environment.end() ? "" : shard->second;
   };
-  const auto one = by_shard(ours), other = by_shard(theirs);
-  if (one.size() < 2 || one.size() != ours.size() || other.size() != theirs.size()) return {};
   std::map<int, int> turns;
-  std::vector<std::pair<std::string, std::string>> begins;  // of a turn, the earlier first
-  for (const auto& [shard, its] : other) {
-    const auto same = one.find(shard);
-    if (same == one.end()) return {};
-    turns[static_cast<int>(its->id)] = static_cast<int>(same->second->id);
-    begins.emplace_back(std::minmax(its->began, same->second->began));
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const bool is_early =
+        i > 0 && std::min(ours[i].began, theirs[i].began) < std::max(ours[i - 1].began, theirs[i - 1].began);
+    if (is_early || shard_of(ours[i]).empty() || shard_of(ours[i]) != shard_of(theirs[i])) return {};
+    turns[static_cast<int>(theirs[i].id)] = static_cast<int>(ours[i].id);
   }
-  std::ranges::sort(begins);
-  const auto overlap = [](const auto& turn, const auto& next) { return turn.second > next.first; };
-  if (turns.size() != one.size() || std::ranges::adjacent_find(begins, overlap) != begins.end()) return {};
   return turns;
 }
 
@@ -92,7 +82,10 @@ Observations observed_answers(const StudyResults& study, bool machine_decides) {
   return observed;
 }
 
-bool is_time(const JudgedMetric& judged) { return judged.observations.unit == "s"; }
+// Solved in time is one, too.
+bool is_time(const JudgedMetric& judged) {
+  return judged.observations.unit == "s" || judged.observations.metric == "in-time";
+}
 
 // What takes a part of the significance.
 bool may_decide(const Gate& gate, const JudgedMetric& judged) {
@@ -106,67 +99,6 @@ int newly_missing(const JudgedMetric& judged) {
   const Description &candidate = judged.described.front(), &baseline = judged.described.back();
   const bool is_new = is_of_answers(judged) && (baseline.mean == 1 || candidate.mean == 0);
   return is_new ? static_cast<int>(std::lround((baseline.mean - candidate.mean) * baseline.n)) : 0;
-}
-
-// The observations that show this loss: the root of n d^2 = (z_alpha sqrt(s) + z_beta sqrt(s - d^2))^2, where s is the
-// mean square of a difference. It holds for McNemar's test (Connor, Biometrics 43 (1987) 207) and in large samples for
-// t. A difference is at least one trial, and a loss comes on top of what differs anyway.
-double needed_for(double loss, double square, int trials, double alpha) {
-  const double s = square + loss / trials;
-  return std::pow(
-      (critical_z(alpha) * std::sqrt(s) + critical_z(0.4) * std::sqrt(std::max(0.0, s - loss * loss))) / loss, 2);
-}
-
-double square_of_differences(const Observations& observed) {
-  const auto ours = values_of(observed.groups.front()), theirs = values_of(observed.groups.back());
-  const auto variance = [](std::span<const double> values) {  // none of a solver that repeats itself
-    return values.size() > 1 ? std::pow(summarise(values).sd, 2) : 0;
-  };
-  if (!observed.is_paired) return variance(ours) + variance(theirs);
-  return std::transform_reduce(ours.begin(), ours.end(), theirs.begin(), 0.0, std::plus{},
-                               [](double a, double b) { return (a - b) * (a - b); }) /
-         static_cast<double>(ours.size());
-}
-
-std::optional<Sight> sight_of(const JudgedMetric& judged, double tests) {
-  const Observations& observed = judged.observations;
-  const auto* const tested = std::get_if<Tested>(&judged.findings.front().what);
-  if (observed.scale != Scale::share || !tested || tested->n < 2) return {};
-  const double square = square_of_differences(observed), alpha = judged.plan.significance / tests;
-  const auto needed = [&](double loss) { return needed_for(loss, square, observed.trials, alpha); };
-  double low = 0, high = 1;
-  while (high - low > 1e-4) {
-    const double middle = (low + high) / 2;
-    (needed(middle) > tested->n ? low : high) = middle;
-  }
-  return Sight{high, tested->n, judged.plan.margin > 0 ? static_cast<int>(std::ceil(needed(judged.plan.margin))) : 0};
-}
-
-// A metric of which all values vanished, though there are answers.
-void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
-  if (std::ranges::max(values_of(judged.metrics.back().observations.groups.front())) == 0) return;
-  for (const JudgedMetric& metric : judged.metrics) {
-    const std::vector<Group>& groups = metric.observations.groups;
-    if (lost_in(groups.front()) > 0 && values_of(groups.front()).empty() && !values_of(groups.back()).empty())
-      throw std::invalid_argument(
-          fmt::format("not compared: {} lacks all {}, which it had before; if that is meant, make a new baseline",
-                      label, metric.observations.quantity));
-  }
-}
-
-// A solve that time ended did not fail by the machine if it had as many evaluations as the other version's needed.
-void tell_enough_time(StudyResults& study) {
-  const std::size_t half = study.solves.size() / 2;
-  const auto tell = [](Solve& late, const Solve& solved) {
-    const bool is_solved = solved.status == results::Status::ok;
-    late.had_enough_time = !is_solved
-                               ? late.status != results::Status::ok  // neither is better
-                               : late.counted_by == results::CountedBy::suite && late.evaluations >= solved.evaluations;
-  };
-  for (std::size_t i = 0; i < half; ++i) {
-    tell(study.solves[i], study.solves[half + i]);
-    tell(study.solves[half + i], study.solves[i]);
-  }
 }
 
 }  // namespace
@@ -183,9 +115,8 @@ Gate gate(StudyResults study, std::optional<double> time_margin, const std::stri
             .do_times_decide = time_margin.has_value(),
             .are_same = have_same_solves(ours, theirs) && std::ranges::any_of(ours, gave_answer)};
   study.definition.plan.control = baseline;  // shown second
-  tell_enough_time(study);
   JudgedStudy& judged = gate.judged = observe_all(std::move(study));
-  const bool machine_decides = !doubts_of_clock(judged.study, true).empty();
+  const bool machine_decides = !doubts_of_clock(judged.study).empty();
   judged.metrics.push_back(
       {.observations = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
   for (JudgedMetric& metric : judged.metrics)
@@ -213,46 +144,40 @@ Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> t
                          "with OLD), or leave out --time-margin"));
   StudyResults study = study_of_both(baseline, std::move(candidate), time_margin ? *turns : std::map<int, int>());
   Gate both = gate(std::move(study), time_margin, label);
-  refuse_vanished(both.judged, label);
   for (JudgedMetric& metric : both.judged.metrics) {  // of two sessions times are never comparable
     if (!is_time(metric) || time_margin) continue;
     metric.observations.doubts.clear();
     if (!other.empty()) metric.observations.doubts.push_back({.kind = DoubtKind::times_not_comparable, .what = other});
   }
-  std::vector<Doubt> limits = doubts_of_limits(baseline, both.judged.study);
-  if (!limits.empty())  // the stricter of what is said of budgets
-    std::erase_if(both.judged.doubts, [](const Doubt& doubt) { return doubt.kind == DoubtKind::budgets_differ; });
-  std::ranges::move(limits, std::back_inserter(both.judged.doubts));
+  const auto budget_of = [](const numerics::StopRule& stop) {
+    return fmt::format("{} iterations, {} evaluations, {} s", stop.iterations, stop.evaluations, stop.seconds);
+  };
+  const std::string ours = budget_of(both.judged.study.definition.stop), theirs = budget_of(baseline.definition.stop);
+  if (ours == theirs) return both;
+  std::erase_if(both.judged.doubts, [](const Doubt& doubt) { return doubt.kind == DoubtKind::budgets_differ; });
+  both.judged.doubts.push_back({.kind = DoubtKind::budgets_differ,
+                                .who = both.judged.study.labels,
+                                .what = fmt::format("budgets of a solve differ: {}; before {}", ours, theirs)});
   return both;
 }
 
 void decide(std::vector<Gate>& gates) {
-  const auto judge_by = [](JudgedMetric& judged, std::size_t tests) {
-    judged = judge(std::move(judged.observations), judged.plan, std::max<std::size_t>(tests, 1));
-  };
   std::size_t tests = 0;
-  for (const Gate& gate : gates)
-    for (const JudgedMetric& judged : gate.judged.metrics)
-      tests += may_decide(gate, judged) && can_decide(judged.observations, judged.plan);
-  std::size_t all = tests;  // with those that have too few values now
-  for (Gate& gate : gates) {
-    for (JudgedMetric& judged : gate.judged.metrics) {
-      judge_by(judged, tests);
-      all += may_decide(gate, judged) && is_open(judged.findings.front(), Open::Why::too_few) &&
-             !can_decide(judged.observations, judged.plan);
+  for (const Gate& gate : gates) {
+    for (const JudgedMetric& judged : gate.judged.metrics) {
+      const Finding alone = compare(judged.observations, judged.plan).front();
+      tests += may_decide(gate, judged) && std::holds_alternative<Tested>(alone.what) && !are_equal(alone);
     }
   }
   for (Gate& gate : gates) {
     gate.is_compared = gate.are_same;
     gate.are_times_missing = gate.do_times_decide && std::ranges::none_of(gate.judged.metrics, is_time);
     for (JudgedMetric& judged : gate.judged.metrics) {
-      if (is_open(judged.findings.front(), Open::Why::too_few)) judge_by(judged, all);
+      judged = judge(std::move(judged.observations), judged.plan, std::max<std::size_t>(tests, 1));
       const Observations& observed = judged.observations;
       Finding& finding = judged.findings.front();
       if (gate.are_same && !is_time(judged) && std::holds_alternative<Tested>(finding.what))
         finding.what = Fact{.amount = {finding.scale == Scale::ratio ? 1.0 : 0.0}};
-      if (&judged == &gate.judged.metrics[gate.judged.deciding])
-        gate.sight = sight_of(judged, static_cast<double>(std::max<std::size_t>(tests, 1)));
       if (is_time(judged) && !gate.do_times_decide) continue;
       if (const int missing = newly_missing(judged); missing > 0) {
         gate.newly_missing = missing;

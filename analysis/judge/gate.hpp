@@ -9,13 +9,6 @@
 
 namespace ikbench::judge {
 
-// Of the share that is solved, what these observations could show, with a chance of 0.8.
-struct Sight {
-  double smallest = 0;  // loss, a share
-  int n = 0;            // these observations
-  int of_margin = 0;    // that would show a loss of the margin
-};
-
 struct Gate {
   std::string label;  // of both; empty: two solvers of one store
   // Without solves, once decided without values. Of two solvers, the candidate first; the last metric is the share of
@@ -24,18 +17,17 @@ struct Gate {
   bool do_times_decide = false;  // asked for
   // Quantities; time only if times decide. worse_by_little: by less than the margin, which is no loss.
   std::vector<std::string> worse, better, worse_by_little, not_decided, not_tested;
-  std::optional<Sight> sight = {};  // none where shares are not tested
-  int newly_missing = 0;            // answers, where before none was or now none is left: fails, even if by chance
-  bool are_same = false;            // all solves, bit for bit: then nothing is left to decide but time
-  bool are_times_missing = false;   // though they decide
-  bool is_compared = true;          // some quantity besides the share of answers was compared, or something is worse
+  int newly_missing = 0;           // answers, where before none was or now none is left: fails, even if by chance
+  bool are_same = false;           // all solves, bit for bit: then nothing is left to decide but time
+  bool are_times_missing = false;  // though they decide
+  bool is_compared = true;         // some quantity besides the share of answers was compared, or something is worse
 };
 
 // Of a study of two solvers, the candidate first; observed and not yet judged. With a margin of their own times decide.
 // Throws std::invalid_argument if they have not the same solves.
 Gate gate(StudyResults study, std::optional<double> time_margin = {}, const std::string& label = "");
 // Of one solver in two stores, by the baseline's plan; times decide only if the two were solved in turn. Throws also if
-// the tasks differ, or if the candidate lacks all values of a metric.
+// the tasks differ.
 Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> time_margin = {});
 // Judges all, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
 // no more compares than it says.

@@ -280,8 +280,7 @@ Observations observations_of(const Metric& metric) {
 Observations observe(const StudyResults& study, const Metric& metric) {
   if (is_of_times(metric)) return observe_times(study, metric);
   Observations observed = observe_solves(study, metric);
-  const bool takes_unsolved = study.definition.is_chained() || (metric.kind != Kind::share && !observed.is_of_solved);
-  observed.doubts = doubts_of_clock(study, takes_unsolved);
+  observed.doubts = doubts_of_clock(study);
   if (metric.column.starts_with("evaluations"))
     std::ranges::move(doubts_of_evaluations(study), std::back_inserter(observed.doubts));
   set_apart(observed);

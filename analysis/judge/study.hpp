@@ -33,7 +33,6 @@ struct Solve {
   bool is_told = false, is_told_short = false, is_told_alone = false;  // by less than, without processor time
   // Of a control loop: longer than its period, where times count; further than a joint can move in one.
   bool is_late = false, is_too_fast = false;
-  bool had_enough_time = false;  // to solve it: as many evaluations as another version needed, or that failed, too
   double position_error_cm = 0, orientation_error_deg = 0, variation_deg = 0, variation_m = 0;
   double largest_move_deg = 0, seconds = 0;
   double bend_deg = 0;  // mean second difference of all joint angles of its run until here; NaN: not known

@@ -183,10 +183,9 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
             .observations.doubts.empty());
 }
 
-TEST_CASE("a metric that vanished is refused, one that another solver lacks is not tested") {
+TEST_CASE("a metric that one of the two lacks is not tested") {
   const auto uncounted = [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; };
-  CHECK_THROWS_WITH(gate_of(version(1), version(1, of_100, uncounted)),
-                    StartsWith("not compared: mine lacks all evaluations"));
+  CHECK(gate_of(version(1), version(2, of_100, uncounted)).not_tested == Names{"evaluations per solved"});
   CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
   const Gate of_two = gate_of(of_100, [&](SolveRecord& solve) {
     if (solve.label == "B") uncounted(solve);
@@ -204,39 +203,6 @@ TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
     red += !gate.worse.empty();
   }
   CHECK(red <= compares / 20);
-}
-
-TEST_CASE("of losses as large as its sight says, a gate finds about four of five, also where targets flip by chance") {
-  const Asked of_20_runs{.start = "initial", .runs = 20, .points = 40, .tolerance_cm = 0.1},
-      of_paths{.runs = 60, .points = 5, .tolerance_cm = 0.1}, of_one{.runs = 100, .points = 1, .tolerance_cm = 0.1};
-  struct Case {
-    Asked asked;
-    double least;  // share that is solved
-  };
-  for (const auto& [asked, least] :
-       {Case{of_100, 0.6}, Case{drawn_100, 0.6}, Case{of_20_runs, 0.6}, Case{of_paths, 0.6}, Case{of_one, 0.6},
-        Case{of_100, 0.92}, Case{drawn_100, 0.96}}) {
-    std::mt19937 random(7);
-    const auto solves = [&](double loss) {
-      return [&, loss](SolveRecord& solve) {
-        const double share = least + (1 - least) * 0.75 * (solve.point % 7) / 6 - loss;
-        solve.status = std::bernoulli_distribution(share)(random) ? Status::ok : Status::tolerance_missed;
-      };
-    };
-    double loss = 0;
-    std::ptrdiff_t found = 0;
-    for (int i = 0; i < 20; ++i) {
-      const std::optional<Sight> sight = gate_of(version(1, asked, solves(0)), version(2, asked, solves(0))).sight;
-      REQUIRE(sight);
-      loss += sight->smallest / 20;
-    }
-    for (int i = 0; i < 100; ++i)
-      found +=
-          std::ranges::count(gate_of(version(1, asked, solves(0)), version(2, asked, solves(loss))).worse, "solved");
-    INFO(least << " of " << asked.runs << " runs of " << asked.points << ": " << loss << ", found " << found);
-    CHECK(found >= 70);
-    CHECK(found <= 95);
-  }
 }
 
 TEST_CASE("labels and metrics that are compared share the significance") {
@@ -282,7 +248,7 @@ TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
   CHECK(gate.worse.empty());
   REQUIRE(gate.judged.doubts.size() == 2);
   CHECK(gate.judged.doubts.front().kind == DoubtKind::solved_by_nobody);
-  CHECK(words_of(gate.judged.doubts.back()) == "budgets differ: 3000 and 1000 evaluations a solve (now, before)");
+  CHECK_THAT(words_of(gate.judged.doubts.back()), ContainsSubstring("3000 evaluations"));
 }
 
 TEST_CASE("a loss of a solver that repeats itself is a fact") {
@@ -328,41 +294,19 @@ TEST_CASE("a gate in which too few were compared ends with 1, whatever the answe
   CHECK(exit_code({gate_of(version(1), version(1)), gate}, false) == 1);
 }
 
-TEST_CASE("what the study's time ended is compared if it had as many evaluations as the other version needed") {
-  Asked timed = of_100;
-  timed.rest = R"(, "x": 1)";
-  const auto solved = [](SolveRecord& solve) {
-    solve.status = Status::ok, solve.evaluations = 40 + solve.point % 3, solve.seconds = solve.cpu_seconds = 1e-4;
-  };
-  const auto late = [](std::int64_t evaluations) {
-    return [=](SolveRecord& solve) {
-      if (solve.point % 3 == 0) return;
-      solve.status = Status::tolerance_missed, solve.evaluations = evaluations;
-      solve.seconds = 0.0049, solve.cpu_seconds = 0.001;  // the machine was busy
-    };
-  };
-  const auto with_seconds = [](StudyResults study) {
+TEST_CASE("what the study's time ended in other sessions is not compared") {
+  const auto timed = [](int late_from) {
+    StudyResults study = version(1, of_100, [=](SolveRecord& solve) {
+      const bool is_late = solve.point >= late_from;
+      solve.status = is_late ? Status::tolerance_missed : Status::ok;
+      solve.seconds = solve.cpu_seconds = is_late ? 0.0049 : 1e-4;
+    });
     study.definition.stop.seconds = 0.005;
     return study;
   };
-  const StudyResults before = with_seconds(version(1, timed, solved));
-  const Gate enough = gate_of(before, with_seconds(version(1, timed, late(5000))));
-  CHECK(std::ranges::count(enough.worse, "solved") == 1);
-  CHECK(exit_code({enough}, false) == 3);
-  const Gate few = gate_of(before, with_seconds(version(1, timed, late(10))));
-  CHECK(few.worse.empty());
-  CHECK_FALSE(few.is_compared);
-  CHECK(exit_code({few}, false) == 1);
-
-  // Where both failed, neither is better, but the machine decided what that cost.
-  const Gate slower = gate_of(with_seconds(version(1, timed, late(5000))), with_seconds(version(1, timed, late(5500))));
-  CHECK(slower.worse.empty());
-  CHECK(std::ranges::count(slower.not_tested, "evaluations per solved") == 1);
-  // 0 % solved by both compares nothing.
-  const auto lost = [&](std::int64_t evaluations) {
-    return with_seconds(version(1, timed, [=](SolveRecord& solve) {
-      solve.status = Status::tolerance_missed, solve.evaluations = evaluations, solve.seconds = 0.0049;
-    }));
-  };
-  CHECK(exit_code({gate_of(lost(5000), lost(5500))}, false) == 1);
+  CHECK(exit_code({gate_of(timed(200), timed(200))}, false) == 0);
+  const Gate ended = gate_of(timed(200), timed(40));
+  CHECK(ended.worse.empty());
+  CHECK_FALSE(ended.is_compared);
+  CHECK(exit_code({ended}, false) == 1);
 }
