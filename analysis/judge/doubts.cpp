@@ -104,23 +104,6 @@ void add_of_budgets(Doubts& doubts, const StudyResults& study) {
                     .what = fmt::format("budgets differ: {:.0f} and {:.0f} evaluations a solve", many, few)});
 }
 
-// Who has kinematics of its own stops by a rule of its own, and may not know what the study asks.
-void add_of_near_misses(Doubts& doubts, const StudyResults& study) {
-  const numerics::StopRule& stop = study.definition.stop;
-  const auto is_near = [](double error, double tolerance) { return tolerance == 0 || error <= 2 * tolerance; };
-  for (const std::string& solver : study.labels) {
-    double near = 0, missed = 0;
-    for (const Solve& solve : study.of(solver)) {
-      if (solve.status != Status::tolerance_missed || solve.counted_by == CountedBy::suite) continue;
-      ++missed;
-      near += is_near(solve.position_error_cm, stop.tolerance_cm()) &&
-              (!study.definition.has_direction() || is_near(solve.orientation_error_deg, stop.tolerance_deg()));
-    }
-    if (near >= 2 && 2 * near > missed)
-      doubts.push_back({.kind = DoubtKind::near_misses, .who = {solver}, .count = near, .of = missed});
-  }
-}
-
 // By the stored plan: a command may judge by another.
 void add_of_plan(Doubts& doubts, const StudyResults& study) {
   const base::Json plan = base::parsed_json(study.definition.json)["analysis"];
@@ -264,7 +247,6 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
       [](const Solve& solve) { return solve.status == Status::claimed_but_wrong; });
   add(doubts, study, {.kind = DoubtKind::outside_limits}, &Solve::is_outside_limits);
   add_of_budgets(doubts, study);
-  add_of_near_misses(doubts, study);
   if (const int count = study.definition.out_of_reach; count > 0)
     doubts.push_back({.kind = DoubtKind::out_of_reach,
                       .count = static_cast<double>(count),
@@ -286,7 +268,6 @@ std::string words_of(const Doubt& doubt) {
       "{share} solves claimed an error that is wrong, and do not count as solved ({who})",
       "results of {who} that seconds decide are not compared: {what} ({share} solves)",
       "{what} ({who})",
-      "{share} unsolved answers of {who} are within twice the tolerance: does it know the tolerance?",
       "{what} ({who})",
       "{share} answers outside the joint limits ({who})",
       "no answer in {share} {what}{of_whom}",

@@ -19,7 +19,6 @@ enum class DoubtKind {
   claimed_but_wrong,     // a solver says another error than its answer has
   seconds_decide,        // what is reached in a limit of time, on a busy machine or several
   budgets_differ,        // evaluations that solvers may make
-  near_misses,           // most of what was not solved is just beyond the tolerance
   counted_otherwise,     // evaluations: by the solver itself, or by nobody
   outside_limits,        // answers
   without_answer,        // solves, or infinite values of a file

@@ -332,23 +332,6 @@ TEST_CASE("Solved in time is a share of the solves that are compared, over sessi
   CHECK(judged_of(quiet, "solved_in_time")->described[0].mean == 1);
 }
 
-TEST_CASE("Who stops just beyond the tolerance is asked whether it knows it") {
-  const auto missed = [](int near, CountedBy by) {
-    return [=](SolveRecord& solve) {
-      solve.counted_by = by;
-      solve.status = results::Status::tolerance_missed;
-      solve.position_error_cm = solve.point <= near ? 0.0199 : 1;
-    };
-  };
-  const auto asked = [&](int near, CountedBy by) {
-    const Asked with_tolerance{.rest = R"(, "stop": {"tolerance_cm": 0.01})"};
-    return std::ranges::count(doubts_of(study(with_tolerance, missed(near, by))), DoubtKind::near_misses, &Doubt::kind);
-  };
-  CHECK(asked(3, CountedBy::nobody) == 2);
-  CHECK(asked(2, CountedBy::nobody) == 0);
-  CHECK(asked(3, CountedBy::suite) == 0);
-}
-
 TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is a doubt") {
   const auto counted = [](CountedBy by) {
     return observe(study(chained,
@@ -477,7 +460,7 @@ TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 
     CHECK(count > 4);
     CHECK(count <= 25);
   }
-  CHECK(words_of({.kind = DoubtKind::near_misses, .who = {"A", "B", "C", "D"}}).find("A, B, C, D") !=
+  CHECK(words_of({.kind = DoubtKind::outside_limits, .who = {"A", "B", "C", "D"}}).find("A, B, C, D") !=
         std::string::npos);
   CHECK(words_of({.kind = DoubtKind::times_not_comparable,
                   .who = {"mine"},
