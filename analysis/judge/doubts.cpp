@@ -180,21 +180,17 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& se
   add_of(measured_apart(study, sessions.made),
          "too few sessions in common with the others; to compare them solve all again: --out NEW");
   add_of(measured_apart(study, sessions.told), "the machine was busy");
-  std::vector<std::string> silent, short_ones, alone, busy;
+  std::vector<std::string> silent, busy;
   for (std::size_t place = 0; place < study.labels.size(); ++place) {
     const std::string& solver = study.labels[place];
     const Solves all = study.of(solver);
     const auto tells_none = [](const Solve& solve) {
       return solve.timing == Timing::process && !solve.is_told && gave_answer(solve);
     };
-    if (std::ranges::any_of(all, tells_none)) silent.push_back(solver);
-    if (10 * std::ranges::count_if(all, &Solve::is_told_short) > std::ssize(all)) short_ones.push_back(solver);
-    if (10 * std::ranges::count_if(all, &Solve::is_told_alone) > std::ssize(all)) alone.push_back(solver);
+    if (10 * std::ranges::count_if(all, tells_none) > std::ssize(all)) silent.push_back(solver);
     if (sessions.told[place] != sessions.made[place]) busy.push_back(solver);
   }
   if (silent.size() < study.labels.size()) add_of(std::move(silent), "messages are in them");
-  add_of(std::move(short_ones), "it tells less than half of its processor time");
-  add_of(std::move(alone), "nothing is known of its processor time, as behind a wrapper that does not exec it");
   add_of(std::move(busy), "", DoubtKind::sessions_left_out);
   return doubts;
 }
@@ -271,7 +267,7 @@ std::string words_of(const Doubt& doubt) {
       "{what} ({who})",
       "{share} answers outside the joint limits ({who})",
       "no answer in {share} {what}{of_whom}",
-      "times{of_who} are not compared: {what}{in_solves}",
+      "times{of_who} are not compared: {what}",
       "sessions in which the machine was busy are left out of the tests of time ({who})",
       "{share} targets of a run out of reach, so no solver can solve them",
       "{share} targets were solved by nobody in any run (points {what})",
@@ -289,7 +285,6 @@ std::string words_of(const Doubt& doubt) {
   return fmt::format(
       fmt::runtime(sentence), fmt::arg("who", who), fmt::arg("of_whom", if_any(" (", ")")),
       fmt::arg("of_who", if_any(" of ", "")), fmt::arg("share", share), fmt::arg("what", doubt.what),
-      fmt::arg("in_solves", doubt.of > 0 ? fmt::format(" in {} solves", share) : ""),
       fmt::arg("count", std::llround(doubt.count)), fmt::arg("solves", counted(std::llround(doubt.count), "solves")),
       fmt::arg("first", who.empty() ? who : doubt.who.front()), fmt::arg("last", who.empty() ? who : doubt.who.back()));
 }

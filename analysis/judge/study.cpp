@@ -78,7 +78,7 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
     const bool is_metric = std::isfinite(value) && !name.starts_with(results::refused_extra);
     if (is_metric && is_one_of_few) study.extras[name][record.label].push_back(value);
   }
-  const bool is_told = std::isfinite(record.claimed_seconds);
+  const bool is_told = record.cpu_seconds > 0 && record.claimed_seconds >= least_told(record.cpu_seconds);
   const double seconds = is_told ? record.claimed_seconds : record.seconds;
   const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;
   const bool is_alone = record.timing == Timing::clean || (record.timing == Timing::process && is_told);
@@ -96,8 +96,6 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
        .was_disturbed = is_alone && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
        .is_told = is_told,
-       .is_told_short = is_told && seconds < least_told(record.cpu_seconds),
-       .is_told_alone = is_told && record.cpu_seconds == 0,
        .is_late = is_timed && period > 0 && (seconds > period || is_without_answer(record.status)),
        .is_too_fast = is_too_fast(study.definition, record),
        .position_error_cm = record.position_error_cm,

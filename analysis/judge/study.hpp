@@ -29,8 +29,7 @@ struct Solve {
   results::CountedBy counted_by = results::CountedBy::suite;
   bool is_outside_limits = false;
   bool was_disturbed = false;  // took more than 10 % longer than its processor time; of solves at once not known
-  // Of a program: whether it told its own time, and whether its processor time, messages included, is too long for it.
-  bool is_told = false, is_told_short = false, is_told_alone = false;  // by less than, without processor time
+  bool is_told = false;        // by a program: its own time, for which its processor time leaves room
   // Of a control loop: longer than its period, where times count; further than a joint can move in one.
   bool is_late = false, is_too_fast = false;
   double position_error_cm = 0, orientation_error_deg = 0, variation_deg = 0, variation_m = 0;
