@@ -142,18 +142,11 @@ Description describe(const Group& group) {
 
 std::optional<Interval> interval_of_quantile(const std::vector<double>& sorted, double share) {
   const auto n = static_cast<double>(sorted.size());
-  const boost::math::binomial below(n, share);  // how many values are
-  const double middle = n * share, reach = 4 * std::sqrt(middle * (1 - share)) + 2;
-  const auto first = static_cast<std::size_t>(std::max(1.0, middle - reach)),
-             last = static_cast<std::size_t>(std::min(n, middle + reach));
-  std::size_t low = 0, high = 0;  // places, from 1
-  for (std::size_t place = first; place <= last; ++place) {
-    const double fewer = static_cast<double>(place - 1);
-    if (boost::math::cdf(below, fewer) <= 0.025) low = place;
-    if (high == 0 && boost::math::cdf(boost::math::complement(below, fewer)) <= 0.025) high = place;
-  }
-  if (low == 0 || high == 0) return {};
-  return Interval{sorted[low - 1], sorted[high - 1]};
+  const boost::math::binomial below(n, share);  // how many values are; quantiles are rounded outwards
+  const double low = boost::math::quantile(below, 0.025),
+               high = boost::math::quantile(boost::math::complement(below, 0.025));
+  if (high >= n || boost::math::cdf(below, low) > 0.025) return {};
+  return Interval{sorted[static_cast<std::size_t>(low)], sorted[static_cast<std::size_t>(high)]};
 }
 
 std::optional<double> hedges_g(const Summary& first, const Summary& second) {

@@ -192,23 +192,15 @@ double value_at(std::int64_t place) { return std::bit_cast<double>(in_order(plac
 
 // Of all sums x_i + y_j, or only those with i <= j where y is x: the median, and the interval from the rank-th smallest
 // to the rank-th largest. The sums are not made: those up to a bound are counted, and the bound closes in, from one
-// sum to another. Of many, two bounds of three lie on either side of where the counts point to.
+// sum to another.
 Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std::size_t rank) {
   std::ranges::sort(x);
   std::ranges::sort(y);
   const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
   const auto smallest = [&](std::size_t at) {  // from 1
     std::int64_t low = place_of(x.front() + y.front()), high = place_of(x.back() + y.back());
-    double up_to_low = 0, up_to_high = number(all), aside = 0.125;
-    for (int step = 0; low < high; ++step) {
-      std::int64_t middle = std::midpoint(low, high);
-      const bool is_pointed = step % 3 != 0 && std::isfinite(value_at(low)) && std::isfinite(value_at(high)),
-                 is_above = step % 3 == 1;
-      if (is_pointed) {
-        const double part = (number(at) - up_to_low) / (up_to_high - up_to_low) + (is_above ? aside : -aside);
-        const double bound = value_at(low) + std::clamp(part, 0.0, 1.0) * (value_at(high) - value_at(low));
-        middle = std::clamp(place_of(bound), low, high - 1);
-      }
+    while (low < high) {
+      const std::int64_t middle = std::midpoint(low, high);
       const double bound = value_at(middle);
       double below = x.front() + y.front(), above = x.back() + y.back();  // the sums beside the bound
       std::size_t count = 0, left = y.size();
@@ -219,12 +211,10 @@ Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std
       }
       const auto twice = [&](double value) { return value + value <= bound; };
       if (are_same) count = (count + static_cast<std::size_t>(std::ranges::count_if(x, twice))) / 2;
-      const bool is_high = count >= at;
-      if (is_high)
-        high = std::min(middle, place_of(below)), up_to_high = number(count);
+      if (count >= at)
+        high = std::min(middle, place_of(below));
       else
-        low = std::max(middle + 1, place_of(above)), up_to_low = number(count);
-      if (is_pointed) aside = is_high == is_above ? aside / 8 : std::min(0.25, aside * 16);
+        low = std::max(middle + 1, place_of(above));
     }
     return value_at(low) + 0.0;  // 0, not -0
   };
