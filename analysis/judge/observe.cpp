@@ -160,75 +160,56 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   return group;
 }
 
-// Of a session: the share solved in time, or the logarithm of the median time of its targets, where all are solved.
-// NaN: there is none.
-double of_session(const StudyResults& study, const Metric& metric, const std::vector<const Solve*>& solves) {
-  const bool must_solve = is_of_solved(study, metric);
-  std::vector<double> values;
-  double sum = 0;
-  for (const Solve* const solve : solves) {
-    values.push_back(must_solve && solve->status != Status::ok ? unknown : metric.value(*solve, study));
-    sum += values.back();
-  }
-  if (metric.kind == Kind::in_time) return sum / static_cast<double>(values.size());
-  return std::isfinite(sum) ? std::log(std::max(described(values).median, 1e-9)) : unknown;
-}
-
-// A value a session, whose mean is the logarithm of all that was spent by all that was solved.
-Group group_of_spent_times(const StudyResults& study, const Metric& metric, const std::string& solver,
-                           const std::set<int>& sessions) {
-  std::vector<Value> spent, solved;  // of each session
-  double all_spent = 0, all_solved = 0;
-  std::map<int, std::pair<double, double>> sums;
-  for (const Solve& solve : study.of(solver)) {
-    auto& [its_spent, its_solved] = sums[solve.session];
-    its_spent += metric.value(solve, study), its_solved += solve.status == Status::ok;
-    all_spent += metric.value(solve, study), all_solved += solve.status == Status::ok;
-  }
-  if (all_solved == 0) return {.name = solver, .sample = Untold{.why = Untold::Why::none}};
-  Measured measured;
-  for (const auto& [session, its] : sums) {
-    if (!sessions.contains(session) || !std::isfinite(its.first)) continue;
-    spent.push_back({session, its.first}), solved.push_back({session, its.second});
-  }
-  if (std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; }))
-    return {.name = solver, .sample = Untold{.why = Untold::Why::apart, .values = {std::log(all_spent / all_solved)}}};
-  for (const auto& [session, value] : spent_by_solved(std::move(spent), solved, measured))
-    measured.values.push_back(value), measured.blocks.push_back(session);
-  measured.solved = std::numeric_limits<double>::infinity();  // a session has a sum of its own
-  return {.name = solver, .sample = std::move(measured)};
-}
-
+// A value a session: the share solved in time, the logarithm of the median time of its targets, where all are solved,
+// or its part in the logarithm of all that was spent by all that was solved.
 Group group_of_times(const StudyResults& study, const Metric& metric, const std::string& solver,
                      const std::set<int>& sessions) {
-  if (metric.kind == Kind::spent) return group_of_spent_times(study, metric, solver, sessions);
-  std::map<int, std::vector<const Solve*>> solves;
-  for (const Solve& solve : study.of(solver)) solves[solve.session].push_back(&solve);
+  struct Session {
+    std::vector<double> values = {};
+    double sum = 0, solved = 0;
+  };
+  std::map<int, Session> all;
+  double all_solved = 0, told_solved = 0;
+  for (const Solve& solve : study.of(solver)) {
+    Session& its = all[solve.session];
+    const bool is_solved = solve.status == Status::ok;
+    its.values.push_back(is_of_solved(study, metric) && !is_solved ? unknown : metric.value(solve, study));
+    its.sum += its.values.back(), its.solved += is_solved, all_solved += is_solved;
+  }
   Group group{.name = solver};
   Measured measured;
   std::vector<double> apart;  // of sessions that compare with none
-  for (const auto& [session, its] : solves) {
-    const double value = of_session(study, metric, its);
-    if (std::isnan(value)) continue;
-    if (!sessions.contains(session))
-      apart.push_back(value);
-    else
-      measured.values.push_back(value), measured.blocks.push_back(session);
+  std::vector<Value> spent, solved;
+  double all_spent = 0;
+  for (const auto& [session, its] : all) {
+    if (!std::isfinite(its.sum)) continue;
+    all_spent += its.sum;
+    const bool is_told = sessions.contains(session);
+    const double value = metric.kind == Kind::in_time ? its.sum / static_cast<double>(its.values.size())
+                                                      : std::log(std::max(described(its.values).median, 1e-9));
+    (is_told ? measured.values : apart).push_back(value);
+    if (is_told) measured.blocks.push_back(session), told_solved += its.solved;
+    if (is_told) spent.push_back({session, its.sum}), solved.push_back({session, its.solved});
   }
-  for (const auto& [session, its] : solves) {  // shown is what is compared
+  measured.worth = static_cast<double>(measured.values.size());  // each is of a session, so none decides
+  for (const auto& [session, its] : all) {                       // what is shown is what is compared
     if (metric.kind != Kind::in_time || (!measured.values.empty() && !sessions.contains(session))) continue;
-    group.all += static_cast<int>(its.size());
-    group.share += of_session(study, metric, its) * static_cast<double>(its.size());
+    group.all += static_cast<int>(its.values.size()), group.share += its.sum;
   }
   group.share /= std::max(1, group.all);
-  measured.worth = static_cast<double>(measured.values.size());  // each is of a session, so none decides
-  measured.solved = std::numeric_limits<double>::infinity();
-  const bool is_none = study.definition.has_tolerance() && metric.kind != Kind::in_time &&
-                       std::ranges::none_of(study.of(solver), [](auto& its) { return its.status == Status::ok; });
+  if (metric.kind == Kind::spent) {
+    if (told_solved > 0) spent = spent_by_solved(std::move(spent), solved, measured);
+    if (told_solved == 0) measured = {}, apart = {std::log(all_spent / all_solved)};
+    for (std::size_t i = 0; i < measured.values.size(); ++i) measured.values[i] = spent[i].value;
+  }
+  measured.solved = std::numeric_limits<double>::infinity();  // a session has a sum of its own
+  const bool is_none = all_solved == 0 && metric.kind != Kind::in_time &&
+                       (metric.kind == Kind::spent || study.definition.has_tolerance());
   if (!measured.values.empty())
     group.sample = std::move(measured);
   else
-    group.sample = Untold{.why = is_none ? Untold::Why::none : Untold::Why::apart, .values = std::move(apart)};
+    group.sample =
+        is_none ? Untold{.why = Untold::Why::none} : Untold{.why = Untold::Why::apart, .values = std::move(apart)};
   return group;
 }
 
