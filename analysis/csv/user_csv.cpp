@@ -161,8 +161,8 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
     const std::size_t known = values.size();
     const auto lacking = static_cast<int>((layout.block ? items.units : all[i]) - known);
     // Such as time-outs have no end that anybody knows, so they repeat nothing.
-    measured[i].may_repeat =
-        known > 1 && std::isfinite(values.front()) && std::ranges::count(values, values.front()) == std::ssize(values);
+    if (known > 1 && std::isfinite(values.front()) && std::ranges::count(values, values.front()) == std::ssize(values))
+      measured[i].repeats = Repeats::maybe;
     add(lost, name, lacking, all[i]);
     add(without, name, std::ranges::count_if(values, [](double value) { return std::isinf(value); }), known);
     Group& group = observed.groups.emplace_back(Group{.name = name});

@@ -14,7 +14,7 @@ namespace {
 
 // What a test does with two groups.
 struct Method {
-  enum class By { ranks, signs, means, shares };
+  enum class By { ranks, means, shares };
 
   std::string_view name;
   By by;
@@ -22,7 +22,7 @@ struct Method {
   double (*smallest_p)(std::size_t m, std::size_t n);  // that data of these sizes can give
   Outcome (*test)(const Prepared& its, double alpha);
 
-  bool is_by_ranks() const { return by == By::ranks || by == By::signs; }
+  bool is_by_ranks() const { return by == By::ranks; }
 };
 
 using By = Method::By;
@@ -30,25 +30,28 @@ using By = Method::By;
 double smallest_of_means(std::size_t m, std::size_t n) {
   return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
 }
-double smallest_of_differences(std::size_t, std::size_t n) { return smallest_p_paired(n); }
+// Of pairs, or of values and the one of a solver that repeats itself.
+double smallest_of_differences(std::size_t m, std::size_t n) { return smallest_p_paired(std::max(m, n)); }
 double smallest_of_both(std::size_t m, std::size_t n) { return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n); }
 
 constexpr Method unpaired_ranks{"Brunner-Munzel and Mann-Whitney", By::ranks, false, smallest_of_both,
                                 [](auto& its, double alpha) { return rank_test(its.first, its.second, alpha); }};
 constexpr Method signed_ranks{"Wilcoxon's signed ranks", By::ranks, true, smallest_of_differences,
                               [](auto& its, double alpha) { return signed_rank_test(its.differences, alpha); }};
-constexpr Method signs{"sign test", By::signs, true, smallest_of_differences,
+constexpr Method signs{"sign test", By::ranks, true, smallest_of_differences,
                        [](auto& its, double alpha) { return sign_test(its.differences, alpha); }};
 constexpr Method signs_and_ranks{
-    "sign test and Mann-Whitney", By::signs, true,
-    [](std::size_t m, std::size_t n) { return std::max(smallest_p_paired(std::max(m, n)), smallest_of_both(m, n)); },
+    "sign test and Mann-Whitney", By::ranks, true,
+    [](std::size_t m, std::size_t n) { return std::max(smallest_of_differences(m, n), smallest_of_both(m, n)); },
     [](auto& its, double alpha) {
       Outcome outcome = sign_test(its.differences, alpha);
       outcome.p = std::max(outcome.p, mann_whitney(its.first, its.second));
       return outcome;
     }};
-constexpr Method paired_t{"paired t", By::means, true, smallest_of_means,
-                          [](auto& its, double alpha) { return t_test(its.differences, alpha, its.worth); }};
+constexpr Method paired_t{
+    "paired t", By::means, true,
+    [](std::size_t m, std::size_t n) { return m == n ? smallest_of_means(m, n) : smallest_of_differences(m, n); },
+    [](auto& its, double alpha) { return t_test(its.differences, alpha, its.worth); }};
 constexpr Method unpaired_t{"Welch's t", By::means, false, smallest_of_means, [](auto& its, double alpha) {
                               return welch(its.of_first, its.of_second, alpha, its.worth);
                             }};
@@ -61,26 +64,18 @@ constexpr Method unpaired_shares{
     [](std::size_t m, std::size_t n) { return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n) / (m != n ? 2 : 1); },
     [](auto& its, double alpha) { return fisher(its.first, its.second, alpha); }};
 
-template <class Is>
-bool is_any(const Group& a, const Group& b) {
-  return std::holds_alternative<Is>(a.sample) || std::holds_alternative<Is>(b.sample);
-}
-
 // What design and plan choose, never the values.
 const Method& method_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
-  const auto may_repeat = [](const Group& group) {
-    const auto* const measured = std::get_if<Measured>(&group.sample);
-    return measured != nullptr && measured->may_repeat;
-  };
+  const Repeats one = repeats_of(a), other = repeats_of(b);
   const bool is_share = observed.scale == Scale::share;
-  if (is_any<Summary>(a, b)) return unpaired_t;
-  if (is_any<Copies>(a, b)) return is_share || observed.are_logs ? paired_t : signs;
+  if (std::holds_alternative<Summary>(a.sample) || std::holds_alternative<Summary>(b.sample)) return unpaired_t;
+  if (one == Repeats::yes || other == Repeats::yes) return is_share || observed.are_logs ? paired_t : signs;
   if (is_share && observed.trials == 1 && observed.fewest == 0)
     return observed.is_paired ? paired_shares : unpaired_shares;
   const bool by_means = is_share || observed.are_logs || plan.test == Plan::Test::means;
   if (observed.is_paired) return by_means ? paired_t : signed_ranks;
   if (by_means) return unpaired_t;
-  return may_repeat(a) != may_repeat(b) ? signs_and_ranks : unpaired_ranks;
+  return one != other ? signs_and_ranks : unpaired_ranks;
 }
 
 std::size_t size_of(const Group& group) {
@@ -268,22 +263,13 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
       pair.takes_logs = observed.scale == Scale::ratio && pair.method->is_by_ranks();
       pair.are_ratios = pair.takes_logs || observed.are_logs;
       const std::size_t m = size_of(pair.a), n = size_of(pair.b);
-      const bool has_copies = is_any<Copies>(*a, *b);
-      pair.is_fact = std::holds_alternative<Copies>(a->sample) && std::holds_alternative<Copies>(b->sample);
-      const std::size_t runs = has_copies ? std::max(m, n) : std::min(m, n);
-      pair.n = static_cast<int>(std::min(m, n) == 0 ? 0 : runs);
+      const bool is_one = repeats_of(*a) == Repeats::yes, is_other = repeats_of(*b) == Repeats::yes;
+      pair.is_fact = is_one && is_other;
+      pair.n = static_cast<int>(std::min(m, n) > 0 && (is_one || is_other) ? std::max(m, n) : std::min(m, n));
       if (const auto why = why_not(*pair.method, *a, *b)) pair.open = Open{.why = *why, .n = pair.n};
       if (!pair.open && observed.fewest > 0 && pair.n < observed.fewest)
         pair.open = Open{.why = Open::Why::too_few, .n = pair.n, .needed = observed.fewest};
-      if (pair.open || pair.is_fact || pair.n == 0) continue;
-      // Against a solver that repeats itself a run has a sign at least.
-      pair.smallest_p = has_copies ? smallest_p_paired(runs) : pair.method->smallest_p(m, n);
-      if (pair.method->by != By::signs) continue;
-      // Runs that differ from the value of the solver that repeats itself.
-      const std::vector<double> differences =
-          prepared(pair.a, pair.b, observed, pair.method->is_by_difference, pair.takes_logs).differences;
-      pair.n = static_cast<int>(std::ranges::count_if(differences, [](double each) { return each != 0; }));
-      pair.smallest_p = std::max(pair.smallest_p, smallest_p_paired(static_cast<std::size_t>(pair.n)));
+      pair.smallest_p = pair.n == 0 ? 1 : pair.method->smallest_p(m, n);
     }
   }
   return pairs;
@@ -301,16 +287,8 @@ std::size_t testable(std::vector<Pair>& pairs, double significance) {
     std::erase_if(family, [&](Pair* pair) {
       if (pair->smallest_p < worst) return false;
       std::size_t n = 2;
-      const bool has_copies = is_any<Copies>(pair->a, pair->b);
-      while ((has_copies ? smallest_p_paired(n) : pair->method->smallest_p(n, n)) >= level) ++n;
-      // Of signs and ranks, what falls short.
-      const bool do_signs =
-          pair->method->by == By::signs && smallest_p_paired(static_cast<std::size_t>(pair->n)) >= level;
-      const std::size_t smaller = std::min(size_of(pair->a), size_of(pair->b));
-      pair->open = Open{.why = Open::Why::too_few,
-                        .n = pair->method->by == By::signs && !do_signs ? static_cast<int>(smaller) : pair->n,
-                        .needed = static_cast<int>(n),
-                        .is_of_differences = do_signs};
+      while (pair->method->smallest_p(n, n) >= level) ++n;
+      pair->open = Open{.why = Open::Why::too_few, .n = pair->n, .needed = static_cast<int>(n)};
       return true;
     });
   }

@@ -41,8 +41,8 @@ struct Tested {
   std::optional<Effect> effect = {};  // none of summaries and of logarithms
   std::optional<double> g = {};       // Hedges', of paired values g_av, where means decide (describe.hpp)
   std::string_view test = {};
-  int n = 0;       // observations, or common blocks; of the smaller group; of a sign test runs
-                   // that differ
+  int n = 0;       // observations, or common blocks; of the smaller group, or those that a solver that
+                   // repeats itself is held against
   int enough = 0;  // of undecided with p < 0.5: about how many could decide; 0: nobody knows
 };
 
@@ -57,7 +57,6 @@ struct Open {
   Why why = Why::too_few;
   int n = 0;                          // observations of the smaller group, or common blocks
   int needed = 0;                     // if too few: how many, in each group, could decide
-  bool is_of_differences = false;     // n and needed are of values that differ from a solver's that repeats itself
   std::optional<Amount> amount = {};  // of few that decide
 };
 

@@ -17,7 +17,7 @@ using Columns = std::vector<std::vector<double>>;
 
 bool has_chance(const Group& group) {  // in its values
   return std::holds_alternative<Summary>(group.sample) ||
-         (std::holds_alternative<Measured>(group.sample) && !values_of(group).empty());
+         (!untold(group) && repeats_of(group) != Repeats::yes && !values_of(group).empty());
 }
 
 // Values of each group; of paired ones those of the blocks that all have. None for fewer than two groups, or where a
@@ -27,7 +27,7 @@ Columns columns_of(const Observations& observed) {
   std::vector<int> common;
   for (const Group& group : observed.groups) {
     const auto* const measured = std::get_if<Measured>(&group.sample);
-    if (measured == nullptr || measured->values.empty()) return {};
+    if (measured == nullptr || !has_chance(group)) return {};
     const std::vector<int>& blocks = measured->blocks;
     std::vector<int> both;
     std::ranges::set_intersection(columns.empty() ? blocks : common, blocks, std::back_inserter(both));

@@ -19,17 +19,16 @@ enum class Better { smaller, larger };
 // the metric, whatever the values are.
 enum class Scale { ratio, difference, share };
 
+// Whether all values are one, since the solver repeats itself. maybe: they are equal, and nobody knows.
+enum class Repeats { no, maybe, yes };
+
 // What is known of a group: one of these.
 struct Measured {
   std::vector<double> values = {};  // infinite: no answer, worse than any
   std::vector<int> blocks = {};     // where paired: of each value, rising; none: those of all groups are the same
-  bool may_repeat = false;          // all values are equal, and nobody knows whether the solver repeats itself
+  Repeats repeats = Repeats::no;    // yes: the one value stands for all runs
   double worth = 0;                 // of logarithms of costs: how many equal ones would tell as much
   double solved = 0;                // of the same: the targets solved
-};
-struct Copies {  // of one value, since the solver repeats itself
-  double value = 0;
-  int runs = 0;
 };
 struct Summary {  // as papers print it
   int n = 0;
@@ -53,7 +52,7 @@ struct Untold {     // not compared; what there is can be described
   std::vector<double> values = {};
   std::optional<Summary> printed = {};
 };
-using Sample = std::variant<Measured, Copies, Summary, Untold>;
+using Sample = std::variant<Measured, Summary, Untold>;
 
 struct Group {
   std::string name = {};
@@ -65,12 +64,15 @@ struct Group {
 
 // Null if it is compared.
 inline const Untold* untold(const Group& group) { return std::get_if<Untold>(&group.sample); }
+inline Repeats repeats_of(const Group& group) {
+  const auto* const measured = std::get_if<Measured>(&group.sample);
+  return measured ? measured->repeats : Repeats::no;
+}
 // Observations without a value.
 inline int lost_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }
-// All that a group has: of copies one, of a summary none.
+// All that a group has: of one that repeats itself one, of a summary none.
 inline std::span<const double> values_of(const Group& group) {
   if (const auto* const measured = std::get_if<Measured>(&group.sample)) return measured->values;
-  if (const auto* const copies = std::get_if<Copies>(&group.sample)) return {&copies->value, 1};
   if (const Untold* const its = untold(group)) return its->values;
   return {};
 }

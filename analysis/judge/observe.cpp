@@ -154,7 +154,7 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   if (lost > 0)
     group.sample = Untold{.why = Untold::Why::lost, .lost = lost, .values = std::move(measured.values)};
   else if (!is_paired && are_equal && repeats_itself(study, solver))
-    group.sample = Copies{measured.values.front(), static_cast<int>(measured.values.size())};
+    group.sample = Measured{.values = {measured.values.front()}, .repeats = Repeats::yes};
   else
     group.sample = std::move(measured);
   return group;

@@ -25,7 +25,7 @@ void remove_rounding(std::vector<double>& values, const std::vector<double>& rou
 
 bool is_one_value(const Group& group) {
   const auto* const measured = std::get_if<Measured>(&group.sample);
-  return measured == nullptr || measured->may_repeat || measured->values.size() == 1;
+  return measured == nullptr || measured->repeats != Repeats::no || measured->values.size() == 1;
 }
 
 Summary summary_of(const Group& group, const std::vector<double>& values) {

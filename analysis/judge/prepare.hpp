@@ -10,7 +10,7 @@
 
 namespace ikbench::judge {
 
-// Copies are one value. A group that is printed has a summary and no values.
+// A solver that repeats itself has one value. A group that is printed has a summary and no values.
 struct Prepared {
   std::vector<double> first, second;
   std::vector<double> differences = {};  // by block; or of each run from the one value of a solver that repeats itself

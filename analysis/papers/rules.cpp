@@ -299,11 +299,8 @@ Holds holds_of(const std::vector<Holds>& parts) {
 Observations deviations(Observations observed) {
   for (Group& group : observed.groups) {
     const double median = describe(group).median;
-    if (auto* const measured = std::get_if<Measured>(&group.sample)) {
+    if (auto* const measured = std::get_if<Measured>(&group.sample))
       for (double& value : measured->values) value = std::abs(value - median);
-    } else if (auto* const copies = std::get_if<Copies>(&group.sample)) {
-      copies->value = 0;
-    }
   }
   return observed;
 }

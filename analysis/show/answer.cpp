@@ -33,8 +33,6 @@ JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
     scale(factor, group.at_most);
     if (auto* const measured = std::get_if<Measured>(&group.sample); measured && !observed.are_logs)
       scale_all(measured->values);
-    if (auto* const copies = std::get_if<Copies>(&group.sample); copies && !observed.are_logs)
-      scale(factor, copies->value);
     if (auto* const printed = std::get_if<Summary>(&group.sample)) scale(factor, printed->mean, printed->sd);
     if (auto* const its = std::get_if<Untold>(&group.sample); its && !observed.are_logs) scale_all(its->values);
   }

@@ -478,9 +478,7 @@ ReasonWords words_of(Open::Why why) {
 }
 
 std::string reason_of(const Open& open, std::string_view noun) {
-  if (open.why != Open::Why::too_few || (open.n == 0 && !open.is_of_differences))
-    return std::string(words_of(open.why).of_pair);
-  if (open.is_of_differences) return fmt::format("{} of the {} differ, {} are needed", open.n, noun, open.needed);
+  if (open.why != Open::Why::too_few || open.n == 0) return std::string(words_of(open.why).of_pair);
   return fmt::format("{} {} too few, {} are needed", base::counted(open.n, noun), open.n == 1 ? "is" : "are",
                      open.needed);
 }

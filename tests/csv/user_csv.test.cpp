@@ -65,7 +65,7 @@ TEST_CASE("equal values of a file are tested as copies and as observations") {
   const Quantities read = csv::read(text_in("tests/data/csv/const2.csv"), "const2.csv", smaller({}));
   const Observations& observed = read.observed.front();
   CHECK(list_of(observed.groups.front()) == std::vector(20, 0.01));
-  CHECK(std::get<judge::Measured>(observed.groups.front().sample).may_repeat);
+  CHECK(std::get<judge::Measured>(observed.groups.front().sample).repeats == judge::Repeats::maybe);
   const Seen found = judge::compared(observed, {}).front();
   CHECK(found.verdict == Verdict::better);
   CHECK(found.test == "sign test and Mann-Whitney");
