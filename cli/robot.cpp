@@ -49,7 +49,7 @@ std::string frame_line(std::string_view name, const Frame& frame) {
 }
 
 std::string joint_table(const Robot& arm) {
-  const std::vector<std::string> names = joint_names(arm);
+  const std::vector<std::string> names = joint_names(arm.description);
   std::vector<std::vector<std::string>> rows{
       {"JOINT", "", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
   const bool has_velocities = arm.velocity.size() > 0;

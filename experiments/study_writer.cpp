@@ -151,7 +151,7 @@ OrderedJson arm_definition(const Robot& arm) {
     json["links"].push_back(json_of(written(link)));
   }
   std::size_t joint = 0;
-  for (const std::string& name : joint_names(arm)) json["links"][joint++]["name"] = name;
+  for (const std::string& name : joint_names(arm.description)) json["links"][joint++]["name"] = name;
   if (arm.velocity.size() > 0)
     json["velocity_deg_s"] = in_units((arm.velocity.array() / joint_units(arm.chain).array()).eval(), 1);
   if (!arm.tip_link.empty()) json["base_link"] = arm.base_link, json["tip_link"] = arm.tip_link;

@@ -94,6 +94,14 @@ Frame frame_of(const Pose& pose) {
   return frame;
 }
 
+std::vector<std::string> joint_names(const Description& description) {
+  std::vector<std::string> names;
+  for (const DescribedJoint& joint : description) {
+    if (joint.motion != DescribedJoint::Motion::none) names.push_back(joint.name);
+  }
+  return names;
+}
+
 Pose pose_of(const Description& description, const ConfigurationRef& q) {
   Pose pose = Pose::Identity();
   Eigen::Index moving = 0;

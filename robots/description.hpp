@@ -24,6 +24,9 @@ struct DescribedJoint {
 // The joints from the base to the tool; the last frame is the tool's.
 using Description = std::vector<DescribedJoint>;
 
+// Of the joints that move.
+std::vector<std::string> joint_names(const Description& description);
+
 // A pose as a Frame. Numbers within 1e-12 of 0 or of a multiple of 15 degrees become exact.
 Frame frame_of(const Pose& pose);
 

@@ -72,9 +72,7 @@ Pose turned(double about_x, double about_y, double about_z) { return Frame{.rpy 
 }  // namespace
 
 std::vector<std::string> joint_names(const Robot& arm) {
-  std::vector<std::string> names;
-  for (const DescribedJoint& joint : arm.description)
-    if (joint.motion != DescribedJoint::Motion::none) names.push_back(joint.name);
+  std::vector<std::string> names = joint_names(arm.description);
   for (int j = static_cast<int>(names.size()); j < arm.joints(); ++j) names.push_back(fmt::format("joint_{}", j + 1));
   return names;
 }
