@@ -46,21 +46,20 @@ TEST_CASE("the paper's helix is the default: 20 points, a fifth of a turn and 2.
   CHECK(helix[19].translation().z() == Approx(0.10 + 0.50 * 19 / 20));
 }
 
-TEST_CASE("with the spacing k/(n - 1) the last point is the end of the helix", "[path]") {
+TEST_CASE("with the spacing k/(n - 1) the last point is the end of the helix; one point is its start", "[path]") {
+  for (const std::string spacing : {"k_over_n", "k_over_n_minus_1"})
+    CHECK(near(point(path_of({"points=1", "spacing=" + spacing}), 0), {0.60, 0.20, 0.10}));
   const Path helix = path_of({"spacing=k_over_n_minus_1"});
   CHECK(near(point(helix, 0), {0.60, 0.20, 0.10}));
   CHECK(near(point(helix, 19), {0.60, 0.20, 0.60}));  // t = 4 pi
   CHECK(poses_of(helix).size() == 20);
 }
 
-TEST_CASE("the phase cos_sin starts on the x axis and turns towards y", "[path]") {
+TEST_CASE("the phase cos_sin starts on the x axis and turns towards y, a quarter later a quarter on", "[path]") {
   const Path helix = path_of({"phase=cos_sin"});
   CHECK(near(point(helix, 0), {0.80, 0.0, 0.10}));
   CHECK(near(point(helix, 5), {0.40, 0.0, 0.225}));
   CHECK(point(helix, 1).y() > 0);
-}
-
-TEST_CASE("a start of a quarter turn moves the first point by a quarter of the circle", "[path]") {
   CHECK(near(point(path_of({"start_deg=90"}), 0), {0.80, 0.0, 0.10}));                    // (sin, cos) of 90 deg
   CHECK(near(point(path_of({"start_deg=90", "phase=cos_sin"}), 0), {0.60, 0.20, 0.10}));  // (cos, sin) of 90 deg
 }
@@ -101,14 +100,6 @@ TEST_CASE("random targets are tool poses of configurations within the limits, on
     }
     const Configuration range = limits.upper - limits.lower;  // 200 draws leave little of it at either end
     CHECK(((highest - lowest).array() > 0.9 * range.array()).all());
-  }
-}
-
-TEST_CASE("a path of one point is its start, with either spacing", "[path]") {
-  for (const std::string spacing : {"k_over_n", "k_over_n_minus_1"}) {
-    const std::vector<Pose> helix = poses_of(path_of({"points=1", "spacing=" + spacing}));
-    REQUIRE(helix.size() == 1);
-    CHECK(near(helix[0].translation(), {0.60, 0.20, 0.10}));
   }
 }
 

@@ -19,13 +19,6 @@ Study study_of_every_solver() {
   return study;
 }
 
-// Studies only solvers whose iterations we count; a peer's library has its own.
-Study study_of_every_own_solver() {
-  Study study = study_of_every_solver();
-  std::erase_if(study.solvers, [](const SolverEntry& entry) { return !solver(entry.solver).library.empty(); });
-  return study;
-}
-
 Study small_random_study() {
   Study study = small_study();
   study.path = path_of({"kind=random", "points=4"});
@@ -617,7 +610,8 @@ TEST_CASE("a run is continued after a solve that was not finite as if it had not
 // ---- stop rules, traces, times ------------------------------------------------------------------------------------
 
 TEST_CASE("the trace has the best error after every iteration, and ends with the claim", "[runner]") {
-  Study study = study_of_every_own_solver();
+  Study study = study_of_every_solver();  // whose iterations we count; a peer's library has its own
+  std::erase_if(study.solvers, [](const SolverEntry& entry) { return !solver(entry.solver).library.empty(); });
   for (const SolveRecord& record : solves_of(study)) CHECK(record.trace_cm.empty());
   study.trace = Trace::best_error;
   for (const SolveRecord& record : solves_of(study)) {

@@ -45,12 +45,3 @@ TEST_CASE("random overrides are taken, or refused", "[study][fuzz]") {
     });
   }
 }
-
-TEST_CASE("random bytes are no study", "[study][fuzz]") {
-  std::mt19937 random(5);
-  for (int i = 0; i < 200; ++i) {
-    std::string bytes(random() % 400, '\0');
-    for (char& byte : bytes) byte = static_cast<char>(random());
-    CHECK_THROWS_AS(read_study(bytes), std::invalid_argument);
-  }
-}

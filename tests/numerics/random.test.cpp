@@ -5,7 +5,6 @@
 #include <boost/math/distributions/normal.hpp>
 
 #include "numerics/instruction_set.hpp"
-#include "tests/common.hpp"
 #include "tests/solvers/objectives.hpp"
 
 namespace {

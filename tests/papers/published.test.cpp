@@ -3,7 +3,7 @@
 #include "tests/mistakes.hpp"
 #include "tests/papers/studies.hpp"
 
-TEST_CASE("a printed number stands for all that round to its digits", "[papers]") {
+TEST_CASE("a printed number stands for all that round to its digits, and ours beside it", "[papers]") {
   CHECK(half_unit("1.7824e-4") == Approx(5e-9));
   CHECK(half_unit("12") == 0.5);
   CHECK(agrees(34.84, "34.8"));
@@ -12,6 +12,8 @@ TEST_CASE("a printed number stands for all that round to its digits", "[papers]"
   CHECK(can_be({0.1, 0.19996}, "0.2"));
   CHECK_FALSE(can_be({0.1, 0.14}, "0.2"));
   CHECK_THROWS_AS(agrees(1, "one"), std::invalid_argument);
+  CHECK(std::get<show::Printed>(beside(0.1, "0.2")).printed == "0.2");
+  CHECK(std::get<double>(beside(0.1, "")) == 0.1);  // alone
 }
 
 TEST_CASE("printed rows have their digits, and the names that a table gives by its columns", "[papers]") {
@@ -40,11 +42,6 @@ TEST_CASE("printed means are compared as summaries, and give the printed ANOVA b
     CHECK(anova->df == 5);
     CHECK(anova->df_within == 114);
   }
-}
-
-TEST_CASE("ours stand beside what is printed, alone where nothing is", "[papers]") {
-  CHECK(std::get<show::Printed>(beside(0.1, "0.2")).printed == "0.2");
-  CHECK(std::get<double>(beside(0.1, "")) == 0.1);
 }
 
 TEST_CASE("the range of another study holds 92 % of what such studies have, and widens with fewer runs", "[papers]") {

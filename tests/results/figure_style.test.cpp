@@ -13,20 +13,6 @@ FigureStyle style_in(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a style has the keys that it gives, and the rest as before", "[style]") {
-  const FigureStyle style = style_in(
-      "width_cm = 12\nfont = \"DejaVu Sans\"\ntext_pt = 10\npalette = [\"#ff0000\", \"#1E8CF8\"]\nformats = [\"pdf\"]\n"
-      "solvers = [\"DE\", \"IK-BA\"]\n");
-  CHECK(style.width_cm == 12);
-  CHECK(style.height_cm == 0);
-  CHECK(style.font == "DejaVu Sans");
-  CHECK(style.text_pt == 10);
-  CHECK(style.palette.size() == 2);
-  CHECK(style.formats == std::vector<std::string>{"pdf"});
-  CHECK(style.solvers == std::vector<std::string>{"DE", "IK-BA"});
-  CHECK(style_in("") == FigureStyle());
-}
-
 TEST_CASE("a style with a value that no figure may have is refused with its place", "[style]") {
   check_mistakes("style", "look.toml:", style_in);
 }

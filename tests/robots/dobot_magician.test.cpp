@@ -56,10 +56,6 @@ TEST_CASE("the Dobot's errors, poses and Jacobians have the bits of its closed f
   }
 }
 
-TEST_CASE("older stores know the Dobot by the words of its closed form", "[dobot]") {
-  CHECK(robot("dobot_magician").chain.definition() == " dobot magician 0.135 0.147 0.061 0.058 ");
-}
-
 TEST_CASE("the Dobot's printed angles lie on the printed circle, to what a tenth of a degree moves", "[dobot][paper]") {
   const Chain dobot = robot("dobot_magician").chain;
   const std::string text = text_in("results/published/slim2023/table-8.csv");

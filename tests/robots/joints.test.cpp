@@ -173,6 +173,8 @@ TEST_CASE("what is new in an arm is said in its definition, and nothing of what 
   CHECK(Chain(coupled).definition() == "0.5 1 0.25 2 coupled 0 0 0 ");
   CHECK(Chain(one, {{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 0, 0}}).definition() ==
         "0.5 1 0.25 2 7 8 9 turned 1 0 0 base 1 2 3 4 5 6 ");
+  // Older stores know the Dobot by the words of its closed form.
+  CHECK(robot("dobot_magician").chain.definition() == " dobot magician 0.135 0.147 0.061 0.058 ");
 }
 
 TEST_CASE("the wrist of an arm on a base, with a slide before it and a turned tool, reaches given poses", "[joints]") {

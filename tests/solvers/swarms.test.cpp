@@ -227,7 +227,7 @@ TEST_CASE("MO-PSO's answer is the smallest error it has seen, and its knee gives
   const auto answer = [&](const std::string& final_point) {
     RecordingObjective objective(task.chain, task.target);
     Random random{Key(1)};
-    const auto swarm = solver("multi_objective_swarm").make({{"final_point", final_point}, {"archive", 3.0}});
+    const auto swarm = solver("multi_objective_swarm").make({{"final_point", final_point}});
     const Best best = solve(*swarm, task.problem, objective, random, {.iterations = 50}).best;
     if (final_point == "smallest_error") CHECK(best.error == std::ranges::min(objective.given));
     return best;
