@@ -43,9 +43,9 @@ void add_verify(CLI::App& app, Invocation& invocation) {
     leave_out(again.of_other_source, " (the source is another in this version)");
     if (study.definition.stop.seconds > 0) leave_out({"all solves"}, ", which a clock may end");
     const std::string made =
-        again.of == 0 ? "None was made again."
-                      : fmt::format("{} of {}, drawn at random, were made again and have the same bits and counts.",
-                                    again.solves, again.of);
+        again.solves == 0 ? "None was made again."
+                          : fmt::format("{} of {}, drawn at random, were made again and have the same bits and counts.",
+                                        again.solves, again.of);
     const std::string text = fmt::format(
         "{}: errors, joint motion and status of all {} follow from their answers. {}\nNot checked: {}.", study.name,
         base::counted(static_cast<std::int64_t>(all), "solves"), made, fmt::join(unchecked, "; "));
