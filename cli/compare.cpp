@@ -13,6 +13,7 @@
 #include "analysis/show/answer_tables.hpp"
 #include "analysis/show/article.hpp"
 #include "analysis/show/screen.hpp"
+#include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "base/files.hpp"
@@ -146,7 +147,28 @@ std::string verdict_of(const Gate& gate, const show::Answer& answer) {
     untested.push_back(fmt::format("{} ({})", quantity, why_open(answer, judged)));
   }
   if (!untested.empty()) text += fmt::format(" Not tested: {}.", show::listed(untested));
+  if (const std::string then = gate.label.empty() ? show::second_sentence(answer) : ""; !then.empty()) text += ' ' + then;
   return text;
+}
+
+// "Lost: run 57; won: none; the other 199 are the same to the bit."
+std::string targets_of(const Gate& gate) {
+  constexpr std::size_t most = 10;
+  const std::size_t changed = gate.lost.size() + gate.won.size();
+  if (changed == 0) return "";
+  const auto names = [](std::vector<std::string> all) {
+    if (all.empty()) return std::string("none");
+    if (all.size() <= most) return show::listed(all);
+    const std::size_t more = all.size() - most;
+    all.resize(most);
+    return fmt::format("{} and {} more", fmt::join(all, ", "), more);
+  };
+  const auto rest = gate.judged.metrics.back().described.front().n - static_cast<int>(changed);
+  return fmt::format("{}Lost: {}; won: {}; {} {} the same to the bit.", gate.label.empty() ? "" : gate.label + ": ",
+                     names(gate.lost), names(gate.won),
+                     gate.same == rest ? fmt::format("the other {}", rest)
+                                       : fmt::format("of the other {} {}", rest, gate.same),
+                     gate.same == 1 ? "is" : "are");
 }
 
 // Something may differ.
@@ -164,7 +186,7 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
     for (const judge::JudgedMetric& judged : show::answer_of(gate.judged).metrics) {
       if (gate.label.empty() || is_told(gate) || judged.observations.unit != "ms") continue;
       for (const Doubt& doubt : judged.observations.doubts) others.insert(show::warning_of(doubt));
-      times.push_back(fmt::format("{} {} and {} ms", gate.label,
+      times.push_back(fmt::format("{} before {}, now {} ms", gate.label,
                                   show::number_text(show::shown_average(judged, 1).value),
                                   show::number_text(show::shown_average(judged, 0).value)));
     }
@@ -172,7 +194,7 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
   if (names.empty()) return "";
   return fmt::format(
       "{}: all solves are the same, bit for bit ({}).{}{}{}", show::listed(names), base::counted(solves, "solves"),
-      times.empty() ? "" : fmt::format(" Times before and now, of two sessions: {}.", show::listed(times)),
+      times.empty() ? "" : fmt::format(" Times (not compared: two sessions): {}.", show::listed(times)),
       others.empty() ? "" : " ", fmt::join(others, " "));
 }
 
@@ -200,7 +222,10 @@ std::string note_of(const std::vector<Gate>& all) {
 
 std::string screen_of(const std::vector<Gate>& all) {
   std::string text;
-  for (const Gate& gate : all) text += is_told(gate) ? show::screen(answer_of(gate)) + '\n' : "";
+  for (const Gate& gate : all) {
+    const std::string targets = targets_of(gate);
+    text += is_told(gate) ? show::screen(answer_of(gate)) + (targets.empty() ? "" : wrapped(targets) + '\n') + '\n' : "";
+  }
   for (const std::string& last : {note_of(all), verdict_of_same(all)}) text += last.empty() ? "" : wrapped(last) + '\n';
   return text;
 }
@@ -230,6 +255,8 @@ base::OrderedJson json_of(const std::vector<Gate>& all, int code) {
     }
     json["worse"][label] = gate.worse;
     json["newly_missing"][label] = gate.newly_missing;
+    json["lost"][label] = gate.lost;
+    json["won"][label] = gate.won;
     json["better"][label] = gate.better;
     json["undecided"][label] = gate.not_decided;
     json["not_tested"][label] = gate.not_tested;
@@ -250,7 +277,7 @@ std::string markdown_of(const std::vector<Gate>& all) {
     sentences.front().clear();
     text += fmt::format("**{}**\n\n{}\n{}\n{}\n\n", show::markdown_text(answer.verdict),
                         show::to_markdown(show::results_table(answer)), show::to_markdown(show::pairs_table(answer)),
-                        show::markdown_text(fmt::format("{}", fmt::join(sentences, " "))));
+                        show::markdown_text(fmt::format("{} {}", targets_of(gate), fmt::join(sentences, " "))));
   }
   const std::string same = show::markdown_text(verdict_of_same(all));
   std::vector<std::string> last{show::markdown_text(note_of(all)), same.empty() ? "" : fmt::format("**{}**", same)};

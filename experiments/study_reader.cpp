@@ -232,6 +232,7 @@ Study read_study(const toml::table& table, std::string_view source) {
   read_solvers(reader, study, arm);
   const std::vector<std::string> labels = labels_of(study);
   read_part(analysis, study.plan);
+  for (const std::string& then : study.plan.then) refuse_unknown(analysis, "then", "metric", then, results::all_thens);
   const std::string& control = study.plan.control;
   if (!control.empty() && std::ranges::find(study.solvers, control, &SolverEntry::family) == study.solvers.end())
     refuse_unknown(analysis, "control", "label", control, labels);

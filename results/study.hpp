@@ -17,12 +17,16 @@
 
 namespace ikbench::results {
 
+// What a headline goes on to, in this order: the first of these that is judged.
+inline const std::vector<std::string> all_thens{"time", "evaluations", "motion"};
+
 // How a study will be judged, said before its data are seen. It decides no number of a solve.
 struct Plan {
   enum class Test { ranks, means } test = Test::ranks;
   enum class Values { runs, points } values = Values::runs;  // of a path: means over its points, or over the runs
-  std::string metric = {};   // of the headline; empty: solved where any target is solved, else the error
-  std::string control = {};  // compares with this group alone; empty: all pairs
+  std::string metric = {};  // of the headline; empty: solved where any target is solved, else the error
+  std::vector<std::string> then = all_thens;  // of those whom solved does not tell apart; empty: nothing
+  std::string control = {};                   // compares with this group alone; empty: all pairs
   double significance = 0.05;
   double margin = 0.05;  // that matters: relative, 1 / 1.05 to 1.05; of shares points
   double margin_cm = 0;  // the same of errors; within either, a difference does not matter
@@ -45,6 +49,9 @@ inline void list_fields(base::Fields& io, Plan& plan) {
       "metric", plan.metric,
       "what decides who is best, a metric of ikbench list metrics; \"\": solved where any target is solved, else the "
       "error");
+  io.texts("then", plan.then,
+           "where solved does not tell solvers apart, what the headline goes on to: the first of time, evaluations and "
+           "motion that is judged; []: nothing");
   io.text("control", plan.control, "label to compare the others with; \"\": compare every pair");
   io.number("significance", plan.significance, 1, {0.0001, 0.2},
             "significance level of the tests of a metric together");

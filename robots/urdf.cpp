@@ -617,8 +617,8 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
       changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
       arm.snapped = moved_by_snapping(printed, snapped, arm.limits);
       arm.notes.push_back(fmt::format(
-          "the digits of {} are read as the round angles or parallel axes that they mean, which "
-          "moves the tool by at most {:.{}g} um",
+          "{} are rounded in the file: taken as the quarter turns or parallel axes meant, which moves the tool by at "
+          "most {:.{}g} um",
           counted(static_cast<std::int64_t>(changed.size()), "joints"), 1e6 * arm.snapped, arm.snapped < 1e-4 ? 2 : 6));
     }
     return arm;

@@ -262,12 +262,12 @@ std::string words_of(const Doubt& doubt) {
       "{share} {what}: no verdict on {who}; write inf for no answer, or drop them",
       "ignored: {solves} of another version ({who})",
       "{share} solves claimed an error that is wrong, and do not count as solved ({who})",
-      "results of {who} that seconds decide are not compared: {what} ({share} solves)",
+      "{who} {was} stopped by the time limit, and not compared: {what} ({share} solves){to_do}",
       "{what} ({who})",
       "{what} ({who})",
       "{share} answers outside the joint limits ({who})",
       "no answer in {share} {what}{of_whom}",
-      "times{of_who} are not compared: {what}",
+      "times{of_who} are not compared: {what}{to_do}",
       "sessions in which the machine was busy are left out of the tests of time ({who})",
       "{share} targets of a run out of reach, so no solver can solve them",
       "{share} targets were solved by nobody in any run (points {what})",
@@ -285,6 +285,8 @@ std::string words_of(const Doubt& doubt) {
   return fmt::format(
       fmt::runtime(sentence), fmt::arg("who", who), fmt::arg("of_whom", if_any(" (", ")")),
       fmt::arg("of_who", if_any(" of ", "")), fmt::arg("share", share), fmt::arg("what", doubt.what),
+      fmt::arg("was", doubt.who.size() == 1 ? "was" : "were"),
+      fmt::arg("to_do", doubt.what == "the machine was busy" ? "; run again on a quiet machine: --out NEW" : ""),
       fmt::arg("count", std::llround(doubt.count)), fmt::arg("solves", counted(std::llround(doubt.count), "solves")),
       fmt::arg("first", who.empty() ? who : doubt.who.front()), fmt::arg("last", who.empty() ? who : doubt.who.back()));
 }

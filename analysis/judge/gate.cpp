@@ -114,6 +114,14 @@ Gate gate(StudyResults study, std::optional<double> time_margin, const std::stri
   Gate gate{.label = label,
             .do_times_decide = time_margin.has_value(),
             .are_same = have_same_solves(ours, theirs) && std::ranges::any_of(ours, gave_answer)};
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const bool is_solved = ours[i].status == Status::ok, was_solved = theirs[i].status == Status::ok;
+    gate.same += have_same_solves(ours.subspan(i, 1), theirs.subspan(i, 1));
+    if (is_solved == was_solved || !study.definition.has_tolerance()) continue;
+    (is_solved ? gate.won : gate.lost)
+        .push_back(study.definition.points == 1 ? fmt::format("run {}", ours[i].run)
+                                                : fmt::format("target {} of run {}", ours[i].point, ours[i].run));
+  }
   study.definition.plan.control = baseline;  // shown second
   JudgedStudy& judged = gate.judged = observe_all(std::move(study));
   const bool machine_decides = !doubts_of_clock(judged.study).empty();

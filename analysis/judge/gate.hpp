@@ -17,6 +17,8 @@ struct Gate {
   bool do_times_decide = false;  // asked for
   // Quantities; time only if times decide. worse_by_little: by less than the margin, which is no loss.
   std::vector<std::string> worse, better, worse_by_little, not_decided, not_tested;
+  std::vector<std::string> lost = {}, won = {};  // targets: solved by the baseline alone, by the candidate alone
+  int same = 0;                                  // solves, bit for bit
   int newly_missing = 0;           // answers, where before none was or now none is left: fails, even if by chance
   bool are_same = false;           // all solves, bit for bit: then nothing is left to decide but time
   bool are_times_missing = false;  // though they decide

@@ -181,7 +181,7 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
           seeds > 1 ? fmt::format(": {:.0f}, each with seeds 1 to {}", multiverse.readings(), seeds) : "",
           plan.significance, pairs, base::counted(pairs, "pairs")),
       fmt::format("A reading answers {} of the questions that the paper leaves open. Counts depend on the answers "
-                  "listed; they are no probabilities.",
+                  "listed: they are no chances.",
                   multiverse.dimensions.size())};
   return result;
 }

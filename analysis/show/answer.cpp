@@ -155,7 +155,7 @@ Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
 Answer answer_of(const JudgedStudy& judged) {
   Answer all = answer_of(judged.metrics, judged.deciding);
   all.doubts = judged.doubts;
-  all.goes_on = all.decisive().observations.metric == "solved" && judged.study.definition.plan.metric.empty();
+  if (all.decisive().observations.metric == "solved") all.then = judged.study.definition.plan.then;
   const std::string solved = what_is_solved(judged.study), &name = judged.study.name;
   all.studied = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
                             stops_of(judged.study));

@@ -19,7 +19,7 @@ struct Answer {
   std::string studied = {};                  // of a study: what its solvers did, and when a solve ended, as sentences
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
-  bool goes_on = false;        // of a study that asks first what is solved: where that is open, to what follows
+  std::vector<std::string> then = {};  // of a study that asks first what is solved: its plan's
   results::TableStyle::Show show = results::TableStyle::Show::tested;  // of the table of results
   Table loop = {};                                                     // of a control loop; without rows if it is none
 

@@ -12,6 +12,7 @@
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/figures/plots.hpp"
+#include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "base/json.hpp"
@@ -22,6 +23,8 @@ namespace ikbench::show {
 using namespace judge;
 
 namespace {
+
+constexpr std::size_t most_told = 15;  // pairs of a metric; of more only those with the reference
 
 const std::string star = "*", plus = "+", exclamation = "!";
 
@@ -123,14 +126,9 @@ std::string of_whom(const Answer& answer, const std::string& reference) {
   return answer.decisive().plan.control.empty() && !others.empty() ? "another solver" : reference;
 }
 
-Tone tone_of(Verdict verdict) {
-  return verdict == Verdict::better ? Tone::good : verdict == Verdict::worse ? Tone::bad : Tone::neutral;
-}
-
 // The same members for every pair, null where nothing is known.
 base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
   using Json = base::OrderedJson;
-  constexpr std::array<const char*, 5> verdicts{"better", "worse", "same", "undecided", "not_tested"};
   const Amount* const amount = amount_of(finding);
   const auto* const ends = amount && amount->interval ? &*amount->interval : nullptr;
   const auto* const tested = std::get_if<Tested>(&finding.what);
@@ -161,7 +159,7 @@ base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
                 : open ? Json(open->n)
                        : Json()},
           {"n_that_could_decide", enough > 0 ? Json(enough) : Json()},
-          {"verdict", verdicts[static_cast<std::size_t>(verdict)]},
+          {"verdict", words_of(verdict).key},
           {"size", tested && is_difference(verdict) ? Json(tested->is_small ? "small" : "matters") : Json()},
           {"reason", tested ? Json()
                      : open ? Json(words_of(open->why).key)
@@ -170,7 +168,7 @@ base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
 
 }  // namespace
 
-Table results_table(const Answer& answer) {
+Table results_table(const Answer& answer, bool is_brief) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
   const JudgedMetric& decisive = answer.decisive();
   for (const std::string& solver : answer.solvers()) table.rows.push_back({solver});
@@ -182,8 +180,8 @@ Table results_table(const Answer& answer) {
   bool has_numbers = false, has_averages = false, has_quartiles = false, has_shares = false, has_words = false,
        has_sd = false;
   std::set<std::string> kinds, marks;
-  ByWord reasons, counts;                // metrics by why they have a "-"; by what each solver's own numbers are of
-  std::vector<std::string> ratios, own;  // metrics of ratios to the reference, and those where some have none
+  ByWord reasons;                            // metrics by why they have a "-"
+  std::vector<std::string> ratios, counted;  // metrics of ratios to the reference; of numbers of each one's own targets
   for (const JudgedMetric& judged : answer.metrics) {
     const Observations& observed = judged.observations;
     const bool is_average = &judged == &decisive && !is_share(judged) && !observed.is_of_solved && !observed.are_logs;
@@ -193,7 +191,6 @@ Table results_table(const Answer& answer) {
     const bool are_ratios_here = are_ratios(judged, reference),
                are_counted = observed.is_of_solved && !are_ratios_here && !judged.findings.empty();
     std::set<std::string> here;
-    bool has_own = false;
     for (auto& row : table.rows) {
       row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), losers, apart));
       if (const auto* const absent = std::get_if<Absent>(&row.back())) here.insert(absent->why);
@@ -201,29 +198,17 @@ Table results_table(const Answer& answer) {
       if (!marked) continue;
       has_numbers |= !is_share(judged);
       has_averages |= !is_share(judged) && !observed.are_logs && !are_ratios_here && !are_counted;
-      has_own |= are_ratios_here && !marked->to_reference && marked->words.empty() &&
-                 std::get<std::string>(row[0]) != reference;
       has_words |= !marked->words.empty();
       marks.insert(marked->mark);
       has_sd |= marked->sd.has_value();
       has_quartiles |= marked->interval && !is_share(judged);
       has_shares |= marked->interval && is_share(judged);
       if (marked->to_reference)
-        kinds.insert(marked->to_reference == Scale::ratio ? "ratios to it" : "differences from it");
+        kinds.insert(marked->to_reference == Scale::ratio ? "as multiples of" : "as differences from");
     }
     if (are_ratios_here) ratios.push_back(observed.quantity);
-    if (has_own) own.push_back(observed.quantity);
     for (const std::string& reason : here) reasons.add(reason, observed.quantity);
-    if (!are_counted) continue;
-    std::vector<std::string> solved;
-    for (const std::string& solver : answer.solvers()) {
-      const std::size_t place = place_of(observed, solver);
-      if (place < judged.described.size()) solved.push_back(fmt::format("{} {}", solver, judged.described[place].n));
-    }
-    const auto [least, most] = std::ranges::minmax(judged.described, {}, &Description::n);
-    if (least.n == most.n) solved = {fmt::format("{} each", least.n)};
-    counts.add(fmt::format("{}s of the {} that each solved ({})", average, answer.noun, listed(solved, ", ")),
-               observed.quantity);
+    if (are_counted) counted.push_back(observed.quantity);
   }
   std::string key = !has_averages ? "" : are_means ? "Means" : "Medians";
   if (has_quartiles) key += " (quartiles)";
@@ -233,40 +218,45 @@ Table results_table(const Answer& answer) {
     key = fmt::format("{} of {}{}; {}", has_averages ? key : "Shares",
                       least.n == most.n ? "" : fmt::format("{} to ", least.n), base::counted(most.n, "values"),
                       answer.direction);
-  std::vector<std::string> sentences{key};
-  if (!kinds.empty()) {
-    const bool are_common = std::ranges::any_of(answer.metrics, [](const JudgedMetric& judged) {
-      return judged.observations.is_of_solved && judged.observations.is_paired;
-    });
-    sentences.push_back(
-        fmt::format("{} of {}: {}{}; of the other{}: {}, {}",
-                    answer.direction.empty() ? as_sentence(listed(ratios)) : listed(ratios), reference, average,
-                    ratios.size() == 1 ? "" : "s", answer.order.size() == 2 ? "" : "s", fmt::join(kinds, " or "),
-                    are_common ? fmt::format("on {} that both solved", answer.noun) : "of solved " + answer.noun));
-  }
-  const auto are_spent = [](const JudgedMetric& judged) { return judged.observations.is_spent; };
-  if (std::ranges::any_of(answer.metrics, are_spent))
-    sentences.back() += fmt::format("{}per solved: all that was spent, divided by the {} solved",
-                                    sentences.back().empty() ? "" : "; ", answer.noun);
   const auto has_facts = [](const JudgedMetric& judged) {
     return std::ranges::any_of(judged.findings, [](const Finding& finding) {
       return std::holds_alternative<Fact>(finding.what) && is_difference(verdict_of(finding));
     });
   };
-  const std::string level = fmt::format(" (adjusted p < {}{})", number_text(decisive.plan.significance),
+  const std::string level = fmt::format(" (p < {}{}{})", number_text(decisive.plan.significance),
+                                        decisive.plan.control.empty() && answer.order.size() > 2 ? ", all pairs" : "",
                                         std::ranges::any_of(answer.metrics, has_facts) ? ", or for certain" : "");
-  sentences.push_back(meaning_of(marks, of_whom(answer, reference) + level));
-  if (!own.empty()) sentences.back() += fmt::format(" ({}: its own {})", listed(own), average);
+  std::vector<std::string> sentences{key, meaning_of(marks, of_whom(answer, reference) + level)};
+  if (has_shares)
+    sentences.push_back(fmt::format("Intervals{}: {:.3g} %", has_quartiles ? " of shares" : "",
+                                    100 * (1 - decisive.plan.significance)));
+  if (!kinds.empty())
+    sentences.push_back(fmt::format("{}: the other{} {} {}'s {}",
+                                    answer.direction.empty() ? as_sentence(listed(ratios)) : listed(ratios),
+                                    answer.order.size() == 2 ? "" : "s", fmt::join(kinds, " or "), reference, average));
   if (has_numbers && are_means != are_means_tested(decisive))
     sentences.emplace_back(are_means ? "Tests are of ranks" : "Tests are of means");
+  std::erase(sentences, "");
+  if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
+  if (is_brief) return table;
+  sentences.clear();
+  const auto are_spent = [](const JudgedMetric& judged) { return judged.observations.is_spent; };
+  if (std::ranges::any_of(answer.metrics, are_spent))
+    sentences.push_back(fmt::format("Per solved: all that was spent, divided by the {} solved", answer.noun));
+  if (!kinds.empty()) {
+    const bool are_common = std::ranges::any_of(answer.metrics, [](const JudgedMetric& judged) {
+      return judged.observations.is_of_solved && judged.observations.is_paired;
+    });
+    sentences.push_back(fmt::format("Multiples are {}", are_common ? fmt::format("on {} that both solved", answer.noun)
+                                                                   : "of solved " + answer.noun));
+  }
+  if (!counted.empty())
+    sentences.push_back(
+        fmt::format("{}: {}s of the {} that each solved", as_sentence(listed(counted)), average, answer.noun));
   if (has_words) sentences.emplace_back("1 times, or in N % of comparisons: no other ratio tells it");
-  if (has_shares)
-    sentences.push_back(fmt::format("Brackets{}: {:.3g} % intervals", has_quartiles ? " of shares" : "",
-                                    100 * (1 - decisive.plan.significance)));
   if (!reasons.all.empty()) sentences.push_back(fmt::format("-: {}", fmt::join(reasons.told("{} ({})"), "; ")));
   std::erase(sentences, "");
   if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
-  std::ranges::move(counts.told("{1}: {0}."), std::back_inserter(table.notes));
   table.notes.insert(table.notes.end(), answer.notes.begin(), answer.notes.end());
   return table;
 }
@@ -326,8 +316,8 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
     const auto count = [&](Verdict verdict) {
       return std::ranges::count_if(judged.findings, [=](const Finding& its) { return verdict_of(its) == verdict; });
     };
-    if (control.empty() || !best_of(judged).empty()) {
-      verdicts.add(headline_of(studies[s]).subject, names[s]);
+    if (control.empty() || said_of(judged, studies[s].solvers()).front().what == Said::What::best) {
+      verdicts.add(headline(studies[s], false), names[s]);
       continue;
     }
     std::vector<std::string> counts;
@@ -399,14 +389,6 @@ Table with_a_row_a_study(const Table& studies) {
   return without_intervals(std::move(turned));
 }
 
-std::string what_decides(const Answer& answer) {
-  const auto has_winner = [&](const JudgedMetric& judged) {
-    return &judged != &answer.decisive() && !losers_of(judged.findings).empty();
-  };
-  if (!answer.verdict.empty() || std::ranges::none_of(answer.metrics, has_winner)) return "";
-  return fmt::format("Only {} decides; other metrics are exploratory.", answer.decisive().observations.quantity);
-}
-
 std::string of_pairs(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const auto told =
@@ -421,64 +403,50 @@ Table pairs_table(const Answer& answer) {
               .caption = "The first against the second",
               .columns = columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "A12",
                                      "Hedges' g", "g_av", "test", "verdict", "n that could decide"})};
+  const std::string reference = reference_of(answer);
+  const std::vector<Question> questions = questions_of(answer);
   std::set<double> ends;
+  std::vector<std::vector<Cell>> others;
   bool has_p = false;
-  std::set<std::string_view> effects;
   for (const JudgedMetric& judged : answer.metrics) {
+    const bool is_asked = std::ranges::count(questions, &judged, &Question::of) > 0,
+               are_many = judged.findings.size() > most_told;
     for (const Finding& finding : judged.findings) {
       const auto* const tested = std::get_if<Tested>(&finding.what);
       const Amount* const amount = amount_of(finding);
       const EffectSize size = effect_size(finding, judged);
       const auto sized = [&](std::string_view name) { return size.name == name ? Cell(size.value) : Cell(); };
       has_p |= tested != nullptr;
-      effects.insert(size.name);
       const std::string ahead = amount ? "" : amount_words(finding, judged);
-      table.rows.push_back({judged.observations.quantity, finding.first, finding.second,
-                            amount ? Cell(amount->value) : Cell(),
-                            amount && amount->interval ? Cell(*amount->interval) : Cell(),
-                            text_cell(unit_of(finding, judged)), tested ? Cell(tested->p) : Cell(), sized("A12"),
-                            sized("Hedges' g"), sized("g_av"), text_cell(tested ? std::string(tested->test) : ""),
-                            Judgement{verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead),
-                                      tone_of(verdict_of(finding))},
-                            tested && tested->enough > 0 ? Cell(std::int64_t{tested->enough}) : Cell()});
+      const bool is_told = is_asked && (!are_many || finding.first == reference || finding.second == reference);
+      (is_told ? table.rows : others)
+          .push_back({judged.observations.quantity, finding.first, finding.second,
+                      amount ? Cell(amount->value) : Cell(),
+                      amount && amount->interval ? Cell(*amount->interval) : Cell(),
+                      text_cell(unit_of(finding, judged)), tested ? Cell(tested->p) : Cell(), sized("A12"),
+                      sized("Hedges' g"), sized("g_av"), text_cell(tested ? std::string(tested->test) : ""),
+                      Judgement{verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead),
+                                words_of(verdict_of(finding)).tone},
+                      tested && tested->enough > 0 ? Cell(std::int64_t{tested->enough}) : Cell()});
       for (const double end : ends_of(finding, judged)) ends.insert(end);
     }
   }
-  table.columns[3].ends = table.columns[4].ends = {ends.begin(), ends.end()};
+  table.told = table.rows.size();
+  std::ranges::move(others, std::back_inserter(table.rows));
+  table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[4].role = Role::interval;
   table.columns[6].role = Role::p;
-  table.columns.back().role = Role::remark;
+  for (const std::size_t c : {7u, 8u, 9u, 12u}) table.columns[c].role = Role::remark;
   table.columns[6].ends = {answer.decisive().plan.significance};
+  const std::string decides = what_decides(answer);
   std::vector<std::string> notes{
-      what_decides(answer),
+      decides.empty() ? "" : decides + "; other metrics are exploratory.",
       answer.verdict.empty() && has_p
           ? "p is multiplied by the number of pairs tested of its metric, and intervals hold for all."
           : "",
-      of_pairs(answer),
-      effects.contains("A12") ? "A12: share of comparisons in which the first is better, equal ones half." : "",
-      effects.contains("g_av") ? "g_av: difference of the means in standard deviations of both, not of the differences."
-                               : ""};
+      of_pairs(answer)};
   std::erase(notes, "");
   if (!notes.empty()) table.notes = {fmt::format("{}", fmt::join(notes, " "))};
-  return table;
-}
-
-Table told_pairs(const Answer& answer) {
-  const bool are_many = answer.decisive().findings.size() > figures::most_drawn_pairs;
-  const std::string reference = reference_of(answer);
-  Answer told = answer;
-  for (JudgedMetric& judged : told.metrics) {
-    std::erase_if(judged.findings, [&](const Finding& finding) {
-      const bool is_of_it = finding.first == reference || finding.second == reference;
-      return std::holds_alternative<Open>(finding.what) ||
-             (are_many && !is_of_it && !is_difference(verdict_of(finding)));
-    });
-  }
-  Table all = pairs_table(answer), table = pairs_table(told);
-  if (table.rows.empty()) return all;
-  if (table.rows.size() < all.rows.size())
-    table.notes.push_back(are_many ? fmt::format("Only decided pairs, and those of {}.", reference)
-                                   : "Only tested pairs.");
   return table;
 }
 

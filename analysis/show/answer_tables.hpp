@@ -13,7 +13,8 @@
 
 namespace ikbench::show {
 
-Table results_table(const Answer& answer);  // a row a solver
+// A row a solver; brief: with what its marks and numbers are alone.
+Table results_table(const Answer& answer, bool is_brief = false);
 // Solvers by studies: of each study its deciding column, in the order of the first. Each study is judged alone.
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names);
 // "a and b: DLS is best.\nc: Not decided." What the headline of each begins with.
@@ -21,9 +22,7 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
 std::optional<figures::Figure> studies_figure(const Table& studies, const std::vector<Answer>& answers);  // its shares
 Table without_intervals(Table studies);
 Table with_a_row_a_study(const Table& studies);  // of one unit, without intervals
-Table pairs_table(const Answer& answer);         // a row a pair
-Table told_pairs(const Answer& answer);          // of those the decided, and of many else those of the reference
-std::string what_decides(const Answer& answer);  // what a verdict on another metric is worth; empty if there is none
+Table pairs_table(const Answer& answer);         // a row a pair; first those of the headline, which are told
 std::string of_pairs(const Answer& answer);  // what estimates are of, where they are not those of the averages shown
 Table descriptives_table(const Answer& answer);
 Table anova_table(const Answer& answer);

@@ -14,6 +14,7 @@
 #include "analysis/show/answer_tables.hpp"
 #include "analysis/show/page.hpp"
 #include "analysis/show/publish.hpp"
+#include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "base/files.hpp"
@@ -26,14 +27,14 @@ using namespace judge;
 
 namespace {
 
-// "DLS against PSO: better, 35 points (5.45 to 61.1), p = 0.0469"
+// "better, 35 points (5.45 to 61.1), p = 0.0469"
 std::string told(const Finding& finding, const JudgedMetric& judged) {
   std::vector<std::string> parts{verdict_words(finding, judged), amount_words(finding, judged)};
   if (const auto [name, value] = effect_size(finding, judged); !name.empty() && !is_share(judged))
     parts.push_back(fmt::format("{} = {}", name, number_text(value)));
   if (p_of(finding)) parts.push_back(p_sentence(*p_of(finding), {judged.plan.significance}));
   std::erase(parts, "");
-  return fmt::format("{} against {}: {}", finding.first, finding.second, fmt::join(parts, ", "));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 // "McNemar's exact (n = 20 targets)", of each test.
@@ -52,68 +53,46 @@ std::string tests_of(const std::string& noun, const std::vector<Finding>& findin
   return listed(all);
 }
 
-std::string at_once(const JudgedMetric& judged) {
-  const auto [tests, without, equal] = tests_of_all(judged.observations);
-  std::vector<std::string> all;
-  for (const TestOfAll& test : tests) {
-    const bool is_f = !std::isnan(test.df_within);
-    all.push_back(fmt::format(
-        "{}: {} = {}, df = {:g}{}, {}{}", test.name, is_f ? "F" : "chi-squared", number_text(test.statistic), test.df,
-        is_f ? fmt::format(" and {:g}", test.df_within) : "", p_sentence(test.p, {judged.plan.significance}),
-        std::isnan(test.ss_between)
-            ? ""
-            : fmt::format(", partial eta squared = {}", number_text(test.partial_eta_squared()))));
-  }
-  if (all.empty()) return "";
-  return fmt::format("All at once{}: {}.", without.empty() ? "" : ", without " + names_of(without),
-                     fmt::join(all, "; "));
-}
-
-// The pairs of a metric: all, or of many how many are decided, and those of the reference, of many with their ends.
+// The pairs of a metric: those of which all is alike together; of many how many are decided, and those of the
+// reference.
 std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
-  constexpr std::array<std::string_view, 5> words{"is better than", "is worse than", "is the same as",
-                                                  "is not decided against", "is not tested against"};
-  std::vector<Finding> findings = judged.findings;
-  const std::string tests = tests_of(noun_of(answer, judged), findings), reference = reference_of(answer);
-  std::vector<std::string> parts, counts, names;
-  if (findings.size() > most_pairs) {
-    std::map<std::string_view, int> by_verdict;
-    for (const Finding& its : findings)
-      ++by_verdict[is_difference(verdict_of(its)) ? "decided" : judge::name_of(verdict_of(its))];
-    for (const auto& [verdict, count] : by_verdict) counts.push_back(fmt::format("{} {}", count, verdict));
-    parts.push_back(fmt::format("{} pairs ({})", findings.size(), listed(counts, ", ")));
-    std::erase_if(findings, [&](const Finding& its) { return its.first != reference && its.second != reference; });
+  const std::string tests = tests_of(noun_of(answer, judged), judged.findings), reference = reference_of(answer);
+  ByWord pairs, beside;
+  std::map<std::string_view, int> counts;
+  for (const Finding& its : judged.findings) {
+    const Verdict verdict = verdict_of(its);
+    const bool is_first = its.first == reference;
+    pairs.add(told(its, judged), fmt::format("{} against {}", its.first, its.second));
+    ++counts[is_difference(verdict) ? "decided" : judge::name_of(verdict)];
+    if (is_first || its.second == reference)
+      beside.add(std::string(words_of(is_first ? verdict : turned(verdict)).of_pair),
+                 is_first ? its.second : its.first);
   }
-  if (findings.size() > most_pairs) {
-    std::map<Verdict, std::vector<std::string>> others;
-    for (const Finding& its : findings) {
-      const bool is_first = its.first == reference;
-      others[is_first ? verdict_of(its) : turned(verdict_of(its))].push_back(is_first ? its.second : its.first);
-    }
-    for (const auto& [verdict, who] : others)
-      parts.push_back(fmt::format("{} {} {}", reference, words[static_cast<std::size_t>(verdict)], listed(who)));
-    std::erase_if(findings, [](const Finding& its) { return !is_difference(verdict_of(its)) || !amount_of(its); });
-    const auto [least, most] = std::ranges::minmax_element(findings, {}, [](const Finding& its) {
-      const double value = amount_of(its)->value;
-      return std::abs(its.scale == Scale::ratio ? std::log(value) : value);
-    });
-    if (!findings.empty()) parts.push_back("the least estimate, " + told(*least, judged));
-    if (findings.size() > 1) parts.push_back("the largest, " + told(*most, judged));
-    findings.clear();
+  std::vector<std::string> parts;
+  for (const auto& [words, names] : pairs.all) parts.push_back(fmt::format("{}: {}", listed(names), words));
+  if (judged.findings.size() > most_pairs) {
+    for (parts.clear(); const auto& [verdict, count] : counts) parts.push_back(fmt::format("{} {}", count, verdict));
+    parts = {fmt::format("{} pairs ({})", judged.findings.size(), listed(parts))};
+    for (const std::string& of_reference : beside.told("{0} {1}")) parts.push_back(reference + ' ' + of_reference);
   }
-  for (const Finding& finding : findings) parts.push_back(told(finding, judged));
-  std::string text = fmt::format("{}{}: {}.", judged.observations.quantity, tests.empty() ? "" : ", by " + tests,
-                                 fmt::join(parts, "; "));
+  const std::string text = fmt::format("{}{}: {}.", judged.observations.quantity, tests.empty() ? "" : ", by " + tests,
+                                       fmt::join(parts, "; "));
   return answer.direction.empty() ? as_sentence(text) : text;  // else its name is the user's
 }
 
 }  // namespace
 
 Table for_article(const Table& whole, const Report& report) {
-  Table table = whole.in_article.empty() ? whole : whole.in_article.front();
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {  // writers leave out what is empty
-    if (table.columns[c].role != Role::remark) continue;
-    for (auto& row : table.rows) row[c] = {};
+  Table table = whole;
+  if (table.told > 0 && table.told < table.rows.size()) table.rows.resize(table.told);
+  const std::vector<std::string> names = report.answer.solvers();
+  const auto short_of = base::short_names({names.begin(), names.end()}, longest_name);
+  for (auto& row : table.rows) {
+    for (Cell& cell : row) {
+      auto* const text = std::get_if<std::string>(&cell);
+      if (const auto found = text ? short_of.find(*text) : short_of.end(); found != short_of.end())
+        *text = found->second;
+    }
   }
   const std::string& name = report.study.name;
   const bool is_of_study = !report.study.series.empty();
@@ -176,11 +155,12 @@ std::vector<std::string> results_of(const Answer& whole) {
   const Answer answer = with_short_names(whole, 2 * longest_name);
   std::vector<std::string> sentences{headline(answer)};
   const bool are_two = answer.decisive().described.size() == 2;
+  const std::vector<Question> questions = questions_of(answer);
   for (const JudgedMetric& judged : answer.metrics) {
-    if (!judged.findings.empty() && (are_two || &judged == &answer.decisive()))
+    if (!judged.findings.empty() && (are_two || std::ranges::count(questions, &judged, &Question::of) > 0))
       sentences.push_back(pairs_of(answer, judged));
   }
-  sentences.push_back(are_two ? what_decides(answer) : at_once(answer.decisive()));
+  if (const std::string decides = what_decides(answer); !decides.empty()) sentences.push_back(decides + '.');
   for (const Doubt& doubt : answer.all_doubts()) sentences.push_back(warning_of(doubt));
   std::erase(sentences, "");
   return sentences;

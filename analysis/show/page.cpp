@@ -40,6 +40,11 @@ std::string menu(const std::vector<std::pair<std::string, std::string>>& files) 
   return text + "</div></details>\n";
 }
 
+Table told_of(Table table) {
+  if (table.told < table.rows.size()) table.rows.resize(table.told);
+  return table;
+}
+
 struct PageWriter {
   const std::filesystem::path& folder;
 
@@ -50,9 +55,20 @@ struct PageWriter {
   std::string operator()(const std::string& text) const { return fmt::format("<p>{}</p>\n", html_text(text)); }
   std::string operator()(const Table& table) const {
     const std::string id = id_of(table.name);
-    std::string text = fmt::format(
-        "<div class=\"card\"{}>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n{}</div>\n",
-        id.empty() ? "" : fmt::format(" id=\"table-{}\"", id), html_text(table.caption), to_html(table));
+    std::string text = fmt::format("<div class=\"card\"{}>\n", id.empty() ? "" : fmt::format(" id=\"table-{}\"", id));
+    const Table open = told_of(table);
+    const auto rows = [](const Table& part) {
+      return fmt::format("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n{}</div>\n",
+                         html_text(part.caption), to_html(part));
+    };
+    if (!open.rows.empty()) text += rows(open);
+    if (open.rows.size() < table.rows.size()) {
+      Table rest = table;
+      rest.rows.erase(rest.rows.begin(), rest.rows.begin() + std::ssize(open.rows));
+      text += fmt::format("<details class=\"more\"><summary>{}</summary>\n{}</details>\n",
+                          open.rows.empty() ? html_text(table.caption) : fmt::format("{} more", rest.rows.size()),
+                          rows(rest));
+    }
     for (const std::string& note : table.notes) text += fmt::format("<p class=\"note\">{}</p>\n", html_text(note));
     const std::string file = "tables/" + table.name;
     if (!id.empty()) text += menu({{"CSV", file + ".csv"}, {"LaTeX", file + ".tex"}});
@@ -121,7 +137,11 @@ struct MarkdownWriter {
   }
   std::string operator()(const std::string& text) const { return markdown_text(text) + "\n\n"; }
   std::string operator()(const Table& table) const {
-    return fmt::format("**{}**\n\n{}\n", markdown_text(table.caption), to_markdown(table));
+    const Table open = told_of(table);
+    const std::string more = open.rows.size() == table.rows.size() ? "" : fmt::format("tables/{}.csv", table.name);
+    if (open.rows.empty() && !more.empty()) return fmt::format("{}: {}\n\n", markdown_text(table.caption), more);
+    return fmt::format("**{}**\n\n{}\n{}", markdown_text(table.caption), to_markdown(open),
+                       more.empty() ? "" : fmt::format("{} more: {}\n\n", table.rows.size() - open.rows.size(), more));
   }
   std::string operator()(const figures::Figure& figure) const {
     const std::string caption = markdown_text(figure.caption);

@@ -207,9 +207,6 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   listed.insert(files.begin(), files.end());
   json["files"] = listed;
   base::write_file(folder / own_files[2], base::text_of(json, 1) + '\n');
-  for (Table* table : tables) {
-    if (!table->on_page.empty()) *table = Table(table->on_page.front());
-  }
   const auto is_not_drawn = [&](const Block& block) {
     const auto* const figure = std::get_if<figures::Figure>(&block);
     return figure != nullptr && types_of(*figure, folder).empty();

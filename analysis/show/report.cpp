@@ -10,6 +10,7 @@
 
 #include "analysis/show/answer_tables.hpp"
 #include "analysis/show/article.hpp"
+#include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "base/json.hpp"
@@ -24,16 +25,6 @@ namespace {
 Table warned_results(const Answer& answer) {
   Table table = results_table(answer);
   for (const Doubt& doubt : answer.all_doubts()) table.notes.push_back(warning_of(doubt));
-  return table;
-}
-
-// Of the deciding metric.
-Table pairs_of_article(const Answer& answer) {
-  Answer deciding = answer;
-  deciding.metrics.resize(1);
-  Table table = told_pairs(deciding);
-  table.caption += ": " + answer.decisive().observations.quantity;
-  for (auto& row : table.rows) row[0] = {};  // in the caption: writers leave out what is empty
   return table;
 }
 
@@ -155,11 +146,9 @@ std::vector<Blocks> sections_of(const Report& report) {
   std::vector<Blocks> sections{report.first};
   const bool is_of_study = !report.study.series.empty();  // else of a user's file
   if (report.first.empty()) {
-    sections[0] = {Heading{headline(report.answer)}};
+    sections[0] = {Heading{headline(with_short_names(report.answer, 2 * longest_name))}};
     if (is_of_study) sections[0].emplace_back(report.answer.studied);
-    Table results = warned_results(report.answer);
-    results.in_article = {warned_results(with_short_names(report.answer, 2 * longest_name))};  // a narrow table
-    sections[0].emplace_back(std::move(results));
+    sections[0].emplace_back(warned_results(report.answer));
   }
   const auto add = [&](std::string heading, Blocks blocks) {
     const auto is_empty = [](const Block& block) {
@@ -175,20 +164,16 @@ std::vector<Blocks> sections_of(const Report& report) {
   add("Pictures", {report.figures.begin(), report.figures.end()});
   add("Control loop", {report.answer.loop});
   std::ranges::copy(report.additions, std::back_inserter(sections));
-  const Answer brief = with_short_names(report.answer, longest_name);
-  Table pairs = pairs_table(report.answer), numbers = descriptives_table(report.answer);
-  pairs.on_page = {told_pairs(report.answer)};
-  pairs.in_article = {pairs_of_article(brief)};
-  numbers.in_article = {descriptives_table(brief)};
-  add("Who is better?", {std::move(pairs)});
+  add("Who is better?", {pairs_table(report.answer)});
   if (!report.has_own_numbers) {
-    add("All numbers", {std::move(numbers), solves_table(report), extras_table(report)});
-    Table all = anova_table(report.answer), first = all;  // on the page those of one metric
-    std::erase_if(first.rows, [&](const auto& row) {
-      return std::get<std::string>(row[0]) != std::get<std::string>(all.rows.front()[0]);
-    });
-    all.on_page = {std::move(first)};
-    add("All solvers at once", {std::move(all)});
+    Table numbers = descriptives_table(report.answer), solves = solves_table(report), all = anova_table(report.answer);
+    numbers.told = solves.told = 0;
+    add("All numbers", {std::move(numbers), std::move(solves), extras_table(report)});
+    const auto is_first = [&](const auto& row) {
+      return std::get<std::string>(row[0]) == report.answer.decisive().observations.quantity;
+    };
+    all.told = static_cast<std::size_t>(std::ranges::count_if(all.rows, is_first));
+    if (report.answer.decisive().plan.test == results::Plan::Test::means) add("All solvers at once", {std::move(all)});
   }
   Blocks warnings;
   if (!report.first.empty()) {

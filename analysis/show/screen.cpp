@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/show/answer_tables.hpp"
+#include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 
@@ -16,24 +17,31 @@ using namespace judge;
 
 std::string screen(const Answer& whole, const std::string& page) {
   const Answer answer = with_short_names(whole, longest_name);
-  std::string text = paragraph(headline(answer), "");
-  if (!answer.studied.empty()) text += paragraph(answer.studied, "");
+  const bool is_of_file = !answer.direction.empty();
   constexpr std::size_t most_rows = 20;
-  Table table = results_table(answer);
+  Table table = results_table(answer, !is_of_file);
   table.columns[0].name = "";
   const std::size_t all = table.rows.size();
   if (all > most_rows) table.rows.resize(most_rows - 1);
-  const std::vector<std::string> notes = std::exchange(table.notes, {});
-  text += '\n' + to_text(table);
+  std::string notes = fmt::format("{}", fmt::join(std::exchange(table.notes, {}), " "));
+  if (const std::string decides = what_decides(answer); !decides.empty())
+    notes += fmt::format("{}{}.", notes.empty() ? "" : " ", decides);
+  std::string text = paragraph(headline(answer), "") + '\n' + to_text(table);
   if (all > most_rows) text += fmt::format("  and {} more solvers\n", all - most_rows + 1);
-  if (!notes.empty()) text += paragraph(fmt::format("{}", fmt::join(notes, " ")), "");
+  if (!notes.empty()) text += paragraph(notes, "");
   if (!answer.loop.rows.empty()) text += fmt::format("\n{}\n{}\n", answer.loop.caption, to_text(answer.loop));
-  const auto pairs = pair_rows(answer);
+  const auto pairs = page.empty() ? pair_rows(answer) : std::vector<std::vector<std::string>>();
   text += in_columns(pairs);
-  for (const std::string& note : {pairs.empty() ? "" : of_pairs(answer), what_decides(answer)})
-    text += note.empty() ? "" : paragraph(note, "");
-  for (const Doubt& doubt : answer.all_doubts())
-    if (doubt.kind != DoubtKind::sessions_left_out) text += paragraph("! " + words_of(doubt), "  ");  // on the page
+  if (const std::string of = of_pairs(answer); !pairs.empty() && !of.empty()) text += paragraph(of, "");
+  const std::vector<Doubt> doubts = answer.all_doubts();  // in the order of their kinds
+  for (const Doubt& doubt : doubts) {
+    const bool is_told = !page.empty() && &doubt != &doubts.front() && (&doubt - 1)->kind == doubt.kind;
+    const auto alike = std::ranges::count(doubts, doubt.kind, &Doubt::kind);
+    if (doubt.kind == DoubtKind::sessions_left_out || is_told) continue;  // on the page
+    text += paragraph(
+        "! " + words_of(doubt) + (page.empty() || alike == 1 ? "" : fmt::format("; {} more on the page", alike - 1)),
+        "  ");
+  }
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));
 }
 

@@ -48,8 +48,7 @@ struct Readable {
     const auto digits = [](double size, double small) { return std::abs(size) < small ? 3 : 2; };
     std::string text = marked.words.empty() ? (marked.is_bound ? at_most : "") + (*this)(marked.value) : marked.words;
     if (marked.to_reference == judge::Scale::ratio)
-      text =
-          number(marked.value, std::min(5, digits_apart(marked.value, {1}, digits(marked.value - 1, 0.1)))) + " times";
+      text = number(marked.value, digits(marked.value - 1, 0.1)) + " times";
     if (marked.to_reference == judge::Scale::difference && marked.value > 0) text.insert(0, "+");
     if (const std::string around = spread(marked); !around.empty()) text += ' ' + around;
     return text + (marked.mark.empty() ? "" : ' ' + marked.mark);
@@ -126,7 +125,8 @@ Table for_readers(Table table) {
       return std::holds_alternative<std::monostate>(row[c]) || std::holds_alternative<Absent>(row[c]) ||
              (text && text->empty());
     };
-    if (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty)) continue;
+    const bool is_remark = table.columns[c].role == Role::remark;
+    if (!is_remark && (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty))) continue;
     const auto at = static_cast<std::ptrdiff_t>(c);
     table.columns.erase(table.columns.begin() + at);
     for (auto& row : table.rows) row.erase(row.begin() + at);
@@ -223,12 +223,10 @@ std::vector<Column> columns_of(const std::vector<std::string>& names) {
 }
 
 std::string interval_text(const judge::Interval& interval, Number number, const Ends& ends) {
-  const auto end = [&](double value) {
-    return std::isinf(value) ? "no bound" : number(value, digits_apart(value, ends));
-  };
-  // Of an end so near that no digits tell it, what was read.
+  const auto end = [&](double value) { return std::isinf(value) ? "no bound" : number(value, 3); };
+  // Of an end so near that three digits do not tell it, what was read.
   const auto read = [&](double value) {
-    const double shown = base::number_from(number_text(value, digits_apart(value, ends))).value_or(value);
+    const double shown = base::number_from(number_text(value)).value_or(value);
     return std::ranges::count(ends, shown) > 0 ? shown : value;
   };
   return fmt::format("{}{} to {}{}", interval.excludes_low || interval.low > read(interval.low) ? "above " : "",

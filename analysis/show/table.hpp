@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -56,7 +57,7 @@ enum class Role {
   value,
   p,         // p-values: "0.0005", "< 0.0001"
   interval,  // of the number before it: files of numbers have "low", "high" and "excluded"
-  remark     // which an article leaves out
+  remark     // which only files of numbers have
 };
 
 struct Column {
@@ -76,9 +77,8 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows = {};
   std::vector<std::string> notes = {};
-  bool is_of_study = true;  // and of no other, so that an article's caption names it
-  // Where it has another form on a page or in an article, that, alone.
-  std::vector<Table> on_page = {}, in_article = {};
+  bool is_of_study = true;                                     // and of no other, so that an article's caption names it
+  std::size_t told = std::numeric_limits<std::size_t>::max();  // rows; a page folds the others, articles lack them
 };
 
 // Names that tables with files have: what a later report of the same folder may remove.

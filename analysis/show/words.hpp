@@ -21,20 +21,14 @@ struct ByWord {
   void add(const std::string& word, const std::string& name);
   std::vector<std::string> told(const char* form) const;  // by fmt: {0} is the word, {1} its names
 };
-// Those that are best and alike; empty if there is none.
-std::vector<std::string> best_of(const judge::JudgedMetric& judged);
-// Of the deciding metric, those that no test joins to most others, or who are unbeaten and not tested against the first
-// such one: nobody knows whether they are better than these. In the order of the table.
-std::vector<std::string> not_compared(const Answer& answer);
-// One sentence, without its end: "DLS is best" and ": it solved 100 of 100 targets; PSO 88, mine 54".
-struct Sentence {
-  std::string subject, rest = {};
-};
-Sentence headline_of(const Answer& answer);
-std::string headline(const Answer& answer);
-
 // "better", "same within 5 %", "not decided: all 20 equal", "not decided", "not tested: it takes 5"
 std::string verdict_words(const judge::Finding& finding, const judge::JudgedMetric& judged);
+// The verdicts' words: in JSON, and in a sentence.
+struct VerdictWords {
+  std::string_view key, of_pair;
+  Tone tone = Tone::neutral;
+};
+const VerdictWords& words_of(judge::Verdict verdict);
 // Why a pair is not tested: in JSON, behind its verdict, and in place of a solver's number.
 struct ReasonWords {
   std::string_view key, of_pair, of_solver;
@@ -50,14 +44,18 @@ EffectSize effect_size(const judge::Finding& finding, const judge::JudgedMetric&
 std::string warning_of(const judge::Doubt& doubt);  // a sentence
 // "times", "points", or the metric's unit.
 std::string unit_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
-// "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict, or show nothing of it, how
-// often which is better
+// "better in 43 %, worse in 3 % of comparisons"; empty where nothing is decided, or no shares are known.
+std::string effect_words(const judge::Finding& finding);
+// "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)", "the same to 1e-7"; where that would refute the verdict, or show
+// nothing of it, how often which is better
 std::string amount_words(const judge::Finding& finding, const judge::JudgedMetric& judged);
 // Of each pair of the deciding metric, "DLS vs PSO", the verdict, the amount and p; of only two solvers those of
 // each metric that were tested. None of more than most_pairs, nor where all solvers are equal.
 std::vector<std::vector<std::string>> pair_rows(const Answer& answer);
 // No difference and the margin's ends, as the finding's numbers are.
 std::vector<double> ends_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
+std::string with_unit(const std::string& text, const std::string& unit);  // "1 point", "2.5 cm"
+std::string times(double ratio);                                          // "8.1 times", "1.04 times"
 // "5 %", "5 points", "5 % or 0.1 mm"
 std::string margin_words(const judge::JudgedMetric& judged);
 
@@ -66,7 +64,7 @@ const std::string& title_of(const judge::StudyResults& study);
 // "ur5e, 20 runs of 5 targets (random)"
 std::string what_is_solved(const judge::StudyResults& study);
 std::string stops_of(const judge::StudyResults& study);  // "0.01 mm or 10000 evaluations"
-// "What ended unsolved solves: evaluations (DLS); gave up or iterations (PSO and DE)."; empty if all are solved.
+// "Unsolved: limit of evaluations (DLS); it gave up or limit of iterations (PSO and DE)."; empty if all are solved.
 std::string ends_of_unsolved(const judge::StudyResults& study);
 
 }  // namespace ikbench::show

@@ -45,7 +45,7 @@ std::string first_sentence(Holds conclusion, const std::vector<SeedCounts>& coun
                                  : conclusion == Holds::fails   ? "does not repeat in"
                                                                 : "is not shown to repeat in";
   const JudgedClaim* const other = claim_named(claims, "best_compromise_50");
-  const std::string by = other != nullptr && other->holds == conclusion ? " by both readings" : "";
+  const std::string by = other != nullptr && other->holds == conclusion ? " with 20 and with 50 agents" : "";
   const auto open = std::ranges::count_if(
       claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
   std::string besides = open == 0 ? "" : fmt::format("; so few runs leave {} open", base::counted(open, "claims"));

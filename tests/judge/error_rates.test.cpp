@@ -5,6 +5,7 @@
 //   IKBENCH_SETS=10000 build/check/tests/judge/test_judge '[error_rates]'
 #include <fmt/ranges.h>
 
+#include "analysis/show/tell.hpp"
 #include "tests/judge/studies.hpp"
 
 namespace ikbench::judge::error_rates {
@@ -259,6 +260,54 @@ TEST_CASE("verdicts are wrong no more often than they say", "[error_rates]") {
     fmt::print("| {}{} |\n", row.name, ours);
     if (row.counts == Counts::better_than_others) fmt::print("| by Mann-Whitney{} |\n", theirs);
     std::fflush(stdout);
+  }
+}
+
+// Solvers that cost the same: six sessions of times, evaluations of 50 targets, of which some solve fewer.
+show::Answer drawn_answer(Random& random, std::size_t k, double least_solved, bool are_times_judged) {
+  Observations solved{.metric = "solved", .better = Better::larger, .scale = Scale::share, .is_paired = true},
+      times{.metric = "time", .is_paired = true, .are_logs = true, .fewest = 4},
+      evaluations{.metric = "evaluations", .floor = 1e-300, .is_paired = true};
+  for (std::size_t g = 0; g < k; ++g) {
+    Measured is_solved, logs, counts;
+    for (int i = 0; i < 6; ++i) logs.values.push_back(0.05 * random.normal());
+    for (int i = 0; i < 50; ++i) counts.values.push_back(random.lognormal(1));
+    for (int i = 0; i < 50; ++i) is_solved.values.push_back(random.uniform() < (g % 2 == 0 ? 0.95 : least_solved));
+    const std::string name(1, static_cast<char>('A' + g));
+    solved.groups.push_back({.name = name, .sample = std::move(is_solved)});
+    times.groups.push_back({.name = name, .sample = std::move(logs)});
+    if (!are_times_judged) times.groups.back().sample = Untold{.why = Untold::Why::apart};
+    evaluations.groups.push_back({.name = name, .sample = std::move(counts)});
+  }
+  show::Answer answer = show::answer_of({judge(solved, {}), judge(times, {}), judge(evaluations, {})});
+  answer.then = all_thens;
+  return answer;
+}
+
+TEST_CASE("what a headline goes on to is wrong no more often than it says", "[error_rates]") {
+  const bool asked = asked_sets() > 0;
+  const int sets = asked ? asked_sets() : 200;
+  if (asked) fmt::print("| second question | k = 2 / 3 / 6 / 10 |\n|---|---|\n");
+  const auto is_wrong = [](const show::Said& fact) {
+    return fact.what == show::Said::What::best || fact.what == show::Said::What::worse;
+  };
+  for (const auto& [name, least_solved, are_times_judged] : {std::tuple("all alike, by time", 0.95, true),
+                                                             {"half of them solve less, by time", 0.6, true},
+                                                             {"all alike, by evaluations", 0.95, false}}) {
+    std::vector<double> shares;
+    for (const std::size_t k : {2u, 3u, 6u, 10u}) {
+      Random random(31 + k);
+      double& share = shares.emplace_back();
+      for (int set = 0; set < sets; ++set) {
+        const show::Answer answer = drawn_answer(random, k, least_solved, are_times_judged);
+        const std::vector<show::Question> questions = show::questions_of(answer);
+        share += questions.size() > 1 && std::ranges::any_of(questions[1].said, is_wrong);
+      }
+      share /= sets;
+      CAPTURE(name, k, share);
+      CHECK(share <= 0.056 + (asked ? 0 : 4 * std::sqrt(0.05 * 0.95 / sets)));
+    }
+    if (asked) fmt::print("| {} | {:.3f} |\n", name, fmt::join(shares, " / "));
   }
 }
 

@@ -319,7 +319,7 @@ TEST_CASE("angles that a file prints short are made whole, and by how much that 
           "[urdf][traps]") {
   const Robot arm = file("gen3");
   REQUIRE(arm.notes.size() == 1);
-  CHECK(arm.notes[0].starts_with("the digits of 8 joints are read as "));
+  CHECK(arm.notes[0].starts_with("8 joints are rounded in the file"));
   CHECK(contains(arm.notes[0], ", which moves the tool by at most "));
   CHECK(arm.notes[0].ends_with(" um"));
   CHECK(file("gen3", {.snap = 0}).notes.empty());

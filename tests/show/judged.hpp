@@ -12,6 +12,7 @@
 #include "analysis/show/publish.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/screen.hpp"
+#include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "base/csv.hpp"

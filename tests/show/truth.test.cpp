@@ -69,139 +69,68 @@ Answer answer_with(const std::vector<double>& numbers, const std::vector<What>& 
   return answer_of({std::move(judged)});
 }
 
-// The solvers that a part of a sentence names, and who is said to be what in it.
-std::vector<std::string> named_in(const std::string& text) {
-  std::vector<std::string> names;
-  std::smatch found;
-  for (std::string rest = text; std::regex_search(rest, found, std::regex("\\b[A-J]\\b")); rest = found.suffix())
-    names.push_back(found.str());
-  return names;
-}
-std::string between(const std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t begin = text.find(from);
-  if (begin == std::string::npos) return "";
-  const std::size_t at = begin + from.size();
-  return text.substr(at, std::min(text.find_first_of(to, at), text.size()) - at);
-}
-
-// What a headline says too much; empty if nothing.
+// A fact that no finding bears out, or who is left out; empty if all is well.
 std::string too_much(const Answer& answer) {
+  using What = Said::What;
+  using Names = std::vector<std::string>;
   const JudgedMetric& judged = answer.decisive();
-  const auto verdict = [&](const std::string& one, const std::string& other) {
-    const Finding* const finding = finding_of(judged, one, other);
-    if (finding == nullptr) return Verdict::not_tested;
-    return finding->first == one ? verdict_of(*finding) : turned(verdict_of(*finding));
-  };
-  std::vector<std::string> all;
-  for (const Group& group : judged.observations.groups) all.push_back(group.name);
-  const auto each_pair = [&](const std::vector<std::string>& names, Verdict expected) {
-    for (const std::string& one : names) {
-      for (const std::string& other : names) {
-        if (one < other && verdict(one, other) != expected) return false;
-      }
-    }
-    return names.size() > 1;
-  };
-  const auto [subject, rest] = headline_of(answer);
-  if (subject.starts_with("Against ")) {  // each with the words of its pair
-    for (const Finding& finding : judged.findings) {
-      const std::string words = verdict_words(finding, judged);
-      if (subject.find(words) == std::string::npos) return "against the control: " + words;
-    }
-    return "";
-  }
-  const std::string text = subject + rest;
-  if (const std::string names = between(text, "Not decided between ", ";."); !names.empty()) {
-    if (!each_pair(named_in(names), Verdict::undecided)) return "not decided";
-  }
-  if (const std::size_t at = subject.find(" are the same within"); at != std::string::npos) {
-    if (!each_pair(named_in(subject.substr(0, at)), Verdict::same)) return "the same";
-  }
-  for (const std::string& name : named_in(between(text, "not decided against ", ":;."))) {
-    const std::vector<std::string> firsts = named_in(subject.substr(0, subject.find(" is better than ")));
-    for (const std::string& first : named_in(subject.substr(0, subject.find(" are the same within")))) {
-      if (firsts.size() == 1 && first != firsts.front()) continue;
-      if (first != name && verdict(first, name) != Verdict::undecided) return "not decided against";
-    }
-  }
-  for (const char* const is : {" is best", " are best", " is better than "}) {
-    const std::size_t at = subject.find(is);
-    if (at == std::string::npos) continue;
-    const std::vector<std::string> best = named_in(subject.substr(0, at));
-    const std::vector<std::string> others =
-        std::string(is) == " is better than " ? named_in(subject.substr(at + std::string(is).size())) : all;
-    for (const std::string& one : best) {
+  const Names all = answer.solvers();
+  const std::set<std::string> losers = losers_of(judged.findings);
+  const auto each = [&](const Names& some, const Names& others, auto is_so) {
+    for (const std::string& one : some) {
       for (const std::string& other : others) {
-        if (std::ranges::count(best, other) == 0 && verdict(one, other) != Verdict::better) return "better";
-        if (verdict(one, other) == Verdict::worse) return "best, and worse than one";
+        const Finding* const finding = finding_of(judged, one, other);
+        if (one == other) continue;
+        const Verdict verdict = finding == nullptr      ? Verdict::not_tested
+                                : finding->first == one ? verdict_of(*finding)
+                                                        : turned(verdict_of(*finding));
+        if (!is_so(verdict, finding)) return false;
       }
     }
+    return true;
+  };
+  const auto are = [](Verdict expected) { return [=](Verdict its, const Finding*) { return its == expected; }; };
+  const auto are_alike = [](Verdict its, const Finding* finding) {
+    return its == Verdict::same || (finding && are_equal(*finding));
+  };
+  const auto are_little = [](Verdict, const Finding* finding) { return std::get<Tested>(finding->what).is_small; };
+  std::multiset<std::string> told;
+  for (const auto& [what, who, against, is_little] : said_of(judged, all)) {
+    const Names& others = against.empty() ? who : against;
+    told.insert(who.begin(), who.end());
+    if (what == What::best) told.insert(against.begin(), against.end());
+    const bool is_so = what == What::numbers     ? judged.findings.empty()
+                       : what == What::best      ? each(who, against, are(Verdict::better)) && each(who, who, are_alike)
+                       : what == What::same      ? each(who, others, are(Verdict::same))
+                       : what == What::undecided ? each(who, others, are(Verdict::undecided))
+                       : what == What::better    ? each(who, against, are(Verdict::better))
+                       : what == What::worse     ? each(who, against, are(Verdict::worse))
+                       : what == What::not_tested ? each(who, against.empty() ? all : against, are(Verdict::not_tested))
+                       : what == What::circle
+                           ? std::ranges::all_of(who, [&](auto& name) { return losers.contains(name); })
+                           : std::ranges::none_of(who, [&](auto& name) { return losers.contains(name); });
+    if (!is_so || (is_little && !each(who, against, are_little)))
+      return fmt::format("{}: {} against {}", static_cast<int>(what), fmt::join(who, " "), fmt::join(against, " "));
   }
-  const std::vector<std::string> unbeaten = named_in(between(text, "Nobody is shown to beat ", ";."));
-  for (const std::string& name : unbeaten) {
-    for (const std::string& other : all) {
-      if (verdict(name, other) == Verdict::worse) return "nobody beats";
-    }
-    if (name != unbeaten.front() && verdict(name, unbeaten.front()) == Verdict::not_tested) return "beside the first";
-  }
-  std::smatch found;
-  if (std::regex_search(text, found, std::regex("ot tested against (the others|[A-J])[^:]*: ([^;.]*)"))) {
-    const std::vector<std::string> apart = named_in(found.str(2));
-    const bool is_of_one = found.str(1).size() == 1;
-    for (const std::string& name : apart) {
-      if (text.find(" more") != std::string::npos) break;
-      for (const std::string& other : is_of_one ? std::vector{found.str(1)} : all) {
-        if (std::ranges::count(apart, other) == 0 && verdict(name, other) != Verdict::not_tested) return "not tested";
-      }
-    }
-  } else if (text.starts_with("Not tested") && !each_pair(all, Verdict::not_tested)) {
-    return "none is tested";
-  }
-  for (std::string left = text;
-       std::regex_search(left, found, std::regex("([^;:.]*) (?:is|are) worse than ([A-J])\\b"));
-       left = found.suffix()) {
-    for (const std::string& loser : named_in(found.str(1))) {
-      const auto loses = [&](const std::string& other) { return verdict(loser, other) == Verdict::worse; };
-      if (std::ranges::none_of(all, loses)) return "worse";
-    }
-  }
-  return "";
+  if (!judged.plan.control.empty() && all.size() > 2 && told.size() + 1 == all.size()) told.insert(judged.plan.control);
+  return told == std::multiset<std::string>(all.begin(), all.end()) ? "" : "who is told";
 }
 
-// What a paragraph of results says wrongly or not at all: pairs with their words, or counts and those of the reference.
+// What a paragraph of results lacks: pairs, or of many their counts.
 std::string wrong_in_results(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const std::vector<std::string> sentences = results_of(answer);
   if (sentences.front() != headline(answer)) return "no headline";
-  const std::string& pairs = sentences[1];
-  const std::string reference = reference_of(answer);
   std::map<std::string, int> counts;
-  std::map<std::string, std::set<std::string>> of_reference;
   for (const Finding& finding : judged.findings) {
     const Verdict verdict = verdict_of(finding);
     ++counts[is_difference(verdict) ? "decided" : std::string(judge::name_of(verdict))];
-    const bool is_first = finding.first == reference;
-    if (!is_first && finding.second != reference) continue;
-    constexpr std::array words{"is better than", "is worse than", "is the same as", "is not decided against",
-                               "is not tested against"};
-    of_reference[words[static_cast<std::size_t>(is_first ? verdict : turned(verdict))]].insert(
-        is_first ? finding.second : finding.first);
+    const bool is_named = contains(sentences[1], fmt::format("{} against {}", finding.first, finding.second));
+    if (judged.findings.size() <= most_pairs && !is_named) return "a pair";
   }
-  if (judged.findings.size() <= most_pairs) {
-    for (const Finding& finding : judged.findings) {
-      const std::string words = verdict_words(finding, judged);
-      if (pairs.find(fmt::format("{} against {}: {}", finding.first, finding.second, words)) == std::string::npos)
-        return "a pair";
-    }
-    return "";
-  }
-  for (const auto& [verdict, count] : counts) {
-    if (pairs.find(fmt::format("{} {}", count, verdict)) == std::string::npos) return "counts";
-  }
-  for (const auto& [words, who] : of_reference) {
-    const std::vector<std::string> named = named_in(between(pairs, fmt::format("{} {} ", reference, words), ";."));
-    if (std::set<std::string>(named.begin(), named.end()) != who) return words;
-  }
+  for (const auto& [verdict, count] : counts)
+    if (judged.findings.size() > most_pairs && !contains(sentences[1], fmt::format("{} {}", count, verdict)))
+      return "counts";
   return "";
 }
 
@@ -224,7 +153,7 @@ std::string wrong_in_tables(const Answer& answer) {
   };
   const auto decided =
       std::ranges::count_if(judged.findings, [](const Finding& finding) { return is_difference(verdict_of(finding)); });
-  if (count(told_pairs(answer), is_decided) != decided) return "a decided pair is not told";
+  if (count(pairs_table(answer), is_decided) != decided) return "a decided pair is not told";
   const nlohmann::ordered_json json = to_json(answer);
   for (const auto& finding : json["findings"]) {
     if (finding.size() != json["findings"][0].size()) return "members of JSON";

@@ -1,0 +1,71 @@
+// Where the first metric does not tell solvers apart, the headline goes on to the first of the plan that is judged.
+#include "analysis/show/tell.hpp"
+
+#include "tests/show/judged.hpp"
+
+namespace {
+
+// A and B solve all, C few; B takes three times A's time, and as many evaluations.
+Answer answer_of_three(std::vector<double> time_of_b, bool are_times_compared = true) {
+  const auto costs = [](judge::Observations of) {
+    of.is_paired = true;
+    return of;
+  };
+  judge::Observations times =
+      costs(numbers("time", "time", "ms",
+                    {{"A", values_around(0.01, 0.2)}, {"B", std::move(time_of_b)}, {"C", values_around(0.001, 0.2)}}));
+  times.fewest = 4;
+  if (!are_times_compared)
+    for (judge::Group& group : times.groups) group.sample = judge::Untold{.why = judge::Untold::Why::apart};
+  Answer answer = answer_of(
+      std::vector{judged(shares({{"A", solved(20)}, {"B", solved(20)}, {"C", solved(3)}})), judged(std::move(times)),
+                  judged(costs(numbers(
+                      "evaluations", "evaluations", "",
+                      {{"A", values_around(20, 0.1)}, {"B", values_around(40, 0.3)}, {"C", values_around(5, 0.1)}})))});
+  answer.then = results::all_thens;
+  return answer;
+}
+
+}  // namespace
+
+TEST_CASE("of whom the first metric leaves open the first of the plan that is judged is told", "[show]") {
+  CHECK(second_sentence(answer_of_three(values_around(0.03, 0.3))) == "A is the fastest; B takes 3 times as long.");
+  CHECK(second_sentence(answer_of_three(values_around(0.01, 0.2))) ==
+        "Time tells none of them apart.");  // a third question would have to share the second's significance
+  CHECK(second_sentence(answer_of_three(values_around(0.03, 0.3), false)) ==
+        "Time is not judged (not comparable). A needs the fewest evaluations; B takes 2 times as many.");
+}
+
+TEST_CASE("one that is best alone, and what is no study, have no second question", "[show]") {
+  Answer answer = answer_of_three(values_around(0.03, 0.3));
+  answer.then = {};
+  CHECK(second_sentence(answer).empty());
+  Answer alone = answer_of(std::vector{judged(shares({{"A", solved(20)}, {"B", solved(2)}}))});
+  alone.then = results::all_thens;
+  CHECK(second_sentence(alone).empty());
+  answer.then = results::all_thens;
+  answer.metrics.front().plan.control = "C";
+  CHECK(second_sentence(answer).empty());
+}
+
+TEST_CASE("the plan says what a headline goes on to", "[show]") {
+  Answer answer = answer_of_three(values_around(0.03, 0.3));
+  answer.then = {"evaluations", "time"};
+  CHECK(second_sentence(answer).starts_with("A needs the fewest evaluations"));
+  CHECK(what_decides(answer) == "Judged by solved, then evaluations");
+}
+
+TEST_CASE("numbers of a headline stand behind their solvers, equal ones together", "[show]") {
+  const auto of = [](std::vector<std::pair<std::string, int>> solvers) {
+    std::vector<std::pair<std::string, std::vector<double>>> groups;
+    for (const auto& [name, count] : solvers) groups.emplace_back(name, solved(count));
+    Answer answer = answer_of({judged(shares(std::move(groups)))});
+    answer.noun = "targets";
+    return headline(answer);
+  };
+  CHECK(of({{"A", 20}, {"B", 20}, {"C", 18}}) == "A and B solved all 20 targets, C 18 (not decided).");
+  CHECK(of({{"A", 19}, {"B", 18}, {"C", 3}}) == "A solved 19 of 20 targets, B 18 (not decided); C (3) is worse.");
+  CHECK(of({{"A", 20}, {"B", 20}, {"C", 3}}) == "A and B solved all 20 targets; C (3) is worse.");
+  CHECK(of({{"A", 20}, {"B", 4}}) == "A (solved 20 of 20 targets) is better than B (4).");
+  CHECK(of({{"A", 20}}) == "A solved all 20 targets.");
+}
