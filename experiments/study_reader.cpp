@@ -201,10 +201,8 @@ Study read_study(const toml::table& table, std::string_view source) {
   const auto papers = published::papers();
   if (!study.published.empty())
     refuse_unknown(reader, "published", "paper", study.published, {papers.begin(), papers.end()});
-  for (const auto& [key, expected] : {std::pair{"robot", "the name of an arm (ikbench list robots) or its file"},
-                                      {"path", "a table with the kind of targets (ikbench list paths)"}}) {
-    if (!table.contains(key)) throw reader.mistake(key, fmt::format("{} is missing; expected {}", key, expected));
-  }
+  if (!table.contains("robot"))
+    throw reader.mistake("robot", "robot is missing; expected the name of an arm (ikbench list robots) or its file");
   if (reader.find("repeats") != nullptr)
     throw reader.mistake("repeats",
                          "no solve is timed several times any more: each is one call, and times are compared over "
@@ -243,6 +241,23 @@ Study read_study(const toml::table& table, std::string_view source) {
   reader.refuse_unknown_keys();
   check_study(reader, study, arm);
   return study;
+}
+
+// A study that names no targets is solved as any arm is (ikbench run --robot): what it does not say, that study says.
+void add_protocol(toml::table& study) {
+  constexpr std::string_view protocol = "any-arm", source = "without [path] as any-arm";
+  toml::table all = toml::parse(find_embedded(study_files, protocol)->text, source);
+  for (const char* own : {"name", "title", "robot", "solvers"}) all.erase(own);
+  const auto put = [](toml::table& table, const toml::key& key, toml::node& node) {  // unless it is there
+    node.visit([&](auto& value) { table.insert(key, std::move(value)); });
+  };
+  for (auto&& [key, node] : all) {
+    toml::table *const part = study[key].as_table(), *const its = node.as_table();
+    if (part == nullptr || its == nullptr)
+      put(study, key, node);
+    else
+      for (auto&& [field, value] : *its) put(*part, field, value);
+  }
 }
 
 std::string no_study(const std::filesystem::path& file) {
@@ -295,8 +310,13 @@ void keep_only(Study& study, const std::vector<std::string>& lists) {
 
 Study parse_study(std::string_view toml_text, std::string_view source, const Overrides& overrides) {
   toml::table table = parse_toml(toml_text, source);
+  const bool has_path = table.contains("path");
   for (const std::string& text : overrides) override_one(table, text);
-  return read_study(table, source);
+  const bool is_of_protocol = !has_path && !table["path"]["kind"];
+  if (is_of_protocol) add_protocol(table);
+  Study study = read_study(table, source);
+  if (is_of_protocol) study.notes.emplace_back("targets: reachable poses from random starts, since no [path] is given");
+  return study;
 }
 
 std::vector<Study> studies() {

@@ -55,7 +55,12 @@ golden version-3 years/results.json
 PATH=/nowhere "$program" report mine/store.sqlite --out bare >.out 2>.err || fail "without gnuplot: $(<.err)"
 equal "lines without gnuplot" "$(grep -c gnuplot .err)" 1
 for file in report.md report.html; do equal "$file" "$(grep -c 'Warning: figures are not drawn' "bare/$file")" 1; done
-[ -s bare/figures/error-shares.gp ] && [ ! -e bare/figures/error-shares.svg ] || fail "without gnuplot: $(ls bare/figures)"
+[ -s bare/figures/source/error-shares.gp ] && [ ! -e bare/figures/error-shares.svg ] || fail "without gnuplot: $(ls bare/figures)"
+
+# A study without a path has the protocol of any arm.
+printf 'robot = "ur5e"\n[[solvers]]\nlabel = "LM"\nsolver = "levenberg_marquardt"\n' >short.toml
+for study in short.toml "--robot ur5e --only LM"; do succeeds run $study --set name=short --set runs=6 --no-report -o "by-${study:0:1}"; done
+same_fingerprint by-s/store.sqlite by--/store.sqlite
 
 # A study of the paper.
 paper=(slim2023 --set runs=3 --set path.points=5)

@@ -350,13 +350,12 @@ TEST_CASE("nesting deeper than anyone means is refused, not followed to the end 
   CHECK(contains(said_of(repeated("a.", 400) + "a = 1\n" + solver_entry), "unknown key \"a\""));
 }
 
-TEST_CASE("a study that lacks its arm or its path is refused, and --set path.kind leaves the file's kind behind",
+TEST_CASE("a study that lacks its arm or its path's kind is refused, and --set path.kind leaves the file's kind behind",
           "[study][mistakes]") {
   const auto said = [](const std::string& text) {
     return complaint<std::invalid_argument>([&] { parse_study(text, "my.toml"); });
   };
   CHECK(said("path.kind = \"random\"\n" + solver_entry).starts_with("my.toml:1:1: robot is missing; expected "));
-  CHECK(said("robot = \"ur5e\"\n" + solver_entry).starts_with("my.toml:1:1: path is missing; expected "));
   CHECK(said("robot = \"ur5e\"\n[path]\npoints = 3\n" + solver_entry).starts_with("my.toml:2:1: path.kind is missing"));
   const std::string helix = "robot = 'kuka_iiwa14'\n[path]\nkind = 'helix'\nturns = 3\npoints = 7\n" + solver_entry;
   CHECK(read(helix, {"path.kind=random"}).path->points() == 7);
@@ -392,6 +391,26 @@ TEST_CASE("a study is a built-in name or a file, and anything else is told the n
   says("/dev/zero", "/dev/zero is not a regular file", "");
   says(folder.path.string(), folder.path.string() + " is a folder; expected a TOML file", names);
   says("slim2032", "no such file", "did you mean \"slim2023\"?");
+}
+
+TEST_CASE("a study without a path has the protocol of any arm, but for what it says", "[study]") {
+  const std::string ours = "robot = \"ur10e\"\nruns = 7\nstop.evaluations = 500\n" + solver_entry;
+  const Study any = load_study("any-arm"), study = parse_study(ours, "my.toml");
+  CHECK(study.name == "my");
+  CHECK(study.robot == "ur10e");
+  CHECK(study.solvers.size() == 1);
+  CHECK(study.runs == 7);
+  CHECK(study.stop.evaluations == 500);
+  CHECK(study.stop.tolerance == any.stop.tolerance);
+  CHECK(study.path->name() == any.path->name());
+  CHECK(study.search == any.search);
+  CHECK(study.limits == any.limits);
+  CHECK(study.notes.size() == 1);
+  CHECK(parse_study(ours, "my.toml", {"path.points=3", "stop.evaluations=600"}).path->points() == 3);
+  CHECK(parse_study(ours, "my.toml", {"path.kind=random", "search=all_joints"}).limits == Study{}.limits);
+  const auto said = complaint<std::invalid_argument>(
+      [&] { parse_study("robot = \"ur5e\"\nsearch = \"all_joints\"\n" + solver_entry, "my.toml"); });
+  CHECK(said.starts_with("without [path] as any-arm: stop.tolerance_deg"));
 }
 
 // ---- overrides ----------------------------------------------------------------------------------------------------
