@@ -8,6 +8,7 @@
 #include <random>
 
 #include "analysis/csv/user_csv.hpp"
+#include "analysis/show/tell.hpp"
 #include "analysis/show/words.hpp"
 #include "tests/judge/studies.hpp"
 

@@ -280,7 +280,7 @@ show::Answer drawn_answer(Random& random, std::size_t k, double least_solved, bo
     evaluations.groups.push_back({.name = name, .sample = std::move(counts)});
   }
   show::Answer answer = show::answer_of({judge(solved, {}), judge(times, {}), judge(evaluations, {})});
-  answer.then = all_thens;
+  answer.then = results::all_thens;
   return answer;
 }
 
