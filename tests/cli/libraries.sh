@@ -3,11 +3,12 @@
 source "$(dirname "$0")/common.sh"
 
 # Who solves, and who answers otherwise when asked again.
-sqlite3 one.sqlite "CREATE TABLE current_solves (study, robot, label, run, point, status, answer_rad)"
-cp one.sqlite two.sqlite
+sqlite3 store.sqlite "CREATE TABLE current_solves (study, robot, label, run, point, status, answer_rad)"
 while read -r robot label run status one two; do
-  for store in one two; do
-    sqlite3 $store.sqlite "INSERT INTO current_solves VALUES ('libraries-$robot', '$robot', '$label', $run, 1, '$status', '[${!store}]')"
+  for state in one two; do
+    study=libraries-$robot
+    [[ $state == one ]] || study+=-hot
+    sqlite3 store.sqlite "INSERT INTO current_solves VALUES ('$study', '$robot', '$label', $run, 1, '$status', '[${!state}]')"
   done
 done <<'END'
 ur5e A 1 ok 1 1
@@ -18,8 +19,8 @@ puma560 A 1 declined 1 1
 puma560 B 1 ok 1 1
 ur5e nothing 1 ok 1 1
 END
-equal "who solves" "$(sqlite3 one.sqlite <"$root/solvers/programs/who.sql" | paste -sd' ')" "B|||2|2|2|0 A|||1|1|0|1"
-equal "who answers otherwise" "$(sqlite3 -cmd "ATTACH 'two.sqlite' AS again" one.sqlite <"$root/solvers/programs/again.sql")" "libraries-ur5e|B|1|2"
+equal "who solves" "$(sqlite3 store.sqlite <"$root/solvers/programs/who.sql" | paste -sd' ')" "B|||2|2|2|2|0 A|||1|1|1|0|1"
+equal "who answers otherwise" "$(sqlite3 store.sqlite <"$root/solvers/programs/again.sql")" "libraries-ur5e|B|1|2"
 
 # What is 7e-7 rad outside the limits, as single precision costs, comes inside; by both helpers.
 cp "$root"/docs/examples/ikbench{.py,_program.hpp} .

@@ -35,7 +35,7 @@ judged many many.csv --run run --better smaller --control S1
 golden stats-comma .input
 printf 'solver,error\nA,inf\nA,inf\nB,inf\nB,inf\n' >none.csv
 succeeds stats none.csv --better smaller
-has "$out" "Not tested, since neither has an answer"
+has "$out" "not tested (neither has an answer)"
 
 # A report, and its files.
 succeeds stats comma.csv --better smaller --out new/report --json

@@ -5,7 +5,7 @@
 #include "analysis/show/answer_tables.hpp"
 #include "analysis/show/publish.hpp"
 #include "analysis/show/report.hpp"
-#include "analysis/show/words.hpp"
+#include "analysis/show/tell.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 
