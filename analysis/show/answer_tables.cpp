@@ -436,7 +436,7 @@ Table pairs_table(const Answer& answer) {
   table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[4].role = Role::interval;
   table.columns[6].role = Role::p;
-  for (const std::size_t c : {7u, 8u, 9u, 12u}) table.columns[c].role = Role::remark;
+  for (const std::size_t c : {7u, 8u, 9u, 10u, 12u}) table.columns[c].role = Role::remark;
   table.columns[6].ends = {answer.decisive().plan.significance};
   const std::string decides = what_decides(answer);
   std::vector<std::string> notes{

@@ -138,7 +138,9 @@ struct MarkdownWriter {
   std::string operator()(const std::string& text) const { return markdown_text(text) + "\n\n"; }
   std::string operator()(const Table& table) const {
     const Table open = told_of(table);
-    const std::string more = open.rows.size() == table.rows.size() ? "" : fmt::format("tables/{}.csv", table.name);
+    const std::string more = open.rows.size() == table.rows.size() ? ""
+                             : table.name.empty()                  ? "report.html"
+                                                                   : fmt::format("tables/{}.csv", table.name);
     if (open.rows.empty() && !more.empty()) return fmt::format("{}: {}\n\n", markdown_text(table.caption), more);
     return fmt::format("**{}**\n\n{}\n{}", markdown_text(table.caption), to_markdown(open),
                        more.empty() ? "" : fmt::format("{} more: {}\n\n", table.rows.size() - open.rows.size(), more));

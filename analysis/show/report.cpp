@@ -115,7 +115,7 @@ Table study_table(const StudyResults& study) {
 }
 
 Table options_table(const StudyResults& study) {
-  Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}};
+  Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}, .told = 0};
   for (const results::Series& series : study.series) {
     std::vector<std::string> options;
     const auto json = base::parsed_ordered_json(series.options);

@@ -35,7 +35,9 @@ std::string screen(const Answer& whole, const std::string& page) {
   if (const std::string of = of_pairs(answer); !pairs.empty() && !of.empty()) text += paragraph(of, "");
   const std::vector<Doubt> doubts = answer.all_doubts();  // in the order of their kinds
   for (const Doubt& doubt : doubts) {
-    const bool is_told = !page.empty() && &doubt != &doubts.front() && (&doubt - 1)->kind == doubt.kind;
+    const bool is_told = !page.empty() && std::any_of(doubts.data(), &doubt, [&](const Doubt& other) {
+      return other.kind == doubt.kind || (other.what == doubt.what && doubt.kind == DoubtKind::times_not_comparable);
+    });
     const auto alike = std::ranges::count(doubts, doubt.kind, &Doubt::kind);
     if (doubt.kind == DoubtKind::sessions_left_out || is_told) continue;  // on the page
     text += paragraph(

@@ -233,6 +233,7 @@ class First {
 
   std::string phrase(const Said& fact) {
     const auto& who = fact.who;
+    const bool is_begin = first_.empty();
     const bool are_many = who.size() > 1, is_nearest = judged_.plan.metric.empty() && is_nothing_solved();
     if (has_numbers_ && is_solved(judged_) && fact.against.empty() && fact.what <= What::unbeaten) return counted(fact);
     switch (fact.what) {
@@ -240,12 +241,13 @@ class First {
         return with_numbers(who);
       case What::best: {
         const bool is_of_two = answer_.order.size() == 2;
-        const std::string text =
-            has_numbers_ && is_solved(judged_) && are_many ? counted(fact)
-            : is_of_two ? fmt::format("{} is better than {}", with_numbers(who), with_numbers(fact.against))
-                        : with_numbers(who) + (is_nearest ? (are_many ? " come nearest" : " comes nearest")
-                                               : are_many ? " are best"
-                                                          : " is best");
+        std::string text = has_numbers_ && is_solved(judged_) && are_many ? counted(fact)
+                           : is_of_two
+                               ? with_numbers(who) + " is better than "
+                               : with_numbers(who) + (is_nearest ? (are_many ? " come nearest" : " comes nearest")
+                                                      : are_many ? " are best"
+                                                                 : " is best");
+        if (is_of_two) text += with_numbers(fact.against);
         return text + little(fact) +
                (is_of_two || !has_numbers_
                     ? ""
@@ -261,7 +263,7 @@ class First {
       case What::circle:
         return "No solver is best, since each is worse than another: " + with_numbers(who);
       case What::not_tested:
-        return fmt::format("{}ot tested{}{}: {}", first_.empty() ? 'N' : 'n',
+        return fmt::format("{}ot tested{}{}: {}", is_begin ? 'N' : 'n',
                            fact.against.empty() ? "" : " against " + fact.against.front(), since(who),
                            with_numbers(who));
       default:
@@ -297,7 +299,6 @@ class First {
 
 // The sentence of the second question.
 std::string then_told(const Answer& answer, const Question& question) {
-  constexpr std::size_t most = 4;
   const JudgedMetric& judged = *question.of;
   const Words& words =
       *std::ranges::find_if(all_words, [&](const Words& its) { return metric_of(answer, its) == &judged; });
@@ -336,7 +337,7 @@ std::string then_told(const Answer& answer, const Question& question) {
     text += fmt::format("None is shown to {} than {}", words.than, names_of(best, " or "));
   if (!told.empty())
     text += fmt::format("; {} {}",
-                        told.size() <= most
+                        told.size() < most_named
                             ? fmt::format("{}", fmt::join(told, ", "))
                             : fmt::format("{} others {} {} to {}", told.size(), words.take,
                                           number_text(std::ranges::min(ratios), 2), times(std::ranges::max(ratios))),

@@ -18,8 +18,6 @@ using namespace judge;
 
 namespace {
 
-constexpr std::size_t most_named = 4;  // solvers of a sentence
-
 // "5 mm"; empty for none.
 std::string limit(double value, std::string_view unit) {
   return value > 0 ? fmt::format("{}{}", number_text(value), unit) : "";

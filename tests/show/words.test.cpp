@@ -58,7 +58,7 @@ TEST_CASE("an end of an interval that p excludes says so", "[show]") {
   const judge::JudgedMetric little =
       of(errors({{"A", less}, {"B", values_around(1, 0.00001)}}), {.margin = 0}).metrics[0];
   CHECK(verdict_words(little.findings.front(), little) == "better");
-  CHECK(amount_words(little.findings.front(), little) == "0.9999 times (0.9999 to 0.9999)");
+  CHECK(amount_words(little.findings.front(), little) == "better in 100 %, worse in 0 % of comparisons");
 }
 
 TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
@@ -134,9 +134,6 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   Observations several = shares({{"A", {0.5, 0.75, 1, 0.75}}, {"B", {1, 1, 1, 0.75}}});
   several.trials = 4;
   add("several runs a target", of(several));
-  Answer circle = of(errors({{"A", a}, {"B", b}, {"C", c}}));
-  circle.metrics[0].headline = {.is_circle = true};
-  add("a circle", circle);
   check_golden("headlines.txt", all);
 }
 
