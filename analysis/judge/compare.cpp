@@ -287,7 +287,8 @@ std::size_t testable(std::vector<Pair>& pairs, double significance) {
     std::erase_if(family, [&](Pair* pair) {
       if (pair->smallest_p < worst) return false;
       std::size_t n = 2;
-      while (pair->method->smallest_p(n, n) >= level) ++n;
+      const bool has_one = repeats_of(pair->a) == Repeats::yes || repeats_of(pair->b) == Repeats::yes;
+      while (pair->method->smallest_p(has_one ? 1 : n, n) >= level) ++n;
       pair->open = Open{.why = Open::Why::too_few, .n = pair->n, .needed = static_cast<int>(n)};
       return true;
     });
