@@ -219,10 +219,9 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   const std::int64_t steps = message.count("iterations");  // else its questions; the first is the start of the search
   account_.iterations = steps >= 0 ? steps : std::max<std::int64_t>(0, account_.iterations - 1);
   const std::int64_t ours = objective.evaluations();
-  const bool was_evaluated = std::ranges::find(seen, best_.error) != seen.end();
   // One tells nothing, and no more than joints not even the slope.
   const bool is_too_good = best_.error < (ours == 1 ? 1 : ours <= joints ? 0.1 : 0) * at_start;
-  count(ours, message.count("evaluations"), was_evaluated && !is_too_good, best.error);
+  count(ours, message.count("evaluations"), !is_too_good && std::ranges::count(seen, best_.error) > 0, best.error);
 }
 
 void ForeignSolver::count(std::int64_t ours, std::int64_t own, bool is_explained, double best) {
