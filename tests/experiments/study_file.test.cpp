@@ -77,7 +77,7 @@ TEST_CASE("a study in which hardly anything is as by default comes back the same
     for (const auto& [key, value] : usual.at(Json::json_pointer(part)).items())
       if (read_json.at(Json::json_pointer(part)).value(key, Json()) == value) as_usual.insert(key);
   }
-  CHECK(as_usual == std::set<std::string>{"kind", "tolerance_deg", "tolerances"});
+  CHECK(as_usual == std::set<std::string>{"kind", "rotation_weight_m", "tolerance_deg", "tolerances"});
   const FigureStyle& style = study.figures;
   CHECK((style.font == "DejaVu Sans" && style.text_pt == 9.5 && style.width_cm == 12.5 && style.height_cm == 7));
   CHECK((style.palette.size() == 2 && style.solvers.front() == "плечо" && style.formats.front() == "pdf"));
