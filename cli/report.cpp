@@ -27,8 +27,8 @@ namespace {
 void write_studies(const std::vector<std::string>& files, const std::string& study, const std::string& out,
                    const ReportArguments& report) {
   if (out.empty()) throw std::invalid_argument("several stores: where shall the table be written? --out FOLDER");
-  if (report.is_json || !report.figures.empty())
-    throw std::invalid_argument("several stores make one table and its figure: without --json and --figures");
+  if (report.is_json || !report.figures.empty() || !report.beside.empty())
+    throw std::invalid_argument("several stores make one table and its figure: without --json, --figures and --beside");
   std::vector<show::Answer> studies;
   std::vector<std::string> names, arms, folders;
   std::set<std::string> solvers;
@@ -82,7 +82,7 @@ void add_report(CLI::App& app, Invocation&) {
       ->required();
   add_study_option(*command, arguments->study);
   add_out_option(*command, arguments->out, "folder to write to; default: the folder of the store");
-  add_report_options(*command, arguments->report);
+  add_report_options(*command, arguments->report, true);
   command->footer(
       "  ikbench report out/my/store.sqlite\n"
       "  ikbench report theirs.sqlite --out out/theirs\n"

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "analysis/figures/of_study.hpp"
+#include "analysis/judge/beside.hpp"
 #include "analysis/judge/judge.hpp"
 #include "analysis/show/answer_tables.hpp"
 #include "analysis/show/publish.hpp"
@@ -20,6 +21,7 @@
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/runner.hpp"
+#include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "results/export.hpp"
 
@@ -77,7 +79,10 @@ std::vector<std::string> never_answering(const judge::StudyResults& study) {
 
 }  // namespace
 
-void add_report_options(CLI::App& command, ReportArguments& arguments) {
+void add_report_options(CLI::App& command, ReportArguments& arguments, bool is_of_study) {
+  if (is_of_study)
+    command.add_option("--beside", arguments.beside,
+                       "tell also what others did in the same study: libraries, or a store");
   add_with_default(command, "--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
       ->delimiter(',');
   add_with_default(
@@ -178,6 +183,7 @@ bool write_and_announce(const Store& store, const StoredStudy& study, const std:
                         const ReportArguments& arguments) {
   const Style style = styled(study, arguments);  // refuses before the study is read
   show::refuse_others(folder);
+  const std::optional<judge::StudyResults> beside = beside_of(study, arguments);
   judge::JudgedStudy judged = judge::judge(exported_study(store, study, folder));
   const std::vector<std::string> silent = never_answering(judged.study);
   if (!silent.empty()) {
@@ -187,8 +193,32 @@ bool write_and_announce(const Store& store, const StoredStudy& study, const std:
   }
   const figures::Look look = figures::look_of(judged, style.figures);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
+  if (beside) {
+    judge::put_beside(judged.study, *beside);
+    judged = judge::judge(std::move(judged.study));
+  }
   announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, {look.style, style.tables});
   return !silent.empty();
+}
+
+std::optional<judge::StudyResults> beside_of(const StoredStudy& study, const ReportArguments& arguments) {
+  if (arguments.beside.empty()) return {};
+  judge::StudyResults theirs;
+  if (arguments.beside == judge::archive_name) {
+    theirs = judge::archived(study.definition.robot);
+    const std::string lm = fmt::format("[[solvers]]\nsolver = \"{}\"", judge::unit_of_times);
+    Overrides settings = judge::settings_of_archive();
+    settings.push_back("robot=" + study.definition.robot);
+    theirs.definition = definition_of(to_json(parse_study(lm, arguments.beside, settings)));
+  } else {
+    const Store store(arguments.beside, Store::Mode::read);
+    const std::vector<StoredStudy> named = store.studies(study.name);
+    theirs = checked_study(store, named.empty() ? store.study("") : named.front());
+    const std::string began = theirs.sessions.front().began;
+    theirs.beside.of = fmt::format("{}/{}, {}", began.substr(5, 2), began.substr(0, 4), arguments.beside);
+  }
+  judge::refuse_another_study(theirs, study);
+  return theirs;
 }
 
 judge::StudyResults checked_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {

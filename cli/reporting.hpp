@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,12 @@ struct ReportArguments {
   bool is_json = false;
   std::vector<std::string> figures = {};  // names; empty: all
   std::vector<std::string> styles = {};   // shipped, or files; their keys replace those of the study
+  std::string beside = {};                // the archive, or a store; empty: nothing
 };
 
 // The names of figures, and the keys of their look.
 std::string list_of_figures();
-void add_report_options(CLI::App& command, ReportArguments& arguments);
+void add_report_options(CLI::App& command, ReportArguments& arguments, bool is_of_study = false);
 struct Style {
   results::FigureStyle figures = {};
   results::TableStyle tables = {};
@@ -38,6 +40,8 @@ std::vector<std::string> references_of(std::string_view name);
 // Writes the report into the folder, and prints its screen (the study's, if it is empty) or JSON.
 void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const Style& style, const std::string& screen = {});
+// What stands beside a study; none if nothing does. Throws std::invalid_argument if it is of another.
+std::optional<judge::StudyResults> beside_of(const results::StoredStudy& study, const ReportArguments& arguments);
 // The report of a study of the store, written and announced. Says first which solvers gave no answer in any solve, and
 // returns whether there are such.
 bool write_and_announce(const results::Store& store, const results::StoredStudy& study,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "analysis/judge/beside.hpp"
 #include "analysis/show/publish.hpp"
 #include "base/names.hpp"
 #include "cli/console.hpp"
@@ -62,7 +63,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
   add_with_default(*command, "--only", arguments->only,
                    "solve and report these labels alone: A,B; of a sweep also its label");
   add_run_options(*command, arguments->run);
-  add_report_options(*command, arguments->report);
+  add_report_options(*command, arguments->report, true);
   command->add_flag("--no-report", arguments->without_report, "solve, but write no report");
   command->add_option("--shard", arguments->shard,
                       "I/N: solve the I-th of N parts, without a report; --out is then out/<study>/shards/I-of-N");
@@ -70,6 +71,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "  ikbench run --robot my_arm.urdf --limit 1ms\n"
       "  ikbench run my.toml\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
+      "  ikbench run my.toml --beside libraries\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
       "  ikbench run my.toml --sweep population=10,20,50 --sweep IK-BA.alpha=0.5,0.9,0.97\n"
       "  ikbench run slim2023 --shard 3/12        a twelfth, then:\n"
@@ -88,6 +90,10 @@ void add_run(CLI::App& app, Invocation& invocation) {
            {fmt::format("stop.seconds={}", limit), std::string("stop.evaluations=0"),
             std::string("stop.iterations=1000000"), fmt::format("analysis.deadline_ms={}", 1000 * limit)})
         overrides.insert(overrides.begin(), "--limit " + key);
+    const bool is_archived = arguments->report.beside == judge::archive_name;
+    if (is_archived)
+      std::ranges::transform(judge::settings_of_archive(), std::inserter(overrides, overrides.begin()),
+                             [](const std::string& setting) { return "--beside " + setting; });
     if (is_of_any_arm && arguments->robot.empty())
       throw std::invalid_argument(
           "no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");
@@ -98,6 +104,11 @@ void add_run(CLI::App& app, Invocation& invocation) {
     // A built-in study, whose name is no file's, keeps its store for its own arm.
     if (!is_of_any_arm && !arguments->robot.empty() && study.name == name) study.name += '-' + arm_of(study).name;
     if (!arguments->only.empty()) keep_only(study, arguments->only);
+    if (is_archived) {  // its study, with these solvers and the unit of its times
+      study.name += fmt::format("-{}", judge::archive_name);
+      if (std::ranges::count(study.solvers, judge::unit_of_times, &SolverEntry::solver) == 0)
+        study.solvers.push_back({.label = "ikbench's LM", .solver = std::string(judge::unit_of_times)});
+    }
     // A mistake in it shows before hours are spent.
     static_cast<void>(styled({study.figures}, labels_of(study), arguments->report));
     check_plan(study);
@@ -110,6 +121,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (!arguments->without_report && !is_part) show::refuse_others(folder);
     const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
     const StoredStudy stored = stored_study(study);
+    static_cast<void>(beside_of(stored, arguments->report));
     const std::string solved =
         run_study(study, stored, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write);
     if (arguments->without_report || is_part) {

@@ -29,7 +29,8 @@ base::CsvTable table(std::string_view paper, std::string_view name) {
 std::vector<std::string_view> papers() {
   std::vector<std::string_view> names;
   for (const base::EmbeddedFile& file : files)
-    if (std::ranges::find(names, paper_of(file)) == names.end()) names.push_back(paper_of(file));
+    if (paper_of(file) != "libraries" && std::ranges::find(names, paper_of(file)) == names.end())
+      names.push_back(paper_of(file));
   return names;
 }
 

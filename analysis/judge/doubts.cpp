@@ -177,6 +177,7 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& se
       std::erase_if(who, [&](const std::string& solver) { return std::ranges::count(told.who, solver) > 0; });
     add(doubts, {.kind = kind, .who = std::move(who), .what = what});
   };
+  add_of(study.beside.labels, study.beside.of.c_str());
   add_of(measured_apart(study, sessions.made),
          "too few sessions in common with the others; to compare them solve all again: --out NEW");
   add_of(measured_apart(study, sessions.told), "the machine was busy");
@@ -212,14 +213,17 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
                       : different.size() > 1                                ? "measured in different sessions"
                                                                             : "the machine was busy"};
   const bool is_of_all = doubt.what != "the machine was busy";
-  Doubts doubts;
-  add_counts(doubts, study, std::move(doubt), [&](const std::string& solver) {
+  const auto count_of = [&](const std::string& solver, bool is_beside) {
     const Solves all = study.of(solver);
     const auto ended = std::ranges::count_if(all, [=](auto&its) { return its.seconds >= 0.9 * limit; }),
                disturbed = std::ranges::count_if(all, &Solve::was_disturbed);
-    const bool is_busy = disturbed > 1 && 10 * disturbed > std::ssize(all);
-    return std::pair(is_of_all || is_busy ? ended : 0, std::ssize(all));  // programs stop before the limit
-  });
+    const bool decides = is_beside || is_of_all || (disturbed > 1 && 10 * disturbed > std::ssize(all));
+    return std::pair(decides && study.beside.has(solver) == is_beside ? ended : 0, std::ssize(all));
+  };  // programs stop before the limit
+  Doubts doubts;
+  add_counts(doubts, study, std::move(doubt), [&](const std::string& solver) { return count_of(solver, false); });
+  add_counts(doubts, study, {.kind = DoubtKind::seconds_decide, .what = study.beside.of},
+             [&](const std::string& solver) { return count_of(solver, true); });
   return doubts;
 }
 

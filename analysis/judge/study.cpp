@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "analysis/judge/describe.hpp"
 #include "base/units.hpp"
 #include "results/export.hpp"
 
@@ -170,6 +169,7 @@ std::string calls_of(const StudyResults& study) {
 Sessions sessions_of(const StudyResults& study) {
   std::map<int, std::map<std::size_t, std::pair<int, int>>> counts;  // by session and solver: solves, those slowed
   for (const Solve& solve : study.solves) {
+    if (study.beside.has(study.labels[static_cast<std::size_t>(solve.label)])) continue;
     auto& [all, slowed] = counts[solve.session][static_cast<std::size_t>(solve.label)];
     ++all, slowed += solve.was_disturbed;
   }
@@ -253,6 +253,13 @@ bool repeats_itself(const StudyResults& study, std::string_view solver) {
 }
 
 bool gave_answer(const Solve& solve) { return !is_without_answer(solve.status) && solve.status != Status::not_finite; }
+
+Description times_of(const StudyResults& study, std::string_view solver) {
+  std::vector<double> seconds;
+  for (const Solve& solve : study.of(solver))
+    if (gave_answer(solve)) seconds.push_back(solve.seconds);
+  return described(seconds);
+}
 
 bool have_same_solves(Solves solves, Solves others) {
   return std::ranges::equal(solves, others, [](const Solve& one, const Solve& two) {

@@ -4,6 +4,7 @@
 // lists, 120 bytes: a million within 400 MB. Whole records are kept only of what figures draw.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -12,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/judge/describe.hpp"
 #include "analysis/judge/observations.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
@@ -41,6 +43,16 @@ struct Solve {
 
 using Solves = std::span<const Solve>;
 
+// Solvers of another machine (beside.hpp), which belong to no session.
+struct Beside {
+  std::string of = {};  // "11/2026, another machine"
+  std::vector<std::string> labels = {};
+  double unit = unknown;  // [s] of LM there
+
+  bool has(std::string_view label) const { return std::ranges::count(labels, label) > 0; }
+};
+constexpr std::string_view unit_of_times = "levenberg_marquardt";
+
 // A control that is no solver is empty in its plan.
 struct StudyResults : results::StoredStudy {
   std::vector<std::string> labels;          // of its solvers, in the order of the study
@@ -48,6 +60,7 @@ struct StudyResults : results::StoredStudy {
   std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace
   std::vector<results::Session> sessions;   // that made them
   std::map<std::string, std::map<std::string, std::vector<double>>> extras;  // by name and solver; finite ones
+  Beside beside = {};
   Doubt other_version = {.kind = DoubtKind::other_version};  // solves that stand in the store instead of missing ones
 
   // By run and point.
@@ -57,6 +70,7 @@ struct StudyResults : results::StoredStudy {
 };
 
 bool gave_answer(const Solve& solve);
+Description times_of(const StudyResults& study, std::string_view solver);  // [s] of solves that gave an answer
 // All solves are the same, bit for bit, and took as many evaluations.
 bool have_same_solves(Solves solves, Solves others);
 

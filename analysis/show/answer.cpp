@@ -102,6 +102,24 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
   return table;
 }
 
+// Of solvers of another machine and of those of this one; without rows if there are none.
+Table beside_table(const StudyResults& study, const std::vector<std::string>& solvers) {
+  Table table{.name = "beside",
+              .caption = "Times as multiples of LM's on the same machine, not tested",
+              .columns = {{"solver"}, {"median", "times"}, {"95 %", "times"}, {"measured"}}};
+  const auto lm = std::ranges::find(study.series, unit_of_times, &results::Series::algorithm);
+  if (study.beside.labels.empty() || lm == study.series.end()) return table;
+  const double here = times_of(study, lm->label).median;
+  for (const std::string& solver : solvers) {
+    const Description its = times_of(study, solver);
+    const bool is_there = study.beside.has(solver);
+    const double unit = is_there ? study.beside.unit : here;
+    table.rows.push_back(
+        {solver, its.median / unit, its.quantile_95 / unit, is_there ? study.beside.of : "in this run"});
+  }
+  return table;
+}
+
 }  // namespace
 
 std::vector<std::string> Answer::solvers() const {
@@ -161,6 +179,7 @@ Answer answer_of(const JudgedStudy& judged) {
                             stops_of(judged.study));
   all.show = judged.study.definition.tables.show;
   all.loop = loop_table(judged.study, all.solvers());
+  all.beside = beside_table(judged.study, all.solvers());
   const results::Definition& definition = judged.study.definition;
   const bool are_runs = definition.compares_runs();
   all.noun = are_runs ? "runs" : "targets";
@@ -205,7 +224,8 @@ Answer with_short_names(Answer answer, std::size_t length) {
     shorten_all(judged.observations.doubts);
   }
   shorten_all(answer.doubts);
-  for (auto& row : answer.loop.rows) shorten(std::get<std::string>(row[0]));
+  for (Table* const table : {&answer.loop, &answer.beside})
+    for (auto& row : table->rows) shorten(std::get<std::string>(row[0]));
   return answer;
 }
 

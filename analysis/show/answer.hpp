@@ -22,6 +22,7 @@ struct Answer {
   std::vector<std::string> then = {};  // of a study that asks first what is solved: its plan's
   results::TableStyle::Show show = results::TableStyle::Show::tested;  // of the table of results
   Table loop = {};                                                     // of a control loop; without rows if it is none
+  Table beside = {};                                                   // times, of another machine too; likewise
 
   const judge::JudgedMetric& decisive() const { return metrics.front(); }
   std::vector<std::string> solvers() const;  // in the order

@@ -46,7 +46,7 @@ Table solves_table(const Report& report) {
       failed += has_failed(study, solve);
       if (const double seconds = time.value(solve, study); std::isfinite(seconds)) times.push_back(1000 * seconds);
     }
-    if (all.size() < 2) continue;
+    if (all.size() < 2 || study.beside.has(solver)) continue;
     std::ranges::sort(times);
     auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(all), failed});
     row.push_back(times.empty() ? Cell() : Cell(quantile(times, 0.5)));
@@ -163,6 +163,7 @@ std::vector<Blocks> sections_of(const Report& report) {
   if (!report.claims.empty()) sections.push_back(report.claims);
   add("Pictures", {report.figures.begin(), report.figures.end()});
   add("Control loop", {report.answer.loop});
+  add("Beside another machine", {report.answer.beside});
   std::ranges::copy(report.additions, std::back_inserter(sections));
   add("Who is better?", {pairs_table(report.answer)});
   if (!report.has_own_numbers) {

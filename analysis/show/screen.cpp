@@ -29,7 +29,8 @@ std::string screen(const Answer& whole, const std::string& page) {
   std::string text = paragraph(headline(answer), "") + '\n' + to_text(table);
   if (all > most_rows) text += fmt::format("  and {} more solvers\n", all - most_rows + 1);
   if (!notes.empty()) text += paragraph(notes, "");
-  if (!answer.loop.rows.empty()) text += fmt::format("\n{}\n{}\n", answer.loop.caption, to_text(answer.loop));
+  for (const Table& more : {answer.loop, answer.beside})
+    if (!more.rows.empty()) text += fmt::format("\n{}\n{}\n", more.caption, to_text(more));
   const auto pairs = page.empty() ? pair_rows(answer) : std::vector<std::vector<std::string>>();
   text += in_columns(pairs);
   if (const std::string of = of_pairs(answer); !pairs.empty() && !of.empty()) text += paragraph(of, "");

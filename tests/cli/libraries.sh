@@ -1,6 +1,28 @@
 #!/usr/bin/env bash
-# What reads a store of libraries, and what the helpers of programs do with answers outside the limits.
+# What stands beside a study without being solved: the archive of libraries, another store; and what reads a store of
+# libraries. How it is judged: beside.test.cpp.
 source "$(dirname "$0")/common.sh"
+study mine
+
+# The archive's study is solved, whatever the file asks, with its solvers and LM, and nothing of the archive is stored.
+beside=(run mine.toml --robot ur5e --set runs=20 --figures none --beside)
+succeeds "${beside[@]}" libraries --out panda
+has "$out" "another machine"
+equal "what was solved" "$(sqlite3 panda/store.sqlite 'SELECT group_concat(DISTINCT label) FROM current_solves')" "DLS,ikbench's LM"
+json '[each["verdict"] for each in of["findings"] if {"DLS", "EAIK"} == {each["first"], each["second"]} and each["metric"] == "solved"] != ["not_tested"]' panda/results.json
+json 'all(each["verdict"] == "not_tested" for each in of["findings"] if "EAIK" in (each["first"], each["second"]) and each["metric"].startswith("time"))' panda/results.json
+grep -q '^EAIK,' panda/tables/beside.csv || fail "no multiples of EAIK"
+succeeds report panda/store.sqlite --beside libraries --out again --figures none
+cmp panda/tables/results.csv again/tables/results.csv || fail "another report of the same"
+refused "seed is 1 and 2" "${beside[@]}" libraries --set seed=2
+refused "stop is" "${beside[@]}" libraries --set stop.tolerance_cm=0.01
+refused kuka_iiwa14 run mine.toml --robot puma560 --beside libraries
+
+# A store of the same study, its own solvers with another name.
+succeeds run mine.toml --out there --no-report
+succeeds run mine.toml --out here --beside there/store.sqlite --figures none
+has "$out" "DLS (there)"
+refused "seed is 1 and 2" run mine.toml --set seed=2 --beside there/store.sqlite
 
 # Who solves, and who answers otherwise when asked again.
 sqlite3 store.sqlite "CREATE TABLE current_solves (study, robot, label, run, point, status, answer_rad)"
