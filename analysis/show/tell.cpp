@@ -247,11 +247,19 @@ class First {
                                : with_numbers(who) + (is_nearest ? (are_many ? " come nearest" : " comes nearest")
                                                       : are_many ? " are best"
                                                                  : " is best");
-        if (is_of_two) text += with_numbers(fact.against);
-        return text + little(fact) +
-               (is_of_two || !has_numbers_
-                    ? ""
-                    : fmt::format("; {} {} worse", with_numbers(fact.against), is_or_are(fact.against)));
+        if (!is_of_two)
+          return text + little(fact) +
+                 (has_numbers_ ? fmt::format("; {} {} worse", with_numbers(fact.against), is_or_are(fact.against))
+                               : "");
+        text += with_numbers(fact.against) + little(fact);
+        const auto value = [&](const Names& of) {
+          return shown_average(judged_, place_of(judged_.observations, of[0])).value;
+        };
+        const double its = value(who), theirs = value(fact.against);
+        const bool is_behind = judged_.observations.better == Better::smaller ? its > theirs : its < theirs;
+        const bool is_told = has_numbers_ && is_behind;  // else the numbers would refute it
+        return text +
+               (is_told ? ": " + effect_words(better_first(*finding_of(judged_, who[0], fact.against[0]), "")) : "");
       }
       case What::same:
         return fmt::format("{} are the same within {}", with_numbers(who), margin_words(judged_));
