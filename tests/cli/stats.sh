@@ -35,7 +35,7 @@ judged many many.csv --run run --better smaller --control S1
 golden stats-comma .input
 printf 'solver,error\nA,inf\nA,inf\nB,inf\nB,inf\n' >none.csv
 succeeds stats none.csv --better smaller
-has "$out" "not tested (neither has an answer)"
+has "$out" "Not tested (neither has an answer)"
 
 # A report, and its files.
 succeeds stats comma.csv --better smaller --out new/report --json
@@ -60,7 +60,7 @@ for options in --json "--out asked" "--test means" "--control A"; do refused "--
 refused "--better larger" stats --summaries "$root/results/published/slim2023/table-3.csv"
 [ ! -e asked ] || fail "a report of what was not said"
 succeeds stats "$data/accuracy.csv" --better larger
-has "$out" "A is better than B"
+has "$out" "A (median accuracy 0.91) is better than B"
 
 # asked WORD ARGUMENTS...: a question of one page, with the word; nothing is read.
 asked() {

@@ -50,7 +50,8 @@ TEST_CASE("Beside a study, shares are compared where no time ended a solve, and 
     return std::ranges::count_if(doubts, [&](const Doubt& doubt) { return words_of(doubt) == words; });
   };
   CHECK(says(times.doubts, "times of early, late, mine (there) are not compared: 11/2026, another machine") == 1);
-  CHECK(says(solved.doubts, "results of late that seconds decide are not compared: 11/2026, another machine") == 1);
+  CHECK(says(solved.doubts,
+             "late was stopped by the time limit, and not compared: 11/2026, another machine (10 of 60 solves)") == 1);
 }
 
 TEST_CASE("Another study does not stand beside, and what differs is said") {
