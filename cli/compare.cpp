@@ -147,7 +147,8 @@ std::string verdict_of(const Gate& gate, const show::Answer& answer) {
     untested.push_back(fmt::format("{} ({})", quantity, why_open(answer, judged)));
   }
   if (!untested.empty()) text += fmt::format(" Not tested: {}.", show::listed(untested));
-  if (const std::string then = gate.label.empty() ? show::second_sentence(answer) : ""; !then.empty()) text += ' ' + then;
+  if (const std::string then = gate.label.empty() ? show::second_sentence(answer) : ""; !then.empty())
+    text += ' ' + then;
   return text;
 }
 
@@ -164,11 +165,11 @@ std::string targets_of(const Gate& gate) {
     return fmt::format("{} and {} more", fmt::join(all, ", "), more);
   };
   const auto rest = gate.judged.metrics.back().described.front().n - static_cast<int>(changed);
-  return fmt::format("{}Lost: {}; won: {}; {} {} the same to the bit.", gate.label.empty() ? "" : gate.label + ": ",
-                     names(gate.lost), names(gate.won),
-                     gate.same == rest ? fmt::format("the other {}", rest)
-                                       : fmt::format("of the other {} {}", rest, gate.same),
-                     gate.same == 1 ? "is" : "are");
+  return fmt::format(
+      "{}Lost: {}; won: {}; {} {} the same to the bit.", gate.label.empty() ? "" : gate.label + ": ", names(gate.lost),
+      names(gate.won),
+      gate.same == rest ? fmt::format("the other {}", rest) : fmt::format("of the other {} {}", rest, gate.same),
+      gate.same == 1 ? "is" : "are");
 }
 
 // Something may differ.
@@ -192,10 +193,10 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
     }
   }
   if (names.empty()) return "";
-  return fmt::format(
-      "{}: all solves are the same, bit for bit ({}).{}{}{}", show::listed(names), base::counted(solves, "solves"),
-      times.empty() ? "" : fmt::format(" Times (not compared: two sessions): {}.", show::listed(times)),
-      others.empty() ? "" : " ", fmt::join(others, " "));
+  return fmt::format("{}: all solves are the same, bit for bit ({}).{}{}{}", show::listed(names),
+                     base::counted(solves, "solves"),
+                     times.empty() ? "" : fmt::format(" Times (not compared: two sessions): {}.", show::listed(times)),
+                     others.empty() ? "" : " ", fmt::join(others, " "));
 }
 
 show::Answer answer_of(const Gate& gate) {
@@ -224,7 +225,8 @@ std::string screen_of(const std::vector<Gate>& all) {
   std::string text;
   for (const Gate& gate : all) {
     const std::string targets = targets_of(gate);
-    text += is_told(gate) ? show::screen(answer_of(gate)) + (targets.empty() ? "" : wrapped(targets) + '\n') + '\n' : "";
+    text +=
+        is_told(gate) ? show::screen(answer_of(gate)) + (targets.empty() ? "" : wrapped(targets) + '\n') + '\n' : "";
   }
   for (const std::string& last : {note_of(all), verdict_of_same(all)}) text += last.empty() ? "" : wrapped(last) + '\n';
   return text;

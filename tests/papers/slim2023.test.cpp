@@ -87,10 +87,11 @@ TEST_CASE("the first sentences say whether the conclusion repeats, and on what i
       slim2023::sentences(claims, {{.reading = "20 agents", .all = {9, 7}, .of = 60, .same = {55, 57}},
                                    {.reading = "50 agents", .all = {6, 6}, .of = 60}});
   REQUIRE(sentences.size() == 4);
-  CHECK(sentences[0] ==
-        "Slim et al. 2023 repeats in its conclusion with 20 and with 50 agents; 7 to 9 of the 60 statistics of error and joint "
-        "motion in Table 3 repeat with 20 agents, 6 with 50 agents, by seed; the same program would repeat 55 to 57, "
-        "by simulation.");
+  CHECK(
+      sentences[0] ==
+      "Slim et al. 2023 repeats in its conclusion with 20 and with 50 agents; 7 to 9 of the 60 statistics of error and joint "
+      "motion in Table 3 repeat with 20 agents, 6 with 50 agents, by seed; the same program would repeat 55 to 57, "
+      "by simulation.");
   CHECK(slim2023::sentences(claims, {})[0] ==
         "Slim et al. 2023 repeats in its conclusion with 20 and with 50 agents; so few runs leave 1 claim open.");
   CHECK(contains(sentences[1], "the least error, and with MO-PSO the least joint motion."));
