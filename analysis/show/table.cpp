@@ -146,7 +146,7 @@ Rows readable(const Table& table, Escape escape) {
   return rows;
 }
 
-constexpr std::string_view times = "times", mark = "mark";  // have no unit
+constexpr std::string_view its_times = "times", its_mark = "mark";  // have no unit
 
 // The members of a cell in files of numbers, with the words that follow the name of its column.
 std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const Cell& cell) {
@@ -167,7 +167,7 @@ std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const
   std::vector<std::pair<std::string_view, Json>> all;
   if (!kinds.intervals) all.emplace_back("", value);
   if (kinds.printed) all.emplace_back("printed", printed ? Json(printed->printed) : Json());
-  if (kinds.ratios) all.emplace_back(times, to_reference(judge::Scale::ratio));
+  if (kinds.ratios) all.emplace_back(its_times, to_reference(judge::Scale::ratio));
   if (kinds.differences) all.emplace_back("difference", to_reference(judge::Scale::difference));
   if (kinds.intervals || kinds.spreads) {
     all.emplace_back("low", spread ? base::json_of(spread->low) : Json());
@@ -176,7 +176,7 @@ std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const
   if (kinds.deviations) all.emplace_back("sd", marked && marked->sd ? base::json_of(*marked->sd) : Json());
   if (kinds.excluded)
     all.emplace_back("excluded", !excludes_end(cell) ? Json() : interval->excludes_low ? "low" : "high");
-  if (kinds.marks) all.emplace_back(mark, marked && !marked->mark.empty() ? Json(marked->mark) : Json());
+  if (kinds.marks) all.emplace_back(its_mark, marked && !marked->mark.empty() ? Json(marked->mark) : Json());
   return all;
 }
 
@@ -242,7 +242,7 @@ std::string to_csv(const Table& table) {
     const Column& column = table.columns[c];
     const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
     for (const auto& [member, value] : members(kinds[c], {}))
-      heads.push_back(member_name(column, member) + (member == times || member == mark ? "" : unit));
+      heads.push_back(member_name(column, member) + (member == its_times || member == its_mark ? "" : unit));
   }
   base::append_csv_row(text, heads);
   for (const auto& row : table.rows) {
