@@ -209,7 +209,10 @@ std::optional<judge::StudyResults> beside_of(const StoredStudy& study, const Rep
     const std::string lm = fmt::format("[[solvers]]\nsolver = \"{}\"", judge::unit_of_times);
     Overrides settings = judge::settings_of_archive();
     settings.push_back("robot=" + study.definition.robot);
-    theirs.definition = definition_of(to_json(parse_study(lm, arguments.beside, settings)));
+    const StoredStudy archive = stored_study(parse_study(lm, arguments.beside, settings));
+    theirs.definition = archive.definition;
+    for (results::Series& series : theirs.series)
+      if (series.algorithm == judge::unit_of_times) series.options = archive.series.front().options;
   } else {
     const Store store(arguments.beside, Store::Mode::read);
     const std::vector<StoredStudy> named = store.studies(study.name);

@@ -106,7 +106,9 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (!arguments->only.empty()) keep_only(study, arguments->only);
     if (is_archived) {  // its study, with these solvers and the unit of its times
       study.name += fmt::format("-{}", judge::archive_name);
-      if (std::ranges::count(study.solvers, judge::unit_of_times, &SolverEntry::solver) == 0)
+      if (std::ranges::none_of(study.solvers, [](const SolverEntry& its) {
+            return its.solver == judge::unit_of_times && its.options.empty();
+          }))
         study.solvers.push_back({.label = "ikbench's LM", .solver = std::string(judge::unit_of_times)});
     }
     // A mistake in it shows before hours are spent.

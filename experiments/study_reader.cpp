@@ -248,6 +248,9 @@ void add_protocol(toml::table& study) {
   constexpr std::string_view protocol = "any-arm", source = "without [path] as any-arm";
   toml::table all = toml::parse(find_embedded(study_files, protocol)->text, source);
   for (const char* own : {"name", "title", "robot", "solvers"}) all.erase(own);
+  if (const std::optional search = study["search"].value<std::string>();
+      search && *search != "pose" && *search != "axis")
+    all["stop"].as_table()->erase("tolerance_deg");
   const auto put = [](toml::table& table, const toml::key& key, toml::node& node) {  // unless it is there
     node.visit([&](auto& value) { table.insert(key, std::move(value)); });
   };

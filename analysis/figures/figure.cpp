@@ -90,7 +90,7 @@ std::string draw(const Figure& figure, const std::filesystem::path& workshop, co
 std::string script_of(const Figure& figure, const std::vector<std::string>& formats) {
   std::string script = fmt::format(
       "# To draw it again, into the folder above: gnuplot {0}.gp\nwidth_cm = {1}\nheight_cm = {2}\nlegend = {3}\n"
-      "sides_cm = {4}\n{5}load 'style.gp'\ndata = '$numbers'\n$numbers << END\n{6}END\n\n{7}\n",
+      "sides_cm = {4}\nload 'style.gp'\n{5}data = '$numbers'\n$numbers << END\n{6}END\n\n{7}\n",
       figure.name, text_of(figure.width_cm), text_of(figure.height_cm), figure.legend, text_of(figure.sides_cm),
       figure.titles, figure.data, figure.settings);
   const bool can_repeat = !figure.plot.starts_with("set multiplot");

@@ -49,7 +49,9 @@ StudyResults archived(const std::string& robot) {
          .position_error_cm = number("error_um") * 1e-4,
          .orientation_error_deg = number("rotation_urad") * 1e-6 / base::degree,
          .variation_deg = number("motion_deg"),
-         .seconds = number("time_us") * 1e-6});
+         .largest_move_deg = unknown,
+         .seconds = number("time_us") * 1e-6,
+         .bend_deg = unknown});
   }
   return study;
 }
@@ -66,11 +68,16 @@ void put_beside(StudyResults& study, const StudyResults& theirs) {
   study.beside.of = theirs.beside.of;
   for (results::Series series : theirs.series) {
     const Solves all = theirs.of(series.label);
-    if (std::isnan(study.beside.unit) && series.algorithm == unit_of_times) {
+    const auto same = std::ranges::find_if(study.series, [&](const results::Series& its) {
+      return its.algorithm == unit_of_times && series.algorithm == unit_of_times && its.options == series.options &&
+             !study.beside.has(its.label);
+    });
+    if (study.beside.unit_here.empty() && same != study.series.end()) {
       study.beside.unit = times_of(theirs, series.label).median;
+      study.beside.unit_here = same->label;
       continue;
     }
-    if (std::ranges::count(study.labels, series.label) > 0) series.label += " (there)";
+    while (std::ranges::count(study.labels, series.label) > 0) series.label += " (there)";
     study.labels.push_back(series.label);
     study.beside.labels.push_back(series.label);
     study.series.push_back(std::move(series));
@@ -81,6 +88,7 @@ void put_beside(StudyResults& study, const StudyResults& theirs) {
       study.solves.push_back(solve);
     }
   }
+  if (study.beside.labels.empty()) throw std::invalid_argument("--beside: there is no other solver than here");
   if (!theirs.solves.empty() && theirs.solves.front().target != 0) refuse_other_targets(study);
 }
 

@@ -1,6 +1,6 @@
 // Solvers of the same study on another machine, beside those of a study: of a store, or of the archive of libraries
 // (results/published/libraries, docs/which-library.md), of which nothing has to be installed. Their shares are compared
-// where no time ended a solve; their times are told, and never compared.
+// where no time ended one of theirs; their times are told, and never compared.
 #pragma once
 
 #include <string>

@@ -21,6 +21,11 @@ namespace {
 
 constexpr double rounding_deg = 1e-9 / base::degree;
 
+// A program or library that tells none has 0.
+bool counts_iterations(const Solve& solve) {
+  return solve.iterations > 0 || solve.counted_by != results::CountedBy::nobody;
+}
+
 double of_answer(const Solve& solve, double value) {
   return results::is_without_answer(solve.status) ? unknown : value;
 }

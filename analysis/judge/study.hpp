@@ -47,7 +47,8 @@ using Solves = std::span<const Solve>;
 struct Beside {
   std::string of = {};  // "11/2026, another machine"
   std::vector<std::string> labels = {};
-  double unit = unknown;  // [s] of LM there
+  double unit = unknown;       // [s] of LM there
+  std::string unit_here = {};  // the LM with the same options; empty: none
 
   bool has(std::string_view label) const { return std::ranges::count(labels, label) > 0; }
 };

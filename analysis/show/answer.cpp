@@ -107,7 +107,7 @@ Table beside_table(const StudyResults& study, const std::vector<std::string>& so
   Table table{.name = "beside",
               .caption = "Times as multiples of LM's on the same machine, not tested",
               .columns = {{"solver"}, {"median", "times"}, {"95 %", "times"}, {"measured"}}};
-  const auto lm = std::ranges::find(study.series, unit_of_times, &results::Series::algorithm);
+  const auto lm = std::ranges::find(study.series, study.beside.unit_here, &results::Series::label);
   if (study.beside.labels.empty() || lm == study.series.end()) return table;
   const double here = times_of(study, lm->label).median;
   for (const std::string& solver : solvers) {

@@ -320,13 +320,21 @@ std::string then_told(const Answer& answer, const Question& question) {
   all.insert(all.end(), losers.begin(), losers.end());
   const Pairs pairs(judged, all);
   const auto is_ahead = [&](auto& one, auto& other) { return pairs.of(one, other) == Verdict::better; };
+  // All are held against one, who is ahead of most.
+  const auto ahead_of = [&](const std::string& name) {
+    return std::ranges::count_if(losers, [&](auto& loser) { return is_ahead(name, loser); });
+  };
+  const std::string first = best.empty() ? "" : *std::ranges::max_element(best, {}, ahead_of);
   std::vector<double> ratios;
+  Names others;
   for (const std::string& loser : losers) {
-    const auto winner = std::ranges::find_if(all, [&](auto& name) { return is_ahead(name, loser); });
-    const Finding& pair = *pairs.finding(*winner, loser);
-    const Amount* const amount = amount_of(pair);
-    if (!amount || pair.scale != Scale::ratio) continue;
-    ratios.push_back(pair.first == loser ? amount->value : 1 / amount->value);
+    const Finding* const pair = pairs.finding(first, loser);
+    const Amount* const amount = pair && is_ahead(first, loser) ? amount_of(*pair) : nullptr;
+    if (!amount || pair->scale != Scale::ratio) {
+      others.push_back(loser);
+      continue;
+    }
+    ratios.push_back(pair->first == loser ? amount->value : 1 / amount->value);
     told.push_back(
         fmt::format("{} {}{}", loser, told.empty() ? fmt::format("{} ", words.takes) : "", times(ratios.back())));
   }
@@ -344,12 +352,14 @@ std::string then_told(const Answer& answer, const Question& question) {
   else
     text += fmt::format("None is shown to {} than {}", words.than, names_of(best, " or "));
   if (!told.empty())
-    text += fmt::format("; {} {}",
+    text += fmt::format("; {} {}{}",
                         told.size() < most_named
                             ? fmt::format("{}", fmt::join(told, ", "))
                             : fmt::format("{} others {} {} to {}", told.size(), words.take,
                                           number_text(std::ranges::min(ratios), 2), times(std::ranges::max(ratios))),
-                        words.as);
+                        words.as, best.size() == 1 ? "" : " as " + first);
+  if (!told.empty() && !others.empty())
+    text += fmt::format("; {} {} worse than another", names_of(others), is_or_are(others));
   if (untested.empty()) return text + '.';
   const std::string why = why_not(answer, judged, untested);
   return fmt::format("{}; {} {} not judged{}.", text, names_of(untested), is_or_are(untested),
