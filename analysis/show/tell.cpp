@@ -458,9 +458,10 @@ std::string second_sentence(const Answer& answer) {
 
 std::string headline(const Answer& answer, bool has_numbers) {
   if (!answer.verdict.empty()) return answer.verdict;
-  const std::string text = First(answer, has_numbers).told(said_of(answer.decisive(), answer.solvers()));
-  const std::string then = has_numbers ? second_sentence(answer) : "";
-  return text + (has_numbers ? "." : "") + (then.empty() ? "" : ' ' + then);
+  const std::vector<Question> questions = questions_of(answer);
+  const std::string text = First(answer, has_numbers).told(questions.front().said);
+  if (!has_numbers) return text;
+  return text + '.' + (questions.size() < 2 ? "" : ' ' + then_told(answer, questions.back()));
 }
 
 std::string what_decides(const Answer& answer) {
