@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/judge/describe.hpp"
 #include "base/units.hpp"
 #include "results/merge.hpp"
 #include "results/published.hpp"
@@ -73,7 +74,7 @@ void put_beside(StudyResults& study, const StudyResults& theirs) {
              !study.beside.has(its.label);
     });
     if (study.beside.unit_here.empty() && same != study.series.end()) {
-      study.beside.unit = times_of(theirs, series.label).median;
+      study.beside.unit = described(times_of(theirs, series.label)).median;
       study.beside.unit_here = same->label;
       continue;
     }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "analysis/judge/describe.hpp"
 #include "base/units.hpp"
 #include "results/export.hpp"
 
@@ -254,11 +255,11 @@ bool repeats_itself(const StudyResults& study, std::string_view solver) {
 
 bool gave_answer(const Solve& solve) { return !is_without_answer(solve.status) && solve.status != Status::not_finite; }
 
-Description times_of(const StudyResults& study, std::string_view solver) {
+std::vector<double> times_of(const StudyResults& study, std::string_view solver) {
   std::vector<double> seconds;
   for (const Solve& solve : study.of(solver))
-    if (gave_answer(solve)) seconds.push_back(solve.seconds);
-  return described(seconds);
+    if (!is_without_answer(solve.status) && std::isfinite(solve.seconds)) seconds.push_back(solve.seconds);
+  return seconds;
 }
 
 bool have_same_solves(Solves solves, Solves others) {

@@ -13,7 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/judge/describe.hpp"
 #include "analysis/judge/observations.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
@@ -47,8 +46,8 @@ using Solves = std::span<const Solve>;
 struct Beside {
   std::string of = {};  // "11/2026, another machine"
   std::vector<std::string> labels = {};
-  double unit = unknown;       // [s] of LM there
-  std::string unit_here = {};  // the LM with the same options; empty: none
+  std::string unit_here = {};  // the LM with the same options as one there; empty: none
+  double unit = 0;             // [s] of that one there
 
   bool has(std::string_view label) const { return std::ranges::count(labels, label) > 0; }
 };
@@ -71,7 +70,7 @@ struct StudyResults : results::StoredStudy {
 };
 
 bool gave_answer(const Solve& solve);
-Description times_of(const StudyResults& study, std::string_view solver);  // [s] of solves that gave an answer
+std::vector<double> times_of(const StudyResults& study, std::string_view solver);  // [s] of solves with an answer
 // All solves are the same, bit for bit, and took as many evaluations.
 bool have_same_solves(Solves solves, Solves others);
 

@@ -109,9 +109,9 @@ Table beside_table(const StudyResults& study, const std::vector<std::string>& so
               .columns = {{"solver"}, {"median", "times"}, {"95 %", "times"}, {"measured"}}};
   const auto lm = std::ranges::find(study.series, study.beside.unit_here, &results::Series::label);
   if (study.beside.labels.empty() || lm == study.series.end()) return table;
-  const double here = times_of(study, lm->label).median;
+  const double here = described(times_of(study, lm->label)).median;
   for (const std::string& solver : solvers) {
-    const Description its = times_of(study, solver);
+    const Description its = described(times_of(study, solver));
     const bool is_there = study.beside.has(solver);
     const double unit = is_there ? study.beside.unit : here;
     table.rows.push_back(

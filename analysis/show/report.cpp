@@ -36,19 +36,15 @@ Table solves_table(const Report& report) {
               .caption = calls.empty() ? "Single solves" : fmt::format("Single solves: {}", calls),
               .columns = columns_of({"solver", "solves", "failed"})};
   for (const char* of_times : {"median", "95 %", "99 %", "largest"}) table.columns.push_back({of_times, "ms"});
-  const Metric& time = metric_named("seconds");
   const bool are_single = std::ranges::all_of(study.sessions, judge::is_of_this_clock);
   for (const std::string& solver : report.answer.solvers()) {
     const Solves all = study.of(solver);
-    std::vector<double> times;
-    std::int64_t failed = 0;
-    for (const Solve& solve : all) {
-      failed += has_failed(study, solve);
-      if (const double seconds = time.value(solve, study); std::isfinite(seconds)) times.push_back(1000 * seconds);
-    }
     if (all.size() < 2 || study.beside.has(solver)) continue;
+    const auto failed = std::ranges::count_if(all, [&](const Solve& solve) { return has_failed(study, solve); });
+    std::vector<double> times = times_of(study, solver);
+    for (double& time : times) time *= 1000;
     std::ranges::sort(times);
-    auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(all), failed});
+    auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(all), std::int64_t{failed}});
     row.push_back(times.empty() ? Cell() : Cell(quantile(times, 0.5)));
     for (const double share : {0.95, 0.99}) {
       const auto interval = are_single ? judge::interval_of_quantile(times, share) : std::nullopt;
