@@ -96,7 +96,8 @@ void add_report(CLI::App& app, Invocation&) {
         arguments->out.empty() ? std::filesystem::path(file).parent_path() : std::filesystem::path(arguments->out);
     const Store store(file, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
-    write_and_announce(store, study, folder.empty() ? "." : folder, arguments->report);
+    write_and_announce(store, study, folder.empty() ? "." : folder, arguments->report,
+                       beside_of(study, arguments->report));
   });
 }
 

@@ -180,10 +180,9 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
 }
 
 bool write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
-                        const ReportArguments& arguments) {
+                        const ReportArguments& arguments, const std::optional<judge::StudyResults>& beside) {
   const Style style = styled(study, arguments);  // refuses before the study is read
   show::refuse_others(folder);
-  const std::optional<judge::StudyResults> beside = beside_of(study, arguments);
   judge::JudgedStudy judged = judge::judge(exported_study(store, study, folder));
   const std::vector<std::string> silent = never_answering(judged.study);
   if (!silent.empty()) {

@@ -45,7 +45,8 @@ std::optional<judge::StudyResults> beside_of(const results::StoredStudy& study, 
 // The report of a study of the store, written and announced. Says first which solvers gave no answer in any solve, and
 // returns whether there are such.
 bool write_and_announce(const results::Store& store, const results::StoredStudy& study,
-                        const std::filesystem::path& folder, const ReportArguments& arguments);
+                        const std::filesystem::path& folder, const ReportArguments& arguments,
+                        const std::optional<judge::StudyResults>& beside);
 
 // Reads a study, computes the errors of all its solves again (experiments/runner.hpp), and passes each on to `also`.
 judge::StudyResults checked_study(const results::Store& store, const results::StoredStudy& entry,

@@ -123,7 +123,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (!arguments->without_report && !is_part) show::refuse_others(folder);
     const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
     const StoredStudy stored = stored_study(study);
-    static_cast<void>(beside_of(stored, arguments->report));
+    const auto beside = beside_of(stored, arguments->report);
     const std::string solved =
         run_study(study, stored, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write);
     if (arguments->without_report || is_part) {
@@ -131,7 +131,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       return;
     }
     const Store store(store_in(folder), Store::Mode::read);
-    if (write_and_announce(store, stored, folder, arguments->report)) invocation.exit_code = 3;
+    if (write_and_announce(store, stored, folder, arguments->report, beside)) invocation.exit_code = 3;
   });
 }
 
