@@ -168,7 +168,7 @@ std::string targets_of(const Gate& gate) {
   return fmt::format(
       "{}Lost: {}; won: {}; {} {} the same to the bit.", gate.label.empty() ? "" : gate.label + ": ", names(gate.lost),
       names(gate.won),
-      gate.same == rest ? fmt::format("the other {}", rest) : fmt::format("of the other {} {}", rest, gate.same),
+      gate.same == rest ? fmt::format("the other {}", rest) : fmt::format("of the other {}, {}", rest, gate.same),
       gate.same == 1 ? "is" : "are");
 }
 
@@ -212,7 +212,7 @@ std::string note_of(const std::vector<Gate>& all) {
   const auto time =
       std::ranges::find_if(judged.metrics, [](const JudgedMetric& its) { return its.observations.unit == "s"; });
   const bool do_times_decide = all.front().do_times_decide;
-  const std::string times = !do_times_decide ? "count neither in the headline nor in the exit code"
+  const std::string times = !do_times_decide ? "do not count in the exit code"
                             : time == judged.metrics.end()
                                 ? "are not known"
                                 : fmt::format("decide by a margin of {}", show::margin_words(*time));
