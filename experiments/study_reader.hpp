@@ -20,7 +20,7 @@ std::string sweep_override(const std::string& text);
 // Throws std::invalid_argument with place, mistake and what is expected; for an unknown name, with the nearest known
 // one.
 Study parse_study(std::string_view toml, std::string_view source, const Overrides& overrides = {});
-// The built-in studies by name: the files of studies/, which the build embeds in the program (embed.cmake).
+// The built-in studies by name: the files of studies/, which the build embeds in the program (packaging/embed.cmake).
 std::vector<Study> studies();
 // Loads a built-in study by its name, or else a file. Throws as parse_study does.
 Study load_study(const std::string& name_or_file, const Overrides& overrides = {});

@@ -1,4 +1,4 @@
-// Published tables: the CSV files of results/published, which the build embeds here (embed.cmake).
+// Published tables: the CSV files of results/published, which the build embeds here (packaging/embed.cmake).
 #include "results/published.hpp"
 
 #include <fmt/format.h>

@@ -84,5 +84,6 @@ built/first >.out 2>.err && grep -q "^ok, " .out || fail "the first program: $(<
 "$cmake" -S project -B part -DCMAKE_CXX_COMPILER="$compiler" -DIKBENCH_SOURCE="$tree" -DBUILD_TESTING=ON \
   -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >.log 2>&1 &&
   "$cmake" --build part --target ikbench_numerics_portable >.log 2>&1 || fail "cannot be a part of a project: $(<.log)"
+grep -qF -- "-I$tree/packaging" part/compile_commands.json || fail "a part of a project does not find ikbench.hpp"
 ! grep -q Catch2 part/CMakeCache.txt part/compile_commands.json || fail "a part of a project brings its tests"
 equal "sources of its own without optimization" "$(grep '"command"' part/compile_commands.json | grep -v /project/ | grep -vc -e ' -O[12] ' || true)" 0
