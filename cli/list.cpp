@@ -87,7 +87,7 @@ Rows list_of(std::string_view kind) {
     rows = {{"METRIC", "UNIT", "BETTER", "OF", "WHAT"}};
     for (const judge::Metric& metric : judge::metrics())
       rows.push_back({std::string(metric.column), std::string(metric.unit),
-                      metric.scale == judge::Scale::share ? "larger" : "smaller",
+                      metric.kind == judge::Kind::share ? "larger" : "smaller",
                       metric.kind == judge::Kind::run ? "run" : "solve", std::string(metric.name)});
   } else {
     rows = {{"NAME", "IN USE"}};

@@ -27,7 +27,7 @@ bool is_path(const StudyResults& study) { return !study.definition.draws_targets
 
 std::string observation_of(const StudyResults& study, const Metric& metric) {
   const results::Definition& definition = study.definition;
-  const std::string_view average = metric.kind == Kind::time ? "median" : "mean";
+  const std::string_view average = has_medians(metric) ? "median" : "mean";
   if (definition.compares_runs()) return definition.points == 1 ? "a run" : fmt::format("the {} of a run", average);
   const bool is_solved_again = definition.runs > 1 && !definition.draws_targets;
   return is_solved_again ? fmt::format("a target, the {} of its runs", average) : "a target";
@@ -49,12 +49,13 @@ std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view colum
                                drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
 }
 
-// Solvers whose values of a metric are not compared; all, where those of none are. Whoever solved nothing is, with
-// that.
+// Solvers whose values of a metric, or of it per solved, are not compared; all, where those of none are. Whoever solved
+// nothing is, with that.
 std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_view column) {
-  const JudgedMetric* metric = judged_of(judged, column);
-  if (metric == nullptr) metric = judged_of(judged, fmt::format("{}_per_solved", column));  // where some fail
-  if (metric == nullptr) return judged.study.labels;
+  const auto metric = std::ranges::find_if(judged.metrics, [&](const JudgedMetric& each) {
+    return each.observations.measures == metric_named(column).measures && each.observations.scale != Scale::share;
+  });
+  if (metric == judged.metrics.end()) return judged.study.labels;
   const auto is_doubted = [&](const Group& group) {  // of several reasons a group has the first
     return std::ranges::any_of(metric->observations.doubts, [&](const Doubt& doubt) {
       return doubt.kind != DoubtKind::few_decide_mean && doubt.kind != DoubtKind::sessions_left_out &&
@@ -72,19 +73,6 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
 
 // The cost of a solve; NaN if it has none, as an attempt that failed.
 using Cost = std::function<double(const Solve&)>;
-std::vector<Successes> successes_of(const StudyResults& study, const std::vector<std::string>& solvers,
-                                    const Look& look, const Cost& cost) {
-  std::vector<Successes> all;
-  for (const std::string& solver : solvers) {
-    Successes& its = all.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
-    for (const Solve& solve : study.of(solver)) {
-      ++its.attempts;
-      if (const double value = cost(solve); !std::isnan(value)) its.costs.push_back(value);
-    }
-  }
-  return all;
-}
-
 std::optional<Figure> shares_of(const StudyResults& study, About about, const std::string& y_axis,
                                 const std::vector<std::string>& without, const Look& look, double dashed,
                                 const Cost& cost) {
@@ -95,7 +83,15 @@ std::optional<Figure> shares_of(const StudyResults& study, About about, const st
   if (!left_out.empty())
     about.caption +=
         fmt::format(" Without {}, whose {} cannot be compared.", fmt::join(left_out, ", "), about.quantity);
-  return shares(about, y_axis, successes_of(study, solvers, look, cost), dashed);
+  std::vector<Successes> all;
+  for (const std::string& solver : solvers) {
+    Successes& its = all.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
+    for (const Solve& solve : study.of(solver)) {
+      ++its.attempts;
+      if (const double value = cost(solve); !std::isnan(value)) its.costs.push_back(value);
+    }
+  }
+  return shares(about, y_axis, all, dashed);
 }
 
 std::optional<Figure> solved_by(const JudgedStudy& judged, std::string_view column, std::string_view cost,
@@ -278,7 +274,7 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
                 {.label = fmt::format("{} {} {}", is_first ? names.at(findings[0].first) : "…", are_ratios ? "/" : "-",
                                       is_second ? names.at(findings[0].second) : "…"),
                  .verdict = is_first ? "the first:" : ""});
-  const std::string quantity = observed.metric == "solved" ? "share solved" : observed.quantity;
+  const std::string quantity = observed.measures == Measure::solved ? "share solved" : observed.quantity;
   const std::string what = are_ratios ? "ratio" : "difference";
   return differences(
       {.name = "differences",
@@ -377,9 +373,8 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
   std::vector<Figure> all;
   const JudgedMetric& first = metrics.front();
   std::vector<std::string> shown = look.style.solvers;
-  if (shown.empty()) {
+  if (shown.empty())
     for (const std::size_t i : best_first(first, metrics)) shown.push_back(first.observations.groups[i].name);
-  }
   for (const JudgedMetric& metric : metrics) {
     const Observations& observed = metric.observations;
     if (observed.scale == Scale::share && observed.trials == 1) continue;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <stdexcept>
 
 #include "analysis/judge/describe.hpp"

@@ -21,8 +21,6 @@ struct Method {
   bool is_by_difference;
   double (*smallest_p)(std::size_t m, std::size_t n);  // that data of these sizes can give
   Outcome (*test)(const Prepared& its, double alpha);
-
-  bool is_by_ranks() const { return by == By::ranks; }
 };
 
 using By = Method::By;
@@ -64,18 +62,22 @@ constexpr Method unpaired_shares{
     [](std::size_t m, std::size_t n) { return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n) / (m != n ? 2 : 1); },
     [](auto& its, double alpha) { return fisher(its.first, its.second, alpha); }};
 
+// By what is compared: unpaired, paired, and against the one value of a solver that repeats itself.
+constexpr const Method* methods[][3]{{&unpaired_ranks, &signed_ranks, &signs},
+                                     {&unpaired_t, &paired_t, &paired_t},
+                                     {&unpaired_shares, &paired_shares, &paired_t}};
+
 // What design and plan choose, never the values.
 const Method& method_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
   const Repeats one = repeats_of(a), other = repeats_of(b);
-  const bool is_share = observed.scale == Scale::share;
-  if (std::holds_alternative<Summary>(a.sample) || std::holds_alternative<Summary>(b.sample)) return unpaired_t;
-  if (one == Repeats::yes || other == Repeats::yes) return is_share || observed.are_logs ? paired_t : signs;
-  if (is_share && observed.trials == 1 && observed.fewest == 0)
-    return observed.is_paired ? paired_shares : unpaired_shares;
-  const bool by_means = is_share || observed.are_logs || plan.test == Plan::Test::means;
-  if (observed.is_paired) return by_means ? paired_t : signed_ranks;
-  if (by_means) return unpaired_t;
-  return one != other ? signs_and_ranks : unpaired_ranks;
+  const bool is_printed = std::holds_alternative<Summary>(a.sample) || std::holds_alternative<Summary>(b.sample);
+  const bool is_one = one == Repeats::yes || other == Repeats::yes, is_share = observed.scale == Scale::share;
+  const bool by_means = is_printed || is_share || observed.are_logs || (plan.test == Plan::Test::means && !is_one);
+  const By by = is_share && observed.trials == 1 && observed.fewest == 0 && !is_printed ? By::shares
+                : by_means                                                              ? By::means
+                                                                                        : By::ranks;
+  if (by == By::ranks && !observed.is_paired && !is_one && one != other) return signs_and_ranks;
+  return *methods[static_cast<std::size_t>(by)][is_printed ? 0 : is_one ? 2 : observed.is_paired];
 }
 
 std::size_t size_of(const Group& group) {
@@ -116,7 +118,7 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
   }
   // As shown: a mean may be that of one huge value.
   const auto centre = [&](const std::vector<double>& values, const Summary& its) {
-    return pair.method->is_by_ranks() ? described(values).median : its.mean;
+    return pair.method->by == By::ranks ? described(values).median : its.mean;
   };
   const double one = centre(numbers.first, first), other = centre(numbers.second, second);
   const double relative = numbers.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(one), std::abs(other));
@@ -140,7 +142,7 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
                         1 - wilson(1, std::min(first.n, second.n), alpha).low > rare;
   // Ranks alone would not see that rare values are far apart, nor ratios in blocks that the medians shown are.
   trial.is_same = is_small && !can_fail && lies_within({.estimate = one - other}) &&
-                  (!pair.method->is_by_ranks() || lies_within(by_means.test(numbers, alpha)));
+                  (pair.method->by != By::ranks || lies_within(by_means.test(numbers, alpha)));
   return trial;
 }
 
@@ -160,13 +162,6 @@ std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, 
   if (first.empty() || second.empty()) return {};
   const double larger = share_larger(first, second), smaller = share_larger(second, first);
   return observed.better == Better::larger ? Effect{larger, smaller} : Effect{smaller, larger};
-}
-
-// About how many observations could decide what these did not, with a chance of 0.8, if the difference is as large as
-// here: by the root law of every test here.
-int enough_of(double p, double alpha, int n) {
-  const double all = std::ceil(n * std::pow((critical_z(alpha) + critical_z(0.4)) / critical_z(p), 2));
-  return all > n && all < 1e6 ? static_cast<int>(all) : 0;
 }
 
 // The verdict of p, with an amount that cannot refute it.
@@ -201,8 +196,11 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
     tested.verdict = is_same ? Verdict::same : Verdict::undecided;
     if (interval) interval = Interval{std::min(none, interval->low), std::max(none, interval->high)};
     if (!is_same && interval && interval->low >= interval->high) interval.reset();  // most are equal, but not all
-    // A larger p says nothing of how large the difference is.
-    if (!is_same && tested.p < 0.5) tested.enough = enough_of(outcome.p, alpha, pair.n);
+    // With a chance of 0.8, if the difference is as large as here, by the root law of every test here. A larger p says
+    // nothing of how large it is.
+    const double enough =
+        std::ceil(pair.n * std::pow((critical_z(alpha) + critical_z(0.4)) / critical_z(outcome.p), 2));
+    if (!is_same && tested.p < 0.5 && enough > pair.n && enough < 1e6) tested.enough = static_cast<int>(enough);
     if (tested.amount) tested.amount->interval = interval;
     return tested;
   }
@@ -260,7 +258,7 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
       Pair& pair = pairs.emplace_back(Pair{.a = *a, .b = *b, .method = &method_of(observed, plan, *a, *b)});
       keep_common_blocks(pair.a, pair.b);
-      pair.takes_logs = observed.scale == Scale::ratio && pair.method->is_by_ranks();
+      pair.takes_logs = observed.scale == Scale::ratio && pair.method->by == By::ranks;
       pair.are_ratios = pair.takes_logs || observed.are_logs;
       const std::size_t m = size_of(pair.a), n = size_of(pair.b);
       const bool is_one = repeats_of(*a) == Repeats::yes, is_other = repeats_of(*b) == Repeats::yes;
@@ -415,7 +413,7 @@ bool is_worse_than_margin(const Observations& observed, const Plan& plan, double
 Headline headline(const Observations& observed, const std::vector<Finding>& findings) {
   const std::set<std::string> losers = losers_of(findings);
   const std::size_t best = observed.groups.size() - losers.size();
-  if (losers.empty() || best == 0) return {.is_circle = !losers.empty()};
+  if (losers.empty() || best == 0) return {};
   std::size_t known = 0;  // pairs of two unbeaten ones that were tested, and of one that beats a loser
   for (const Finding& finding : findings) {
     const bool is_first_best = !losers.contains(finding.first), is_second_best = !losers.contains(finding.second);

@@ -74,18 +74,19 @@ std::optional<double> p_of(const Finding& finding);
 bool is_open(const Finding& finding, Open::Why why);
 bool are_equal(const Finding& finding);  // no value differs
 
-// What decides the test. Groups of which only means are known (printed summaries) have Welch's t, and so have
-// logarithms. The one value of a solver that repeats itself has no spread, so the other's runs are held against it by
-// the sign test. A file of equal values does not say whether they are copies: the larger p of that and Mann-Whitney's
-// decides. A share of one trial is 0 or 1: Fisher's exact test, in blocks McNemar's. A share of several trials goes by
-// t, since its mean is asked, also against a solver that repeats itself. All other numbers go by ranks, or by t where
-// the plan says means; on a ratio scale ranks are of logarithms. Blocks make them paired: signed ranks, the paired t.
-// Nothing asks how the values are spread: a test chosen by the values that it then judges is wrong more often than it
-// says. A pair is decided at the significance divided by the number of pairs that data of these sizes can decide at
-// all.
+// What decides the test, never how the values are spread:
 //
-// So many metrics share the significance. Throws std::invalid_argument if the control is no group. Paired groups have
-// one size without blocks, and ratios are of values above 0, or have a floor above it.
+//   compared                                              unpaired                         paired
+//   shares of one trial                                   Fisher's exact                   McNemar's exact
+//   shares of several; logarithms; where the plan says    Welch's t                        paired t
+//   means; of printed summaries (never paired)
+//   other numbers, ratios by their logarithms             Brunner-Munzel and Mann-Whitney  signed ranks
+//   the same with a file's equal values, perhaps copies   sign test and Mann-Whitney       signed ranks
+//   runs with the value of a solver that repeats itself   sign test; shares and logarithms: one-sample t
+//
+// A pair is decided at the significance divided by the number of pairs that data of these sizes can decide at all. So
+// many metrics share the significance. Throws std::invalid_argument if the control is no group. Paired groups have one
+// size without blocks, and ratios are of values above 0, or have a floor above it.
 std::vector<Finding> compare(const Observations& observed, const Plan& plan, std::size_t metrics = 1);
 
 bool is_difference(Verdict verdict);                               // better or worse
@@ -104,7 +105,6 @@ Finding better_first(Finding finding, std::string_view control, bool is_second_a
 // Of one metric.
 struct Headline {
   std::vector<std::string> best = {};  // nobody is better, and each is better than all who are not among them
-  bool is_circle = false;              // each is worse than another
 };
 Headline headline(const Observations& observed, const std::vector<Finding>& findings);
 

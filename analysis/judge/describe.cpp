@@ -81,10 +81,9 @@ std::optional<TestOfAll> anova_of_blocks(Columns columns) {
     }
   }
   double squares = 0;  // of the covariances of what is left
-  for (const auto& one : columns) {
+  for (const auto& one : columns)
     for (const auto& other : columns)
       squares += std::pow(std::inner_product(one.begin(), one.end(), other.begin(), 0.0) / test.ss_within, 2);
-  }
   test.epsilon = 1 / (test.df * squares);
   return with_f(test);
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -73,6 +72,7 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std:
 Observations observed_answers(const StudyResults& study, bool machine_decides) {
   Observations observed{
       .metric = "answers", .quantity = "answered", .better = Better::larger, .scale = Scale::share, .is_paired = true};
+  observed.measures = Measure::answered;
   for (const std::string& solver : study.labels) {
     Measured answers;
     for (const Solve& solve : study.of(solver))
@@ -83,16 +83,14 @@ Observations observed_answers(const StudyResults& study, bool machine_decides) {
 }
 
 // Solved in time is one, too.
-bool is_time(const JudgedMetric& judged) {
-  return judged.observations.unit == "s" || judged.observations.metric == "in-time";
-}
+bool is_time(const JudgedMetric& judged) { return judged.observations.measures == Measure::time; }
 
 // What takes a part of the significance.
 bool may_decide(const Gate& gate, const JudgedMetric& judged) {
   return is_time(judged) ? gate.do_times_decide : !gate.are_same;
 }
 
-bool is_of_answers(const JudgedMetric& judged) { return judged.observations.metric == "answers"; }
+bool is_of_answers(const JudgedMetric& judged) { return judged.observations.measures == Measure::answered; }
 
 // How many answers are missing where before none was, or where now none is left. Chance may do that, too.
 int newly_missing(const JudgedMetric& judged) {
@@ -194,13 +192,16 @@ void decide(std::vector<Gate>& gates) {
       const Verdict verdict = verdict_of(finding);
       const auto* const tested = std::get_if<Tested>(&finding.what);
       // A budget makes equal evaluations; what is new of answers was told.
-      const bool is_no_news = are_equal(finding) && (is_of_answers(judged) || observed.metric == "evaluations");
-      const bool is_open = verdict == Verdict::not_tested || (verdict == Verdict::undecided && !is_no_news);
-      const bool matters = is_difference(verdict) && !(tested && tested->is_small);
-      if (matters) (verdict == Verdict::worse ? gate.worse : gate.better).push_back(observed.quantity);
-      if (!matters && verdict == Verdict::worse) gate.worse_by_little.push_back(observed.quantity);
-      if (is_open && may_decide(gate, judged))
-        (verdict == Verdict::not_tested ? gate.not_tested : gate.not_decided).push_back(observed.quantity);
+      const bool is_no_news =
+          are_equal(finding) && (is_of_answers(judged) || observed.measures == Measure::evaluations);
+      const bool is_small = tested && tested->is_small;
+      std::vector<std::string>* const said = verdict == Verdict::worse ? &(is_small ? gate.worse_by_little : gate.worse)
+                                             : verdict == Verdict::better     ? is_small ? nullptr : &gate.better
+                                             : !may_decide(gate, judged)      ? nullptr
+                                             : verdict == Verdict::not_tested ? &gate.not_tested
+                                             : verdict == Verdict::undecided && !is_no_news ? &gate.not_decided
+                                                                                            : nullptr;
+      if (said != nullptr) said->push_back(observed.quantity);
       gate.are_times_missing |= is_time(judged) && verdict == Verdict::not_tested;
       const bool is_of_nothing =  // 0 % solved by both
           observed.scale == Scale::share && judged.described.front().mean == 0 && judged.described.back().mean == 0;

@@ -79,8 +79,8 @@ double average_of(const JudgedMetric& judged, std::size_t group) {
 }
 
 std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vector<JudgedMetric>& all) {
-  const auto evaluations = std::ranges::find_if(
-      all, [](const JudgedMetric& metric) { return metric.observations.metric.starts_with("evaluations"); });
+  const auto evaluations = std::ranges::find(all, Measure::evaluations,
+                                             [](const JudgedMetric& metric) { return metric.observations.measures; });
   const auto cost = [&](const std::string& name) {
     if (evaluations == all.end()) return 0.0;
     const std::size_t group = place_of(evaluations->observations, name);

@@ -19,6 +19,9 @@ enum class Better { smaller, larger };
 // the metric, whatever the values are.
 enum class Scale { ratio, difference, share };
 
+// What is measured, where somebody goes by it. Times are compared where they are comparable, whatever is made of them.
+enum class Measure { other, solved, answered, position, angle, time, evaluations };
+
 // Whether all values are one, since the solver repeats itself. maybe: they are equal, and nobody knows.
 enum class Repeats { no, maybe, yes };
 
@@ -81,6 +84,7 @@ struct Observations {
   std::string metric;    // of files and anchors: "error"
   std::string quantity;  // "position error"
   std::string unit = {};
+  Measure measures = Measure::other;
   Better better = Better::smaller;
   Scale scale = Scale::ratio;
   double absolute_margin = 0;     // of the plan, in this unit

@@ -38,12 +38,12 @@ double is_in_time(const Solve& solve, const StudyResults& study) {
 }
 
 constexpr std::array rows{
-#define METRIC(column, slug, name, unit, kind, scale, floor, rounding, told, ...) \
-  Metric{                                                                         \
-      column,     slug,                                                           \
-      name,       unit,                                                           \
-      Kind::kind, Scale::scale,                                                   \
-      floor,      rounding,                                                       \
+#define METRIC(column, slug, name, unit, kind, measures, floor, rounding, told, ...) \
+  Metric{                                                                            \
+      column,     slug,                                                              \
+      name,       unit,                                                              \
+      Kind::kind, Measure::measures,                                                 \
+      floor,      rounding,                                                          \
       Told::told, [](const Solve& solve, [[maybe_unused]] const StudyResults& study) -> double { return __VA_ARGS__; }},
 #include "analysis/judge/metrics.inc"
 #undef METRIC
@@ -58,11 +58,11 @@ bool are_runs(const StudyResults& study, const Metric& metric) {
 double tolerance_of(const StudyResults& study, const Metric& metric) {
   const numerics::StopRule& stop = study.definition.stop;
   if (metric.kind != Kind::error) return 0;
-  return metric.unit == "deg" ? stop.tolerance_deg() : stop.tolerance_cm();
+  return metric.measures == Measure::angle ? stop.tolerance_deg() : stop.tolerance_cm();
 }
 
 bool is_of_answers(const StudyResults& study, const Metric& metric) {
-  return (metric.kind == Kind::cost || metric.kind == Kind::time) && study.definition.has_tolerance();
+  return metric.kind == Kind::cost && study.definition.has_tolerance();
 }
 
 // What failed has no cost of an answer; along a path it has, for the next solve starts from there.
@@ -135,7 +135,7 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   const double least = tolerance_of(study, metric);
   const std::vector<Value> all = values_of(study, metric, solver);
   if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.at_most = least;
-  std::vector<Value> values = means_of(all, metric.kind == Kind::time);
+  std::vector<Value> values = means_of(all, has_medians(metric));
   Measured measured;
   if (metric.kind == Kind::spent || is_of_answers(study, metric)) {
     const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver));
@@ -145,12 +145,9 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
     }
     if (metric.kind == Kind::spent) values = spent_by_solved(std::move(values), solved, measured);
   }
-  int lost = 0;
+  const auto lost =
+      static_cast<int>(std::erase_if(values, [](const Value& each) { return !std::isfinite(each.value); }));
   for (const auto& [block, value] : values) {
-    if (!std::isfinite(value)) {
-      ++lost;
-      continue;
-    }
     measured.values.push_back(value);
     if (is_paired) measured.blocks.push_back(block);
   }
@@ -166,55 +163,52 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
 }
 
 // A value a session: the share solved in time, the logarithm of the median time of its targets, where all are solved,
-// or its part in the logarithm of all that was spent by all that was solved.
+// or its part in the logarithm of all that was spent by all that was solved. What is shown is what is compared.
 Group group_of_times(const StudyResults& study, const Metric& metric, const std::string& solver,
-                     const std::set<int>& sessions) {
+                     const std::set<int>& compared) {
   struct Session {
     std::vector<double> values = {};
     double sum = 0, solved = 0;
   };
+  const bool is_share = metric.kind == Kind::share, is_spent = metric.kind == Kind::spent;
   std::map<int, Session> all;
-  double all_solved = 0, told_solved = 0;
+  double all_spent = 0, all_solved = 0, solved_here = 0;
   for (const Solve& solve : study.of(solver)) {
     Session& its = all[solve.session];
     const bool is_solved = solve.status == Status::ok;
     its.values.push_back(is_of_solved(study, metric) && !is_solved ? unknown : metric.value(solve, study));
     its.sum += its.values.back(), its.solved += is_solved, all_solved += is_solved;
   }
+  std::erase_if(all, [](const auto& each) { return !std::isfinite(each.second.sum); });
+  for (const auto& [session, its] : all) all_spent += its.sum;
+  const auto is_apart = [&](const auto& each) { return !compared.contains(each.first); };
+  const bool are_apart = std::ranges::all_of(all, is_apart);
+  if (!are_apart) std::erase_if(all, is_apart);
   Group group{.name = solver};
   Measured measured;
-  std::vector<double> apart;  // of sessions that compare with none
   std::vector<Value> spent, solved;
-  double all_spent = 0;
   for (const auto& [session, its] : all) {
-    if (!std::isfinite(its.sum)) continue;
-    all_spent += its.sum;
-    const bool is_told = sessions.contains(session);
-    const double value = metric.kind == Kind::in_time ? its.sum / static_cast<double>(its.values.size())
-                                                      : std::log(std::max(described(its.values).median, 1e-9));
-    (is_told ? measured.values : apart).push_back(value);
-    if (is_told) measured.blocks.push_back(session), told_solved += its.solved;
-    if (is_told) spent.push_back({session, its.sum}), solved.push_back({session, its.solved});
-  }
-  measured.worth = static_cast<double>(measured.values.size());  // each is of a session, so none decides
-  for (const auto& [session, its] : all) {                       // what is shown is what is compared
-    if (metric.kind != Kind::in_time || (!measured.values.empty() && !sessions.contains(session))) continue;
-    group.all += static_cast<int>(its.values.size()), group.share += its.sum;
+    const auto n = static_cast<double>(its.values.size());
+    measured.values.push_back(is_share ? its.sum / n : std::log(std::max(described(its.values).median, 1e-9)));
+    measured.blocks.push_back(session);
+    spent.push_back({session, its.sum}), solved.push_back({session, its.solved});
+    if (is_share) group.all += static_cast<int>(n), group.share += its.sum;
+    solved_here += its.solved;
   }
   group.share /= std::max(1, group.all);
-  if (metric.kind == Kind::spent) {
-    if (told_solved > 0) spent = spent_by_solved(std::move(spent), solved, measured);
-    if (told_solved == 0) measured = {}, apart = {std::log(all_spent / all_solved)};
-    for (std::size_t i = 0; i < measured.values.size(); ++i) measured.values[i] = spent[i].value;
+  measured.worth = static_cast<double>(all.size());  // each is of a session, so none decides
+  if (is_spent && solved_here > 0) {
+    spent = spent_by_solved(std::move(spent), solved, measured);
+    for (std::size_t i = 0; i < spent.size(); ++i) measured.values[i] = spent[i].value;
   }
   measured.solved = std::numeric_limits<double>::infinity();  // a session has a sum of its own
-  const bool is_none = all_solved == 0 && metric.kind != Kind::in_time &&
-                       (metric.kind == Kind::spent || study.definition.has_tolerance());
-  if (!measured.values.empty())
+  if (!are_apart && (!is_spent || solved_here > 0))
     group.sample = std::move(measured);
+  else if (all_solved == 0 && !is_share && (is_spent || study.definition.has_tolerance()))
+    group.sample = Untold{.why = Untold::Why::none};
   else
-    group.sample =
-        is_none ? Untold{.why = Untold::Why::none} : Untold{.why = Untold::Why::apart, .values = std::move(apart)};
+    group.sample = Untold{.why = Untold::Why::apart,
+                          .values = is_spent ? std::vector{std::log(all_spent / all_solved)} : measured.values};
   return group;
 }
 
@@ -234,7 +228,7 @@ void set_apart(Observations& observed) {
 Observations observe_times(const StudyResults& study, const Metric& metric) {
   Observations observed = observations_of(metric);
   observed.is_paired = true;
-  observed.are_logs = metric.kind != Kind::in_time;
+  observed.are_logs = metric.kind != Kind::share;
   observed.fewest = fewest_sessions;
   const Sessions sessions = sessions_of(study);
   for (std::size_t i = 0; i < study.labels.size(); ++i)
@@ -258,8 +252,9 @@ Observations observations_of(const Metric& metric) {
   return {.metric = std::string(metric.slug),
           .quantity = std::string(metric.name),
           .unit = std::string(metric.unit),
-          .better = metric.scale == Scale::share ? Better::larger : Better::smaller,
-          .scale = metric.scale,
+          .measures = metric.measures,
+          .better = metric.kind == Kind::share ? Better::larger : Better::smaller,
+          .scale = metric.kind == Kind::share ? Scale::share : Scale::ratio,
           .floor = metric.floor,
           .rounding = metric.rounding,
           .is_spent = metric.kind == Kind::spent};
@@ -269,7 +264,7 @@ Observations observe(const StudyResults& study, const Metric& metric) {
   if (is_of_times(metric)) return observe_times(study, metric);
   Observations observed = observe_solves(study, metric);
   observed.doubts = doubts_of_clock(study);
-  if (metric.column.starts_with("evaluations"))
+  if (metric.measures == Measure::evaluations)
     std::ranges::move(doubts_of_evaluations(study), std::back_inserter(observed.doubts));
   set_apart(observed);
   return observed;
@@ -279,7 +274,7 @@ Observations observe_solves(const StudyResults& study, const Metric& metric) {
   const Definition& definition = study.definition;
   const bool of_runs = are_runs(study, metric);
   Observations observed = observations_of(metric);
-  observed.absolute_margin = metric.unit == "cm" ? definition.plan.margin_cm : 0;
+  observed.absolute_margin = metric.measures == Measure::position ? definition.plan.margin_cm : 0;
   observed.is_paired = definition.draws_targets || !of_runs;
   observed.is_of_solved = is_of_solved(study, metric);
   observed.are_logs = metric.kind == Kind::spent;

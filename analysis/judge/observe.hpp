@@ -11,11 +11,9 @@
 namespace ikbench::judge {
 
 // share: solved or not. error: a distance from the target. cost: effort for an answer; with a tolerance, only of
-// targets that both solvers of a pair solved. time: a cost that is compared only where times are comparable. spent: all
-// that attempts took, by the number of targets solved, so that who fails pays for it. in_time: solved within the
-// deadline or not. run: its last solve has the value
-// of all.
-enum class Kind { share, error, cost, time, spent, in_time, run };
+// targets that both solvers of a pair solved. spent: all that attempts took, by the number of targets solved, so that
+// who fails pays for it. run: its last solve has the value of all. Shares have a scale of their own, all others ratios.
+enum class Kind { share, error, cost, spent, run };
 
 // In which reports: where a study has a tolerance, costs are of what was solved; if some of it was not, what was spent
 // stands in place of evaluations and time.
@@ -27,7 +25,7 @@ struct Metric {
   std::string_view name;    // in text
   std::string_view unit;    // of its values; empty: none
   Kind kind;
-  Scale scale;
+  Measure measures;
   double floor;     // of ratios: a smaller value counts as this
   double rounding;  // values that differ by no more are equal
   Told told;
@@ -39,7 +37,9 @@ std::span<const Metric> metrics();
 const Metric& metric_named(std::string_view column);
 
 // Its unit of comparison is a session, since what decides a time is drawn once for a process: memory, hashes, cores.
-inline bool is_of_times(const Metric& metric) { return metric.unit == "s" || metric.kind == Kind::in_time; }
+inline bool is_of_times(const Metric& metric) { return metric.measures == Measure::time; }
+// Of several solves in an observation the median counts, else the mean.
+inline bool has_medians(const Metric& metric) { return is_of_times(metric) && metric.kind == Kind::cost; }
 
 // Without groups, and what a study adds.
 Observations observations_of(const Metric& metric);

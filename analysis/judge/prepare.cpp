@@ -1,7 +1,6 @@
 #include "analysis/judge/prepare.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "analysis/judge/tests_of_two.hpp"
 
@@ -56,9 +55,8 @@ std::vector<double> differences_of(const Group& first, const Group& second, cons
 std::vector<double> values_in(const std::vector<int>& blocks, const Measured& group) {
   if (group.blocks.empty()) return group.values;
   std::vector<double> values;
-  for (std::size_t i = 0; i < group.blocks.size(); ++i) {
+  for (std::size_t i = 0; i < group.blocks.size(); ++i)
     if (std::ranges::binary_search(blocks, group.blocks[i])) values.push_back(group.values[i]);
-  }
   return values;
 }
 
@@ -84,9 +82,8 @@ Prepared prepared(const Group& first, const Group& second, const Observations& o
   constexpr double far = 1e4;
   double most = std::max(observed.absolute_margin, takes_logs ? 100.0 : 0.0);
   for (const double value : all) most = std::isinf(value) ? most : std::max(most, std::abs(value));
-  for (double& value : all) {
+  for (double& value : all)
     if (std::isinf(value)) value = numbers.no_answer = most > 0 ? far * most : 1;
-  }
   numbers.first.assign(all.begin(), all.begin() + std::ssize(of_first));
   numbers.second.assign(all.begin() + std::ssize(of_first), all.end());
   numbers.of_first = summary_of(first, numbers.first);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <initializer_list>
@@ -150,10 +149,9 @@ std::span<const SolveRecord> StudyResults::first_run_of(std::string_view solver)
 
 std::set<std::string> facts_of(const StudyResults& study, const std::string& name) {
   std::set<std::string> values;
-  for (const Session& session : study.sessions) {
+  for (const Session& session : study.sessions)
     if (const auto fact = session.environment.find(name); fact != session.environment.end())
       values.insert(fact->second);
-  }
   return values;
 }
 

@@ -332,9 +332,8 @@ Outcome signed_rank_test(Values differences, double alpha) {
   const double total = std::accumulate(ranks.ranks.begin(), ranks.ranks.end(), 0.0);
   double above = 0;
   auto rank = ranks.ranks.begin();
-  for (const double difference : differences) {
+  for (const double difference : differences)
     if (difference != 0) above += difference > 0 ? *rank : 0, ++rank;
-  }
   outcome.direction = sign_of(above - total / 2);
   outcome.p = two_sided<sum_of_any>(ranks, 0, std::min(above, total - above));
   return outcome;

@@ -69,9 +69,8 @@ std::vector<Part> parts_of(const SolvedMultiverse& multiverse, const Claim& clai
   const std::size_t k = solvers.size(), metric = claim.metrics.front()->column == metrics_of_readings[0] ? 0 : 1;
   std::vector<std::size_t> own, rivals;
   for (const std::string& solver : claim.solvers) own.push_back(place_of(solvers, solver));
-  for (const std::string& solver : claim.against.empty() ? solvers : claim.against) {
+  for (const std::string& solver : claim.against.empty() ? solvers : claim.against)
     if (!contains(claim.solvers, solver)) rivals.push_back(place_of(solvers, solver));
-  }
   if (contains(own, k) || contains(rivals, k)) return {};
   // Of each pair alone, by Welch's t, at its part of the significance, as a report judges a pair of these solvers.
   const Plan of_pair{.test = Plan::Test::means,

@@ -25,9 +25,8 @@ const JudgedStudy* Repeated::part(std::string_view part) const {
 
 std::vector<Repeated> Repeated::readings() const {
   std::vector<Repeated> all{{paper, studies.first(1)}};
-  for (std::size_t i = 1; i < studies.size(); ++i) {
+  for (std::size_t i = 1; i < studies.size(); ++i)
     if (paper.readings.contains(studies[i].study.name)) all.push_back({paper, studies.subspan(i, 1)});
-  }
   return all;
 }
 
@@ -50,7 +49,7 @@ std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& so
   const Group group = place < judged.described.size() ? judged.observations.groups[place] : Group();
   const Description ours =
       place == judged.described.size() || lost_in(group) > 0 ? Description() : judged.described[place];
-  const bool is_time = judged.observations.unit == "s";
+  const bool is_time = judged.observations.measures == Measure::time;
   const auto ranges = row && ours.n > 0 && !is_time
                           ? predicted_ranges({values_of(group).begin(), values_of(group).end()}, row->numbers.n)
                           : std::nullopt;
@@ -71,7 +70,7 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
   for (const std::string& solver : study.labels) table.rows.push_back({solver});
   for (const JudgedMetric& judged : repeated.study().metrics) {
     const PrintedRows printed = printed_rows(repeated.paper, judged);
-    if (printed.empty() || judged.observations.unit == "s") continue;  // of another machine
+    if (printed.empty() || judged.observations.measures == Measure::time) continue;  // of another machine
     table.columns.push_back({judged.observations.quantity, judged.observations.unit});
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       table.rows[i].push_back(beside(judged, study.labels[i], row_of(printed, study.labels[i])).front());

@@ -44,12 +44,6 @@ JudgedMetric judged_in(const JudgedStudy& study, const Metric& metric) {
   return reported ? *reported : judge::judge(observe(study.study, metric), study.study.definition.plan);
 }
 
-JudgedMetric spread_of(const JudgedMetric& judged) {
-  JudgedMetric spread = judge::judge(deviations(judged.observations), judged.plan);
-  for (std::size_t i = 0; i < spread.described.size(); ++i) spread.described[i].mean = judged.described[i].sd;
-  return spread;
-}
-
 // Leaves the claim's solvers and their rivals. None if one of the former or all of the latter are missing, or some are
 // without observations.
 std::optional<JudgedMetric> about(const Claim& claim, JudgedMetric judged) {
@@ -82,12 +76,14 @@ std::optional<JudgedMetric> judged_here(const Claim& claim, const Repeated& repe
       all.groups.push_back(std::move(group));
     }
     all.is_paired = false;
-    for (Group& group : all.groups) {
+    for (Group& group : all.groups)
       if (auto* const measured = std::get_if<Measured>(&group.sample)) measured->blocks.clear();
-    }
     judged = judge::judge(std::move(all), judged.plan);
   }
-  return about(claim, claim.of == Of::spread ? spread_of(judged) : judged);
+  if (claim.of == Of::means) return about(claim, std::move(judged));
+  JudgedMetric spread = judge::judge(deviations(judged.observations), judged.plan);
+  for (std::size_t i = 0; i < spread.described.size(); ++i) spread.described[i].mean = judged.described[i].sd;
+  return about(claim, std::move(spread));
 }
 
 double mean_of(const JudgedMetric& judged, std::string_view solver) {
@@ -105,9 +101,8 @@ std::string mean_words(const JudgedMetric& judged, const std::string& solver) {
 // The others by their means, the smallest first.
 Names rivals_of(const JudgedMetric& judged, const Names& own) {
   Names rivals;
-  for (const Group& group : judged.observations.groups) {
+  for (const Group& group : judged.observations.groups)
     if (!has(own, group.name)) rivals.push_back(group.name);
-  }
   std::ranges::stable_sort(rivals, {}, [&](const std::string& name) { return mean_of(judged, name); });
   return rivals;
 }
@@ -118,9 +113,8 @@ Names same_there(const Claim& claim, const Repeated& repeated) {
   const JudgedStudy* const part = part_of(claim, repeated);
   if (claim.from != From::others || part == nullptr) return same;
   const std::span<const Solve> ours = repeated.study().study.of(claim.solvers.front());
-  for (const std::string& rival : part->study.labels) {
+  for (const std::string& rival : part->study.labels)
     if (is_rival(rival, claim) && have_same_solves(ours, part->study.of(rival))) same.push_back(rival);
-  }
   return same;
 }
 
@@ -132,10 +126,9 @@ JudgedClaims solves_most(const Claim& claim, const Repeated& repeated) {
   const auto own = std::ranges::find(columns, claim.solvers.front(), &RateColumn::name);
   for (const Rate& rate : own == columns.end() ? std::vector<Rate>() : own->rates) {
     const Rate* best = nullptr;
-    for (const RateColumn& column : columns) {
+    for (const RateColumn& column : columns)
       for (const Rate& each : column.rates)
         if (has(claim.against, column.name) && each.row == rate.row && (!best || best->ours < each.ours)) best = &each;
-    }
     if (best == nullptr) continue;
     const Interval difference = newcombe(rate.ours / 100, rate.n, best->ours / 100, best->n,
                                          repeated.study().study.definition.plan.significance);
@@ -159,9 +152,8 @@ JudgedClaims better(const Claim& claim, const Repeated& repeated) {
     for (const std::string& rival : same) std::erase(rivals, name_of_rival(rival, claim));
     here.insert(here.end(), same.size(), Holds::fails);
     Tally tally;
-    for (const std::string& solver : own) {
+    for (const std::string& solver : own)
       for (const std::string& rival : rivals) tally.add(verdict_between(*ours, solver, rival));
-    }
     if (!rivals.empty()) here.push_back(holds_of(tally));
     if (!result.number.empty()) continue;
     for (const std::string& solver : own) means.push_back(mean_words(*ours, solver));

@@ -121,10 +121,9 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
     std::vector<BoxRow> boxed =
         box_rows(values->observations, drawn_unit(study, values->observations.unit), drawn_solvers(study, look), look);
     const PrintedRows printed = in_print(metric.column);
-    for (BoxRow& row : boxed) {
+    for (BoxRow& row : boxed)
       if (const auto* const its = row_of(printed, row.label))
         row.printed = {its->numbers.smallest, its->numbers.median, its->numbers.largest};
-    }
     of_runs.add(metric.boxes, boxes(about, boxed));
   }
   figures.add(9, joints({.caption = "Joint angles along the path, first run of each solver. Dashed: limits."},
@@ -195,9 +194,8 @@ Table table_3(const Repeated& repeated) {
               .notes = {std::string(meaning_of_signs),
                         "Printed times are of another machine and language. Our time of a run is the median of its "
                         "points; Figure 8 has means of the runs."}};
-  for (const Statistic& statistic : statistics) {
+  for (const Statistic& statistic : statistics)
     for (const std::string& solver : solvers) table.rows.push_back({solver, std::string(statistic.column)});
-  }
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const Metric& metric = metric_named(column);
     const std::optional<JudgedMetric> judged = by_runs(repeated.study(), column);
