@@ -113,9 +113,8 @@ void add_of_plan(Doubts& doubts, const StudyResults& study) {
     const auto recorded = session.environment.find("analysis");
     if (recorded == session.environment.end()) continue;
     const base::Json then = base::parsed_json(recorded->second);
-    for (const auto& [field, value] : then.items()) {
+    for (const auto& [field, value] : then.items())
       if (!plan.contains(field) || plan[field] != value) others.insert(session.id), fields.insert(field);
-    }
   }
   add(doubts, study, {.kind = DoubtKind::plan_changed, .what = fmt::format("{}", fmt::join(fields, ", "))},
       [&](const Solve& solve) { return others.contains(solve.session); });
@@ -124,38 +123,26 @@ void add_of_plan(Doubts& doubts, const StudyResults& study) {
 void add_of_repeats(Doubts& doubts, const StudyResults& study) {
   if (study.definition.draws_targets || !study.definition.compares_runs()) return;  // paired
   std::map<std::size_t, std::vector<std::string>> repeating;                        // solvers, by their number of runs
-  for (const std::string& solver : study.labels) {
+  for (const std::string& solver : study.labels)
     if (repeats_itself(study, solver)) repeating[complete_runs_of(study, solver).size()].push_back(solver);
-  }
   for (const auto& [runs, who] : repeating)
     doubts.push_back({.kind = DoubtKind::repeats_itself, .who = who, .count = static_cast<double>(runs)});
 }
 
-// Of targets that are the same in all runs: those that stay unsolved, and that the arm may not be able to reach them.
+// Of targets that are the same in all runs: those that stay unsolved.
 void add_of_targets(Doubts& doubts, const StudyResults& study) {
   const Definition& definition = study.definition;
   if (definition.draws_targets || !definition.has_tolerance()) return;
   std::map<int, bool> is_solved;  // by point
   for (const Solve& solve : study.solves) is_solved[solve.point] |= solve.status == Status::ok;
   std::vector<std::string> never;
-  for (const auto& [point, is_so] : is_solved) {
+  for (const auto& [point, is_so] : is_solved)
     if (!is_so) never.push_back(std::to_string(point));
-  }
-  if (never.empty()) return;
-  if (never.size() < is_solved.size())
+  if (!never.empty() && never.size() < is_solved.size())
     doubts.push_back({.kind = DoubtKind::solved_by_nobody,
                       .count = static_cast<double>(never.size()),
                       .of = static_cast<double>(is_solved.size()),
                       .what = names_of(never)});
-  const auto joints = definition.arm.empty() ? 0 : std::ssize(base::parsed_json(definition.arm)["links"]);
-  const auto conditions = definition.search == Search::pose ? 6 : definition.search == Search::axis ? 5 : 3;
-  if (joints == 0 || joints >= conditions || definition.search == Search::wrist) return;
-  doubts.push_back({.kind = DoubtKind::too_few_joints,
-                    .what = fmt::format("{} cannot reach every target of search = \"{}\", which sets {} conditions{}",
-                                        base::counted(joints, "joints"), name_of(definition.search), conditions,
-                                        joints > 4   ? "; \"axis\" sets 5"
-                                        : joints > 2 ? "; \"all_joints\" sets 3"
-                                                     : "")});
 }
 
 }  // namespace
@@ -275,7 +262,6 @@ std::string words_of(const Doubt& doubt) {
       "sessions in which the machine was busy are left out of the tests of time ({who})",
       "{share} targets of a run out of reach, so no solver can solve them",
       "{share} targets were solved by nobody in any run (points {what})",
-      "{what}",
       "{who} gave the same {what} {count} times, or its spread was rounded away: not tested",
       "few values decide the {what} of {who}: nothing is called better by it",
       "{first} is better than {last} by ranks, though its {what} is worse"};

@@ -26,7 +26,6 @@ enum class DoubtKind {
   sessions_left_out,     // of times: busy ones, where enough others compare
   out_of_reach,          // targets
   solved_by_nobody,      // targets, in any run
-  too_few_joints,        // for all conditions of a target
   repeats_itself,        // every run gave the same, so they count as one
   few_decide_mean,       // one value is most of a sum
   ranks_disagree,        // better by ranks, worse by its median or mean
