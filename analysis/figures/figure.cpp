@@ -68,10 +68,8 @@ std::string draw(const Figure& figure, const std::filesystem::path& workshop, co
   // -d gives the same look whatever ~/.gnuplot says; without a locale of UTF-8 gnuplot 6 warns.
   const ChildProcess::Ran result =
       ChildProcess::run({gnuplot, "-d", figure.name + ".gp"}, workshop / sources, {"LC_ALL=C.UTF-8"});
-  if (!result.succeeded) {
-    throw std::invalid_argument(result.output.empty() ? fmt::format("{} failed without a message", gnuplot)
-                                                      : result.output);
-  }
+  if (!result.succeeded)
+    throw std::invalid_argument(result.output.empty() ? gnuplot + " failed without a message" : result.output);
   for (const std::string& type : options.style.formats) {
     const std::string_view end = type == "svg" ? "</svg>" : type == "pdf" ? "%%EOF" : "IEND\xAE\x42\x60\x82";
     const std::string file = figure.name + "." + type;

@@ -81,6 +81,49 @@ std::vector<std::uint32_t> sets_of_alike(std::span<const RankRow> rows) {
   return sets;
 }
 
+// gnuplot's commands for a row of panels a solver, a panel a joint, from the arrays of these: rows, columns, the gap
+// between rows [cm], how high above its first row a column's name is, the point size.
+constexpr const char* joint_panels =
+    "set multiplot layout {0}, {1} rowsfirst margins margin(1.35), 1 - margin({4}), up(0.95), 1 - up(0.65 + {2}) "
+    "spacing margin(0.15), up({2})\n"
+    "do for [r=1:{0}] {{\n  do for [c=1:{1}] {{\n"
+    "    unset label\n    unset title\n    set format ''\n"
+    "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.6 noenhanced tc rgb ink }}\n"
+    "    if (r == 1) {{ set label name[c] at graph 0.5, graph 1 center offset 0, {3} noenhanced tc rgb ink }}\n"
+    "    if (r == 1 && c == 1) {{ set label y_title at screen margin(0.3), screen 0.5 center rotate tc rgb ink; "
+    "set label x_title at screen 0.5, up(0.22) center tc rgb ink }}\n"
+    "    if (r == {0} && c % 2 == 1) {{ set format x '%g' }}\n"
+    "    plot NaN, lower[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
+    "      upper[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
+    "      data index r-1 using 1:(column(c+1)) with lines lw 0.9 lc rgb colour_of(style[r]), \\\n"
+    "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) "
+    "with points pt 6 ps 0.6 lw 0.8 lc rgb ink\n"
+    "  }}\n}}\nunset multiplot";
+
+std::string arrays_of(const std::vector<JointColumn>& columns) {
+  std::string arrays = fmt::format("array name[{0}]\narray lower[{0}]\narray upper[{0}]\n", columns.size());
+  const auto limit = [](double degrees) { return std::abs(degrees) <= 1e300 ? text_of(degrees) : "NaN"; };
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    arrays += fmt::format("name[{0}] = {1}\nlower[{0}] = {2}\nupper[{0}] = {3}\n", i + 1,
+                          gnuplot_text(columns[i].label), limit(columns[i].lower_deg), limit(columns[i].upper_deg));
+  return arrays;
+}
+
+// Lines of a data file, beside a row: value and height.
+std::string scattered(const BoxRow& row, double y) {
+  std::vector<double> sorted = row.values;
+  std::ranges::sort(sorted);
+  const std::size_t n = std::min(sorted.size(), most_values);
+  std::string lines = fmt::format("\n\n# values of {}: value, height\n", one_line(row.label));
+  if (n == 0) lines += "NaN NaN\n";
+  for (std::size_t k = 0; k < n; ++k) {
+    constexpr double golden_ratio = 0.6180339887498949;  // multiples of it fill an interval evenly
+    const double jitter = std::fmod(golden_ratio * static_cast<double>(k + 1), 1.0);
+    lines += data_row({sorted[n == sorted.size() ? k : k * (sorted.size() - 1) / (n - 1)], y + 0.02 + 0.2 * jitter});
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_rows) {
@@ -90,7 +133,7 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
   std::vector<double> all;
   figure.data =
       "# row; smallest, lower quartile, median, upper quartile, largest; as printed: smallest, median, largest\n";
-  std::string values = "";
+  std::string values;
   bool is_thinned = false, has_printed = false;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const BoxRow& row = rows[i];
@@ -104,17 +147,8 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
     figure.data += fmt::format("# {}\n{}", one_line(row.label),
                                data_row({y, row.box[0], row.box[1], row.box[2], row.box[3], row.box[4], row.printed[0],
                                          row.printed[1], row.printed[2]}));
-    std::vector<double> sorted = row.values;
-    std::ranges::sort(sorted);
-    const std::size_t n = std::min(sorted.size(), most_values);
-    is_thinned = is_thinned || n < sorted.size();
-    values += fmt::format("\n\n# values of {}: value, height\n", one_line(row.label));
-    if (n == 0) values += "NaN NaN\n";
-    for (std::size_t k = 0; k < n; ++k) {
-      constexpr double golden_ratio = 0.6180339887498949;  // multiples of it fill an interval evenly
-      const double jitter = std::fmod(golden_ratio * static_cast<double>(k + 1), 1.0);
-      values += data_row({sorted[n == sorted.size() ? k : k * (sorted.size() - 1) / (n - 1)], y + 0.02 + 0.2 * jitter});
-    }
+    is_thinned = is_thinned || row.values.size() > most_values;
+    values += scattered(row, y);
     const std::string box = fmt::format("data index 0 every ::{0}::{0} using", i), colour = colour_of(row.style);
     clauses.push_back(
         fmt::format("data index {} using (place_x($1)):2 with points pt 6 ps 0.3 lw 0.7 {}", i + 1, colour));
@@ -394,15 +428,7 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
   std::vector<double> all;
   std::size_t points = 1;
   bool is_outside = false;
-  figure.settings +=
-      fmt::format("array name[{0}]\narray lower[{0}]\narray upper[{0}]\narray solver[{1}]\narray style[{1}]\n",
-                  columns.size(), drawn);
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const auto limit = [](double degrees) { return std::abs(degrees) <= 1e300 ? text_of(degrees) : "NaN"; };
-    figure.settings +=
-        fmt::format("name[{0}] = {1}\nlower[{0}] = {2}\nupper[{0}] = {3}\n", i + 1, gnuplot_text(columns[i].label),
-                    limit(columns[i].lower_deg), limit(columns[i].upper_deg));
-  }
+  figure.settings += arrays_of(columns) + fmt::format("array solver[{0}]\narray style[{0}]\n", drawn);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const JointRow& row = rows[i];
     figure.data += fmt::format("{}# {}: point, angle of each joint [deg]\n", i == 0 ? "" : "\n\n", one_line(row.label));
@@ -433,23 +459,8 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
                          "set xrange [0:{0}]\nset xtics (1, {1})\nset ytics {2}\nset tics scale 0.4\n"
                          "set samples 2\nunset key\n",
                          points + 1, points, text_of(step));
-  figure.plot = fmt::format(
-      "set multiplot layout {0}, {1} rowsfirst margins margin(1.35), 1 - margin({4}), up(0.95), 1 - up(0.65 + {2}) "
-      "spacing margin(0.15), up({2})\n"
-      "do for [r=1:{0}] {{\n  do for [c=1:{1}] {{\n"
-      "    unset label\n    unset title\n    set format ''\n"
-      "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.6 noenhanced tc rgb ink }}\n"
-      "    if (r == 1) {{ set label name[c] at graph 0.5, graph 1 center offset 0, {3} noenhanced tc rgb ink }}\n"
-      "    if (r == 1 && c == 1) {{ set label y_title at screen margin(0.3), screen 0.5 center rotate tc rgb ink; "
-      "set label x_title at screen 0.5, up(0.22) center tc rgb ink }}\n"
-      "    if (r == {0} && c % 2 == 1) {{ set format x '%g' }}\n"
-      "    plot NaN, lower[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
-      "      upper[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
-      "      data index r-1 using 1:(column(c+1)) with lines lw 0.9 lc rgb colour_of(style[r]), \\\n"
-      "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) "
-      "with points pt 6 ps 0.6 lw 0.8 lc rgb ink\n"
-      "  }}\n}}\nunset multiplot",
-      drawn, columns.size(), text_of(gap_cm), drawn == 1 ? 0.7 : 1.9, points < 1000 ? "0.25" : "0.5");
+  figure.plot = fmt::format(joint_panels, drawn, columns.size(), text_of(gap_cm), drawn == 1 ? 0.7 : 1.9,
+                            points < 1000 ? "0.25" : "0.5");
   return figure;
 }
 
