@@ -184,41 +184,44 @@ void SolveRunner::warm_up(Solver& solver, const Call& call) const {
 }
 
 SolveRecord SolveRunner::solve(Solver& solver, const Call& call) const {
-  const auto& [target, start, run, point] = call;
   const double interrupted_before = thread_interruptions(), before = thread_seconds();
   Timed made = timed(solver, call);
   if (!made.account) made.cpu_seconds = thread_seconds() - before;
-  const double interruptions = thread_interruptions() - interrupted_before;
-  const Solution& solution = made.solution;
-  Configuration answer = made.answer;
-
-  const bool turns_freely = study_.search == Search::axis;
-  Verification verified = verify(arm_, target, start, answer, turns_freely, study_.motion_joints);
-  const Status status = status_of(made, verified, target);
-  if (stays(status)) {  // the arm stays, and that is recorded
-    answer = start;
-    verified = verify(arm_, target, start, answer, turns_freely, study_.motion_joints);
-  }
+  made.interruptions = thread_interruptions() - interrupted_before;
+  const auto verified = [&](const Configuration& answer) {
+    return verify(arm_, call.target, call.start, answer, study_.search == Search::axis, study_.motion_joints);
+  };
+  const Verification as_answered = verified(made.answer);
+  const Status status = status_of(made, as_answered, call.target);
   constexpr int one_in = 10;
-  if ((conversations_ || entry_.own) && !is_without_answer(status) && (run + point) % one_in == 0) {
-    const Timed again = timed(solver, call);
-    if (!again.account || !again.account->failure) {
-      ++asked_again_;
-      differed_ += !same_bits(again.answer, made.answer);
-    }
-  }
+  if ((conversations_ || entry_.own) && !is_without_answer(status) && (call.run + call.point) % one_in == 0)
+    if (const Timed again = timed(solver, call); !again.account || !again.account->failure)
+      ++asked_again_, differed_ += !same_bits(again.answer, made.answer);
+  if (stays(status))  // the arm stays, and that is recorded
+    return record_of(call, made, status, call.start, verified(call.start));
+  return record_of(call, made, status, made.answer, as_answered);
+}
+
+SolveRecord SolveRunner::record_of(const Call& call, const Timed& made, Status status, const Configuration& answer,
+                                   const Verification& verified) const {
+  const Solution& solution = made.solution;
   const Account* const account = made.account ? &*made.account : nullptr;
+  StopReason stopped = solution.stopped;
+  if (account != nullptr && account->failure)
+    stopped = *account->failure == Status::timed_out ? StopReason::time : StopReason::finished;
+  else if (account != nullptr && stopped == StopReason::finished)
+    stopped = account->stopped;
   const bool is_counted = is_counted_ && solution.evaluations > 0;  // who never asks has kinematics of its own
   SolveRecord record{
       .study = study_.name,
       .robot = arm_.name,
       .label = entry_.label,
       .series = key_,
-      .run = run,
-      .point = point,
-      .target_position_m = to_vector(target.translation()),
-      .target_rotation = by_rows(target.linear()),
-      .start_rad = to_vector(start),
+      .run = call.run,
+      .point = call.point,
+      .target_position_m = to_vector(call.target.translation()),
+      .target_rotation = by_rows(call.target.linear()),
+      .start_rad = to_vector(call.start),
       .answer_rad = to_vector(answer),
       .reached_position_m = to_vector(verified.reached),
       .position_error_cm = verified.position_error / centimetre,
@@ -229,14 +232,14 @@ SolveRecord SolveRunner::solve(Solver& solver, const Call& call) const {
       .limit_violation_deg = verified.limit_violation / degree,
       .evaluations = is_counted ? solution.evaluations : 0,
       .iterations = solution.iterations,
-      .stop_reason = stop_reason_of(made),
+      .stop_reason = stopped,
       .status = status,
       .seconds = made.seconds,
       .cpu_seconds = made.cpu_seconds,
       .timing = timing_,
       .smallest_seconds = made.seconds,
       .largest_seconds = made.seconds,
-      .interruptions = interruptions,
+      .interruptions = made.interruptions,
       .variation_m = verified.variation_m,
       .limit_violation_m = verified.limit_violation_m,
       .claimed_seconds = account != nullptr ? account->claimed_seconds : std::numeric_limits<double>::quiet_NaN(),
@@ -253,14 +256,6 @@ SolveRecord SolveRunner::solve(Solver& solver, const Call& call) const {
     for (const double error : solution.improved.to) record.improved_to_cm.push_back(error / centimetre);
   }
   return record;
-}
-
-StopReason SolveRunner::stop_reason_of(const Timed& timed) const {
-  const StopReason ours = timed.solution.stopped;
-  if (!timed.account) return ours;
-  if (timed.account->failure)
-    return *timed.account->failure == Status::timed_out ? StopReason::time : StopReason::finished;
-  return ours == StopReason::finished ? timed.account->stopped : ours;
 }
 
 Status SolveRunner::status_of(const Timed& timed, const Verification& verified, const Pose& target) const {

@@ -67,10 +67,12 @@ class SolveRunner {
     double seconds = 0;                   // to solve, and to complete the answer
     std::optional<Account> account = {};  // if a program solved
     double cpu_seconds = 0;               // of the program, else of this thread
+    double interruptions = 0;             // by the system, of this thread
     std::map<std::string, double> extras = {};
   };
   Timed timed(solvers::Solver& solver, const Call& call) const;
-  results::StopReason stop_reason_of(const Timed& timed) const;
+  results::SolveRecord record_of(const Call& call, const Timed& made, results::Status status,
+                                 const Configuration& answer, const Verification& verified) const;
   results::Status status_of(const Timed& timed, const Verification& verified, const Pose& target) const;
   bool is_late(const Timed& timed) const;
 
