@@ -85,17 +85,15 @@ void append_row(std::string& text, const SolveRecord& record, const Widths& widt
     if constexpr (is_list<Value>) {
       if (value.size() > *width)
         throw std::invalid_argument(
-            fmt::format("run {}, point {} of {} has {} numbers as {}, the first solve {}; read the "
-                        "store instead",
-                        record.run, record.point, record.label, value.size(), name, *width));
+            fmt::format("run {}, point {} of {} has {} numbers as {}, the first solve {}; read the store", record.run,
+                        record.point, record.label, value.size(), name, *width));
       for (const double element : value) {
         append(text, element);
         text += ',';
       }
       text.append(*width - value.size(), ',');
     } else {
-      const bool is_uncounted = name == "evaluations" && record.counted_by == CountedBy::nobody;
-      if (!is_uncounted) append(text, value);
+      if (name != "evaluations" || record.counted_by != CountedBy::nobody) append(text, value);
       text += ',';
     }
     ++width;

@@ -48,9 +48,8 @@ std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle&
   const auto is_known = [](const std::string& format) { return std::ranges::count(picture_formats, format) == 1; };
   if (drawn.empty() || drawn.size() < style.formats.size() || !std::ranges::all_of(drawn, is_known))
     return {{"formats", fmt::format("some of {}, each once", fmt::join(picture_formats, ", "))}};
-  for (const auto& [label, colour] : style.colours) {
+  for (const auto& [label, colour] : style.colours)
     if (!is_colour(colour)) return {{"colour", std::string(expected_colour)}};
-  }
   return std::nullopt;
 }
 

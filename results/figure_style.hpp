@@ -2,7 +2,6 @@
 // colours of its solvers. It decides no number.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
