@@ -96,9 +96,8 @@ Frame frame_of(const Pose& pose) {
 
 std::vector<std::string> joint_names(const Description& description) {
   std::vector<std::string> names;
-  for (const DescribedJoint& joint : description) {
+  for (const DescribedJoint& joint : description)
     if (joint.motion != DescribedJoint::Motion::none) names.push_back(joint.name);
-  }
   return names;
 }
 
@@ -118,14 +117,12 @@ Chain chain_of(const Description& description) {
   Pose pose = Pose::Identity();
   for (const DescribedJoint& joint : description) {
     pose = pose * joint.origin.pose();
-    if (joint.motion != Motion::none) {
+    if (joint.motion != Motion::none)
       axes.push_back({pose.translation(), (pose.linear() * joint.axis).normalized(), joint.motion});
-    }
   }
-  if (axes.empty() || axes.size() > most_joints) {
+  if (axes.empty() || axes.size() > most_joints)
     throw std::invalid_argument(
         fmt::format("{} joints move between base and tip; expected 1 to {}", axes.size(), most_joints));
-  }
   const Frame base = frame_of(first_frame(axes.front()));
   Pose frame = base.pose();
   std::vector<DhLink> links;

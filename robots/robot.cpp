@@ -24,8 +24,6 @@ constexpr EmbeddedFile arm_files[]{
 #include "arms.inc"
 };
 
-Robot built_in(const EmbeddedFile& file) { return parse_robot(file.text, file.name); }
-
 using Bounds = std::pair<double, double>;
 
 LimitedLink read_link(TomlReader reader, Bounds lengths) {
@@ -130,7 +128,7 @@ JointLimits JointLimits::around(const ConfigurationRef& middle, double each_way)
 
 std::vector<Robot> all_robots() {
   std::vector<Robot> all;
-  for (const EmbeddedFile& file : arm_files) all.push_back(built_in(file));
+  for (const EmbeddedFile& file : arm_files) all.push_back(parse_robot(file.text, file.name));
   return all;
 }
 
@@ -157,7 +155,7 @@ std::vector<std::string> doubts_of(const Robot& arm) {
 }
 
 Robot robot(std::string_view name) {
-  if (const EmbeddedFile* const file = find_embedded(arm_files, name)) return built_in(*file);
+  if (const EmbeddedFile* const file = find_embedded(arm_files, name)) return parse_robot(file->text, file->name);
   std::vector<std::string> names;
   for (const EmbeddedFile& file : arm_files) names.emplace_back(file.stem());
   std::error_code error;

@@ -14,9 +14,8 @@ using namespace numerics;
 namespace {
 
 Chain arm_of(const Chain& whole) {
-  if (!SphericalWrist::fits(whole)) {
+  if (!SphericalWrist::fits(whole))
     throw std::invalid_argument("the last three axes of this arm do not form a spherical wrist");
-  }
   const std::vector<DhLink>& links = whole.links();
   return Chain({links.begin(), links.end() - 3}, whole.base(), {.position = {0, 0, links[links.size() - 3].d}});
 }

@@ -12,7 +12,6 @@
 #include <optional>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 
 #include "base/names.hpp"
 #include "base/number.hpp"
@@ -182,10 +181,9 @@ class Tree {
       const std::string name = place.name(*joint, "name"), child = end(*joint, "child"), parent = end(*joint, "parent");
       if (!joints.insert(name).second) place.fail(*joint, "there are two of this name");
       const auto [known, is_new] = before_.emplace(child, joint);
-      if (!is_new) {
+      if (!is_new)
         place.fail(*joint, fmt::format("its child, \"{}\", is also that of joint \"{}\"; expected a tree", child,
                                        known->second->Attribute("name")));
-      }
       after_[parent].push_back(child);
     }
   }
@@ -210,9 +208,8 @@ class Tree {
 
   std::vector<std::string> roots() const {
     std::vector<std::string> roots;
-    for (const auto& [name, link] : links_) {
+    for (const auto& [name, link] : links_)
       if (!before_.contains(name)) roots.push_back(name);
-    }
     return roots;
   }
 
@@ -255,12 +252,8 @@ class Tree {
     if (links_.contains(name)) return;
     std::vector<std::string> names;
     for (const auto& [known, link] : links_) names.push_back(known);
-    const std::string meant = did_you_mean(name, names);
-    constexpr std::size_t most = 10;
-    const std::size_t more = names.size() > most ? names.size() - most : 0;
-    names.resize(names.size() - more);
-    place_.fail(1, fmt::format("{} is \"{}\", which is no link{}; there are \"{}\"{}", key, name, meant,
-                               fmt::join(names, "\", \""), more > 0 ? fmt::format(" and {} more", more) : ""));
+    place_.fail(1, fmt::format("{} is \"{}\", which is no link{}; robot FILE --links shows the tree", key, name,
+                               did_you_mean(name, names)));
   }
 
   // The joints from the base to the tip.
@@ -270,9 +263,8 @@ class Tree {
       if (end(*joint, "child") == base) break;
       joints.push_back(joint);
     }
-    if (base != tip && (joints.empty() || end(*joints.back(), "parent") != base)) {
+    if (base != tip && (joints.empty() || end(*joints.back(), "parent") != base))
       place_.fail(1, fmt::format("no joints lead from link \"{}\" to link \"{}\"", base, tip));
-    }
     std::ranges::reverse(joints);
     return joints;
   }
@@ -419,10 +411,9 @@ void read_origin(const XMLElement& origin, const Place& place, DescribedJoint& j
   if (has("rpy") && has("quat_xyzw")) place.fail(origin, "<origin> has rpy and quat_xyzw; expected one");
   if (has("rpy")) {
     const auto [values, digits] = place.numbers(origin, "rpy", 3);
-    for (const double value : values) {
+    for (const double value : values)
       if (const std::string_view doubt = doubt_of_angle(value, 1); !doubt.empty())
         place.fail(origin, fmt::format("rpy has {}, which {}", value, doubt));
-    }
     joint.origin.rpy = values.head<3>();
     joint.rpy_digits = digits.head<3>();
   } else if (has("quat_xyzw")) {
@@ -521,22 +512,18 @@ const XMLElement& parsed(tinyxml2::XMLDocument& document, std::string_view text,
   if (text.starts_with("version https://git-lfs"))
     place.fail(1, "this is a pointer of Git LFS, not the file; fetch it: git lfs pull");
   refuse_many_attributes(text, place);
-  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
     place.fail(std::max(document.ErrorLineNum(), 1),
                document.ErrorID() == tinyxml2::XML_ERROR_EMPTY_DOCUMENT
                    ? "the file is empty; expected a <robot>"
                    : "not well-formed XML: near this line a tag, a comment or a quote is not closed, or an attribute "
                      "is not NAME=\"VALUE\"");
-  }
   const XMLElement* const robot = document.RootElement();
-  if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
-    std::string what;
-    for (const auto& [tag, format] : {std::pair{"sdf", "SDF"}, {"mujoco", "MJCF"}, {"COLLADA", "Collada"}}) {
-      if (robot != nullptr && std::string_view(robot->Name()) == tag) what = fmt::format("this is {}; ", format);
-    }
-    place.fail(robot == nullptr ? 1 : robot->GetLineNum(),
-               what + "expected a URDF file, whose outermost element is <robot>");
-  }
+  if (robot == nullptr) place.fail(1, "it has no element; expected a URDF file with a <robot>");
+  if (std::string_view(robot->Name()) != "robot")
+    place.fail(robot->GetLineNum(),
+               fmt::format("this is <{}>; expected a URDF file, whose outermost element is <robot>",
+                           Place::shown(robot->Name())));
   return *robot;
 }
 
@@ -557,16 +544,14 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
   const Place place(file);
   tinyxml2::XMLDocument document;
   const XMLElement& robot = parsed(document, text, place);
-  for (const XMLElement* each = robot.FirstChildElement(); each != nullptr; each = each->NextSiblingElement()) {
+  for (const XMLElement* each = robot.FirstChildElement(); each != nullptr; each = each->NextSiblingElement())
     if ((choice.tip.empty() || choice.base.empty()) && is_unexpanded(*each)) place.fail_as_xacro(*each);
-  }
   const bool lacks_parts = robot.Attribute("name") == nullptr || robot.FirstChildElement("link") == nullptr;
   if (lacks_parts && text.find("xacro") != std::string_view::npos) place.fail_as_xacro(robot);
   const std::string name = place.name(robot, "name");
   const Tree tree(robot, place);
-  for (const auto& [key, link] : {std::pair{"base", choice.base}, std::pair{"tip", choice.tip}}) {
+  for (const auto& [key, link] : {std::pair{"base", choice.base}, std::pair{"tip", choice.tip}})
     if (!link.empty()) tree.expect_link(key, link);
-  }
   const Tree::End end = choice.tip.empty() ? tree.end_behind(choice.base.empty() ? tree.root() : choice.base)
                                            : Tree::End{.link = choice.tip};
   const std::string& tip = end.link;
@@ -591,11 +576,10 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
         limits.cwiseAbs().maxCoeff() > 1.01 * whole_turn)
       ++wide;
   }
-  if (lower.empty()) {
+  if (lower.empty())
     place.fail(1, fmt::format("no joint moves between links \"{}\" and \"{}\"; name others: --base LINK --tip LINK, "
                               "after ikbench robot FILE --links",
                               base, tip));
-  }
   Description snapped = printed;
   std::vector<std::string> changed = snap(snapped, choice.snap);
   try {
@@ -610,16 +594,16 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     if (std::ranges::max(velocity) > 0) arm.velocity = Configuration::Map(velocity.data(), arm.joints());
     if (end.other != tip) arm.other_tip = end.other;
     if (wide > 0) arm.notes.push_back(fmt::format("{} may turn by more than a turn each way", counted(wide, "joints")));
-    if (unlimited > 0) {
+    if (unlimited > 0)
       arm.notes.push_back(fmt::format("the file's limits of {} without end are ignored", counted(unlimited, "joints")));
-    }
     if (!changed.empty()) {
       changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
       arm.snapped = moved_by_snapping(printed, snapped, arm.limits);
       arm.notes.push_back(fmt::format(
           "{} are rounded in the file: taken as the quarter turns or parallel axes meant, which moves the tool by at "
-          "most {:.{}g} um",
-          counted(static_cast<std::int64_t>(changed.size()), "joints"), 1e6 * arm.snapped, arm.snapped < 1e-4 ? 2 : 6));
+          "most {:.3g} {}",
+          counted(static_cast<std::int64_t>(changed.size()), "joints"), arm.snapped * (arm.snapped < 1e-3 ? 1e6 : 1e3),
+          arm.snapped < 1e-3 ? "um" : "mm"));
     }
     return arm;
   } catch (const std::invalid_argument& error) {
