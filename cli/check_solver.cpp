@@ -154,24 +154,22 @@ class Checks {
     const Tried tried = solving.once();
     const Account& account = tried.account;
     const double outside = solving.arm.limits.violation(tried.q);
-    std::string wrong;
-    if (account.failure)
-      wrong = solving.all.last_failure();
-    else if (!tried.q.allFinite())
-      wrong = "its answer is not finite";
-    else if (outside > 1e-9)
-      wrong = fmt::format("its answer is {:.3g} rad or m outside", outside);
-    else if (std::abs(account.claimed_error - tried.error) > claim_slack(solving.arm))  // not if it claims none
-      wrong = fmt::format("it says that it is {:.9g} m off, and is {:.9g} m off", account.claimed_error, tried.error);
-    else if (account.went_on)
-      wrong = "it asks for more evaluations after it is told that its budget is used up";
+    const bool is_untrue = std::abs(account.claimed_error - tried.error) > claim_slack(solving.arm);  // NaN: no claim
+    const std::string wrong =
+        account.failure        ? solving.all.last_failure()
+        : !tried.q.allFinite() ? "its answer is not finite"
+        : outside > 1e-9       ? fmt::format("its answer is {:.3g} rad or m outside", outside)
+        : is_untrue
+            ? fmt::format("it says that it is {:.9g} m off, and is {:.9g} m off", account.claimed_error, tried.error)
+        : account.went_on ? "it asks for more evaluations after it is told that its budget is used up"
+                          : "";
     const std::string counted = account.counted_by == CountedBy::suite
                                     ? base::counted(account.evaluations, "evaluations") + ", counted here"
                                 : account.counted_by == CountedBy::solver ? "own kinematics; its own count"
                                                                           : "own kinematics; it counts nothing";
-    const bool declined = account.failure == Status::declined;
-    if (declined) line("it declines " + what, "", wrong);
-    if (!declined)
+    if (account.failure == Status::declined)
+      line("it declines " + what, "", wrong);
+    else
       line("it answers inside the limits for " + what, wrong, fmt::format("{:.2g} m off; {}", tried.error, counted));
     return tried;
   }
@@ -222,13 +220,11 @@ class Checks {
     for (const StopRule& counts : {StopRule{.iterations = 100, .tolerance = 1e-4, .evaluations = 40},
                                    StopRule{.iterations = 10, .tolerance = 1e-4}}) {
       if (!wrong.empty()) break;
-      const Account account = solving.once(counts).account;
-      if (account.failure)
+      const Account its = solving.once(counts).account;
+      if (its.failure)
         wrong = solving.all.last_failure();
-      else if (account.went_on ||
-               is_over({.evaluations = account.evaluations, .iterations = account.iterations}, counts))
-        wrong = fmt::format("{} in {}", counted(account.evaluations, "evaluations"),
-                            counted(account.iterations, "iterations"));
+      else if (its.went_on || is_over({.evaluations = its.evaluations, .iterations = its.iterations}, counts))
+        wrong = fmt::format("{} in {}", counted(its.evaluations, "evaluations"), counted(its.iterations, "iterations"));
     }
     line("it keeps a budget of 40 evaluations, and one of 10 iterations, half more at most", wrong);
   }

@@ -1,4 +1,4 @@
-// The terminal: its width and colours, progress with time left, Ctrl-C, and harmless output of any text.
+// The terminal: its width, progress with time left, Ctrl-C, and harmless output of any text.
 #pragma once
 
 #include <atomic>
@@ -27,9 +27,8 @@ std::string printable(std::string_view text);
 // Prints printable text on standard error, after all earlier standard output; a failure to print is ignored. Lines
 // break between words.
 void say(std::string_view text);
-void warn(std::string_view text);  // says "warning: " and the text
-// Says "ikbench: " and what is wrong; what to do, which follows a first "; ", begins a line.
-void say_mistake(std::string_view text);
+void warn(std::string_view text);         // says "warning: " and the text
+void say_mistake(std::string_view text);  // says "ikbench: " and the text: what is wrong, and what to do
 
 // Says a command in a line of its own that never breaks, to paste.
 void say_command(std::string_view command);

@@ -32,27 +32,66 @@ namespace ikbench::cli {
 
 namespace {
 
+namespace cli = ikbench::cli;
+using namespace ikbench::base;
+
 // Its lines are as wide as those of other texts.
 class Help : public CLI::Formatter {
  public:
   std::string make_option_desc(const CLI::Option* option) const override {
-    const std::size_t width = ikbench::cli::text_width() - get_column_width();
+    const std::size_t width = cli::text_width() - get_column_width();
     return fmt::format("{}", fmt::join(ikbench::show::broken(option->get_description(), width, width), "\n"));
   }
   std::string make_footer(const CLI::App* app) const override {
-    return ikbench::cli::wrapped("Examples:\n" + app->get_footer()) + '\n';
+    return cli::wrapped("Examples:\n" + app->get_footer()) + '\n';
   }
 };
+
+constexpr auto unwritten = "cannot write to standard output; make room on its disk, or do not close it";
+
+// CLI11 does not say which word it did not know, and names no option that is like it.
+int exit_code_of(const CLI::App& app, const CLI::ParseError& error, const std::string& first) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  std::vector<std::string> names;
+  if (chosen.empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+    cli::say_mistake(unknown_name("command", first, names));
+    return 1;
+  }
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const std::vector<std::string> rest = command.remaining();
+  const auto option = std::ranges::find_if(rest, [](const std::string& word) { return word.starts_with('-'); });
+  if (option != rest.end() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    for (const CLI::Option* each : command.get_options())
+      for (const std::string& name : each->get_lnames()) names.push_back(name);
+    const std::string name = option->substr(0, option->find('='));
+    const std::string nearest = nearest_name(name.substr(std::min<std::size_t>(2, name.size())), names);
+    cli::say_mistake(fmt::format("{} has no option {}; {}see --help", command.get_name(), front(name, 100),
+                                 nearest.empty() ? "" : fmt::format("did you mean --{}? Or ", nearest)));
+    return 1;
+  }
+  if (app.exit(error) != 0) return 1;
+  if (std::cout.flush()) return 0;
+  cli::say_mistake(unwritten);
+  return 2;
+}
+
+int exit_code_of(const std::exception& error) {
+  const auto* const of_system = dynamic_cast<const std::system_error*>(&error);
+  const bool is_mistake = dynamic_cast<const std::invalid_argument*>(&error) != nullptr;
+  // No space left, a store that another process writes, ...
+  const bool is_of_system = dynamic_cast<const std::runtime_error*>(&error) != nullptr;
+  const bool is_thread = of_system != nullptr && of_system->code() == std::errc::resource_unavailable_try_again;
+  cli::say_mistake(dynamic_cast<const std::bad_alloc*>(&error) != nullptr
+                       ? "there is not enough memory (ulimit -v, or the machine's)"
+                       : fmt::format("{}{}{}", is_mistake || is_of_system ? "" : "internal error: ", error.what(),
+                                     is_thread ? " for a thread; raise ulimit -v or -u" : ""));
+  return is_mistake ? 1 : 2;
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  namespace cli = ikbench::cli;
-  using namespace ikbench::base;
-  using namespace ikbench::numerics;
-  using namespace ikbench::experiments;
-  constexpr auto unwritten = "cannot write to standard output; make room on its disk, or do not close it";
-  std::vector<std::string> words(argv + 1, argv + argc);
   CLI::App app("Runs inverse-kinematics solvers on studies, stores every solve and says what the numbers mean.",
                "ikbench");
   app.formatter(std::make_shared<Help>());
@@ -61,19 +100,18 @@ int main(int argc, char** argv) {
       "  ikbench run my.toml       compares the solvers of a study, and writes a report\n"
       "  ikbench stats my.csv      says which group of your own data is better, or asks\n"
       "  ikbench COMMAND --help    has more");
-  app.set_version_flag("--version", program_name());
+  app.set_version_flag("--version", ikbench::experiments::program_name());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("ikbench: {}\n  see --help\n", cli::printable(error.what()));
   });
-  cli::Invocation invocation{.command = cli::shell_command("ikbench", {argv + 1, argv + argc})};
+  std::vector<std::string> words(argv + 1, argv + argc);
+  cli::Invocation invocation{.command = cli::shell_command("ikbench", words)};
 #define COMMAND(name, use)          \
   cli::add_##name(app, invocation); \
   app.get_subcommands({}).back()->group(use);
 #include "cli/commands.inc"
 #undef COMMAND
-  std::vector<std::string> commands;
-  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
   if (words.empty()) words.emplace_back("--help");
   const std::string first = words.front();
   std::ranges::reverse(words);  // as CLI11 takes them
@@ -82,58 +120,21 @@ int main(int argc, char** argv) {
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
   try {
     const cli::SignalWatch signals;
-    static_cast<void>(instruction_set());  // reports a wrong IKBENCH_INSTRUCTION_SET before anything starts
+    static_cast<void>(ikbench::numerics::instruction_set());  // says that IKBENCH_INSTRUCTION_SET is wrong before all
     app.parse(words);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw std::runtime_error(unwritten);
     return invocation.exit_code;
   } catch (const cli::Cancelled&) {
     return cli::cancelled_exit_code();
-  } catch (const CLI::RequiredError& error) {
-    if (!app.get_subcommands().empty()) return app.exit(error) == 0 ? 0 : 1;
-    // CLI11 does not say which word it did not know.
-    cli::say_mistake(unknown_name("command", first, commands));
-    return 1;
-  } catch (const CLI::ExtrasError& error) {  // CLI11 names what it did not expect, but no option that is like it
-    const CLI::App& command = app.get_subcommands().empty() ? app : *app.get_subcommands().front();
-    std::vector<std::string> options;
-    for (const CLI::Option* option : command.get_options())
-      for (const std::string& name : option->get_lnames()) options.push_back(name);
-    for (const std::string& word : command.remaining()) {
-      if (!word.starts_with('-')) continue;
-      const std::string name = word.substr(0, word.find('='));
-      const std::string nearest = nearest_name(name.substr(std::min<std::size_t>(2, name.size())), options);
-      cli::say_mistake(fmt::format("{} has no option {}; {}see --help", command.get_name(), front(name, 100),
-                                   nearest.empty() ? "" : fmt::format("did you mean --{}? Or ", nearest)));
-      return 1;
-    }
-    app.exit(error);
-    return 1;
   } catch (const CLI::ParseError& error) {
-    if (app.exit(error) != 0) return 1;
-    if (std::cout.flush()) return 0;
-    cli::say_mistake(unwritten);
-    return 2;
+    return exit_code_of(app, error, first);
   } catch (const ikbench::robots::LinkQuestion& question) {
     cli::say_mistake(std::string(question.what()) + "; type one of");
     for (const auto& [option, link, joints] : question.answers)
       cli::say_command(
           fmt::format("{}    # {}", cli::shell_command(invocation.command, {option, link}), counted(joints, "joints")));
     return 1;
-  } catch (const std::invalid_argument& error) {
-    cli::say_mistake(error.what());
-    return 1;
-  } catch (const std::system_error& error) {
-    const bool is_thread = error.code() == std::errc::resource_unavailable_try_again;
-    cli::say_mistake(fmt::format("{}{}", error.what(), is_thread ? " for a thread; raise ulimit -v or -u" : ""));
-    return 2;
-  } catch (const std::runtime_error& error) {  // no space left, a store that another process writes, ...
-    cli::say_mistake(error.what());
-    return 2;
-  } catch (const std::bad_alloc&) {
-    cli::say_mistake("there is not enough memory (ulimit -v, or the machine's)");
-    return 2;
   } catch (const std::exception& error) {
-    cli::say_mistake(fmt::format("internal error: {}", error.what()));
-    return 2;
+    return exit_code_of(error);
   }
 }

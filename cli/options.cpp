@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <cstring>
-#include <utility>
 
 #include "analysis/papers/paper.hpp"
 #include "base/number.hpp"

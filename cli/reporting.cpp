@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 #include <set>
 #include <sstream>
 
@@ -42,10 +41,9 @@ using figures::is_meant;
 void refuse_unknown_figures(const std::vector<std::string>& names) {
   std::vector<std::string> all;
   for (const auto& [name, meaning] : show::all_figures()) all.push_back(name);
-  for (const std::string& name : names) {
+  for (const std::string& name : names)
     if (std::ranges::none_of(all, [&](const auto& figure) { return is_meant(figure, name) || is_meant(name, figure); }))
       throw std::invalid_argument(unknown_name("figure", name, all));
-  }
 }
 
 std::vector<std::string> shipped_styles() {
@@ -62,8 +60,6 @@ std::string style_text(const std::string& name) {
     throw std::invalid_argument(unknown_name("style", name, shipped_styles()) + "; or name a file that is there");
   return text_of_file(name, largest);
 }
-
-bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
 
 // Solvers whose program failed in every solve; one that only misses, or declines, did answer.
 std::vector<std::string> never_answering(const judge::StudyResults& study) {
@@ -108,11 +104,10 @@ Style styled(Style style, const std::vector<std::string>& labels, const ReportAr
     for (const auto& [of, text] : words) texts.push_back(text);
   }
   refuse_unknown_figures(named);
-  for (const std::string& label : style.figures.solvers) {
+  for (const std::string& label : style.figures.solvers)
     if (std::ranges::find(labels, label) == labels.end())
       throw std::invalid_argument(fmt::format("solvers of [figures]: {}", unknown_name("solver", label, labels)));
-  }
-  if (are_drawn(arguments.figures)) {
+  if (std::ranges::count(arguments.figures, "none") == 0) {
     refuse_unknown_figures(arguments.figures);
     figures::refuse_missing_font(style.figures, texts);
   }

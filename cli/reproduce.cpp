@@ -52,9 +52,8 @@ std::vector<Study> studies_of(const Paper& paper, const Arguments& arguments) {
   };
   const std::string& first = paper.studies.front();
   for (const std::string& name : paper.studies) add(name, {});
-  for (const auto& [arm, row] : paper.rates.rows) {
+  for (const auto& [arm, row] : paper.rates.rows)
     if (arm != studies.front().robot) add(first, {fmt::format("name={}-{}", first, arm), "robot=" + arm});
-  }
   return studies;
 }
 
@@ -111,77 +110,84 @@ std::vector<papers::SeedCounts> counts_of(const Arguments& arguments, const pape
   return counts;
 }
 
-// The first of the studies is the paper's own.
-void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
-            const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
-  const Style style = styled(all.front().study, arguments.report);
-  const std::filesystem::path anew = folder / "programs.csv";  // solved on this machine
-  std::error_code none;
-  const bool is_anew = !paper.rates.programs.empty() && std::filesystem::exists(anew, none);
-  const std::string text = is_anew ? base::text_of_file(anew) : "";
-  const CsvTable programs =
-      is_anew ? parse_csv(text, anew.string()) : published::table(paper.name, paper.rates.programs);
-  if (is_anew && programs.rows() != paper.rates.rows.size())
+// What programs did by the clock: as solved on this machine, else as shipped. Cells are views of the text.
+CsvTable programs_of(const Paper& paper, const std::filesystem::path& folder, std::string& text) {
+  const std::filesystem::path anew = folder / "programs.csv";
+  if (std::error_code none; paper.rates.programs.empty() || !std::filesystem::exists(anew, none))
+    return published::table(paper.name, paper.rates.programs);
+  text = base::text_of_file(anew);
+  CsvTable programs = parse_csv(text, anew.string());
+  if (programs.rows() != paper.rates.rows.size())
     throw std::invalid_argument(
         fmt::format("{} has {} rows; expected one for each arm of the paper, {}; remove it, or "
                     "solve them (solvers/programs/{}.sh)",
                     anew.string(), programs.rows(), paper.rates.rows.size(), paper.name));
+  return programs;
+}
+
+// What only its companions doubt.
+std::vector<std::string> warnings_of(const papers::Repeated& repeated, const show::Answer& own) {
+  std::vector<std::string> told;
+  for (const judge::Doubt& doubt : own.all_doubts()) told.push_back(words_of(doubt));
+  show::ByWord doubts;
+  for (const judge::JudgedStudy& companion : repeated.studies.subspan(1))
+    for (const judge::Doubt& doubt : show::answer_of(companion).all_doubts())
+      if (std::ranges::count(told, words_of(doubt)) == 0) doubts.add(words_of(doubt), companion.study.name);
+  return doubts.told("{1}: {0}.");
+}
+
+// Figures and tables by the paper's numbers, for each of its readings.
+void add_slim2023(show::Report& reported, const papers::Repeated& repeated, const figures::Look& look,
+                  const FigureStyle& style) {
+  std::vector<figures::Figure> of_circle;
+  if (const judge::JudgedStudy* const dobot = repeated.part("dobot"))
+    of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.series, style));
+  reported.additions = slim2023::sections(repeated, of_circle);
+  show::Blocks& by_other = reported.additions.emplace_back();
+  for (const papers::Repeated& reading : repeated.readings()) {
+    if (reading.suffix().empty()) continue;
+    by_other.emplace_back(show::Heading{"Figures with " + reading.reading()});
+    for (figures::Figure& figure : slim2023::figures_of(reading.study(), look)) {
+      figure.name += reading.suffix(), figure.caption += fmt::format(" With {}.", reading.reading());
+      by_other.emplace_back(std::move(figure));
+    }
+  }
+  std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many
+                [](const auto& each) { return each.observations.measures == judge::Measure::evaluations; });
+}
+
+// The first of the studies is the paper's own.
+void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
+            const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
+  const Style style = styled(all.front().study, arguments.report);
+  std::string text;
+  const CsvTable programs = programs_of(paper, folder, text);
   const papers::Repeated repeated{.paper = paper, .studies = all, .programs = &programs};
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.in_readings);
   const std::vector<papers::SeedCounts> counts = counts_of(arguments, repeated);
   show::Table means = papers::means_table(repeated, counts.empty() ? papers::SeedCounts() : counts.front());
   if (means.rows.empty()) means = papers::rates_table(repeated);
 
-  const bool is_slim2023 = paper.name == "slim2023", has_arms = !paper.rates.rows.empty();
+  const bool is_slim2023 = paper.name == "slim2023", has_arms = paper.rates.is_of_arms();
   const figures::Look look = is_slim2023 ? figures::look_of(all.front().study.series, style.figures)
                                          : figures::look_of(all.front(), style.figures);
   show::Report reported = show::report_of(all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look)
                                                        : has_arms  ? std::vector<figures::Figure>()
                                                                    : figures::of_study(all.front(), look));
-  const std::vector<judge::Doubt> own = reported.answer.all_doubts();
-  show::ByWord doubts;
-  for (const judge::JudgedStudy& companion : repeated.studies.subspan(1)) {
-    for (const judge::Doubt& doubt : show::answer_of(companion).all_doubts()) {
-      if (std::ranges::count(own, words_of(doubt), [](const auto& each) { return words_of(each); }) > 0) continue;
-      doubts.add(words_of(doubt), companion.study.name);
-    }
-  }
-  reported.warnings = doubts.told("{1}: {0}.");
-  std::vector<figures::Figure> of_circle;
-  std::vector<std::string> sentences;
-  if (is_slim2023) {
-    if (const judge::JudgedStudy* const dobot = repeated.part("dobot"))
-      of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.series, style.figures));
-    show::Blocks by_other;
-    for (const papers::Repeated& reading : repeated.readings()) {
-      if (reading.suffix().empty()) continue;
-      by_other.emplace_back(show::Heading{"Figures with " + reading.reading()});
-      for (figures::Figure& figure : slim2023::figures_of(reading.study(), look)) {
-        figure.name += reading.suffix(), figure.caption += fmt::format(" With {}.", reading.reading());
-        by_other.emplace_back(std::move(figure));
-      }
-    }
-    sentences = slim2023::sentences(claims, counts);
-    reported.additions = slim2023::sections(repeated, of_circle);
-    reported.additions.push_back(std::move(by_other));
-    reported.has_own_numbers = true;
-    std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many
-                  [](const judge::JudgedMetric& each) { return each.observations.metric == "evaluations"; });
-  }
-  if (sentences.empty()) sentences = papers::rates_sentences(repeated);
+  reported.has_own_numbers = is_slim2023 || has_arms;
+  reported.warnings = warnings_of(repeated, reported.answer);
+  if (is_slim2023) add_slim2023(reported, repeated, look, style.figures);
+  const std::vector<std::string> sentences =
+      is_slim2023 ? slim2023::sentences(claims, counts) : papers::rates_sentences(repeated);
   reported.first = papers::beginning(paper, sentences, means);
-  if (has_arms) {
-    const std::string& arm = paper.rates.rows.at(all.front().study.definition.robot);
-    reported.first.emplace_back(fmt::format("Of {} alone: the arm that moves, who is better, and the set-up.", arm));
-    reported.has_own_numbers = true;
-  }
+  if (has_arms)
+    reported.first.emplace_back(fmt::format("Of {} alone: the arm that moves, who is better, and the set-up.",
+                                            paper.rates.rows.at(all.front().study.definition.robot)));
   if (const auto figure = papers::rates_figure(repeated))
     reported.additions.push_back({show::Heading{"Ours and the printed"}, *figure});
-  for (auto table = paper.rates.tables.begin(); table != paper.rates.tables.end(); ++table) {
-    if (table != paper.rates.tables.begin())
-      reported.additions.push_back(
-          {show::Heading{"Printed by " + table->second}, papers::rates_table(repeated, table->first)});
-  }
+  for (const auto& [table, words] : paper.rates.tables)
+    if (table != paper.rates.tables.begin()->first)
+      reported.additions.push_back({show::Heading{"Printed by " + words}, papers::rates_table(repeated, table)});
   reported.claims = papers::claims_section(claims);
   if (!readings.in_readings.empty())
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});

@@ -21,14 +21,6 @@ namespace ikbench::cli {
 
 namespace {
 
-void refuse_empty_shard(const Study& study, Shard shard) {
-  const std::int64_t parts = parts_of(study);
-  if (shard.count <= parts) return;
-  throw std::invalid_argument(fmt::format("--shard {}: {} has only {} to share out, so give at most that many shards",
-                                          shard.text(), study.name,
-                                          base::counted(parts, study.is_chained() ? "runs" : "targets")));
-}
-
 constexpr const char* study_of_any_arm = "any-arm";
 
 struct StudyToRun {
@@ -41,6 +33,70 @@ struct StudyToRun {
   bool without_report = false;
   std::optional<std::string> shard;
 };
+
+// In the order of --set: what other options say comes first, so that --set has the last word.
+Overrides overrides_of(const StudyToRun& arguments) {
+  Overrides overrides;
+  if (arguments.report.beside == judge::archive_name)
+    for (const std::string& setting : judge::settings_of_archive()) overrides.push_back("--beside " + setting);
+  if (const double limit = arguments.limit; limit > 0)
+    for (const std::string& key :
+         {fmt::format("analysis.deadline_ms={}", 1000 * limit), std::string("stop.iterations=1000000"),
+          std::string("stop.evaluations=0"), fmt::format("stop.seconds={}", limit)})
+      overrides.push_back("--limit " + key);
+  if (!arguments.robot.empty()) overrides.push_back("--robot robot=" + arguments.robot);
+  std::ranges::copy(arguments.set, std::back_inserter(overrides));
+  for (const auto& [key, link] : {std::pair{"base", arguments.urdf.base}, {"tip", arguments.urdf.tip}})
+    if (!link.empty()) overrides.push_back(fmt::format("--{0} urdf.{0}={1}", key, link));
+  std::ranges::transform(arguments.sweep, std::back_inserter(overrides), sweep_override);
+  return overrides;
+}
+
+Study study_of(const StudyToRun& arguments) {
+  const bool is_of_any_arm = arguments.study.empty();
+  if (is_of_any_arm && arguments.robot.empty())
+    throw std::invalid_argument("no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");
+  const std::string name = is_of_any_arm ? study_of_any_arm : arguments.study;
+  Study study = load_study(name, overrides_of(arguments));
+  // A built-in study, whose name is no file's, keeps its store for its own arm.
+  if (!arguments.robot.empty() && study.name == name)
+    study.name = (is_of_any_arm ? "" : study.name + '-') + arm_of(study).name;
+  if (!arguments.only.empty()) keep_only(study, arguments.only);
+  if (arguments.report.beside == judge::archive_name) {  // its study, with these solvers and the unit of its times
+    study.name += fmt::format("-{}", judge::archive_name);
+    if (std::ranges::none_of(study.solvers, [](const SolverEntry& its) {
+          return its.solver == judge::unit_of_times && its.options.empty();
+        }))
+      study.solvers.push_back({.label = "ikbench's LM", .solver = std::string(judge::unit_of_times)});
+  }
+  // A mistake in it shows before hours are spent.
+  static_cast<void>(styled({study.figures}, labels_of(study), arguments.report));
+  check_plan(study);
+  return study;
+}
+
+void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
+  const Study study = study_of(arguments);
+  const bool is_part = arguments.shard.has_value(), has_report = !arguments.without_report && !is_part;
+  const Shard shard = is_part ? shard_from(*arguments.shard) : Shard{};
+  if (const std::int64_t parts = parts_of(study); shard.count > parts)  // else some would be empty
+    throw std::invalid_argument(fmt::format("--shard {}: {} has only {} to share out, so give at most that many shards",
+                                            shard.text(), study.name,
+                                            base::counted(parts, study.is_chained() ? "runs" : "targets")));
+  std::filesystem::path folder = folder_for(study.name, arguments.run.out);
+  if (arguments.run.out.empty() && is_part)
+    folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
+  if (has_report) show::refuse_others(folder);
+  const StoredStudy stored = stored_study(study);
+  const auto beside = beside_of(stored, arguments.report);
+  const std::string solved =
+      run_study(study, stored, folder, {.jobs = arguments.run.jobs, .command = invocation.command, .shard = shard},
+                is_part ? Store::Mode::write_shared : Store::Mode::write);
+  if (!has_report && !arguments.report.is_json) fmt::print("{}\n", wrapped(solved));
+  if (!has_report) return;
+  const Store store(store_in(folder), Store::Mode::read);
+  if (write_and_announce(store, stored, folder, arguments.report, beside)) invocation.exit_code = 3;
+}
 
 }  // namespace
 
@@ -78,61 +134,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "  ikbench merge out/slim2023 out/slim2023/shards\n\n"
       "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
-  command->callback([arguments, &invocation] {
-    Overrides overrides = arguments->set;
-    std::string& name = arguments->study;
-    const bool is_of_any_arm = name.empty();
-    if (!arguments->robot.empty()) overrides.insert(overrides.begin(), "--robot robot=" + arguments->robot);
-    for (const auto& [key, link] : {std::pair{"base", arguments->urdf.base}, {"tip", arguments->urdf.tip}})
-      if (!link.empty()) overrides.push_back(fmt::format("--{0} urdf.{0}={1}", key, link));
-    if (const double limit = arguments->limit; limit > 0)
-      for (const std::string& key :
-           {fmt::format("stop.seconds={}", limit), std::string("stop.evaluations=0"),
-            std::string("stop.iterations=1000000"), fmt::format("analysis.deadline_ms={}", 1000 * limit)})
-        overrides.insert(overrides.begin(), "--limit " + key);
-    const bool is_archived = arguments->report.beside == judge::archive_name;
-    if (is_archived)
-      std::ranges::transform(judge::settings_of_archive(), std::inserter(overrides, overrides.begin()),
-                             [](const std::string& setting) { return "--beside " + setting; });
-    if (is_of_any_arm && arguments->robot.empty())
-      throw std::invalid_argument(
-          "no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");
-    if (is_of_any_arm) name = study_of_any_arm;
-    std::ranges::transform(arguments->sweep, std::back_inserter(overrides), sweep_override);
-    Study study = load_study(name, overrides);
-    if (is_of_any_arm && study.name == study_of_any_arm) study.name = arm_of(study).name;
-    // A built-in study, whose name is no file's, keeps its store for its own arm.
-    if (!is_of_any_arm && !arguments->robot.empty() && study.name == name) study.name += '-' + arm_of(study).name;
-    if (!arguments->only.empty()) keep_only(study, arguments->only);
-    if (is_archived) {  // its study, with these solvers and the unit of its times
-      study.name += fmt::format("-{}", judge::archive_name);
-      if (std::ranges::none_of(study.solvers, [](const SolverEntry& its) {
-            return its.solver == judge::unit_of_times && its.options.empty();
-          }))
-        study.solvers.push_back({.label = "ikbench's LM", .solver = std::string(judge::unit_of_times)});
-    }
-    // A mistake in it shows before hours are spent.
-    static_cast<void>(styled({study.figures}, labels_of(study), arguments->report));
-    check_plan(study);
-    const Shard shard = arguments->shard ? shard_from(*arguments->shard) : Shard{};
-    const bool is_part = arguments->shard.has_value();
-    refuse_empty_shard(study, shard);
-    std::filesystem::path folder = folder_for(study.name, arguments->run.out);
-    if (arguments->run.out.empty() && is_part)
-      folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
-    if (!arguments->without_report && !is_part) show::refuse_others(folder);
-    const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
-    const StoredStudy stored = stored_study(study);
-    const auto beside = beside_of(stored, arguments->report);
-    const std::string solved =
-        run_study(study, stored, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write);
-    if (arguments->without_report || is_part) {
-      if (!arguments->report.is_json) fmt::print("{}\n", wrapped(solved));
-      return;
-    }
-    const Store store(store_in(folder), Store::Mode::read);
-    if (write_and_announce(store, stored, folder, arguments->report, beside)) invocation.exit_code = 3;
-  });
+  command->callback([arguments, &invocation] { run_and_report(*arguments, invocation); });
 }
 
 }  // namespace ikbench::cli

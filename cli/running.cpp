@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <map>
 #include <optional>
 #include <thread>
@@ -19,31 +20,26 @@ namespace ikbench::cli {
 
 namespace {
 
-// Explains why solves that look done are made anew.
-void warn_of_left_aside(const StoredStudy& study, const Store& store) {
-  const LeftAside aside = left_aside(study, store);
-  if (aside.solves == 0) return;
-  warn(fmt::format(
-      "another version of {} or of shared code made {}; the store keeps them, and this run solves those points again",
-      fmt::join(aside.labels, ", "), counted(aside.solves, "solves")));
-}
-
-// Warns if somebody else has the store open, so that it is more than one file.
-void tell_of_log(const std::vector<std::filesystem::path>& files) {
-  if (files.size() < 2) return;
-  warn(fmt::format(
-      "another program has {0} open, so part of the data is still in {1}; copy both files together, or close "
-      "that program and run this command again to merge them",
-      files[0].string(), files[1].string()));
-}
-
-void warn_of_unreachable(const Study& study) {
-  const std::vector<Unreachable> beyond = unreachable(study);
-  if (beyond.empty()) return;
-  const Unreachable& first = beyond.front();
-  warn(fmt::format(
-      "{} of a run are out of reach; point {} is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
-      counted(std::ssize(beyond), "points"), first.point, first.distance * 100, first.reach * 100));
+// Of its arm, targets and solvers.
+void tell_of(const Study& study) {
+  if (const auto& arm = study.robot_of_file; arm != nullptr) {
+    if (!arm->tip_link.empty()) say(fmt::format("arm: {} ({})", arm->summary, robots::size_of(*arm)));
+    for (const std::string& note : arm->notes) say(note);
+    for (const std::string& doubt : robots::doubts_of(*arm)) warn(doubt);
+  }
+  for (const std::string& note : study.notes) say(note);
+  if (const std::vector<Unreachable> beyond = unreachable(study); !beyond.empty()) {
+    const auto& [point, distance, reach] = beyond.front();
+    warn(fmt::format(
+        "{} of a run are out of reach; point {} is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
+        counted(std::ssize(beyond), "points"), point, distance * 100, reach * 100));
+  }
+  std::map<std::string, std::vector<std::string>> labels_by_why;
+  for (const LeftOut& entry : study.left_out) labels_by_why[entry.why].push_back(entry.label);
+  std::vector<std::string> left_out;
+  for (const auto& [why, labels] : labels_by_why)
+    left_out.push_back(fmt::format("{} ({})", fmt::join(labels, ", "), why));
+  if (!left_out.empty()) warn(fmt::format("left out: {}", fmt::join(left_out, "; ")));
 }
 
 }  // namespace
@@ -61,19 +57,7 @@ std::filesystem::path store_in(const std::filesystem::path& folder) { return fol
 
 std::string run_study(const Study& study, const StoredStudy& stored, const std::filesystem::path& folder,
                       RunRequest request, Store::Mode mode) {
-  if (const auto& arm = study.robot_of_file; arm != nullptr) {
-    if (!arm->tip_link.empty()) say(fmt::format("arm: {} ({})", arm->summary, robots::size_of(*arm)));
-    for (const std::string& note : arm->notes) say(note);
-    for (const std::string& doubt : robots::doubts_of(*arm)) warn(doubt);
-  }
-  for (const std::string& note : study.notes) say(note);
-  warn_of_unreachable(study);
-  std::map<std::string, std::vector<std::string>> left_out;  // labels by why
-  for (const LeftOut& entry : study.left_out) left_out[entry.why].push_back(entry.label);
-  std::string without;
-  for (const auto& [why, labels] : left_out)
-    without += fmt::format("{}{} ({})", without.empty() ? "" : "; ", fmt::join(labels, ", "), why);
-  if (!without.empty()) warn("left out: " + without);
+  tell_of(study);
   if (is_debug_build()) {
     warn("this is a debug build; its times are marked and not comparable");
   } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
@@ -92,7 +76,10 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
                       mode == Store::Mode::write_shared ? "definition is replaced, and merge takes no two of one name"
                                                         : "report is overwritten"));
   }
-  warn_of_left_aside(stored, store);
+  if (const LeftAside aside = left_aside(stored, store); aside.solves > 0)  // why what looks done is made anew
+    warn(fmt::format(
+        "another version of {} or of shared code made {}; the store keeps them, and this run solves those points again",
+        fmt::join(aside.labels, ", "), counted(aside.solves, "solves")));
   Progress progress;
   bool is_cancelled = false;
   {
@@ -104,9 +91,12 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
     is_cancelled = signals.end();
   }
   for (const std::string& note : progress.notes) warn(note);
-  tell_of_log(store.finish());
-  const auto may_meddle = [](const SolverEntry& entry) { return entry.program != nullptr; };
-  if (std::ranges::any_of(study.solvers, may_meddle)) {  // a program can write where its user can
+  if (const auto files = store.finish(); files.size() > 1)
+    warn(fmt::format(
+        "another program has {0} open, so part of the data is still in {1}; copy both files together, or close "
+        "that program and run this command again to merge them",
+        files[0].string(), files[1].string()));
+  if (!std::ranges::all_of(study.solvers, std::logical_not(), &SolverEntry::program)) {  // they write where users can
     const std::int64_t there = Store(store_in(folder), Store::Mode::read).number_of_solves(stored);
     if (there < progress.done)
       throw std::runtime_error(fmt::format(

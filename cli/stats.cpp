@@ -45,9 +45,8 @@ std::string contents_of(const std::string& file) {
 // "smaller is better (quality: larger)"
 std::string direction_of(const std::vector<judge::JudgedMetric>& metrics) {
   std::vector<std::string> larger;
-  for (const judge::JudgedMetric& metric : metrics) {
+  for (const judge::JudgedMetric& metric : metrics)
     if (metric.observations.better == judge::Better::larger) larger.push_back(metric.observations.quantity);
-  }
   if (larger.size() == metrics.size()) return "larger is better";
   return "smaller is better" + (larger.empty() ? "" : fmt::format(" ({}: larger)", fmt::join(larger, ", ")));
 }
