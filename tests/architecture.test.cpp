@@ -7,9 +7,6 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-// Programs within a folder; they may do what the rest of it may not.
-const std::string microbenchmarks = "experiments/microbenchmarks";
-
 // Each folder of docs/explanation/architecture.md, and the folders that it may know.
 const std::map<std::string, Names>& may_know() {
   static const std::map<std::string, Names> table{
@@ -19,7 +16,7 @@ const std::map<std::string, Names>& may_know() {
       {"solvers", {"base", "numerics", "robots"}},
       {"results", {"base", "numerics"}},
       {"experiments", {"base", "numerics", "robots", "solvers", "results"}},
-      {microbenchmarks, {"base", "numerics", "robots", "solvers", "results", "experiments"}},
+      {"tests/benchmarks", {"base", "numerics", "robots", "solvers", "results", "experiments"}},
       {"analysis/judge", {"base", "numerics", "results"}},
       {"analysis/csv", {"base", "numerics", "results", "analysis/judge"}},
       {"analysis/figures", {"base", "numerics", "robots", "results", "analysis/judge"}},

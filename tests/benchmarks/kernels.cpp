@@ -1,9 +1,9 @@
 // Compiled once for every instruction set; IKBENCH_KERNELS names it. Read lanes.hpp before including anything.
-#include "experiments/microbenchmarks/kernels.hpp"
+#include "tests/benchmarks/kernels.hpp"
 
 #include "numerics/elementary.hpp"
 
-namespace ikbench::microbenchmarks {
+namespace ikbench::benchmarks {
 namespace {
 
 using namespace numerics;
@@ -36,4 +36,4 @@ namespace IKBENCH_KERNELS {
 Kernels kernels() { return {&iiwa_errors}; }
 }  // namespace IKBENCH_KERNELS
 
-}  // namespace ikbench::microbenchmarks
+}  // namespace ikbench::benchmarks

@@ -6,19 +6,19 @@
 #include <vector>
 
 #include "experiments/environment.hpp"
-#include "experiments/microbenchmarks/kernels.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "numerics/instruction_set.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/solve.hpp"
+#include "tests/benchmarks/kernels.hpp"
 #ifdef IKBENCH_HAS_KDL
 #include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #endif
 
-namespace ikbench::microbenchmarks {
+namespace ikbench::benchmarks {
 
 using namespace numerics;
 using namespace robots;
@@ -87,7 +87,7 @@ void ours(benchmark::State& state) {
 void limit(benchmark::State& state) {
   const Reach reach;
   const Candidates q = reach.candidates();
-  const Kernels iiwa = microbenchmarks::kernels(instruction_set());
+  const Kernels iiwa = benchmarks::kernels(instruction_set());
   measure(state, reach, [&](Eigen::VectorXd& errors) {
     iiwa.iiwa_errors(reach.target.data(), q.data(), q.outerStride(), q.cols(), errors.data());
   });
@@ -307,7 +307,7 @@ BENCHMARK(whole_study)
 
 }  // namespace
 
-}  // namespace ikbench::microbenchmarks
+}  // namespace ikbench::benchmarks
 
 int main(int argc, char** argv) {
   for (const auto& [key, value] : ikbench::experiments::environment())

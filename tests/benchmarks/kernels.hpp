@@ -5,7 +5,7 @@
 
 #include "numerics/kernels.hpp"
 
-namespace ikbench::microbenchmarks {
+namespace ikbench::benchmarks {
 
 struct Kernels {
   // Distances of the iiwa 14's flange to the target; joint j of candidate i is q[j * row + i].
@@ -14,4 +14,4 @@ struct Kernels {
 
 IKBENCH_DECLARE_KERNELS
 
-}  // namespace ikbench::microbenchmarks
+}  // namespace ikbench::benchmarks
