@@ -7,14 +7,15 @@
 #include <atomic>
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/regex/pending/unicode_iterator.hpp>
-#include <exception>
 #include <future>
 #include <map>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "base/child_process.hpp"
@@ -149,45 +150,43 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
   if (figures.empty()) return {};
   const auto scripts = sources_of(figures, options.style);
   for (const auto& [file, text] : scripts) write_file(folder / sources / file, text);
-  const ChildProcess::Ran gnuplot = ChildProcess::run({options.gnuplot, "--version"}, {}, {});
-  if (!gnuplot.succeeded) {
-    for (const Figure& figure : figures) remove_pictures(figure, folder, {});
-    return {fmt::format("figures are not drawn: {}; install gnuplot, then give the command again", gnuplot.output)};
-  }
-
   const TemporaryFolder workshop(folder);
   for (const auto& [file, text] : scripts) write_file(workshop.path() / sources / file, text);
+  std::vector<std::size_t> order(figures.size());  // the longest first, so that no processor waits for the last
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return -std::ssize(figures[i].data); });
   std::atomic<std::size_t> next = 0;
   std::mutex one_at_a_time;
   std::int64_t done = 0;
-  std::vector<std::exception_ptr> failures(figures.size());
-  std::vector<std::string> warnings(figures.size());
+  std::vector<std::string> told(figures.size());
   const auto work = [&] {
-    for (std::size_t i = next++; i < figures.size(); i = next++) {
+    for (std::size_t turn = next++; turn < order.size(); turn = next++) {
+      const Figure& figure = figures[order[turn]];
+      std::string& of_figure = told[order[turn]];
       try {
-        warnings[i] = draw(figures[i], workshop.path(), options);
-      } catch (...) {
-        failures[i] = std::current_exception();
+        const std::string warning = draw(figure, workshop.path(), options);
+        remove_pictures(figure, folder, options.style.formats);
+        if (!warning.empty()) of_figure = fmt::format("{} may lack something: {}", figure.name, warning);
+      } catch (const std::exception& error) {
+        remove_pictures(figure, folder, {});
+        if (dynamic_cast<const std::invalid_argument*>(&error) == nullptr) throw;  // ends the report
+        of_figure = fmt::format("{} is not drawn: {}", figure.name, error.what());
       }
-      remove_pictures(figures[i], folder, failures[i] ? std::vector<std::string>() : options.style.formats);
       if (!options.progress) continue;
       const std::scoped_lock lock(one_at_a_time);
       options.progress(++done, static_cast<std::int64_t>(figures.size()));
     }
   };
-  auto other = std::async(std::launch::async, work);
-  work();
-  other.get();
-  std::vector<std::string> errors;
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    if (!warnings[i].empty()) errors.push_back(fmt::format("{} may lack something: {}", figures[i].name, warnings[i]));
-    try {
-      if (failures[i]) std::rethrow_exception(failures[i]);
-    } catch (const std::invalid_argument& error) {  // others end the report
-      errors.push_back(fmt::format("{} is not drawn: {}", figures[i].name, error.what()));
-    }
+  std::vector<std::future<void>> all(std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, figures.size()));
+  for (std::future<void>& each : all) each = std::async(std::launch::async, work);
+  for (std::future<void>& each : all) each.get();
+  if (std::ranges::none_of(told, &std::string::empty)) {
+    const ChildProcess::Ran gnuplot = ChildProcess::run({options.gnuplot, "--version"}, {}, {});
+    if (!gnuplot.succeeded)
+      return {fmt::format("figures are not drawn: {}; install gnuplot, then give the command again", gnuplot.output)};
   }
-  return errors;
+  std::erase_if(told, &std::string::empty);
+  return told;
 }
 
 }  // namespace ikbench::figures
