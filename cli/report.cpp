@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/figures/look.hpp"
 #include "analysis/judge/judge.hpp"
 #include "analysis/show/answer_tables.hpp"
 #include "analysis/show/publish.hpp"
@@ -50,10 +51,14 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   show::Table table = show::studies_table(studies, told);
   const FigureStyle style = styled({}, {solvers.begin(), solvers.end()}, report).figures;
   const std::filesystem::path folder = out;
-  const auto figure = show::studies_figure(table, studies);
+  auto figure = show::studies_figure(table, studies);
   using Names = std::vector<std::string>;
   show::claim(folder, show::files_of({table.name}, figure ? Names{figure->name} : Names()));
-  if (figure) draw(*figure, folder / "figures", {.style = style});
+  if (figure) {
+    figures::reword(*figure, style);
+    for (const std::string& error : figures::write_figures({*figure}, folder / "figures", {.style = style}))
+      warn(error);
+  }
   const auto unit = &show::Column::unit;
   constexpr std::size_t most_across = 6, most_with_intervals = 3;
   if (files.size() > most_across &&

@@ -239,9 +239,4 @@ judge::StudyResults exported_study(const Store& store, const StoredStudy& entry,
   return study;
 }
 
-void draw(figures::Figure figure, const std::filesystem::path& folder, const figures::RenderOptions& options) {
-  figures::reword(figure, options.style);
-  for (const std::string& error : figures::write_figures({figure}, folder, options)) warn(error);
-}
-
 }  // namespace ikbench::cli

@@ -55,7 +55,4 @@ judge::StudyResults checked_study(const results::Store& store, const results::St
 judge::StudyResults exported_study(const results::Store& store, const results::StoredStudy& entry,
                                    const std::filesystem::path& folder);
 
-// Writes and draws a figure, and warns if it was not drawn.
-void draw(figures::Figure figure, const std::filesystem::path& folder, const figures::RenderOptions& options);
-
 }  // namespace ikbench::cli

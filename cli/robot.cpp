@@ -3,17 +3,13 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
-#include "analysis/figures/figure.hpp"
-#include "analysis/figures/plots.hpp"
-#include "analysis/figures/rows.hpp"
 #include "base/names.hpp"
 #include "base/units.hpp"
 #include "cli/console.hpp"
-#include "cli/reporting.hpp"
+#include "cli/options.hpp"
 #include "experiments/study.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "robots/urdf.hpp"
@@ -21,12 +17,11 @@
 namespace ikbench::cli {
 
 using namespace robots;
-using namespace figures;
 
 namespace {
 
 struct RobotArguments {
-  std::string robot, out;
+  std::string robot;
   UrdfChoice urdf;
   double snap_deg = least_snap / degree;
   std::vector<double> at;
@@ -107,12 +102,6 @@ std::string tool_text(const Robot& arm, const Configuration& q) {
   return text;
 }
 
-Figure picture(const Robot& arm, const Configuration& q, const std::string& caption) {
-  figures::PathRows rows;
-  rows.arms.emplace_back(arm.name, corners_of(arm, q));
-  return path({.name = "robot", .caption = caption}, rows);
-}
-
 std::string robot_text(const Robot& arm) {
   const std::string head = fmt::format("{}: {}\nsource: {}\n\n{}{}", arm.name, arm.summary, arm.source,
                                        frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()));
@@ -145,10 +134,9 @@ void add_robot(CLI::App& app, Invocation&) {
       ->check(number_in({0, 1}));
   command->add_flag("--links", arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
   command->add_flag("--urdf", arguments->shows_urdf, "print the arm as a URDF file, and nothing else");
-  add_out_option(*command, arguments->out, "also draw the arm into this folder: robot.svg and .pdf");
   command->footer(
       "  ikbench robot ur5e\n"
-      "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45 --out out/panda\n"
+      "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45\n"
       "  ikbench robot my_arm.urdf --base base_link --tip tool0");
   command->callback([arguments, command] {
     for (const char* option : {"--base", "--tip", "--snap-deg", "--links"}) {
@@ -163,13 +151,8 @@ void add_robot(CLI::App& app, Invocation&) {
         is_arm_file(arguments->robot) ? load_robot(arguments->robot, arguments->urdf) : robot(arguments->robot);
     if (arguments->shows_urdf) return fmt::print("{}", urdf_of(arm, arm.chain));
     const Configuration q = joints_at(arm, arguments->at);
-    const std::string where_tool_is = tool_text(arm, q);
-    fmt::print("{}{}\n", robot_text(arm), wrapped(where_tool_is));
+    fmt::print("{}{}\n", robot_text(arm), wrapped(tool_text(arm, q)));
     for (const std::string& doubt : doubts_of(arm)) warn(doubt);
-    if (arguments->out.empty()) return;
-    const std::filesystem::path folder(arguments->out);
-    draw(picture(arm, q, fmt::format("{}: {}.", arm.name, where_tool_is)), folder, {});
-    fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
   });
 }
 

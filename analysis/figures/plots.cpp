@@ -380,27 +380,24 @@ Figure path(const About& about, const PathRows& rows) {
   const auto add = [&](const std::string& label, const std::string& what) {
     clauses.push_back(fmt::format("data index {} title {}", what, gnuplot_text(label)));
   };
-  if (!rows.targets.empty()) add("path", fmt::format("0 using 1:2:3 with lines lw 0.7 {}", grey));
+  add("path", fmt::format("0 using 1:2:3 with lines lw 0.7 {}", grey));
   for (std::size_t i = 0; i < rows.arms.size(); ++i) {
     const auto& [label, corners] = rows.arms[i];
     figure.data += fmt::format("\n\n# {}: x, y, z [cm]\n", one_line(label));
     for (const Corner& corner : corners) figure.data += data_row({corner[0], corner[1], corner[2]});
     see(corners);
-    add(label, fmt::format("{} using 1:2:3 with linespoints lw 1.8 pt 7 ps 0.45 lc rgb shade({})",
-                           i + (rows.targets.empty() ? 0 : 1), i % 3 + 1));
+    add(label, fmt::format("{} using 1:2:3 with linespoints lw 1.8 pt 7 ps 0.45 lc rgb shade({})", i + 1, i % 3 + 1));
   }
-  if (!rows.targets.empty()) {
-    const std::size_t n = rows.targets.size();
-    const std::string every = n > 200 ? fmt::format(" every {}", n / 100) : "";
-    add("target", "0" + every + " using 1:2:3 with points pt 7 ps 0.35 lc rgb ink");
-    add(rows.reached_label,
-        fmt::format("0{} using 4:5:6 with points pt 6 ps 0.8 lw 0.8 {}", every, colour_of(rows.style)));
-    if (!rows.late_or_too_fast.empty()) {
-      figure.data += "\n\n# late or too fast: x, y, z [cm]\n";
-      for (const Corner& corner : rows.late_or_too_fast) figure.data += data_row({corner[0], corner[1], corner[2]});
-      add("late or too fast",
-          fmt::format("{} using 1:2:3 with points pt 2 ps 0.9 lw 1.2 lc rgb '#D62728'", 1 + rows.arms.size()));
-    }
+  const std::size_t n = rows.targets.size();
+  const std::string every = n > 200 ? fmt::format(" every {}", n / 100) : "";
+  add("target", "0" + every + " using 1:2:3 with points pt 7 ps 0.35 lc rgb ink");
+  add(rows.reached_label,
+      fmt::format("0{} using 4:5:6 with points pt 6 ps 0.8 lw 0.8 {}", every, colour_of(rows.style)));
+  if (!rows.late_or_too_fast.empty()) {
+    figure.data += "\n\n# late or too fast: x, y, z [cm]\n";
+    for (const Corner& corner : rows.late_or_too_fast) figure.data += data_row({corner[0], corner[1], corner[2]});
+    add("late or too fast",
+        fmt::format("{} using 1:2:3 with points pt 2 ps 0.9 lw 1.2 lc rgb '#D62728'", 1 + rows.arms.size()));
   }
   add_legend(figure, clauses.size());
   // A cube, seen from the front, above and the left. A key of splot begins at the top.

@@ -80,7 +80,7 @@ struct PathRows {
   std::string reached_label = "reached";
   int style = 1;  // of what was reached
 };
-// Targets as a path, if there are any, what was reached at each, and arms.
+// Targets as a path, what was reached at each, and arms.
 Figure path(const About& about, const PathRows& rows);
 
 // A row of panels a solver, a panel a joint. Letters (a), (b), ... if there are several; rings where an angle is

@@ -32,8 +32,6 @@ where=$(unwrapped | tail -n 1)
 for digits in 0000000 9999999; do has_no "$out" $digits; done
 succeeds robot written.toml --at 10,-20,30.5,40,50,60
 equal "tool of the written arm" "$(unwrapped | tail -n 1)" "$where"
-succeeds robot gen3.urdf -o picture
-[ -s picture/source/robot.gp ] || fail "there is no picture"
 
 # What turns text around is printed nowhere, in the tree of links neither.
 sed $'s/name="wrist_3_link"/name="wrist\u202e_3_link"/; s/link="wrist_3_link"/link="wrist\u202e_3_link"/' ur5e.urdf >turned.urdf

@@ -18,8 +18,7 @@ std::vector<Figure> every_kind(const std::string& label) {
   std::vector<Figure> all{path(named("path"), {.targets = {{1, 2, 3}, {2, 3, 4}},
                                                .reached = {{1, 2, 3}, {nowhere, 0, 0}},
                                                .arms = {{label, {{0, 0, 0}, {1, 1, 1}}}},
-                                               .reached_label = label}),
-                          path(named("arm"), {.arms = {{"arm", {{0, 0, 0}, {1, 1, 1}}}}})};
+                                               .reached_label = label})};
   for (const std::optional<Figure>& figure : {
            boxes(named("boxes"), {{.label = label,
                                  .values = {1, 2, 300},
