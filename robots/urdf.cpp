@@ -569,7 +569,7 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     upper.push_back(in_unit(limits[1], unit) * unit);
     const XMLElement* const limit = joint->FirstChildElement("limit");
     const double fastest = limit == nullptr ? 0 : place.limit(*limit, "velocity", 0);
-    velocity.push_back(fastest > 0 && fastest <= 1000 ? fastest : 0);  // a million stands for none
+    velocity.push_back(fastest > 0 && fastest < 1000 ? fastest : 0);  // 1000, as we write, or a million stands for none
     const bool has_some = limit != nullptr && (limit->Attribute("lower") || limit->Attribute("upper"));
     if (has_some && !limits.allFinite()) ++unlimited;
     if (printed.back().motion == Motion::turns && limits.allFinite() &&

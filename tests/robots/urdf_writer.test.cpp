@@ -52,6 +52,7 @@ TEST_CASE("The URDF text of each built-in arm is that arm, to 1e-12") {
     const bool is_coupled = text.find("<mimic") != std::string::npos;  // which our reader refuses
     const Robot read = is_coupled ? arm : parse_urdf(text, "arm.urdf", {.base = "base", .tip = "tool"});
     CHECK(joint_names(read) == joint_names(arm));
+    CHECK(doubts_of(read) == doubts_of(arm));
     for (int trial = 0; trial < 20; ++trial) {
       const JointLimits finite = arm.limits.around(Configuration::Zero(arm.joints()));
       Configuration q(arm.joints());
