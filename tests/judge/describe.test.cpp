@@ -144,9 +144,8 @@ TEST_CASE("ANOVA has the digits that NIST certifies, also where many equal leadi
 }
 
 TEST_CASE("what has no spread, no second group or no value has no test of all", "[describe]") {
-  for (const auto& groups : {std::vector<std::vector<double>>{}, {{1, 2}}, {{1, 2}, {}}, {{3, 3}, {3, 3}}}) {
+  for (const auto& groups : {std::vector<std::vector<double>>{}, {{1, 2}}, {{1, 2}, {}}, {{3, 3}, {3, 3}}})
     CHECK_FALSE(anova(observed(groups)));
-  }
   CHECK_FALSE(anova(observed({{1}, {2}})));
   Observations tiny = observed({{1e-9, 2e-9}, {3e-9, 4e-9}});
   tiny.floor = 1e-7;

@@ -147,10 +147,9 @@ Reals ways_of(const std::vector<std::size_t>& ranks, std::size_t chosen) {
   const std::size_t most = std::accumulate(ranks.begin(), ranks.end(), std::size_t{1});
   std::vector<Reals> ways(chosen + 1, Reals(most));
   ways[0][0] = 1;
-  for (const std::size_t rank : ranks) {
+  for (const std::size_t rank : ranks)
     for (std::size_t c = chosen + 1; c-- > (chosen > 0 ? 1 : 0);)
       for (std::size_t s = most; s-- > rank;) ways[c][s] += ways[chosen > 0 ? c - 1 : c][s - rank];
-  }
   return ways.back();
 }
 

@@ -53,9 +53,8 @@ TEST_CASE("above a hundred values Mann and Whitney's p is normal, with ties and 
   // 1 to 60 and 11 to 70: 11 to 60 are there twice.
   const SomeValues a = upto(60), b = upto(60, 11);
   double u = 0;
-  for (const double x : a) {
+  for (const double x : a)
     for (const double y : b) u += x > y ? 1 : x == y ? 0.5 : 0;
-  }
   const double variance = 3600.0 / 12 * (121 - 50 * 6 / (120.0 * 119));  // 2^3 - 2 for each of 50 ties
   const double z = (std::abs(u - 1800) - 0.5) / std::sqrt(variance);
   CHECK(mann_whitney(a, b) == Approx(std::erfc(z / std::sqrt(2.0))).epsilon(1e-12));

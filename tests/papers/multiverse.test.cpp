@@ -57,11 +57,10 @@ Readings by_hand(const SolvedMultiverse& multiverse, const Claim& claim) {
   for (const auto& study : multiverse.studies) {
     for (std::size_t reading = 0; reading < 16; ++reading) {
       Observations of{.metric = "x", .quantity = "x", .rounding = claim.metrics.front()->rounding, .groups = {}};
-      for (std::size_t s = 0; s < 4; ++s) {
+      for (std::size_t s = 0; s < 4; ++s)
         of.groups.push_back(
             {.name = multiverse.solvers[s],
              .sample = multiverse.means[study.solvers[s][(reading >> s) & 1].parts.front()][metric].sample});
-      }
       if (claim.of == Of::spread) of = deviations(of);
       Tally tally;
       for (const std::string& own : claim.solvers) {

@@ -37,9 +37,8 @@ TEST_CASE("the Puma 560 and the Stanford arm of the library are where Corke's to
 
 TEST_CASE("arms of the library whose last three axes meet have a spherical wrist", "[arms]") {
   std::vector<std::string> found;
-  for (const Robot& arm : all_robots()) {
+  for (const Robot& arm : all_robots())
     if (SphericalWrist::fits(arm.chain)) found.push_back(arm.name);
-  }
   CHECK(found == std::vector<std::string>{"abb_irb120", "atlas_2015_left", "kuka_iiwa14", "kuka_iiwa14_experimental",
                                           "kuka_iiwa7", "motoman_mh180", "pr2_right", "puma560", "schunk_lwa4d",
                                           "stanford"});

@@ -145,11 +145,10 @@ TEST_CASE("base and tip are links of the user's, or the root and the end with th
   };
   const auto with = [&](const std::vector<More>& more) {
     std::string longer = text;
-    for (const auto& [type, from, to, content] : more) {
+    for (const auto& [type, from, to, content] : more)
       longer.insert(longer.find("</robot>"), "<link name='" + to + "'/><joint name='j" + to + "' type='" + type +
                                                  "'><parent link='" + from + "'/><child link='" + to + "'/>" + content +
                                                  "</joint>");
-    }
     return longer;
   };
   const auto asked = [](const std::string& of) {
