@@ -50,11 +50,13 @@ std::string first_sentence(Holds conclusion, const std::vector<SeedCounts>& coun
       claims, [](const JudgedClaim& claim) { return !claim.is_ours && claim.holds == Holds::undecided; });
   std::string besides = open == 0 ? "" : fmt::format("; so few runs leave {} open", base::counted(open, "claims"));
   if (!counts.empty() && counts[0].of > 0) {
-    besides = fmt::format("; {} of the {} statistics of error and joint motion in Table 3 repeat{},",
-                          span_of(counts[0].all), counts[0].of, with(counts[0].reading));
-    for (const SeedCounts& each : std::span(counts).subspan(1))
-      besides += fmt::format(" {}{},", span_of(each.all), with(each.reading));
-    besides += fmt::format(" by seed; the same program would repeat {}, by simulation", span_of(counts[0].same));
+    std::vector<std::string> repeated;
+    for (const SeedCounts& each : counts)
+      repeated.push_back(span_of(each.all) + (repeated.empty() ? " repeat" : "") + with(each.reading));
+    besides = fmt::format(
+        ". Of the {} statistics of error and joint motion in Table 3, {}, by seed; if the authors' own program ran again, "
+        "{} would, by simulation",
+        counts[0].of, show::listed(repeated), span_of(counts[0].same));
   }
   return fmt::format("Slim et al. 2023 {} its conclusion{}{}.", words, by, besides);
 }

@@ -89,9 +89,9 @@ TEST_CASE("the first sentences say whether the conclusion repeats, and on what i
   REQUIRE(sentences.size() == 4);
   CHECK(
       sentences[0] ==
-      "Slim et al. 2023 repeats in its conclusion with 20 and with 50 agents; 7 to 9 of the 60 statistics of error and joint "
-      "motion in Table 3 repeat with 20 agents, 6 with 50 agents, by seed; the same program would repeat 55 to 57, "
-      "by simulation.");
+      "Slim et al. 2023 repeats in its conclusion with 20 and with 50 agents. Of the 60 statistics of error and joint "
+      "motion in Table 3, 7 to 9 repeat with 20 agents and 6 with 50 agents, by seed; if the authors' own program ran "
+      "again, 55 to 57 would, by simulation.");
   CHECK(slim2023::sentences(claims, {})[0] ==
         "Slim et al. 2023 repeats in its conclusion with 20 and with 50 agents; so few runs leave 1 claim open.");
   CHECK(contains(sentences[1], "the least error, and with MO-PSO the least joint motion."));
