@@ -257,12 +257,14 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
       "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
       "Exit code 1 where a check fails. docs/reference/protocol.md describes what a program has to say.");
   command->callback([choice, robot_name, &invocation] {
-    const std::vector<CheckLine> lines = Checks(*choice, robot_name->empty() ? some_arm() : robot(*robot_name)).lines;
+    std::vector<CheckLine> lines = Checks(*choice, robot_name->empty() ? some_arm() : robot(*robot_name)).lines;
     const auto failed = std::ranges::count(lines, false, &CheckLine::passed);
     if (failed > 0) invocation.exit_code = 1;
-    fmt::print("{}\n\n", failed == 0 ? fmt::format("All {} checks passed.", lines.size())
-                                     : fmt::format("{} of {} checks failed{}", failed, lines.size(),
-                                                   lines.size() < 11 ? "; the others were not made." : "."));
+    std::ranges::stable_partition(lines, [](const CheckLine& line) { return !line.passed; });
+    fmt::print("{}\n\n", failed == 0
+                             ? fmt::format("All {} checks passed.", lines.size())
+                             : fmt::format("{} of {} checks failed{}", failed, lines.size(),
+                                           lines.size() < 11 ? "; mend it, then those after it are made." : "."));
     for (const CheckLine& line : lines) {
       constexpr std::size_t length_of_state = 8;
       const std::string text = wrapped(fmt::format("{}{}{}", line.what, line.seen.empty() ? "" : ": ", line.seen),
