@@ -55,7 +55,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   using Names = std::vector<std::string>;
   show::claim(folder, show::files_of({table.name}, figure ? Names{figure->name} : Names()));
   if (figure) {
-    figures::reword(*figure, style);
+    for (const std::string& unused : figures::reword({&*figure}, style)) warn(unused);
     for (const std::string& error : figures::write_figures({*figure}, folder / "figures", {.style = style}))
       warn(error);
   }

@@ -1,10 +1,12 @@
 #include "analysis/figures/look.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -114,17 +116,27 @@ bool is_meant(const std::string& figure, const std::string& name) {
   return figure == name || figure.starts_with(name + "-");
 }
 
-void reword(Figure& figure, const FigureStyle& style) {
+std::vector<std::string> reword(const std::vector<Figure*>& figures, const FigureStyle& style) {
+  std::vector<std::string> unused;
   for (const auto& [name, words] : style.words) {
-    if (!is_meant(figure.name, name)) continue;
     for (const auto& [of, text] : words) {
-      if (text.empty()) continue;
-      if (of == "caption")
-        figure.caption = text;
-      else
-        figure.titles += fmt::format("{}_title = {}\n", of, gnuplot_text(text));
+      std::set<std::string> others;
+      bool is_used = text.empty();
+      for (Figure* const figure : figures) {
+        if (of != "caption" && (figure->settings + figure->plot).find(of + "_title") == std::string::npos) continue;
+        if (!is_meant(figure->name, name)) {
+          others.insert(figure->name);
+        } else if (is_used = true; of == "caption" && !text.empty()) {
+          figure->caption = text;
+        } else if (!text.empty()) {
+          figure->titles += fmt::format("{}_title = {}\n", of, gnuplot_text(text));
+        }
+      }
+      if (!is_used)
+        unused.push_back(fmt::format("words.{}: there is no {}; it is in {}", name, of, fmt::join(others, ", ")));
     }
   }
+  return unused;
 }
 
 }  // namespace ikbench::figures

@@ -28,7 +28,7 @@ std::map<std::string, int> line_styles(const std::vector<results::Series>& solve
 
 // "error" means error-boxes and error-by-point.
 bool is_meant(const std::string& figure, const std::string& name);
-// Gives a figure the words that the style has for it.
-void reword(Figure& figure, const results::FigureStyle& style);
+// Gives figures the words that the style has for them. Returns a sentence for each that none has, with those that do.
+std::vector<std::string> reword(const std::vector<Figure*>& figures, const results::FigureStyle& style);
 
 }  // namespace ikbench::figures

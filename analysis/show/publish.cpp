@@ -86,6 +86,48 @@ std::vector<Kind*> all_in(std::vector<Blocks>& sections) {
   return all;
 }
 
+// Of an earlier report, what this one has not.
+void remove_earlier(const fs::path& folder, const std::vector<std::string>& earlier,
+                    const std::vector<std::string>& files) {
+  for (const std::string& file : earlier) {
+    std::error_code error;
+    if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, error);
+    if (error)
+      throw std::invalid_argument(fmt::format("cannot remove '{}' of an earlier report: {}; choose another place",
+                                              (folder / file).string(), error.message()));
+  }
+}
+
+// Figures that were not drawn leave the page; the reasons stand where the first is missing.
+void leave_out_undrawn(std::vector<Blocks>& sections, const fs::path& folder, std::vector<std::string> reasons) {
+  const auto is_not_drawn = [&](const Block& block) {
+    const auto* const figure = std::get_if<figures::Figure>(&block);
+    return figure != nullptr && types_of(*figure, folder).empty();
+  };
+  for (Blocks& blocks : sections) {
+    const auto first = std::ranges::find_if(blocks, is_not_drawn);
+    if (first == blocks.end()) continue;
+    for (std::string& reason : reasons) reason = fmt::format("Warning: {}.", reason);
+    blocks.insert(first, reasons.begin(), reasons.end());
+    reasons.clear();
+    std::erase_if(blocks, is_not_drawn);
+  }
+  std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });  // that had nothing else
+}
+
+void write_page(const Report& report, const std::vector<Blocks>& sections, const fs::path& folder,
+                const std::string& program, Written& written) {
+  std::vector<std::string> order = report.answer.solvers();
+  const auto control = std::ranges::find(order, report.answer.decisive().plan.control);  // beside the first
+  if (control != order.end() && control != order.begin()) std::rotate(order.begin() + 1, control, control + 1);
+  std::optional<std::string> arm = moving_arm(report.study, order);
+  if (arm && drawing_library().empty()) {
+    written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
+    arm.reset();
+  }
+  base::write_file(written.page, to_page(title_of(report.study), sections, arm, folder, program));
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> all_figures() {
@@ -154,6 +196,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
                 const std::string& program) {
   for (const char* name : own_files) base::refuse_input(folder / name);
   std::vector<Blocks> sections = sections_of(report);
+  const std::vector<std::string> unused = figures::reword(all_in<figures::Figure>(sections), options.style);
   const auto is_left_out = [&](const Block& block) {
     const auto* const figure = std::get_if<figures::Figure>(&block);
     const auto is_named = [&](const std::string& name) { return figures::is_meant(figure->name, name); };
@@ -161,15 +204,14 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   };
   for (Blocks& blocks : sections) std::erase_if(blocks, is_left_out);
   std::vector<Table*> tables = all_in<Table>(sections);
+  std::erase_if(tables, [](const Table* table) { return table->name.empty(); });
   std::vector<figures::Figure> figures;
-  for (figures::Figure* figure : all_in<figures::Figure>(sections)) {
-    figures::reword(*figure, options.style);
-    figures.push_back(*figure);
-  }
   std::vector<std::string> names, names_of_figures;
-  for (const Table* table : tables)
-    if (!table->name.empty()) names.push_back(table->name);
-  for (const figures::Figure& figure : figures) names_of_figures.push_back(figure.name);
+  for (const Table* table : tables) names.push_back(table->name);
+  for (const figures::Figure* figure : all_in<figures::Figure>(sections)) {
+    figures.push_back(*figure);
+    names_of_figures.push_back(figure->name);
+  }
   Written written{.page = folder / own_files[0]};
   std::vector<std::string>& files = written.files = files_of(names, names_of_figures);
   for (const std::string file : std::span(article_files).first(4))
@@ -186,8 +228,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   earlier.erase(of_others, earlier.end());
   for (const std::string& file : earlier) base::refuse_input(folder / file);
   written.warnings = figures::write_figures(figures, folder / "figures", options);
-  for (const Table* table : tables)
-    if (!table->name.empty()) write_table(*table, for_article(*table, report), folder / "tables", program);
+  for (const Table* table : tables) write_table(*table, for_article(*table, report), folder / "tables", program);
   write_article(report, names, figures, folder, program);
   // What was not drawn; where it cannot be told whether a file is there, this throws.
   std::erase_if(files, [&](const fs::path& file) {
@@ -195,42 +236,15 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   });
   if (!report.study.series.empty() && fs::is_regular_file(folder / own_files[3])) files.emplace_back(own_files[3]);
   std::ranges::sort(files);
-  for (const std::string& file : earlier) {
-    std::error_code error;
-    if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, error);
-    if (error)
-      throw std::invalid_argument(fmt::format("cannot remove '{}' of an earlier report: {}; choose another place",
-                                              (folder / file).string(), error.message()));
-  }
-
+  remove_earlier(folder, earlier, files);
   Json json = to_json(report.answer);
   listed.insert(files.begin(), files.end());
   json["files"] = listed;
   base::write_file(folder / own_files[2], base::text_of(json, 1) + '\n');
-  const auto is_not_drawn = [&](const Block& block) {
-    const auto* const figure = std::get_if<figures::Figure>(&block);
-    return figure != nullptr && types_of(*figure, folder).empty();
-  };
-  auto reasons = written.warnings;  // stand where the first picture is missing
-  for (Blocks& blocks : sections) {
-    const auto first = std::ranges::find_if(blocks, is_not_drawn);
-    if (first == blocks.end()) continue;
-    for (std::string& reason : reasons) reason = fmt::format("Warning: {}.", reason);
-    blocks.insert(first, reasons.begin(), reasons.end());
-    reasons.clear();
-    std::erase_if(blocks, is_not_drawn);
-  }
-  std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });  // that had nothing else
+  leave_out_undrawn(sections, folder, written.warnings);
+  written.warnings.insert(written.warnings.end(), unused.begin(), unused.end());
   base::write_file(folder / "report.md", to_markdown(sections, folder));
-  std::vector<std::string> order = report.answer.solvers();
-  const auto control = std::ranges::find(order, report.answer.decisive().plan.control);  // beside the first
-  if (control != order.end() && control != order.begin()) std::rotate(order.begin() + 1, control, control + 1);
-  std::optional<std::string> arm = moving_arm(report.study, order);
-  if (arm && drawing_library().empty()) {
-    written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
-    arm.reset();
-  }
-  base::write_file(written.page, to_page(title_of(report.study), sections, arm, folder, program));
+  write_page(report, sections, folder, program, written);
   return written;
 }
 

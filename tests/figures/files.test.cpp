@@ -197,8 +197,9 @@ TEST_CASE("a script draws its picture again, with the words of a style", "[files
                             linear_axis('y', std::vector{1.0, 2.0}, "share", Begins::around).settings,
                 .plot = "plot data ls 1",
                 .data = "1 1\n2 2\n"};
-  reword(figure,
-         {.words = {{"f", {{"x", "Fehler größer"}, {"caption", "Bildunterschrift"}}}, {"g", {{"x", "other"}}}}});
+  CHECK(reword({&figure}, {.words = {{"f", {{"x", "Fehler größer"}, {"caption", "Bildunterschrift"}}}}}).empty());
+  CHECK(reword({&figure}, {.words = {{"g", {{"x", "other"}}}}}) ==
+        std::vector<std::string>{"words.g: there is no x; it is in f-boxes"});
   CHECK(figure.caption == "Bildunterschrift");
   REQUIRE(write_figures({figure}, folder.path, {.style = {.formats = {"svg"}}}).empty());
   const std::string svg = text_in(folder.path / "f-boxes.svg");
