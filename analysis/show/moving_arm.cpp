@@ -8,7 +8,6 @@
 #include <set>
 
 #include "analysis/figures/rows.hpp"
-#include "analysis/show/text.hpp"
 #include "base/embedded_file.hpp"
 #include "base/json.hpp"
 #include "base/names.hpp"
@@ -54,40 +53,13 @@ judge::Solves first_solves(const StudyResults& study, const std::string& solver)
   return study.of(solver).first(study.first_run_of(solver).size());
 }
 
-// What a control loop must not have, the worst by this amount.
-struct Worst {
-  bool judge::Solve::*is_so;
-  double judge::Solve::*amount;
-  const char* words;
-};
-constexpr std::array<Worst, 2> all_worst{
-    {{&judge::Solve::is_late, &judge::Solve::seconds, "late solves"},
-     {&judge::Solve::is_too_fast, &judge::Solve::largest_move_deg, "steps that are too fast"}}};
-
-// The places in a first run that the page shows: all, or of a long one the worst steps of each solver in turn, up to
-// half of what it shows, and others evenly.
+// The places in a first run that the page shows: all, or of a long one evenly.
 std::set<std::size_t> shown_places(const StudyResults& study, const std::vector<std::string>& order) {
   std::size_t n = 0;
-  std::vector<std::vector<std::size_t>> all_bad;  // late solves, and steps that are too fast; the longest first
-  for (const std::string& solver : order) {
-    const judge::Solves run = first_solves(study, solver);
-    n = std::max(n, run.size());
-    for (const Worst& worst : all_worst) {
-      std::vector<std::size_t>& bad = all_bad.emplace_back();
-      for (std::size_t i = 0; i < run.size(); ++i) {
-        if (run[i].*worst.is_so) bad.push_back(i);
-      }
-      std::ranges::stable_sort(bad, std::ranges::greater(), [&](std::size_t i) { return run[i].*worst.amount; });
-    }
-  }
+  for (const std::string& solver : order) n = std::max(n, first_solves(study, solver).size());
+  const std::size_t shown = std::min(n, most_points);
   std::set<std::size_t> places;
-  for (std::size_t rank = 0; n > most_points && rank < n; ++rank) {
-    for (const std::vector<std::size_t>& bad : all_bad) {
-      if (rank < bad.size() && places.size() < most_points / 2) places.insert(bad[rank]);
-    }
-  }
-  const std::size_t evenly = std::min(n, most_points - places.size());
-  for (std::size_t k = 0; k < evenly; ++k) places.insert(evenly < 2 ? k : k * (n - 1) / (evenly - 1));
+  for (std::size_t k = 0; k < shown; ++k) places.insert(shown < 2 ? k : k * (n - 1) / (shown - 1));
   return places;
 }
 
@@ -157,20 +129,8 @@ std::optional<std::string> moving_arm(const StudyResults& study, const std::vect
   for (const std::string& solver : shown) solvers.push_back(first_run(study, solver, *arm, places));
   if (solvers.empty()) return std::nullopt;
   const bool is_path = !study.definition.draws_targets, are_all = *places.rbegin() + 1 == places.size();
-  std::vector<std::string> worst;
-  for (const Worst& each : all_worst) {
-    const auto has_it = [&](const std::string& solver) {
-      return std::ranges::any_of(first_solves(study, solver), each.is_so);
-    };
-    if (std::ranges::any_of(shown, has_it)) worst.emplace_back(each.words);
-  }
   const std::string which =
-      are_all         ? ""
-      : worst.empty() ? fmt::format(" Shown are {} of {} targets, evenly.", places.size(), *places.rbegin() + 1)
-                      : fmt::format(
-                            " Shown are {} of {} targets: of {} the longest, of each solver in turn up to {}, "
-                            "and others evenly.",
-                            places.size(), *places.rbegin() + 1, listed(worst), most_points / 2);
+      are_all ? "" : fmt::format(" Shown are {} of {} targets, evenly.", places.size(), *places.rbegin() + 1);
   std::string text = base::text_of(
       Json{{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"which", which}, {"solvers", std::move(solvers)}});
   base::replace_marks(text, {{"<", "\\u003c"}});  // no text ends the element
