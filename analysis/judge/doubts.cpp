@@ -165,9 +165,6 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& se
     add(doubts, {.kind = kind, .who = std::move(who), .what = what});
   };
   add_of(study.beside.labels, study.beside.of.c_str());
-  add_of(measured_apart(study, sessions.made),
-         "too few sessions in common with the others; to compare them solve all again: --out NEW");
-  add_of(measured_apart(study, sessions.told), "the machine was busy");
   std::vector<std::string> silent, busy;
   for (std::size_t place = 0; place < study.labels.size(); ++place) {
     const std::string& solver = study.labels[place];
@@ -178,7 +175,10 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& se
     if (10 * std::ranges::count_if(all, tells_none) > std::ssize(all)) silent.push_back(solver);
     if (sessions.told[place] != sessions.made[place]) busy.push_back(solver);
   }
-  if (silent.size() < study.labels.size()) add_of(std::move(silent), "messages are in them");
+  if (silent.size() < study.labels.size()) add_of(std::move(silent), "messages are in them");  // however often solved
+  add_of(measured_apart(study, sessions.made),
+         "too few sessions in common with the others; solve all again: --out NEW");
+  add_of(measured_apart(study, sessions.told), "the machine was busy");
   add_of(std::move(busy), "", DoubtKind::sessions_left_out);
   return doubts;
 }
@@ -263,7 +263,7 @@ std::string words_of(const Doubt& doubt) {
       "{share} targets of a run out of reach, so no solver can solve them",
       "{share} targets were solved by nobody in any run (points {what})",
       "{who} gave the same {what} {count} times, or its spread was rounded away: not tested",
-      "few values decide the {what} of {who}: nothing is called better by it",
+      "a few values are most of the {what} of {who}, so pairs that hang on them stay open",
       "{first} is better than {last} by ranks, though its {what} is worse"};
   std::string_view sentence = sentences[static_cast<std::size_t>(doubt.kind)];
   if (doubt.kind == DoubtKind::without_answer && doubt.what.empty())
@@ -276,7 +276,7 @@ std::string words_of(const Doubt& doubt) {
       fmt::runtime(sentence), fmt::arg("who", who), fmt::arg("of_whom", if_any(" (", ")")),
       fmt::arg("of_who", if_any(" of ", "")), fmt::arg("share", share), fmt::arg("what", doubt.what),
       fmt::arg("was", doubt.who.size() == 1 ? "was" : "were"),
-      fmt::arg("to_do", doubt.what == "the machine was busy" ? "; run again on a quiet machine: --out NEW" : ""),
+      fmt::arg("to_do", doubt.what == "the machine was busy" ? "; solve again: --out NEW" : ""),
       fmt::arg("count", std::llround(doubt.count)), fmt::arg("solves", counted(std::llround(doubt.count), "solves")),
       fmt::arg("first", who.empty() ? who : doubt.who.front()), fmt::arg("last", who.empty() ? who : doubt.who.back()));
 }

@@ -446,7 +446,7 @@ TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 
   CHECK(words_of({.kind = DoubtKind::outside_limits, .who = {"A", "B", "C", "D"}}).find("A, B, C, D") !=
         std::string::npos);
   CHECK(words_of({.kind = DoubtKind::times_not_comparable, .who = {"mine"}, .what = "the machine was busy"}) ==
-        "times of mine are not compared: the machine was busy; run again on a quiet machine: --out NEW");
+        "times of mine are not compared: the machine was busy; solve again: --out NEW");
 }
 
 TEST_CASE("one solve that takes most of the time decides no cost per solved target") {
