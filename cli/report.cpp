@@ -60,14 +60,12 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
       warn(error);
   }
   const auto unit = &show::Column::unit;
-  constexpr std::size_t most_across = 6, most_with_intervals = 3;
-  if (files.size() > most_across &&
+  if (files.size() > 6 &&  // more do not stand across
       std::ranges::count(table.columns, table.columns.back().unit, unit) == std::ssize(files))
     table = show::with_a_row_a_study(table);
   show::write_table(table, table, folder / "tables", program_name());
   std::string written = fmt::format("Table: {}.*", (folder / "tables" / table.name).string());
   if (figure) written += fmt::format(". Figure: {}.*", (folder / "figures" / figure->name).string());
-  if (table.columns.size() > 1 + most_with_intervals) table = show::without_intervals(std::move(table));
   fmt::print("{}\n\n{}{}\n", printable(wrapped(show::found_in_studies(studies, told))), printable(show::to_text(table)),
              printable(wrapped(written)));
 }

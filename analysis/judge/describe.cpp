@@ -254,8 +254,6 @@ TestsOfAll tests_of_all(Observations observed) {
   const std::optional<TestOfAll> plain = anova(observed);
   for (const auto& test : {plain, anova_of_unequal(observed, plain), test_of_ranks(observed)})
     if (test) all.tests.push_back(*test);
-  for (const Group& group : observed.groups)
-    if (!observed.is_paired && !(describe(group).sd > 0)) all.equal.push_back(group.name);
   return all;
 }
 

@@ -65,7 +65,6 @@ double critical_difference(std::size_t groups, std::size_t blocks);
 struct TestsOfAll {
   std::vector<TestOfAll> tests = {};
   std::vector<std::string> without = {};
-  std::vector<std::string> equal = {};  // groups without spread, for which Welch's F is not defined
 };
 TestsOfAll tests_of_all(Observations observed);
 

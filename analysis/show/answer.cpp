@@ -65,7 +65,7 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
   for (std::size_t j = 0; j < all_steps.size(); ++j) {
     if (std::isinf(all_steps[j].first)) unlimited.push_back(fmt::format("joint {}", j + 1));
   }
-  bool is_all_timed = true, is_any_timed = false;
+  bool is_all_timed = true;
   for (const std::string& solver : solvers) {
     const Solves all = study.of(solver);
     if (period == 0 || all.empty()) continue;
@@ -83,22 +83,18 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
       too_fast += solve.is_too_fast;
       largest = std::max(largest, solve.largest_move_deg);
     }
-    is_all_timed &= is_timed, is_any_timed |= is_timed;
+    is_all_timed &= is_timed;
     const auto percent = [](double count, double of) { return of > 0 ? Cell(100 * count / of) : Cell(); };
     const auto n = static_cast<double>(all.size());
     table.rows.push_back({solver, percent(failed, n), is_timed ? percent(late, n) : Cell(),
                           is_timed ? Cell(most) : Cell(), largest,
                           unlimited.size() == all_steps.size() ? Cell() : percent(too_fast, steps)});
   }
-  table.notes = {fmt::format(
-      "{}. Steps are of one joint that turns, between two targets{}.",
-      is_all_timed ? "Late: longer than the period, or without an answer"
-                   : fmt::format("{}of solves at once and of a debug build it is not known who is late",
-                                 is_any_timed ? "Late: longer than the period, or without an answer; " : ""),
-      unlimited.size() == all_steps.size()
-          ? "; which are too fast is not known, since no velocity limit of this arm is"
-          : fmt::format("; too fast: further than the velocity limit of a joint allows in a period{}",
-                        unlimited.empty() ? "" : ", of which none is known of " + listed(unlimited)))};
+  table.notes = {
+      "Steps are of one joint that turns, between two targets; late: longer than the period, or without an answer."};
+  if (!is_all_timed) table.notes.emplace_back("Of solves at once and of a debug build it is not known who is late.");
+  if (!unlimited.empty())
+    table.notes.push_back(fmt::format("Without a known velocity limit, so never too fast: {}.", listed(unlimited)));
   return table;
 }
 
@@ -202,31 +198,6 @@ Answer answer_of(const JudgedStudy& judged) {
     all.notes.emplace_back("Times of programs are told by them.");
   if (const std::string ends = ends_of_unsolved(judged.study); !ends.empty()) all.notes.push_back(ends);
   return all;
-}
-
-Answer with_short_names(Answer answer, std::size_t length) {
-  std::set<std::string> names;
-  for (const JudgedMetric& judged : answer.metrics) {
-    for (const Group& group : judged.observations.groups) names.insert(group.name);
-  }
-  const auto short_of = base::short_names({names.begin(), names.end()}, length);
-  const auto shorten = [&](std::string& name) {
-    if (const auto found = short_of.find(name); found != short_of.end()) name = found->second;
-  };
-  const auto shorten_all = [&](std::vector<Doubt>& doubts) {
-    for (Doubt& doubt : doubts) std::ranges::for_each(doubt.who, shorten);
-  };
-  for (JudgedMetric& judged : answer.metrics) {
-    for (Group& group : judged.observations.groups) shorten(group.name);
-    for (Finding& finding : judged.findings) shorten(finding.first), shorten(finding.second);
-    std::ranges::for_each(judged.headline.best, shorten);
-    shorten(judged.plan.control);
-    shorten_all(judged.observations.doubts);
-  }
-  shorten_all(answer.doubts);
-  for (Table* const table : {&answer.loop, &answer.beside})
-    for (auto& row : table->rows) shorten(std::get<std::string>(row[0]));
-  return answer;
 }
 
 std::string noun_of(const Answer& answer, const JudgedMetric& judged) {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "analysis/figures/of_study.hpp"
@@ -65,6 +67,8 @@ bool are_means_shown(const Answer& answer) {
   using Show = results::TableStyle::Show;
   return answer.show == Show::means || (answer.show == Show::tested && are_means_tested(answer.decisive()));
 }
+
+std::string average_shown(const Answer& answer) { return are_means_shown(answer) ? "mean" : "median"; }
 
 // A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
 // with the reference. Where the numbers of two are of other targets, the finding of the pair stands in its place.
@@ -126,137 +130,151 @@ std::string of_whom(const Answer& answer, const std::string& reference) {
   return answer.decisive().plan.control.empty() && !others.empty() ? "another solver" : reference;
 }
 
-// The same members for every pair, null where nothing is known.
-base::OrderedJson to_json(const JudgedMetric& judged, const Finding& finding) {
-  using Json = base::OrderedJson;
+// What stands in a table of results, which its notes explain.
+struct Occurring {
+  bool numbers = false, averages = false, quartiles = false, shares = false, words = false, deviations = false;
+  std::set<std::string> marks = {}, scales = {};
+  ByWord reasons = {};                                 // metrics by why they have a "-"
+  std::vector<std::string> ratios = {}, counted = {};  // metrics: to the reference; of each one's own targets
+
+  void add(const Marked& cell, bool is_share, bool is_average) {
+    numbers |= !is_share, averages |= !is_share && is_average, words |= !cell.words.empty();
+    (is_share ? shares : quartiles) |= cell.interval.has_value();
+    deviations |= cell.sd.has_value();
+    marks.insert(cell.mark);
+    if (cell.to_reference) scales.insert(*cell.to_reference == Scale::ratio ? "multiples of" : "differences from");
+  }
+};
+
+// What its numbers and marks are.
+std::vector<std::string> key_of(const Answer& answer, const Occurring& occurring) {
+  const JudgedMetric& decisive = answer.decisive();
+  const bool is_of_file = !answer.direction.empty(), are_means = are_means_shown(answer);
+  const double level = decisive.plan.significance;
+  const std::string reference = reference_of(answer);
+  std::string numbers = !occurring.averages ? "" : are_means ? "Means" : "Medians";
+  if (occurring.quartiles) numbers += " (quartiles)";
+  if (occurring.deviations) numbers += " ± standard deviations";
+  if (const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n); most.n > 0 && is_of_file)
+    numbers = fmt::format("{} of {}{}; {}", occurring.averages ? numbers : "Shares",
+                          least.n == most.n ? "" : fmt::format("{} to ", least.n), base::counted(most.n, "values"),
+                          answer.direction);
+  const auto has_facts = [](const JudgedMetric& judged) {
+    return std::ranges::any_of(judged.findings, [](const Finding& finding) {
+      return std::holds_alternative<Fact>(finding.what) && is_difference(verdict_of(finding));
+    });
+  };
+  const std::string tested = fmt::format(" (p < {}{}{})", number_text(level),
+                                         decisive.plan.control.empty() && answer.order.size() > 2 ? ", all pairs" : "",
+                                         std::ranges::any_of(answer.metrics, has_facts) ? ", or for certain" : "");
+  return {
+      numbers, meaning_of(occurring.marks, of_whom(answer, reference) + tested),
+      occurring.shares
+          ? fmt::format("Intervals{}: {:.3g} %", occurring.quartiles ? " of shares" : "", 100 * (1 - level))
+          : "",
+      occurring.scales.empty()
+          ? ""
+          : fmt::format("{}: {} {}'s {}", is_of_file ? listed(occurring.ratios) : as_sentence(listed(occurring.ratios)),
+                        fmt::join(occurring.scales, " or "), reference, average_shown(answer)),
+      !occurring.numbers || are_means == are_means_tested(decisive) ? ""
+      : are_means                                                   ? "Tests are of ranks"
+                                                                    : "Tests are of means"};
+}
+
+// What a page tells besides.
+std::vector<std::string> explained(const Answer& answer, const Occurring& occurring) {
+  const auto is_any = [&](auto is_so) {
+    return std::ranges::any_of(answer.metrics,
+                               [&](const JudgedMetric& judged) { return std::invoke(is_so, judged.observations); });
+  };
+  const bool are_common = is_any([](const Observations& its) { return its.is_of_solved && its.is_paired; });
+  return {
+      is_any(&Observations::is_spent)
+          ? fmt::format("Per solved: all that was spent, divided by the {} solved", answer.noun)
+          : "",
+      occurring.scales.empty() ? ""
+      : are_common             ? fmt::format("Multiples are on {} that both solved", answer.noun)
+                               : "Multiples are of solved " + answer.noun,
+      occurring.counted.empty()
+          ? ""
+          : fmt::format("{}: {}s of the {} that each solved", as_sentence(listed(occurring.counted)),
+                        average_shown(answer), answer.noun),
+      occurring.words ? "1 times, or in N % of comparisons: no other ratio tells it" : "",
+      occurring.reasons.all.empty() ? "" : fmt::format("-: {}", fmt::join(occurring.reasons.told("{} ({})"), "; "))};
+}
+
+// Of the table of pairs.
+std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
   const Amount* const amount = amount_of(finding);
-  const auto* const ends = amount && amount->interval ? &*amount->interval : nullptr;
   const auto* const tested = std::get_if<Tested>(&finding.what);
   const auto* const open = std::get_if<Open>(&finding.what);
   const auto* const effect = tested && tested->effect ? &*tested->effect : nullptr;
-  const EffectSize size = effect_size(finding, judged);
-  const auto sized = [&](std::string_view name) { return size.name == name ? Json(size.value) : Json(); };
   const Verdict verdict = verdict_of(finding);
+  const VerdictWords& words = words_of(verdict);
+  const std::string how_often = amount ? "" : amount_words(finding, judged);
   const int enough = tested ? tested->enough : open ? open->needed : 0;
-  return {{"metric", judged.observations.quantity},
-          {"first", finding.first},
-          {"second", finding.second},
-          {"estimate", amount ? base::json_of(amount->value) : Json()},
-          {"low", ends ? base::json_of(ends->low) : Json()},
-          {"high", ends ? base::json_of(ends->high) : Json()},
-          {"excluded", ends && ends->excludes_low    ? Json("low")
-                       : ends && ends->excludes_high ? Json("high")
-                                                     : Json()},
-          {"unit", amount ? Json(unit_of(finding, judged)) : Json()},
-          {"p", tested ? Json(tested->p) : Json()},
-          {"a12", sized("A12")},
-          {"ahead", effect ? Json(effect->ahead) : Json()},
-          {"behind", effect ? Json(effect->behind) : Json()},
-          {"g", sized("Hedges' g")},
-          {"g_av", sized("g_av")},
-          {"test", tested ? Json(tested->test) : Json()},
-          {"n", tested ? Json(tested->n)
-                : open ? Json(open->n)
-                       : Json()},
-          {"n_that_could_decide", enough > 0 ? Json(enough) : Json()},
-          {"verdict", words_of(verdict).key},
-          {"size", tested && is_difference(verdict) ? Json(tested->is_small ? "small" : "matters") : Json()},
-          {"reason", tested ? Json()
-                     : open ? Json(words_of(open->why).key)
-                            : Json("certain")}};
+  const auto number = [](const auto* of, auto value) { return of ? Cell(value(*of)) : Cell(); };
+  const auto text = [](std::string_view its) { return text_cell(std::string(its)); };
+  const EffectSize size = effect_size(finding, judged);
+  std::vector<Cell> row{judged.observations.quantity,
+                        finding.first,
+                        finding.second,
+                        number(amount, [](const Amount& its) { return its.value; }),
+                        amount && amount->interval ? Cell(*amount->interval) : Cell(),
+                        text_cell(unit_of(finding, judged)),
+                        number(tested, [](const Tested& its) { return its.p; }),
+                        Judgement{verdict_words(finding, judged) + (how_often.empty() ? "" : ", " + how_often),
+                                  words.tone, std::string(words.key)}};
+  row.push_back(size.name == "A12" ? Cell(size.value) : Cell());
+  row.push_back(number(effect, [](const Effect& its) { return its.ahead; }));
+  row.push_back(number(effect, [](const Effect& its) { return its.behind; }));
+  for (const std::string_view name : {"Hedges' g", "g_av"})
+    row.push_back(size.name == name ? Cell(size.value) : Cell());
+  row.push_back(text(tested ? tested->test : ""));
+  row.push_back(tested ? Cell(std::int64_t{tested->n})
+                       : number(open, [](const Open& its) { return std::int64_t{its.n}; }));
+  row.push_back(enough > 0 ? Cell(std::int64_t{enough}) : Cell());
+  row.push_back(text(!tested || !is_difference(verdict) ? "" : tested->is_small ? "small" : "matters"));
+  row.push_back(text(tested ? "" : open ? words_of(open->why).key : "certain"));
+  return row;
 }
 
 }  // namespace
 
 Table results_table(const Answer& answer, bool is_brief) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
-  const JudgedMetric& decisive = answer.decisive();
   for (const std::string& solver : answer.solvers()) table.rows.push_back({solver});
   const std::string reference = reference_of(answer);
-  const std::set<std::string> losers = losers_of(decisive.findings);
+  const std::set<std::string> losers = losers_of(answer.decisive().findings);
   const std::vector<std::string> apart = not_compared(answer);
-  const bool are_means = are_means_shown(answer);
-  const std::string average = are_means ? "mean" : "median";
-  bool has_numbers = false, has_averages = false, has_quartiles = false, has_shares = false, has_words = false,
-       has_sd = false;
-  std::set<std::string> kinds, marks;
-  ByWord reasons;                            // metrics by why they have a "-"
-  std::vector<std::string> ratios, counted;  // metrics of ratios to the reference; of numbers of each one's own targets
+  Occurring occurring;
   for (const JudgedMetric& judged : answer.metrics) {
     const Observations& observed = judged.observations;
-    const bool is_average = &judged == &decisive && !is_share(judged) && !observed.is_of_solved && !observed.are_logs;
-    table.columns.push_back({.name = (is_average ? average + " " : "") + observed.quantity,
+    const bool is_average =
+        &judged == &answer.decisive() && !is_share(judged) && !observed.is_of_solved && !observed.are_logs;
+    table.columns.push_back({.name = (is_average ? average_shown(answer) + " " : "") + observed.quantity,
                              .unit = observed.unit,
                              .ends = ends_of_shares(judged)});
     const bool are_ratios_here = are_ratios(judged, reference),
                are_counted = observed.is_of_solved && !are_ratios_here && !judged.findings.empty();
-    std::set<std::string> here;
+    if (are_ratios_here) occurring.ratios.push_back(observed.quantity);
+    if (are_counted) occurring.counted.push_back(observed.quantity);
+    std::set<std::string> why_not;
     for (auto& row : table.rows) {
       row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), losers, apart));
-      if (const auto* const absent = std::get_if<Absent>(&row.back())) here.insert(absent->why);
-      const auto* const marked = std::get_if<Marked>(&row.back());
-      if (!marked) continue;
-      has_numbers |= !is_share(judged);
-      has_averages |= !is_share(judged) && !observed.are_logs && !are_ratios_here && !are_counted;
-      has_words |= !marked->words.empty();
-      marks.insert(marked->mark);
-      has_sd |= marked->sd.has_value();
-      has_quartiles |= marked->interval && !is_share(judged);
-      has_shares |= marked->interval && is_share(judged);
-      if (marked->to_reference)
-        kinds.insert(marked->to_reference == Scale::ratio ? "as multiples of" : "as differences from");
+      if (const auto* const absent = std::get_if<Absent>(&row.back())) why_not.insert(absent->why);
+      if (const auto* const marked = std::get_if<Marked>(&row.back()))
+        occurring.add(*marked, is_share(judged), !observed.are_logs && !are_ratios_here && !are_counted);
     }
-    if (are_ratios_here) ratios.push_back(observed.quantity);
-    for (const std::string& reason : here) reasons.add(reason, observed.quantity);
-    if (are_counted) counted.push_back(observed.quantity);
+    for (const std::string& reason : why_not) occurring.reasons.add(reason, observed.quantity);
   }
-  std::string key = !has_averages ? "" : are_means ? "Means" : "Medians";
-  if (has_quartiles) key += " (quartiles)";
-  if (has_sd) key += " ± standard deviations";
-  if (const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n);
-      most.n > 0 && !answer.direction.empty())
-    key = fmt::format("{} of {}{}; {}", has_averages ? key : "Shares",
-                      least.n == most.n ? "" : fmt::format("{} to ", least.n), base::counted(most.n, "values"),
-                      answer.direction);
-  const auto has_facts = [](const JudgedMetric& judged) {
-    return std::ranges::any_of(judged.findings, [](const Finding& finding) {
-      return std::holds_alternative<Fact>(finding.what) && is_difference(verdict_of(finding));
-    });
+  const auto add = [&](std::vector<std::string> sentences) {
+    std::erase(sentences, "");
+    if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
   };
-  const std::string level = fmt::format(" (p < {}{}{})", number_text(decisive.plan.significance),
-                                        decisive.plan.control.empty() && answer.order.size() > 2 ? ", all pairs" : "",
-                                        std::ranges::any_of(answer.metrics, has_facts) ? ", or for certain" : "");
-  std::vector<std::string> sentences{key, meaning_of(marks, of_whom(answer, reference) + level)};
-  if (has_shares)
-    sentences.push_back(fmt::format("Intervals{}: {:.3g} %", has_quartiles ? " of shares" : "",
-                                    100 * (1 - decisive.plan.significance)));
-  if (!kinds.empty())
-    sentences.push_back(fmt::format("{}: the other{} {} {}'s {}",
-                                    answer.direction.empty() ? as_sentence(listed(ratios)) : listed(ratios),
-                                    answer.order.size() == 2 ? "" : "s", fmt::join(kinds, " or "), reference, average));
-  if (has_numbers && are_means != are_means_tested(decisive))
-    sentences.emplace_back(are_means ? "Tests are of ranks" : "Tests are of means");
-  std::erase(sentences, "");
-  if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
+  add(key_of(answer, occurring));
   if (is_brief) return table;
-  sentences.clear();
-  const auto are_spent = [](const JudgedMetric& judged) { return judged.observations.is_spent; };
-  if (std::ranges::any_of(answer.metrics, are_spent))
-    sentences.push_back(fmt::format("Per solved: all that was spent, divided by the {} solved", answer.noun));
-  if (!kinds.empty()) {
-    const bool are_common = std::ranges::any_of(answer.metrics, [](const JudgedMetric& judged) {
-      return judged.observations.is_of_solved && judged.observations.is_paired;
-    });
-    sentences.push_back(fmt::format("Multiples are {}", are_common ? fmt::format("on {} that both solved", answer.noun)
-                                                                   : "of solved " + answer.noun));
-  }
-  if (!counted.empty())
-    sentences.push_back(
-        fmt::format("{}: {}s of the {} that each solved", as_sentence(listed(counted)), average, answer.noun));
-  if (has_words) sentences.emplace_back("1 times, or in N % of comparisons: no other ratio tells it");
-  if (!reasons.all.empty()) sentences.push_back(fmt::format("-: {}", fmt::join(reasons.told("{} ({})"), "; ")));
-  std::erase(sentences, "");
-  if (!sentences.empty()) table.notes.push_back(fmt::format("{}.", fmt::join(sentences, ". ")));
+  add(explained(answer, occurring));
   table.notes.insert(table.notes.end(), answer.notes.begin(), answer.notes.end());
   return table;
 }
@@ -264,20 +282,23 @@ Table results_table(const Answer& answer, bool is_brief) {
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
   Table table{.name = "studies", .columns = {{"solver"}}, .is_of_study = false};
   ByWord quantities, references;  // studies by them
-  std::set<std::string> all_marks, levels;
+  std::set<std::string> all_marks, reasons;
+  constexpr std::size_t most_with_intervals = 3;
   for (std::size_t s = 0; s < studies.size(); ++s) {
-    const Table of_study = results_table(studies[s]);
-    levels.insert(fmt::format("{:.3g}", 100 * (1 - studies[s].decisive().plan.significance)));
+    Table of_study = results_table(studies[s]);
     std::set<std::string> marks;
     table.columns.push_back({.name = names[s], .unit = of_study.columns[1].unit});
     quantities.add(of_study.columns[1].name, names[s]);
-    for (const std::vector<Cell>& of_solver : of_study.rows) {
+    for (std::vector<Cell>& of_solver : of_study.rows) {
       const auto name_of = [](const std::vector<Cell>& cells) { return std::get<std::string>(cells[0]); };
       auto row = std::ranges::find(table.rows, name_of(of_solver), name_of);
       if (row == table.rows.end()) row = table.rows.insert(row, {of_solver[0]});
-      row->resize(s + 1);
+      row->resize(s + 1, Absent{"not in the study"});
+      if (auto* const marked = std::get_if<Marked>(&of_solver[1])) {
+        marks.insert(marked->mark);
+        if (studies.size() > most_with_intervals) marked->interval.reset();
+      }
       row->push_back(of_solver[1]);
-      if (const auto* const marked = std::get_if<Marked>(&of_solver[1])) marks.insert(marked->mark);
     }
     if (marks.contains(star) || marks.contains(plus))
       references.add((studies[s].decisive().plan.control.empty() ? "" : "the control ") +
@@ -285,98 +306,67 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
                      names[s]);
     all_marks.merge(marks);
   }
-  std::set<std::string> reasons;
   for (auto& row : table.rows) {
     row.resize(table.columns.size(), Absent{"not in the study"});
-    for (Cell& cell : row) {
-      if (std::holds_alternative<std::monostate>(cell)) cell = Absent{"not in the study"};
+    for (const Cell& cell : row)
       if (const auto* const absent = std::get_if<Absent>(&cell)) reasons.insert(absent->why);
-    }
   }
   const bool are_shares =
       std::ranges::all_of(studies, [](const Answer& answer) { return is_share(answer.decisive()); });
   table.caption = are_shares ? "Share of targets solved" : "What decides each study";
   std::vector<std::string> sentences{are_shares ? "" : "Shown: " + listed(quantities.told("{} ({})")),
-                                     "In the order of the first study that has the solver",
                                      meaning_of(all_marks, listed(references.told("{} ({})"), " or ")),
                                      reasons.empty() ? "" : fmt::format("-: {}", fmt::join(reasons, " or ")),
                                      "Each study is judged alone"};
   std::erase(sentences, "");
-  table.notes = {fmt::format("{}.", fmt::join(sentences, ". ")),
-                 are_shares ? fmt::format("Brackets: {} % intervals.", fmt::join(levels, " and "))
-                            : "Brackets: intervals of shares, else quartiles."};
+  if (studies.size() <= most_with_intervals) sentences.emplace_back("Brackets: intervals of shares, else quartiles");
+  table.notes = {fmt::format("{}.", fmt::join(sentences, ". "))};
   return table;
 }
 
 std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
   ByWord verdicts;
-  for (std::size_t s = 0; s < studies.size(); ++s) {
-    const JudgedMetric& judged = studies[s].decisive();
-    const std::string& control = judged.plan.control;
-    const auto count = [&](Verdict verdict) {
-      return std::ranges::count_if(judged.findings, [=](const Finding& its) { return verdict_of(its) == verdict; });
-    };
-    if (control.empty() || said_of(judged, studies[s].solvers()).front().what == Said::What::best) {
-      verdicts.add(headline(studies[s], false), names[s]);
-      continue;
-    }
-    std::vector<std::string> counts;
-    for (const Verdict verdict :
-         {Verdict::better, Verdict::worse, Verdict::same, Verdict::undecided, Verdict::not_tested}) {
-      if (count(verdict) > 0) counts.push_back(fmt::format("{} {}", count(verdict), name_of(verdict)));
-    }
-    verdicts.add(fmt::format("against the control {}, {}", control, listed(counts)), names[s]);
-  }
+  for (std::size_t s = 0; s < studies.size(); ++s) verdicts.add(headline(studies[s], false), names[s]);
   return fmt::format("{}.", fmt::join(verdicts.told("{1}: {0}"), ".\n"));
 }
 
 std::optional<figures::Figure> studies_figure(const Table& studies, const std::vector<Answer>& answers) {
   std::vector<std::size_t> shares;
-  std::vector<std::string> names, others, solvers;
-  for (std::size_t c = 1; c < studies.columns.size(); ++c) {
-    const bool is_share = studies.columns[c].unit == "%";
-    if (is_share) shares.push_back(c);
-    (is_share ? names : others).push_back(studies.columns[c].name);
-  }
-  if (names.size() < 2) return std::nullopt;
-  std::string shared = names.front();  // at the start, which tells none apart: "baselines-"
-  for (const std::string& name : names)
-    shared.resize(static_cast<std::size_t>(std::ranges::mismatch(shared, name).in1 - shared.begin()));
+  for (std::size_t c = 1; c < studies.columns.size(); ++c)
+    if (studies.columns[c].unit == "%") shares.push_back(c);
+  if (shares.size() < 2) return std::nullopt;
+  std::string shared = studies.columns[shares[0]].name;  // at the start, which tells none apart: "baselines-"
+  for (const std::size_t c : shares)
+    shared.resize(
+        static_cast<std::size_t>(std::ranges::mismatch(shared, studies.columns[c].name).in1 - shared.begin()));
   std::vector<figures::BarPanel> panels;
+  std::vector<std::string> solvers;
   std::set<std::string> marks, whom;
   bool has_empty = false;
-  for (const std::string& name : names) panels.push_back({.label = name.substr(shared.find_last_of("-_ /") + 1)});
   for (const auto& row : studies.rows) {
     const auto share = [&](std::size_t c) { return std::get_if<Marked>(&row[c]); };
-    if (std::ranges::none_of(shares, share)) continue;
-    solvers.push_back(std::get<std::string>(row[0]));
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-      const Marked* const of_study = share(shares[i]);
-      panels[i].shares.push_back(of_study ? of_study->value : figures::nowhere);
-      panels[i].marks.push_back(of_study ? of_study->mark : "");
-      marks.insert(panels[i].marks.back());
-      has_empty |= of_study == nullptr;
-      const Answer& answer = answers[shares[i] - 1];
-      if (panels[i].marks.back() == star || panels[i].marks.back() == plus)
-        whom.insert(of_whom(answer, answer.decisive().plan.control.empty() ? "the best" : "the control"));
+    if (std::ranges::any_of(shares, share)) solvers.push_back(std::get<std::string>(row[0]));
+  }
+  for (const std::size_t c : shares) {
+    figures::BarPanel& panel = panels.emplace_back(
+        figures::BarPanel{.label = studies.columns[c].name.substr(shared.find_last_of("-_ /") + 1)});
+    const JudgedMetric& judged = answers[c - 1].decisive();
+    for (const auto& row : studies.rows) {
+      if (std::ranges::count(solvers, std::get<std::string>(row[0])) == 0) continue;
+      const auto* const cell = std::get_if<Marked>(&row[c]);
+      panel.shares.push_back(cell ? cell->value : figures::nowhere);
+      panel.marks.push_back(cell ? cell->mark : "");
+      marks.insert(panel.marks.back());
+      has_empty |= cell == nullptr;
+      if (panel.marks.back() == star || panel.marks.back() == plus)
+        whom.insert(of_whom(answers[c - 1], judged.plan.control.empty() ? "the best" : "the control"));
     }
   }
   std::vector<std::string> key{meaning_of(marks, listed({whom.begin(), whom.end()}, " or ")),
-                               has_empty ? "- not in the study" : "",
-                               others.empty() ? "" : "without " + names_of(others)};
+                               has_empty ? "- not in the study" : ""};
   std::erase(key, "");
   return figures::bars({.name = "studies", .caption = "Share of targets solved.", .quantity = "solved", .unit = "%"},
                        solvers, panels, key);
-}
-
-Table without_intervals(Table studies) {
-  studies.notes.resize(1);
-  for (auto& row : studies.rows) {
-    for (Cell& cell : row) {
-      if (auto* const value = std::get_if<Marked>(&cell)) value->interval.reset();
-    }
-  }
-  return studies;
 }
 
 Table with_a_row_a_study(const Table& studies) {
@@ -386,7 +376,7 @@ Table with_a_row_a_study(const Table& studies) {
     turned.columns.push_back({.name = std::get<std::string>(row[0]), .unit = studies.columns[1].unit});
     for (std::size_t c = 1; c < row.size(); ++c) turned.rows[c - 1].push_back(row[c]);
   }
-  return without_intervals(std::move(turned));
+  return turned;
 }
 
 std::string of_pairs(const Answer& answer) {
@@ -398,11 +388,13 @@ std::string of_pairs(const Answer& answer) {
                      answer.noun);
 }
 
+// A pair, complete: readers see what stands up to the verdict.
 Table pairs_table(const Answer& answer) {
-  Table table{.name = "pairs",
-              .caption = "The first against the second",
-              .columns = columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "A12",
-                                     "Hedges' g", "g_av", "test", "verdict", "n that could decide"})};
+  Table table{
+      .name = "pairs",
+      .caption = "The first against the second",
+      .columns = columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "verdict", "A12",
+                             "ahead", "behind", "g", "g_av", "test", "n", "n that could decide", "size", "reason"})};
   const std::string reference = reference_of(answer);
   const std::vector<Question> questions = questions_of(answer);
   std::set<double> ends;
@@ -412,32 +404,19 @@ Table pairs_table(const Answer& answer) {
     const bool is_asked = std::ranges::count(questions, &judged, &Question::of) > 0,
                are_many = judged.findings.size() > most_told;
     for (const Finding& finding : judged.findings) {
-      const auto* const tested = std::get_if<Tested>(&finding.what);
-      const Amount* const amount = amount_of(finding);
-      const EffectSize size = effect_size(finding, judged);
-      const auto sized = [&](std::string_view name) { return size.name == name ? Cell(size.value) : Cell(); };
-      has_p |= tested != nullptr;
-      const std::string ahead = amount ? "" : amount_words(finding, judged);
       const bool is_told = is_asked && (!are_many || finding.first == reference || finding.second == reference);
-      (is_told ? table.rows : others)
-          .push_back({judged.observations.quantity, finding.first, finding.second,
-                      amount ? Cell(amount->value) : Cell(),
-                      amount && amount->interval ? Cell(*amount->interval) : Cell(),
-                      text_cell(unit_of(finding, judged)), tested ? Cell(tested->p) : Cell(), sized("A12"),
-                      sized("Hedges' g"), sized("g_av"), text_cell(tested ? std::string(tested->test) : ""),
-                      Judgement{verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead),
-                                words_of(verdict_of(finding)).tone},
-                      tested && tested->enough > 0 ? Cell(std::int64_t{tested->enough}) : Cell()});
+      (is_told ? table.rows : others).push_back(row_of(finding, judged));
+      has_p |= p_of(finding).has_value();
       for (const double end : ends_of(finding, judged)) ends.insert(end);
     }
   }
   table.told = table.rows.size();
   std::ranges::move(others, std::back_inserter(table.rows));
-  table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[4].role = Role::interval;
+  table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[6].role = Role::p;
-  for (const std::size_t c : {7u, 8u, 9u, 10u, 12u}) table.columns[c].role = Role::remark;
   table.columns[6].ends = {answer.decisive().plan.significance};
+  for (Column& column : std::span(table.columns).subspan(8)) column.role = Role::remark;
   const std::string decides = what_decides(answer);
   std::vector<std::string> notes{
       decides.empty() ? "" : decides + "; other metrics are exploratory.",
@@ -456,13 +435,10 @@ Table descriptives_table(const Answer& answer) {
       .caption = "By metric and solver",
       .columns = columns_of({"metric", "solver", "n", "mean", "sd", "median", "lower quartile", "upper quartile",
                              "95 % quantile", "smallest", "largest", "interval", "unit", "missing"})};
-  bool is_any_lost = false, is_any_share = false;
-  std::vector<std::string> of_solved, of_all, of_sessions;
+  bool is_any_lost = false, is_any_share = false, is_any_cost = false;
   for (const JudgedMetric& judged : answer.metrics) {
     const Observations& observed = judged.observations;
-    if (observed.is_of_solved) of_solved.push_back(observed.quantity);
-    if (observed.is_spent) of_all.push_back(observed.quantity);
-    if (observed.fewest > 0) of_sessions.push_back(observed.quantity);
+    is_any_cost |= observed.is_of_solved || observed.is_spent || observed.fewest > 0;
     for (const std::string& solver : answer.solvers()) {
       const std::size_t i = place_of(observed, solver);
       if (i == observed.groups.size()) continue;
@@ -481,11 +457,10 @@ Table descriptives_table(const Answer& answer) {
       is_any_lost |= lost_in(group) > 0;
     }
   }
-  std::string of_costs =
-      of_solved.empty() ? "" : fmt::format("; of {} only those that a solver solved", listed(of_solved));
-  if (!of_all.empty()) of_costs += fmt::format("; of {} all, whether solved or not", listed(of_all));
-  if (!of_sessions.empty()) of_costs += fmt::format("; of {} sessions, with their geometric mean", listed(of_sessions));
-  table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun, of_costs,
+  table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun,
+                             is_any_cost ? "; of costs those that a solver solved, of costs per solved all, of times "
+                                           "sessions, with their geometric mean"
+                                         : "",
                              is_any_share ? " Interval: Wilson's." : "")};
   if (is_any_lost) table.notes.emplace_back("missing: without a value; such a solver is not tested.");
   return table;
@@ -497,9 +472,9 @@ Table anova_table(const Answer& answer) {
               .columns = columns_of(
                   {"metric", "test", "source", "SS", "df", "MS", "statistic", "p", "partial eta squared", "epsilon"})};
   table.columns[7].role = Role::p;
-  ByWord left_out, equal;
+  ByWord left_out;
   for (const JudgedMetric& judged : answer.metrics) {
-    const auto [tests, without, without_spread] = tests_of_all(judged.observations);
+    const auto [tests, without] = tests_of_all(judged.observations);
     const std::string& quantity = judged.observations.quantity;
     const auto known = [](double value) { return std::isnan(value) ? Cell() : Cell(value); };
     const auto degrees = [](double df) { return df == std::round(df) ? Cell(std::llround(df)) : Cell(df); };
@@ -513,29 +488,28 @@ Table anova_table(const Answer& answer) {
                               known(test.ss_within), degrees(test.df_within), known(test.ss_within / test.df_within),
                               Cell(), Cell(), Cell(), Cell()});
     }
-    if (!without_spread.empty() && !tests.empty()) equal.add(names_of(without_spread), quantity);
-    if (without.empty() || tests.empty()) continue;
-    left_out.add(names_of(without), quantity);
+    if (!without.empty() && !tests.empty()) left_out.add(names_of(without), quantity);
   }
   table.notes = {"Statistics: F of ANOVA, chi-squared of ranks. The pairs decide, whatever these say."};
   std::ranges::move(left_out.told("Without {}: no chance in the values, or not compared ({})."),
                     std::back_inserter(table.notes));
-  std::ranges::move(equal.told("Welch's ANOVA is not defined: no spread in {} ({})."), std::back_inserter(table.notes));
   return table;
 }
 
 base::OrderedJson to_json(const Answer& answer) {
-  base::OrderedJson findings = base::OrderedJson::array(), doubts = findings, direction;
+  base::OrderedJson doubts = base::OrderedJson::array(), direction;
+  Table pairs = pairs_table(answer);
+  pairs.rows.clear();  // all, in their order
   for (const JudgedMetric& judged : answer.metrics) {
     direction[judged.observations.quantity] = judged.observations.better == Better::larger ? "larger" : "smaller";
-    for (const Finding& finding : judged.findings) findings.push_back(to_json(judged, finding));
+    for (const Finding& finding : judged.findings) pairs.rows.push_back(row_of(finding, judged));
   }
   for (const Doubt& doubt : answer.all_doubts()) doubts.push_back(words_of(doubt));
   return {{"headline", headline(answer)},
           {"metric", answer.decisive().observations.quantity},
           {"groups", to_json(descriptives_table(answer))},
           {"tests", to_json(anova_table(answer))},
-          {"findings", std::move(findings)},
+          {"findings", to_json(pairs)},
           {"direction", std::move(direction)},
           {"doubts", std::move(doubts)},
           {"notes", answer.notes}};

@@ -15,14 +15,14 @@ namespace ikbench::show {
 
 // A row a solver; brief: with what its marks and numbers are alone.
 Table results_table(const Answer& answer, bool is_brief = false);
-// Solvers by studies: of each study its deciding column, in the order of the first. Each study is judged alone.
+// Solvers by studies: of each study its deciding column, in the order of the first; of up to three with intervals. Each
+// study is judged alone.
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names);
 // "a and b: DLS is best.\nc: Not decided." What the headline of each begins with.
 std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names);
 std::optional<figures::Figure> studies_figure(const Table& studies, const std::vector<Answer>& answers);  // its shares
-Table without_intervals(Table studies);
-Table with_a_row_a_study(const Table& studies);  // of one unit, without intervals
-Table pairs_table(const Answer& answer);         // a row a pair; first those of the headline, which are told
+Table with_a_row_a_study(const Table& studies);                                                           // of one unit
+Table pairs_table(const Answer& answer);     // a row a pair; first those of the headline, which are told
 std::string of_pairs(const Answer& answer);  // what estimates are of, where they are not those of the averages shown
 Table descriptives_table(const Answer& answer);
 Table anova_table(const Answer& answer);

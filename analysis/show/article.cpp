@@ -37,46 +37,31 @@ std::string told(const Finding& finding, const JudgedMetric& judged) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-// "McNemar's exact (n = 20 targets)", of each test.
-std::string tests_of(const std::string& noun, const std::vector<Finding>& findings) {
-  std::map<std::string, std::pair<int, int>> sizes;
-  for (const Finding& finding : findings) {
-    const auto* const tested = std::get_if<Tested>(&finding.what);
-    if (tested == nullptr) continue;
-    auto& [least, most] = sizes.try_emplace(std::string(tested->test), tested->n, tested->n).first->second;
-    least = std::min(least, tested->n), most = std::max(most, tested->n);
-  }
-  std::vector<std::string> all;
-  for (const auto& [test, n] : sizes)
-    all.push_back(fmt::format("{} (n = {}{})", test, n.first == n.second ? "" : fmt::format("{} to ", n.first),
-                              base::counted(n.second, noun)));
-  return listed(all);
-}
-
-// The pairs of a metric: those of which all is alike together; of many how many are decided, and those of the
-// reference.
+// The pairs of a metric: those of which all is alike together; of many how many are decided.
 std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
-  const std::string tests = tests_of(noun_of(answer, judged), judged.findings), reference = reference_of(answer);
-  ByWord pairs, beside;
+  ByWord pairs;
   std::map<std::string_view, int> counts;
+  std::set<std::string> tests;
+  std::set<int> sizes;
   for (const Finding& its : judged.findings) {
     const Verdict verdict = verdict_of(its);
-    const bool is_first = its.first == reference;
-    pairs.add(told(its, judged), fmt::format("{} against {}", its.first, its.second));
+    if (judged.findings.size() <= most_pairs)
+      pairs.add(told(its, judged), fmt::format("{} against {}", its.first, its.second));
     ++counts[is_difference(verdict) ? "decided" : judge::name_of(verdict)];
-    if (is_first || its.second == reference)
-      beside.add(std::string(words_of(is_first ? verdict : turned(verdict)).of_pair),
-                 is_first ? its.second : its.first);
+    if (const auto* const tested = std::get_if<Tested>(&its.what))
+      tests.insert(std::string(tested->test)), sizes.insert(tested->n);
   }
   std::vector<std::string> parts;
   for (const auto& [words, names] : pairs.all) parts.push_back(fmt::format("{}: {}", listed(names), words));
   if (judged.findings.size() > most_pairs) {
-    for (parts.clear(); const auto& [verdict, count] : counts) parts.push_back(fmt::format("{} {}", count, verdict));
+    for (const auto& [verdict, count] : counts) parts.push_back(fmt::format("{} {}", count, verdict));
     parts = {fmt::format("{} pairs ({})", judged.findings.size(), listed(parts))};
-    for (const std::string& of_reference : beside.told("{0} {1}")) parts.push_back(reference + ' ' + of_reference);
   }
-  const std::string text = fmt::format("{}{}: {}.", judged.observations.quantity, tests.empty() ? "" : ", by " + tests,
-                                       fmt::join(parts, "; "));
+  const std::string by = sizes.empty() ? ""
+                                       : fmt::format(", by {} (n = {}{})", listed({tests.begin(), tests.end()}),
+                                                     sizes.size() == 1 ? "" : fmt::format("{} to ", *sizes.begin()),
+                                                     base::counted(*sizes.rbegin(), noun_of(answer, judged)));
+  const std::string text = fmt::format("{}{}: {}.", judged.observations.quantity, by, fmt::join(parts, "; "));
   return answer.direction.empty() ? as_sentence(text) : text;  // else its name is the user's
 }
 
@@ -85,74 +70,31 @@ std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
 Table for_article(const Table& whole, const Report& report) {
   Table table = whole;
   if (table.told > 0 && table.told < table.rows.size()) table.rows.resize(table.told);
-  const std::vector<std::string> names = report.answer.solvers();
-  const auto short_of = base::short_names({names.begin(), names.end()}, longest_name);
-  for (auto& row : table.rows) {
-    for (Cell& cell : row) {
-      auto* const text = std::get_if<std::string>(&cell);
-      if (const auto found = text ? short_of.find(*text) : short_of.end(); found != short_of.end())
-        *text = found->second;
-    }
-  }
   const std::string& name = report.study.name;
-  const bool is_of_study = !report.study.series.empty();
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
   if (table.is_of_study && !name.empty())
-    table.caption += fmt::format("{} {}.", table.caption.ends_with('?') ? "" : ".",
-                                 is_of_study ? fmt::format("{}: {}. A solve ends at {}", title_of(report.study),
-                                                           what_is_solved(report.study), stops_of(report.study))
-                                             : std::filesystem::path(name).stem().string());
+    table.caption += fmt::format(
+        "{} {}", table.caption.ends_with('?') ? "" : ".",
+        report.answer.studied.empty() ? std::filesystem::path(name).stem().string() + '.' : report.answer.studied);
   return table;
 }
 
-std::string methods_of(const Answer& answer, const StudyResults& study, const std::string& program) {
-  const results::Definition& definition = study.definition;
-  const JudgedMetric& decisive = answer.decisive();
-  const bool is_of_study = !study.series.empty();
-  std::set<std::string> tests;
-  for (const JudgedMetric& judged : answer.metrics) {
-    for (const Finding& finding : judged.findings) {
-      if (const auto* const tested = std::get_if<Tested>(&finding.what)) tests.insert(std::string(tested->test));
-    }
-  }
-  const auto given = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };
-  const std::int64_t runs = definition.runs;
-  const std::string targets = definition.draws_targets ? base::counted(runs * definition.points, "targets")
-                                                       : base::counted(definition.points, "targets") + " in each of " +
-                                                             base::counted(runs, "runs");
-  const auto fact = [&](const char* name) {
-    const std::set<std::string> values = facts_of(study, name);
-    return values.empty() ? "unknown" : given(values);
-  };
-  std::string text;
-  std::set<std::string> populations;
-  for (const results::Series& series : study.series) {
-    const base::Json options = base::parsed_json(series.options);
-    if (options.contains("population")) populations.insert(base::text_of(options["population"]));
-  }
-  if (is_of_study)
-    text = fmt::format(
-        "{} had {}{} ({}; search: {}) with the arm {}{}; each solve started {} and ended at {}; the machine was {}.",
-        listed(study.labels), study.labels.size() > 1 ? "the same " : "", targets, with_blanks(definition.path),
-        with_blanks(name_of(definition.search)), std::filesystem::path(definition.robot).stem().string(),
-        populations.empty() ? "" : " and populations of " + given(populations),
-        definition.is_chained() ? "at the last answer"
-                                : "from its " + with_blanks(name_of(definition.start)) + " position",
-        stops_of(study), fact("cpu"));
-  else
-    text = fmt::format("{} of {} were compared; {}. {}", base::counted(std::ssize(decisive.described), "groups"),
-                       study.name, answer.direction, fmt::join(answer.notes, " "));
-  if (!tests.empty())
-    text += fmt::format(
-        " Pairs were tested by {}, p times the number of pairs of a metric that can be tested (Bonferroni), at a "
-        "significance of {}; a difference within {} does not matter.",
-        given(tests), number_text(decisive.plan.significance), margin_words(decisive));
-  return text + (is_of_study ? fmt::format(" Made with ikbench {} (commit {})", fact("version"), fact("commit"))
-                             : " Made with " + program);
+std::string methods_of(const Report& report, const std::string& program) {
+  const Answer& answer = report.answer;
+  std::vector<std::string> facts;
+  for (const Table& table : set_up(report))
+    for (const auto& row : table.rows)
+      facts.push_back(fmt::format("{}: {}", std::get<std::string>(row[0]), std::get<std::string>(row[1])));
+  return fmt::format(
+      "{} were compared{}. {}{}Made with {}",
+      report.study.series.empty()
+          ? fmt::format("{} of {}", base::counted(std::ssize(answer.decisive().described), "groups"), report.study.name)
+          : listed(report.study.labels),
+      report.study.series.empty() ? fmt::format("; {}. {}", answer.direction, fmt::join(answer.notes, " ")) : "",
+      as_sentence(fmt::format("{}", fmt::join(facts, "; "))), facts.empty() ? "" : ". ", program);
 }
 
-std::vector<std::string> results_of(const Answer& whole) {
-  const Answer answer = with_short_names(whole, 2 * longest_name);
+std::vector<std::string> results_of(const Answer& answer) {
   std::vector<std::string> sentences{headline(answer)};
   const bool are_two = answer.decisive().described.size() == 2;
   const std::vector<Question> questions = questions_of(answer);
@@ -172,7 +114,7 @@ void write_article(const Report& report, const std::vector<std::string>& tables,
   const auto write = [&](const char* name, const std::string& text) {
     base::write_file(folder / "article" / name, text);
   };
-  const std::string methods = methods_of(report.answer, report.study, program);
+  const std::string methods = methods_of(report, program);
   std::vector<std::string> sentences, of_report = results_of(report.answer);
   for (const Block& block : report.first) {  // of a paper what repeats, before its table
     if (std::holds_alternative<Table>(block)) break;

@@ -9,8 +9,8 @@
 
 namespace ikbench::show {
 
-// A paragraph of methods, without the last point; `program` made what is of no study. And one of results.
-std::string methods_of(const Answer& answer, const judge::StudyResults& study, const std::string& program = {});
+// A paragraph of methods, the set-up without the last point. And one of results.
+std::string methods_of(const Report& report, const std::string& program);
 std::vector<std::string> results_of(const Answer& answer);
 
 // The table as an article has it: its name and caption say of what.

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "analysis/show/answer_tables.hpp"
-#include "analysis/show/article.hpp"
 #include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
@@ -77,39 +77,6 @@ Table extras_table(const Report& report) {
   return table;
 }
 
-void add_setting(Table& table, std::string what, std::string value) {
-  if (!value.empty()) table.rows.push_back({std::move(what), std::move(value)});
-}
-
-Table settings(std::string caption) { return {.caption = std::move(caption), .columns = {{"what"}, {"value"}}}; }
-
-Table study_table(const StudyResults& study) {
-  const results::Definition& definition = study.definition;
-  Table table = settings("Study");
-  add_setting(table, "study",
-              definition.title.empty() ? study.name : fmt::format("{}: {}", study.name, definition.title));
-  add_setting(table, "arm",
-              definition.tip_link.empty()
-                  ? definition.robot
-                  : fmt::format("{}, from link {} to {}", definition.robot, definition.base_link, definition.tip_link));
-  for (const std::string& note : definition.arm_notes) add_setting(table, "arm as read", note);
-  add_setting(table, "targets",
-              fmt::format("{} a run, {}{}", definition.points, with_blanks(definition.path),
-                          definition.draws_targets ? ", drawn for each run anew" : ""));
-  add_setting(table, "search", with_blanks(name_of(definition.search)));
-  add_setting(table, "start",
-              definition.is_chained() ? "where the last solve left the arm" : with_blanks(name_of(definition.start)));
-  add_setting(table, "timed calls", judge::calls_of(study));
-  add_setting(table, "candidates outside limits", with_blanks(name_of(definition.bounds)));
-  add_setting(table, "answers outside limits", std::string(name_of(definition.limits)));
-  add_setting(table, "a solve ends at", stops_of(study));
-  add_setting(table, "runs", fmt::to_string(definition.runs));
-  add_setting(table, "seed", fmt::to_string(definition.seed));
-  for (const std::string& departure : definition.departures)
-    add_setting(table, "departs from the published study", departure);
-  return table;
-}
-
 Table options_table(const StudyResults& study) {
   Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}, .told = 0};
   for (const results::Series& series : study.series) {
@@ -123,13 +90,6 @@ Table options_table(const StudyResults& study) {
   return table;
 }
 
-Table machine_table(const StudyResults& study) {
-  Table table = settings("Machine");
-  for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})
-    add_setting(table, with_blanks(fact), fmt::format("{}", fmt::join(facts_of(study, fact), "; ")));
-  return table;
-}
-
 }  // namespace
 
 Report report_of(JudgedStudy judged, std::vector<figures::Figure> figures) {
@@ -138,11 +98,58 @@ Report report_of(JudgedStudy judged, std::vector<figures::Figure> figures) {
   return report;
 }
 
+std::vector<Table> set_up(const Report& report) {
+  const StudyResults& study = report.study;
+  const JudgedMetric& decisive = report.answer.decisive();
+  const results::Definition& definition = study.definition;
+  const std::vector<Column> columns{{"what"}, {"value"}};
+  Table of_study{.caption = "Study", .columns = columns}, machine{.caption = "Machine", .columns = columns};
+  const auto add = [](Table& table, std::string what, std::string value) {
+    if (!value.empty()) table.rows.push_back({std::move(what), std::move(value)});
+  };
+  const auto listed_of = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };
+  if (!study.series.empty()) {
+    add(of_study, "study", definition.title.empty() ? study.name : fmt::format("{}: {}", study.name, definition.title));
+    add(of_study, "arm",
+        definition.tip_link.empty()
+            ? definition.robot
+            : fmt::format("{}, from link {} to {}", definition.robot, definition.base_link, definition.tip_link));
+    for (const std::string& note : definition.arm_notes) add(of_study, "arm as read", note);
+    add(of_study, "targets",
+        fmt::format("{} a run, {}{}", definition.points, with_blanks(definition.path),
+                    definition.draws_targets ? ", drawn for each run anew" : ""));
+    add(of_study, "search", with_blanks(name_of(definition.search)));
+    add(of_study, "start",
+        definition.is_chained() ? "where the last solve left the arm" : with_blanks(name_of(definition.start)));
+    add(of_study, "timed calls", judge::calls_of(study));
+    add(of_study, "candidates outside limits", with_blanks(name_of(definition.bounds)));
+    add(of_study, "answers outside limits", std::string(name_of(definition.limits)));
+    add(of_study, "a solve ends at", stops_of(study));
+    add(of_study, "runs", fmt::to_string(definition.runs));
+    add(of_study, "seed", fmt::to_string(definition.seed));
+    for (const std::string& departure : definition.departures)
+      add(of_study, "departs from the published study", departure);
+  }
+  std::set<std::string> tests;
+  for (const JudgedMetric& judged : report.answer.metrics) {
+    for (const Finding& finding : judged.findings)
+      if (const auto* const tested = std::get_if<Tested>(&finding.what)) tests.insert(std::string(tested->test));
+  }
+  add(of_study, "tests of pairs", listed_of(tests));
+  if (!tests.empty())
+    add(of_study, "significance",
+        fmt::format("{} of each metric, divided by its pairs (Bonferroni); a difference within {} does not matter",
+                    number_text(decisive.plan.significance), margin_words(decisive)));
+  for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})
+    add(machine, with_blanks(fact), listed_of(facts_of(study, fact)));
+  return {std::move(of_study), std::move(machine)};
+}
+
 std::vector<Blocks> sections_of(const Report& report) {
   std::vector<Blocks> sections{report.first};
   const bool is_of_study = !report.study.series.empty();  // else of a user's file
   if (report.first.empty()) {
-    sections[0] = {Heading{headline(with_short_names(report.answer, 2 * longest_name))}};
+    sections[0] = {Heading{headline(report.answer)}};
     if (is_of_study) sections[0].emplace_back(report.answer.studied);
     sections[0].emplace_back(warned_results(report.answer));
   }
@@ -179,8 +186,8 @@ std::vector<Blocks> sections_of(const Report& report) {
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   add("Warnings", std::move(warnings));
   if (is_of_study)
-    add("Set-up", {methods_of(report.answer, report.study) + ". For LaTeX, with what to cite: article/methods.tex.",
-                   study_table(report.study), options_table(report.study), machine_table(report.study)});
+    add("Set-up", {set_up(report)[0], options_table(report.study), set_up(report)[1],
+                   "As a paragraph, with what to cite: article/methods.tex."});
   return sections;
 }
 

@@ -27,6 +27,8 @@ struct Report {
 };
 Report report_of(judge::JudgedStudy judged, std::vector<figures::Figure> figures);
 
+// What was solved and how it was judged, and on which machine; of a user's file only how.
+std::vector<Table> set_up(const Report& report);
 // The blocks of each section, the additions after the pictures; empty ones are left out. The first begins with the
 // headline.
 std::vector<Blocks> sections_of(const Report& report);

@@ -10,15 +10,22 @@
 #include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::show {
 
 using namespace judge;
 
-std::string screen(const Answer& whole, const std::string& page) {
-  const Answer answer = with_short_names(whole, longest_name);
-  const bool is_of_file = !answer.direction.empty();
+std::string screen(const Answer& answer, const std::string& page) {
   constexpr std::size_t most_rows = 20;
+  const bool is_of_file = !answer.direction.empty();
+  const auto short_of = base::short_names(answer.solvers(), longest_name);
+  const auto with_short_names = [&](std::string text) {
+    for (const auto& [name, its] : short_of)
+      for (std::size_t at = 0; name != its && (at = text.find(name, at)) != std::string::npos; at += its.size())
+        text.replace(at, name.size(), its);
+    return text;
+  };
   Table table = results_table(answer, !is_of_file);
   table.columns[0].name = "";
   const std::size_t all = table.rows.size();
@@ -26,12 +33,22 @@ std::string screen(const Answer& whole, const std::string& page) {
   std::string notes = fmt::format("{}", fmt::join(std::exchange(table.notes, {}), " "));
   if (const std::string decides = what_decides(answer); !decides.empty())
     notes += fmt::format("{}{}.", notes.empty() ? "" : " ", decides);
-  std::string text = paragraph(headline(answer), "") + '\n' + to_text(table);
+  std::string text = paragraph(with_short_names(headline(answer)), "") + '\n';
+  const auto add = [&](Table its) {
+    for (auto& row : its.rows) row[0] = with_short_names(std::get<std::string>(row[0]));
+    text += to_text(its);
+  };
+  add(std::move(table));
   if (all > most_rows) text += fmt::format("  and {} more solvers\n", all - most_rows + 1);
-  if (!notes.empty()) text += paragraph(notes, "");
-  for (const Table& more : {answer.loop, answer.beside})
-    if (!more.rows.empty()) text += fmt::format("\n{}\n{}\n", more.caption, to_text(more));
-  const auto pairs = page.empty() ? pair_rows(answer) : std::vector<std::vector<std::string>>();
+  if (!notes.empty()) text += paragraph(with_short_names(notes), "");
+  for (const Table& more : {answer.loop, answer.beside}) {
+    if (more.rows.empty()) continue;
+    text += fmt::format("\n{}\n", more.caption);
+    add(more);
+    text += '\n';
+  }
+  auto pairs = page.empty() ? pair_rows(answer) : std::vector<std::vector<std::string>>();
+  for (auto& row : pairs) row[0] = one_line(with_short_names(row[0]));
   text += in_columns(pairs);
   if (const std::string of = of_pairs(answer); !pairs.empty() && !of.empty()) text += paragraph(of, "");
   const std::vector<Doubt> doubts = answer.all_doubts();  // in the order of their kinds
@@ -41,9 +58,9 @@ std::string screen(const Answer& whole, const std::string& page) {
     });
     const auto alike = std::ranges::count(doubts, doubt.kind, &Doubt::kind);
     if (doubt.kind == DoubtKind::sessions_left_out || is_told) continue;  // on the page
-    text += paragraph(
-        "! " + words_of(doubt) + (page.empty() || alike == 1 ? "" : fmt::format("; {} more on the page", alike - 1)),
-        "  ");
+    text += paragraph("! " + with_short_names(words_of(doubt)) +
+                          (page.empty() || alike == 1 ? "" : fmt::format("; {} more on the page", alike - 1)),
+                      "  ");
   }
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));
 }

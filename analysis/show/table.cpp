@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "analysis/show/text.hpp"
 #include "base/csv.hpp"
@@ -19,14 +21,11 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 using Escape = std::string (*)(std::string_view);
-using Number = std::string (*)(double, int digits);
 
 // A cell for readers.
 struct Readable {
-  Number number;
   const Column& column;
-  std::string at_most = "≤ ", dash = "-", plus_minus = "± ",
-              unit = column.unit_of_cells.empty() ? "" : ' ' + column.unit_of_cells;
+  std::string unit = column.unit_of_cells.empty() ? "" : ' ' + column.unit_of_cells;
 
   std::string operator()(std::monostate) const { return "-"; }
   std::string operator()(const Absent&) const { return "-"; }
@@ -34,71 +33,53 @@ struct Readable {
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(std::int64_t count) const { return fmt::to_string(count) + unit; }
   std::string operator()(double value) const {
-    const std::string text =
-        column.role == Role::p ? p_text(value, column.ends) : number(value, digits_apart(value, column.ends));
+    const std::string text = column.role == Role::p ? p_text(value, column.ends) : number_beside(value, column.ends);
     return text == "-" ? text : text + unit;
   }
-  std::string operator()(const judge::Interval& interval) const {
-    return interval_text(interval, number, column.ends) + unit;
-  }
+  std::string operator()(const judge::Interval& interval) const { return interval_text(interval, column.ends) + unit; }
   std::string operator()(const Printed& printed) const {
     return printed.printed + (printed.sign.empty() ? "" : ' ' + printed.sign);
   }
   std::string operator()(const Marked& marked) const {
-    const auto digits = [](double size, double small) { return std::abs(size) < small ? 3 : 2; };
-    std::string text = marked.words.empty() ? (marked.is_bound ? at_most : "") + (*this)(marked.value) : marked.words;
-    if (marked.to_reference == judge::Scale::ratio)
-      text = number(marked.value, digits(marked.value - 1, 0.1)) + " times";
-    if (marked.to_reference == judge::Scale::difference && marked.value > 0) text.insert(0, "+");
-    if (const std::string around = spread(marked); !around.empty()) text += ' ' + around;
-    return text + (marked.mark.empty() ? "" : ' ' + marked.mark);
+    const std::string around = spread(marked, "-", "± ");
+    return (marked.is_bound ? "≤ " : "") + plain(marked) + (around.empty() ? "" : ' ' + around) +
+           (marked.mark.empty() ? "" : ' ' + marked.mark);
   }
-  // "(98-100)" or "± 0.2", of a marked number.
-  std::string spread(const Marked& marked) const {
-    if (marked.sd) return plus_minus + number(*marked.sd, 2);
+  // Without what stands around it.
+  std::string plain(const Marked& marked) const {
+    if (!marked.words.empty()) return marked.words;
+    if (marked.to_reference == judge::Scale::ratio)
+      return number_text(marked.value, std::abs(marked.value - 1) < 0.1 ? 3 : 2) + " times";
+    return (marked.to_reference && marked.value > 0 ? "+" : "") + (*this)(marked.value);
+  }
+  // "(98-100)" or "± 0.2".
+  static std::string spread(const Marked& marked, std::string_view dash, std::string_view plus_minus) {
+    if (marked.sd) return fmt::format("{}{}", plus_minus, number_text(*marked.sd, 2));
     if (!marked.interval) return "";
     const judge::Interval& its = *marked.interval;
     const int wide = std::abs(its.high - its.low) < 3 ? 3 : 2;
-    return fmt::format("({}{}{})", number(its.low, wide), its.low < 0 ? " to " : dash, number(its.high, wide));
+    return fmt::format("({}{}{})", number_text(its.low, wide), its.low < 0 ? " to " : dash,
+                       number_text(its.high, wide));
   }
 };
 
-bool excludes_end(const Cell& cell) {
-  const auto* interval = std::get_if<judge::Interval>(&cell);
-  return interval && (interval->excludes_low || interval->excludes_high);
+// Whether a cell of a column is so.
+bool has(const Table& table, std::size_t column, auto is_so) {
+  return std::ranges::any_of(table.rows, [&](const auto& row) { return is_so(row[column]); });
 }
-
-// Of which kinds the cells of a column are: what files of numbers have columns for.
-struct Kinds {
-  bool texts = false, intervals = false, excluded = false, printed = false;
-  bool long_texts = false;
-  bool ratios = false, differences = false, spreads = false, deviations = false, marks = false,
-       best = false;  // of Marked
-};
-std::vector<Kinds> kinds_of(const Table& table) {
-  std::vector<Kinds> kinds(table.columns.size());
-  for (std::size_t c = 0; c < kinds.size(); ++c)
-    kinds[c].intervals = kinds[c].excluded = table.columns[c].role == Role::interval;
-  for (const auto& row : table.rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const Marked its = std::holds_alternative<Marked>(row[c]) ? std::get<Marked>(row[c]) : Marked{};
-      const auto* const judgement = std::get_if<Judgement>(&row[c]);
-      const auto* const text = judgement ? &judgement->words : std::get_if<std::string>(&row[c]);
-      kinds[c].texts |= text != nullptr;
-      kinds[c].long_texts |= text != nullptr && character_count(*text) > 60;
-      kinds[c].intervals |= std::holds_alternative<judge::Interval>(row[c]);
-      kinds[c].excluded |= excludes_end(row[c]);
-      kinds[c].printed |= std::holds_alternative<Printed>(row[c]);
-      kinds[c].ratios |= its.to_reference == judge::Scale::ratio;
-      kinds[c].differences |= its.to_reference == judge::Scale::difference;
-      kinds[c].spreads |= its.interval.has_value();
-      kinds[c].deviations |= its.sd.has_value();
-      kinds[c].marks |= !its.mark.empty();
-      kinds[c].best |= its.is_best;
-    }
-  }
-  return kinds;
+const std::string* text_of(const Cell& cell) {
+  const auto* const judgement = std::get_if<Judgement>(&cell);
+  return judgement ? &judgement->words : std::get_if<std::string>(&cell);
 }
+bool is_text(const Cell& cell) { return text_of(cell) != nullptr; }
+bool is_printed(const Cell& cell) { return std::holds_alternative<Printed>(cell); }
+const Marked& marked_of(const Cell& cell) {
+  static const Marked none{};
+  const auto* const marked = std::get_if<Marked>(&cell);
+  return marked ? *marked : none;
+}
+bool is_ratio(const Cell& cell) { return marked_of(cell).to_reference == judge::Scale::ratio; }
+bool is_best(const Cell& cell) { return marked_of(cell).is_best; }
 
 std::string head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
@@ -107,16 +88,14 @@ std::string head(const Column& column) {
 // Readers see printed numbers in a column of their own, no column that is empty in every row, and where some cells are
 // ratios, the unit at the other numbers.
 Table for_readers(Table table) {
-  const std::vector<Kinds> kinds = kinds_of(table);
   for (std::size_t c = table.columns.size(); c-- > 0;) {
-    if (kinds[c].ratios) table.columns[c].unit_of_cells = std::exchange(table.columns[c].unit, "");
-    if (kinds[c].printed) {
+    if (has(table, c, is_ratio)) table.columns[c].unit_of_cells = std::exchange(table.columns[c].unit, "");
+    if (has(table, c, is_printed)) {
       const auto next = static_cast<std::ptrdiff_t>(c + 1);
       table.columns.insert(table.columns.begin() + next, {"printed"});
       for (auto& row : table.rows) {
-        const bool is_printed = std::holds_alternative<Printed>(row[c]);
-        const Cell ours = is_printed ? Cell(std::get<Printed>(row[c]).ours) : row[c];
-        row.insert(row.begin() + next, is_printed ? row[c] : Cell());
+        const Cell ours = is_printed(row[c]) ? Cell(std::get<Printed>(row[c]).ours) : row[c];
+        row.insert(row.begin() + next, is_printed(row[c]) ? row[c] : Cell());
         row[c] = ours;
       }
     }
@@ -141,43 +120,50 @@ Rows readable(const Table& table, Escape escape) {
   for (const auto& cells : table.rows) {
     auto& row = rows.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c)
-      row.push_back(escape(std::visit(Readable{number_text, table.columns[c]}, cells[c])));
+      row.push_back(escape(std::visit(Readable{table.columns[c]}, cells[c])));
   }
   return rows;
 }
 
 constexpr std::string_view its_times = "times", its_mark = "mark";  // have no unit
 
-// The members of a cell in files of numbers, with the words that follow the name of its column.
-std::vector<std::pair<std::string_view, Json>> members(const Kinds& kinds, const Cell& cell) {
-  const auto* const printed = std::get_if<Printed>(&cell);
-  const auto* const marked = std::get_if<Marked>(&cell);
+// The members of a cell in files of numbers, by the words that follow the name of its column.
+std::map<std::string_view, Json> members(const Cell& cell) {
+  const Marked& marked = marked_of(cell);
   const auto* const interval = std::get_if<judge::Interval>(&cell);
-  const auto* const spread = interval ? interval : marked && marked->interval ? &*marked->interval : nullptr;
-  const auto to_reference = [&](judge::Scale scale) {
-    return marked && marked->to_reference == scale ? base::json_of(marked->value) : Json();
-  };
-  Json value;
-  if (const auto* text = std::get_if<std::string>(&cell)) value = *text;
-  if (const auto* judgement = std::get_if<Judgement>(&cell)) value = judgement->words;
-  if (const auto* count = std::get_if<std::int64_t>(&cell)) value = *count;
-  if (const auto* plain = std::get_if<double>(&cell)) value = base::json_of(*plain);
-  if (printed) value = base::json_of(printed->ours);
-  if (marked && !marked->to_reference) value = base::json_of(marked->value);
-  std::vector<std::pair<std::string_view, Json>> all;
-  if (!kinds.intervals) all.emplace_back("", value);
-  if (kinds.printed) all.emplace_back("printed", printed ? Json(printed->printed) : Json());
-  if (kinds.ratios) all.emplace_back(its_times, to_reference(judge::Scale::ratio));
-  if (kinds.differences) all.emplace_back("difference", to_reference(judge::Scale::difference));
-  if (kinds.intervals || kinds.spreads) {
-    all.emplace_back("low", spread ? base::json_of(spread->low) : Json());
-    all.emplace_back("high", spread ? base::json_of(spread->high) : Json());
-  }
-  if (kinds.deviations) all.emplace_back("sd", marked && marked->sd ? base::json_of(*marked->sd) : Json());
-  if (kinds.excluded)
-    all.emplace_back("excluded", !excludes_end(cell) ? Json() : interval->excludes_low ? "low" : "high");
-  if (kinds.marks) all.emplace_back(its_mark, marked && !marked->mark.empty() ? Json(marked->mark) : Json());
+  const auto* const spread = interval ? interval : marked.interval ? &*marked.interval : nullptr;
+  std::map<std::string_view, Json> all;
+  if (const auto* const text = text_of(cell)) all[""] = *text;
+  if (const auto* const judgement = std::get_if<Judgement>(&cell); judgement && !judgement->key.empty())
+    all[""] = judgement->key;
+  if (const auto* const count = std::get_if<std::int64_t>(&cell)) all[""] = *count;
+  if (const auto* const plain = std::get_if<double>(&cell)) all[""] = base::json_of(*plain);
+  if (const auto* const printed = std::get_if<Printed>(&cell))
+    all[""] = base::json_of(printed->ours), all["printed"] = printed->printed;
+  if (std::holds_alternative<Marked>(cell))
+    all[is_ratio(cell) ? its_times : marked.to_reference ? "difference" : ""] = base::json_of(marked.value);
+  if (spread) all["low"] = base::json_of(spread->low), all["high"] = base::json_of(spread->high);
+  if (marked.sd) all["sd"] = base::json_of(*marked.sd);
+  if (interval && (interval->excludes_low || interval->excludes_high))
+    all["excluded"] = interval->excludes_low ? "low" : "high";
+  if (!marked.mark.empty()) all[its_mark] = marked.mark;
   return all;
+}
+
+// Those that a column has.
+std::vector<std::string_view> members_of(const Table& table, std::size_t column) {
+  const bool is_interval = table.columns[column].role == Role::interval;
+  std::set<std::string_view> all;
+  if (is_interval) all = {"low", "high", "excluded"};
+  if (!is_interval &&
+      !has(table, column, [](const Cell& cell) { return std::holds_alternative<judge::Interval>(cell); }))
+    all.insert("");
+  for (const auto& row : table.rows)
+    for (const auto& [name, value] : members(row[column])) all.insert(name);
+  std::vector<std::string_view> ordered{"",     "printed", its_times,  "difference", "low",
+                                        "high", "sd",      "excluded", its_mark};
+  std::erase_if(ordered, [&](std::string_view name) { return !all.contains(name); });
+  return ordered;
 }
 
 // "error low", but "low" alone of a column that has nothing else.
@@ -186,32 +172,16 @@ std::string member_name(const Column& column, std::string_view member) {
   return column.role == Role::interval ? std::string(member) : fmt::format("{} {}", column.name, member);
 }
 
-// -1.2e-05 as $-1.2 \times 10^{-5}$, which no escaping may touch.
-std::string latex_number(double value, int digits) {
-  const std::string text = number_text(value, digits);
-  if (text.find('e') != std::string::npos) return latex_text(text);
-  return text.size() > 1 && text[0] == '-' ? fmt::format("${}$", text) : text;
-}
-
 std::string latex_cell(const Cell& cell, const Column& column) {
-  const Readable read{latex_number, column, "$\\le$ ", "--", "$\\pm$ "};
-  if (std::holds_alternative<std::string>(cell) || std::holds_alternative<Printed>(cell) ||
-      std::holds_alternative<Judgement>(cell))
-    return latex_text(std::visit(read, cell));
-  if (const auto* marked = std::get_if<Marked>(&cell)) {
-    std::string text = read(Marked{.value = marked->value,
-                                   .is_bound = marked->is_bound,
-                                   .to_reference = marked->to_reference,
-                                   .words = latex_text(marked->words)});
-    if (marked->is_best) text = fmt::format("{{\\boldmath\\textbf{{{}}}}}", text);
-    if (const std::string around = read.spread(*marked); !around.empty())
-      text += fmt::format(" & {{\\scriptsize {}}}", around);
-    if (!marked->mark.empty())
-      text += fmt::format("\\rlap{{\\,\\scriptsize {}}}", latex_text(marked->mark));  // digits align
-    return text;
-  }
-  if (const auto* p = std::get_if<double>(&cell); p && column.role == Role::p && *p < 0.0001) return "$<$ 0.0001";
-  return std::visit(read, cell);
+  const Readable read{column};
+  const auto* const marked = std::get_if<Marked>(&cell);
+  if (marked == nullptr) return latex_text(std::visit(read, cell));
+  std::string text = (marked->is_bound ? "$\\le$ " : "") + latex_text(read.plain(*marked));
+  if (marked->is_best) text = fmt::format("{{\\boldmath\\textbf{{{}}}}}", text);
+  if (const std::string around = Readable::spread(*marked, "--", "$\\pm$ "); !around.empty())
+    text += fmt::format(" & {{\\scriptsize {}}}", around);
+  if (!marked->mark.empty()) text += fmt::format("\\rlap{{\\,\\scriptsize {}}}", latex_text(marked->mark));
+  return text;  // digits align
 }
 
 }  // namespace
@@ -222,34 +192,35 @@ std::vector<Column> columns_of(const std::vector<std::string>& names) {
   return columns;
 }
 
-std::string interval_text(const judge::Interval& interval, Number number, const Ends& ends) {
-  const auto end = [&](double value) { return std::isinf(value) ? "no bound" : number(value, 3); };
-  // Of an end so near that three digits do not tell it, what was read.
-  const auto read = [&](double value) {
-    const double shown = base::number_from(number_text(value)).value_or(value);
-    return std::ranges::count(ends, shown) > 0 ? shown : value;
+std::string interval_text(const judge::Interval& interval, const Ends& ends) {
+  const auto end = [&](double value, bool is_excluded, const char* beyond, char sign) {
+    if (std::isinf(value)) return std::string("no bound");
+    const std::string text = number_beside(value, ends);
+    return text[0] == sign ? beyond + text.substr(2) : (is_excluded ? beyond : "") + number_text(value);
   };
-  return fmt::format("{}{} to {}{}", interval.excludes_low || interval.low > read(interval.low) ? "above " : "",
-                     end(interval.low), interval.excludes_high || interval.high < read(interval.high) ? "below " : "",
-                     end(interval.high));
+  return fmt::format("{} to {}", end(interval.low, interval.excludes_low, "above ", '>'),
+                     end(interval.high, interval.excludes_high, "below ", '<'));
 }
 
 std::string to_csv(const Table& table) {
-  const std::vector<Kinds> kinds = kinds_of(table);
   std::string text;
   std::vector<std::string> heads;
+  std::vector<std::vector<std::string_view>> all_members;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const Column& column = table.columns[c];
     const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
-    for (const auto& [member, value] : members(kinds[c], {}))
+    for (const std::string_view member : all_members.emplace_back(members_of(table, c)))
       heads.push_back(member_name(column, member) + (member == its_times || member == its_mark ? "" : unit));
   }
   base::append_csv_row(text, heads);
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      for (const auto& [member, value] : members(kinds[c], row[c]))
+      std::map<std::string_view, Json> its = members(row[c]);
+      for (const std::string_view member : all_members[c]) {
+        const Json& value = its[member];
         cells.push_back(value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump());
+      }
     }
     base::append_csv_row(text, cells);
   }
@@ -257,15 +228,17 @@ std::string to_csv(const Table& table) {
 }
 
 Json to_json(const Table& table) {
-  const std::vector<Kinds> kinds = kinds_of(table);
+  std::vector<std::vector<std::string_view>> all_members;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) all_members.push_back(members_of(table, c));
   Json rows = Json::array();
   for (const auto& row : table.rows) {
     Json object = Json::object();
     for (std::size_t c = 0; c < row.size(); ++c) {
-      for (const auto& [member, value] : members(kinds[c], row[c])) {
+      std::map<std::string_view, Json> its = members(row[c]);
+      for (const std::string_view member : all_members[c]) {
         std::string name = member_name(table.columns[c], member);
         for (char& letter : name) letter = letter == ' ' ? '_' : static_cast<char>(std::tolower(letter));
-        object[name] = value;
+        object[name] = its[member];
       }
     }
     rows.push_back(std::move(object));
@@ -280,7 +253,7 @@ std::string to_markdown(const Table& whole) {
   for (const auto& row : rows) {
     text += fmt::format("| {} |\n", fmt::join(row, " | "));
     if (&row != &rows.front()) continue;
-    for (const Kinds& its : kinds_of(table)) text += its.texts ? "|---" : "|--:";
+    for (std::size_t c = 0; c < row.size(); ++c) text += has(table, c, is_text) ? "|---" : "|--:";
     text += "|\n";
   }
   for (const std::string& note : table.notes) text += fmt::format("\n{}\n", markdown_text(note));
@@ -289,17 +262,21 @@ std::string to_markdown(const Table& whole) {
 
 std::string to_latex(const Table& whole) {
   Table table = for_readers(whole);
-  for (Column& column : table.columns) column.unit_of_cells = latex_text(column.unit_of_cells);
   std::string letters;
   std::vector<std::string> heads;
-  const auto has_spreads = [](const Kinds& its) { return its.spreads || its.deviations; };
-  const std::vector<Kinds> kinds = kinds_of(table);  // spreads have a column of their own, so that the numbers align
+  const auto is_long = [](const Cell& cell) { return is_text(cell) && character_count(*text_of(cell)) > 60; };
+  const auto has_spread = [](const Cell& cell) { return marked_of(cell).interval || marked_of(cell).sd; };
+  std::vector<bool> are_long, have_spreads;  // which have a column of their own, so that the numbers align
+  bool is_any_best = false;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    letters += kinds[c].long_texts ? "p{5cm}" : kinds[c].texts ? "l" : has_spreads(kinds[c]) ? "r@{ }l" : "r";
-    const std::string room = kinds[c].marks ? "@{\\hspace{14pt}}" : "";  // for them
+    are_long.push_back(has(table, c, is_long)), have_spreads.push_back(has(table, c, has_spread));
+    is_any_best |= has(table, c, is_best);
+    letters += are_long[c] ? "p{5cm}" : has(table, c, is_text) ? "l" : have_spreads[c] ? "r@{ }l" : "r";
+    const bool has_mark = has(table, c, [](const Cell& cell) { return !marked_of(cell).mark.empty(); });
+    const std::string room = has_mark ? "@{\\hspace{14pt}}" : "";  // for them
     const std::string name = latex_text(head(table.columns[c]));
     letters += room;
-    heads.push_back(has_spreads(kinds[c]) ? fmt::format("\\multicolumn{{2}}{{c{}}}{{{}}}", room, name) : name);
+    heads.push_back(have_spreads[c] ? fmt::format("\\multicolumn{{2}}{{c{}}}{{{}}}", room, name) : name);
   }
   const std::string head_row = fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
   constexpr std::size_t most_rows = 50;  // on a page
@@ -310,12 +287,12 @@ std::string to_latex(const Table& whole) {
     std::vector<std::string> cells;
     for (std::size_t c = 0; c < row.size(); ++c) {
       cells.push_back(latex_cell(row[c], table.columns[c]));
-      if (kinds[c].long_texts) cells.back() = "\\raggedright\\let\\\\\\tabularnewline " + cells.back();
-      if (has_spreads(kinds[c]) && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
+      if (are_long[c]) cells.back() = "\\raggedright\\let\\\\\\tabularnewline " + cells.back();
+      if (have_spreads[c] && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
     }
     rows[r * parts / table.rows.size()] += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
-  if (std::ranges::any_of(kinds, &Kinds::best)) table.notes.emplace_back("Bold: none is shown to be better.");
+  if (is_any_best) table.notes.emplace_back("Bold: none is shown to be better.");
   const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
   // No journal's capitals change names in a caption. A table shrinks to fit a column, to four fifths at the most; else
   // it takes both, and shrinks down to the size of \\scriptsize.
@@ -344,7 +321,6 @@ std::string to_html(const Table& whole) {
   constexpr std::size_t long_text = 28;                                         // breaks anywhere
   constexpr std::array<const char*, 3> pills{"pill", "pill good", "pill bad"};  // by tone
   const Table table = for_readers(whole);
-  const std::vector<Kinds> kinds = kinds_of(table);
   const Rows rows = readable(table, html_text);
   const auto cell_of = [&](std::size_t r, std::size_t c) {  // digits align, without the mark
     const Cell* const cell = r == 0 ? nullptr : &table.rows[r - 1][c];
@@ -359,17 +335,18 @@ std::string to_html(const Table& whole) {
       for (std::size_t at = 0; (at = text.find('_', at)) != std::string::npos;) text.insert(++at, "<wbr>");
     return text;
   };
+  std::vector<std::string> classes;
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    classes.emplace_back(has(table, c, is_printed) ? "number printed" : has(table, c, is_text) ? "" : "number");
   const auto line = [&](std::size_t r, std::string_view tag) {
     const std::vector<std::string>& row = rows[r];
     std::string text;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      const bool is_judgement = r > 0 && std::holds_alternative<Judgement>(table.rows[r - 1][c]);
-      text += fmt::format("<{}{}>{}</{}>", tag,
-                          kinds[c].printed                                       ? " class=\"number printed\""
-                          : !kinds[c].texts                                      ? " class=\"number\""
-                          : !is_judgement && character_count(row[c]) > long_text ? " class=\"long\""
-                                                                                 : "",
-                          cell_of(r, c), tag.substr(0, tag.find(' ')));
+      const bool is_judgement = r > 0 && std::holds_alternative<Judgement>(table.rows[r - 1][c]),
+                 is_long = classes[c].empty() && !is_judgement && character_count(row[c]) > long_text;
+      const std::string_view its = is_long ? "long" : classes[c];
+      text += fmt::format("<{}{}>{}</{}>", tag, its.empty() ? "" : fmt::format(" class=\"{}\"", its), cell_of(r, c),
+                          tag.substr(0, tag.find(' ')));
     }
     return fmt::format("<tr>{}</tr>\n", text);
   };

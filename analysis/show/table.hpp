@@ -45,6 +45,7 @@ enum class Tone { neutral, good, bad };
 struct Judgement {
   std::string words;
   Tone tone = Tone::neutral;
+  std::string key = {};  // in place of the words, in files of numbers
 };
 // Readers see three digits, and "-" for an empty cell (std::monostate), an absent number and one that is not finite.
 using Cell = std::variant<std::monostate, std::string, std::int64_t, double, judge::Interval, Printed, Marked, Absent,
@@ -65,7 +66,7 @@ struct Column {
   std::string unit = {};
   Role role = Role::value;
   std::string unit_of_cells = {};  // beside each number that is no ratio, in place of the head
-  std::vector<double> ends = {};   // from which readers tell numbers apart (digits_apart of text.hpp)
+  std::vector<double> ends = {};   // onto which no number is rounded (number_beside of text.hpp)
 };
 
 // Columns with nothing but names.
@@ -87,8 +88,7 @@ constexpr std::array<std::string_view, 15> names_of_tables{
     "multiverse", "pairs",  "questions", "results",      "solve-rates", "solves", "table-"};
 
 // "0.1 to 0.8", "above 0 to 0.8"
-std::string interval_text(const judge::Interval& interval, std::string (*number)(double, int),
-                          const std::vector<double>& ends);
+std::string interval_text(const judge::Interval& interval, const std::vector<double>& ends);
 
 // All escape what they are given. An interval and a printed number take two columns of CSV, and two members of JSON;
 // intervals of which one excludes an end take a third, which says "low" or "high".

@@ -100,39 +100,22 @@ Names apart_of(const Pairs& pairs, const Names& among) {
 
 // How the second question is told.
 struct Words {
-  std::string_view then;                    // in a plan
-  std::array<std::string_view, 2> metrics;  // also what stands in its place where a target failed
+  std::string_view then;                // in a plan
+  std::string_view metric, per_solved;  // which stands in its place where a target failed
   std::string_view is, are, than, takes, take, as;
 };
-constexpr std::array all_words{Words{"time",
-                                     {"time", "time-per-solved"},
-                                     "is the fastest",
-                                     "are the fastest",
-                                     "be faster",
-                                     "takes",
-                                     "take",
-                                     "as long"},
-                               Words{"evaluations",
-                                     {"evaluations", "evaluations-per-solved"},
-                                     "needs the fewest evaluations",
-                                     "need the fewest evaluations",
-                                     "need fewer evaluations",
-                                     "takes",
-                                     "take",
-                                     "as many"},
-                               Words{"motion",
-                                     {"variation", "slide-variation"},
-                                     "moves the joints least",
-                                     "move the joints least",
-                                     "move the joints less",
-                                     "moves them",
-                                     "move them",
-                                     "as far"}};
+constexpr std::array all_words{
+    Words{"time", "time", "time-per-solved", "is the fastest", "are the fastest", "be faster", "takes", "take",
+          "as long"},
+    Words{"evaluations", "evaluations", "evaluations-per-solved", "needs the fewest evaluations",
+          "need the fewest evaluations", "need fewer evaluations", "takes", "take", "as many"},
+    Words{"motion", "variation", "slide-variation", "moves the joints least", "move the joints least",
+          "move the joints less", "moves them", "move them", "as far"}};
 
 // Null if the answer lacks it.
 const JudgedMetric* metric_of(const Answer& answer, const Words& words) {
   const auto found = std::ranges::find_if(answer.metrics, [&](const JudgedMetric& judged) {
-    return std::ranges::count(words.metrics, judged.observations.metric) > 0;
+    return judged.observations.metric == words.metric || judged.observations.metric == words.per_solved;
   });
   return found == answer.metrics.end() || &*found == &answer.decisive() ? nullptr : &*found;
 }
@@ -201,16 +184,12 @@ class First {
     const Observations& observed = judged_.observations;
     const auto [value, is_bound] = shown_average(judged_, place_of(observed, name));
     const int n = described(name).n;
-    std::string text =
-        with_unit((is_bound ? "at most " : "") + number_text(value, digits_apart(value, ends_of_shares(judged_))),
-                  is_first ? observed.unit : "");
+    std::string text = with_unit((is_bound ? "at most " : "") + number_beside(value, ends_of_shares(judged_)),
+                                 is_first ? observed.unit : "");
     if (is_share(judged_) && observed.trials == 1) {
       text = fmt::format("{:.0f}", value * n / 100);
       if (is_first || n != described(first_).n)
         text += fmt::format(" of {}", is_first ? base::counted(n, answer_.noun) : fmt::to_string(n));
-    } else if (const int all = n * observed.trials, failed = static_cast<int>(std::lround((1 - value / 100) * all));
-               is_share(judged_) && failed > 0 && 100 * failed < all) {
-      text += fmt::format(", {} of {} failed", failed, all);  // which a rounded share would hide
     }
     if (std::isnan(value)) text = "not known";
     const char* const of = is_share(judged_) || observed.are_logs ? "" : is_mean ? "mean " : "median ";
@@ -305,12 +284,27 @@ class First {
   }
 };
 
-// The sentence of the second question.
+// "B takes 3 times as long", of each whom the first is ahead of; of many how the ratios span.
+std::string ratios_told(const std::vector<std::pair<std::string, double>>& ratios, const Words& words,
+                        const std::string& as_whom) {
+  if (ratios.empty()) return "";
+  std::vector<std::string> told;
+  for (const auto& [name, ratio] : ratios)
+    told.push_back(fmt::format("{} {}{}", name, told.empty() ? fmt::format("{} ", words.takes) : "", times(ratio)));
+  const auto [least, most] = std::ranges::minmax(ratios, {}, &std::pair<std::string, double>::second);
+  return fmt::format("; {} {}{}",
+                     told.size() < most_named ? fmt::format("{}", fmt::join(told, ", "))
+                                              : fmt::format("{} others {} {} to {}", told.size(), words.take,
+                                                            number_text(least.second, 2), times(most.second)),
+                     words.as, as_whom);
+}
+
+// The sentence of the second question. All are held against one, who is ahead of most.
 std::string then_told(const Answer& answer, const Question& question) {
   const JudgedMetric& judged = *question.of;
   const Words& words =
       *std::ranges::find_if(all_words, [&](const Words& its) { return metric_of(answer, its) == &judged; });
-  Names best, losers, untested, told;
+  Names best, losers, untested, undecided, others;
   for (const Said& fact : question.said) {
     Names& who = fact.what == What::not_tested ? untested : fact.what == What::worse ? losers : best;
     who.insert(who.end(), fact.who.begin(), fact.who.end());
@@ -320,46 +314,41 @@ std::string then_told(const Answer& answer, const Question& question) {
   all.insert(all.end(), losers.begin(), losers.end());
   const Pairs pairs(judged, all);
   const auto is_ahead = [&](auto& one, auto& other) { return pairs.of(one, other) == Verdict::better; };
-  // All are held against one, who is ahead of most.
-  const auto ahead_of = [&](const std::string& name) {
-    return std::ranges::count_if(losers, [&](auto& loser) { return is_ahead(name, loser); });
-  };
-  const std::string first = best.empty() ? "" : *std::ranges::max_element(best, {}, ahead_of);
-  std::vector<double> ratios;
-  Names others;
-  for (const std::string& loser : losers) {
-    const Finding* const pair = pairs.finding(first, loser);
-    const Amount* const amount = pair && is_ahead(first, loser) ? amount_of(*pair) : nullptr;
-    if (!amount || pair->scale != Scale::ratio) {
-      others.push_back(loser);
-      continue;
-    }
-    ratios.push_back(pair->first == loser ? amount->value : 1 / amount->value);
-    told.push_back(
-        fmt::format("{} {}{}", loser, told.empty() ? fmt::format("{} ", words.takes) : "", times(ratios.back())));
-  }
   std::string text = question.before;
-  if (losers.empty())
-    text += question.said.front().what == What::same && untested.empty()
+  if (losers.empty()) {
+    text += question.said.front().what == What::circle
+                ? fmt::format("By {} each is worse than another", judged.observations.quantity)
+            : question.said.front().what == What::same && untested.empty()
                 ? fmt::format("By {} they are the same within {}", judged.observations.quantity, margin_words(judged))
-                : fmt::format("{} tells none of them apart", as_sentence(judged.observations.quantity));
-  else if (all_pairs(best, losers, is_ahead))
-    text += fmt::format(
-        "{} {}{}", names_of(best), best.size() == 1 ? words.is : words.are,
-        all_pairs(best, losers, [&](auto& one, auto& other) { return is_little(pairs.finding(one, other)); })
-            ? ", by less than " + margin_words(judged)
-            : "");
-  else
-    text += fmt::format("None is shown to {} than {}", words.than, names_of(best, " or "));
-  if (!told.empty())
-    text += fmt::format("; {} {}{}",
-                        told.size() < most_named
-                            ? fmt::format("{}", fmt::join(told, ", "))
-                            : fmt::format("{} others {} {} to {}", told.size(), words.take,
-                                          number_text(std::ranges::min(ratios), 2), times(std::ranges::max(ratios))),
-                        words.as, best.size() == 1 ? "" : " as " + first);
-  if (!told.empty() && !others.empty())
-    text += fmt::format("; {} {} worse than another", names_of(others), is_or_are(others));
+                : fmt::format("No difference in {} is shown", judged.observations.quantity);
+  } else {
+    const std::string first = *std::ranges::max_element(best, {}, [&](const std::string& name) {
+      return std::ranges::count_if(losers, [&](auto& loser) { return is_ahead(name, loser); });
+    });
+    const auto is_undecided = [&](auto& name) { return pairs.of(first, name) != Verdict::same && name != first; };
+    if (!all_pairs(best, losers, is_ahead)) {  // who may be anywhere is not named beside the first
+      undecided = who_of(best, is_undecided);
+      std::erase_if(best, is_undecided);
+    }
+    std::vector<std::pair<std::string, double>> ratios;
+    for (const std::string& loser : losers) {
+      const Finding* const pair = pairs.finding(first, loser);
+      const Amount* const amount = pair && is_ahead(first, loser) ? amount_of(*pair) : nullptr;
+      if (amount && pair->scale == Scale::ratio)
+        ratios.emplace_back(loser, pair->first == loser ? amount->value : 1 / amount->value);
+      else if (loser != first)
+        others.push_back(loser);
+    }
+    const auto is_so = [&](auto& one, auto& other) { return is_little(pairs.finding(one, other)); };
+    text += undecided.empty() && all_pairs(best, losers, is_ahead)
+                ? fmt::format("{} {}{}", names_of(best), best.size() == 1 ? words.is : words.are,
+                              all_pairs(best, losers, is_so) ? ", by less than " + margin_words(judged) : "")
+                : fmt::format("None is shown to {} than {}", words.than, names_of(best, " or "));
+    text += ratios_told(ratios, words, best.size() == 1 && undecided.empty() ? "" : " as " + first);
+    if (!ratios.empty() && !others.empty())
+      text += fmt::format("; {} {} worse than another", names_of(others), is_or_are(others));
+    if (!undecided.empty()) text += fmt::format("; not decided: {}", names_of(undecided));
+  }
   if (untested.empty()) return text + '.';
   const std::string why = why_not(answer, judged, untested);
   return fmt::format("{}; {} {} not judged{}.", text, names_of(untested), is_or_are(untested),

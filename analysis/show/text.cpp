@@ -29,14 +29,11 @@ std::string replaced(std::string_view text, std::span<const Substitute> substitu
   return result;
 }
 
-// Whether the words beside a blank stay on one line: a number and its unit, "* worse", "p < 0.05".
+// Whether the words beside a blank stay on one line: a number and what follows, "* worse", "p < 0.05".
 bool is_inseparable(std::string_view text, std::size_t blank) {
-  constexpr std::array<std::string_view, 5> units{"%", "cm", "mm", "deg", "ms"};
-  if (blank == 0 || blank >= text.size()) return false;
-  const std::string_view before = text.substr(0, blank), after = text.substr(blank + 1);
-  if (before.back() == '<' || before.back() == '*' || after.starts_with('<')) return true;
-  return before.back() >= '0' && before.back() <= '9' &&
-         std::ranges::any_of(units, [&](std::string_view unit) { return after.starts_with(unit); });
+  if (blank == 0 || blank + 1 >= text.size()) return false;
+  const char before = text[blank - 1], after = text[blank + 1];
+  return (before >= '0' && before <= '9') || before == '<' || before == '*' || after == '<';
 }
 
 // Narrows the widest columns until a row fits; no column becomes narrower than its longest word.
@@ -115,22 +112,21 @@ std::string number_text(double value, int digits) {
   return is_long ? fmt::format("{:.0f}", value) : text;
 }
 
-int digits_apart(double value, const Ends& from, int least) {
-  constexpr int most = 9;
-  if (!std::isfinite(value)) return least;
-  for (int digits = least; digits < most; ++digits) {
-    const double read = base::number_from(number_text(value, digits)).value_or(value);
-    const auto is_apart = [&](double end) { return (value < end) == (read < end) && (value > end) == (read > end); };
-    if (std::ranges::all_of(from, is_apart)) return digits;
-  }
-  return most;
+std::string number_beside(double value, const Ends& ends, int digits) {
+  const std::string text = number_text(value, digits);
+  const double read = base::number_from(text).value_or(value);
+  if (read == value || std::ranges::count(ends, read) == 0) return text;
+  return (value < read ? "< " : "> ") + text;
 }
 
-std::string p_text(double p, const Ends& from) {
-  return p < 0.0001 ? "< 0.0001" : number_text(p, digits_apart(p, from, p < 0.001 ? 2 : 3));
+std::string p_text(double p, const Ends& ends) {
+  return p < 0.0001 ? "< 0.0001" : number_beside(p, ends, p < 0.001 ? 2 : 3);
 }
 
-std::string p_sentence(double p, const Ends& from) { return (p < 0.0001 ? "p " : "p = ") + p_text(p, from); }
+std::string p_sentence(double p, const Ends& ends) {
+  const std::string text = p_text(p, ends);
+  return (text.starts_with('<') || text.starts_with('>') ? "p " : "p = ") + text;
+}
 
 std::string as_sentence(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));

@@ -20,11 +20,11 @@ std::string id_of(std::string_view name);        // letters, digits and "-": an 
 
 // 2430, not 2.4e+03: all digits before the point. "-" for a number that is not finite.
 std::string number_text(double value, int digits = 3);
-// So many digits, at least `least`, that readers see on which side of each of these ends the value lies.
+// Numbers that decide: one that three digits would round onto an end is "< 100".
 using Ends = std::vector<double>;
-int digits_apart(double value, const Ends& from, int least = 3);
-std::string p_text(double p, const Ends& from);      // "0.0005", "< 0.0001"
-std::string p_sentence(double p, const Ends& from);  // "p = 0.0005", "p < 0.0001"
+std::string number_beside(double value, const Ends& ends, int digits = 3);
+std::string p_text(double p, const Ends& ends);      // "0.0005", "< 0.0001", "< 0.05"
+std::string p_sentence(double p, const Ends& ends);  // "p = 0.0005", "p < 0.0001"
 // "A, B and C"; "A; B, C and D" where one is "B, C"
 std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");
 

@@ -82,11 +82,8 @@ std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
 }
 
 const VerdictWords& words_of(Verdict verdict) {
-  static constexpr std::array<VerdictWords, 5> all{{{"better", "is better than", Tone::good},
-                                                    {"worse", "is worse than", Tone::bad},
-                                                    {"same", "is the same as"},
-                                                    {"undecided", "is not decided against"},
-                                                    {"not_tested", "is not tested against"}}};
+  static constexpr std::array<VerdictWords, 5> all{
+      {{"better", Tone::good}, {"worse", Tone::bad}, {"same"}, {"undecided"}, {"not_tested"}}};
   return all[static_cast<std::size_t>(verdict)];
 }
 
@@ -151,7 +148,7 @@ std::string amount_words(const Finding& finding, const JudgedMetric& judged) {
     return often.empty() ? fmt::format("the same to 1e{:.0f}", std::ceil(std::log10(far))) : often;
   }
   std::string text = with_unit(number_text(amount->value), unit_of(finding, judged));
-  if (amount->interval) text += fmt::format(" ({})", interval_text(ends, number_text, ends_of(finding, judged)));
+  if (amount->interval) text += fmt::format(" ({})", interval_text(ends, ends_of(finding, judged)));
   return text;
 }
 
@@ -164,11 +161,11 @@ std::vector<std::vector<std::string>> pair_rows(const Answer& answer) {
     if (!has_two && (!is_decisive || std::ranges::all_of(judged.findings, are_equal))) continue;
     for (const Finding& finding : judged.findings) {
       if (!is_decisive && verdict_of(finding) == Verdict::not_tested) continue;
-      rows.push_back({one_line(fmt::format(
-                          "{}{} vs {}", has_two && answer.metrics.size() > 1 ? judged.observations.quantity + ": " : "",
-                          finding.first, finding.second)),
-                      verdict_words(finding, judged), amount_words(finding, judged),
-                      p_of(finding) ? p_sentence(*p_of(finding), {judged.plan.significance}) : ""});
+      rows.push_back(
+          {fmt::format("{}{} vs {}", has_two && answer.metrics.size() > 1 ? judged.observations.quantity + ": " : "",
+                       finding.first, finding.second),
+           verdict_words(finding, judged), amount_words(finding, judged),
+           p_of(finding) ? p_sentence(*p_of(finding), {judged.plan.significance}) : ""});
     }
   }
   return rows;

@@ -24,9 +24,9 @@ struct ByWord {
 };
 // "better", "same within 5 %", "not decided: all 20 equal", "not decided", "not tested: it takes 5"
 std::string verdict_words(const judge::Finding& finding, const judge::JudgedMetric& judged);
-// The verdicts' words: in JSON, and in a sentence.
+// A verdict in files of numbers, and its colour.
 struct VerdictWords {
-  std::string_view key, of_pair;
+  std::string_view key;
   Tone tone = Tone::neutral;
 };
 const VerdictWords& words_of(judge::Verdict verdict);

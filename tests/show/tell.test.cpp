@@ -31,7 +31,7 @@ Answer answer_of_three(std::vector<double> time_of_b, bool are_times_compared = 
 TEST_CASE("of whom the first metric leaves open the first of the plan that is judged is told", "[show]") {
   CHECK(second_sentence(answer_of_three(values_around(0.03, 0.3))) == "A is the fastest; B takes 3 times as long.");
   CHECK(second_sentence(answer_of_three(values_around(0.01, 0.2))) ==
-        "Time tells none of them apart.");  // a third question would have to share the second's significance
+        "No difference in time is shown.");  // a third question would have to share the second's significance
   CHECK(second_sentence(answer_of_three(values_around(0.03, 0.3), false)) ==
         "Time is not judged (not comparable). A needs the fewest evaluations; B takes 2 times as many.");
 }

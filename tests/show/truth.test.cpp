@@ -149,7 +149,7 @@ std::string wrong_in_tables(const Answer& answer) {
   }
   const auto count = [](const Table& table, auto is_so) { return std::ranges::count_if(table.rows, is_so); };
   const auto is_decided = [](const std::vector<Cell>& row) {
-    return std::get<Judgement>(row[11]).tone != Tone::neutral;
+    return std::get<Judgement>(row[7]).tone != Tone::neutral;
   };
   const auto decided =
       std::ranges::count_if(judged.findings, [](const Finding& finding) { return is_difference(verdict_of(finding)); });
