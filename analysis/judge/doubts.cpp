@@ -263,7 +263,7 @@ std::string words_of(const Doubt& doubt) {
       "{share} targets of a run out of reach, so no solver can solve them",
       "{share} targets were solved by nobody in any run (points {what})",
       "{who} gave the same {what} {count} times, or its spread was rounded away: not tested",
-      "a few values are most of the {what} of {who}, so pairs that hang on them stay open",
+      "few values decide the {what} of {who}; such pairs are left open",
       "{first} is better than {last} by ranks, though its {what} is worse"};
   std::string_view sentence = sentences[static_cast<std::size_t>(doubt.kind)];
   if (doubt.kind == DoubtKind::without_answer && doubt.what.empty())

@@ -18,7 +18,7 @@ void add_doubt(JudgedMetric& judged) {
   const auto is_left = [](const Finding& finding) { return is_open(finding, Open::Why::few_decide); };
   if (std::ranges::none_of(judged.findings, is_left)) return;
   for (const Group& group : judged.observations.groups)
-    if (does_one_value_decide(group)) doubt.who.push_back(group.name);
+    if (!untold(group) && does_one_value_decide(group)) doubt.who.push_back(group.name);
   judged.observations.doubts.push_back(std::move(doubt));
 }
 
