@@ -10,10 +10,8 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <mutex>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -82,7 +80,7 @@ void remove_litter(const fs::path& folder, const fs::path& scratch) {
     const std::string name = entry->path().filename().string();
     if (name.size() != scratch_name.size() || !name.starts_with(scratch_name.substr(0, scratch_name.find('X'))))
       continue;
-    const bool is_old = entry->last_write_time(ignored) < now - std::chrono::hours(24);
+    const bool is_old = entry->last_write_time(ignored) < now - std::chrono::hours(24) && !ignored;
     if (is_old && entry->symlink_status(ignored).type() == fs::file_type::directory)
       fs::remove_all(entry->path(), ignored);
   }
@@ -154,13 +152,25 @@ void refuse_links(const fs::path& folder) {
   }
 }
 
-std::optional<std::string> read_file(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) return std::nullopt;
-  return text.str();
+std::optional<std::string> read_file(const fs::path& file, std::uintmax_t enough) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (error == std::errc::io_error) refuse_place("read", file, error.value());  // else there can be none of this name
+  if (!fs::is_regular_file(status)) return std::nullopt;
+  const int descriptor =
+      ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // nor waits for news, as in /proc/kmsg
+  if (descriptor < 0) refuse_place("read", file, errno);
+  std::string text;
+  std::array<char, 1 << 16> part;
+  ssize_t size = 0;
+  do {
+    size = ::read(descriptor, part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+    error = last_error();
+  } while (text.size() <= enough && (size > 0 || (size < 0 && error == std::errc::interrupted)));
+  ::close(descriptor);
+  if (size < 0) refuse_place("read", file, error.value());
+  return text;
 }
 
 TemporaryFolder::TemporaryFolder(const fs::path& parent, const fs::path& result) {

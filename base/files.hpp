@@ -1,6 +1,7 @@
 // Writes files that are either whole or absent: under another name beside their place, then renamed.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -27,8 +28,9 @@ void refuse_links(const std::filesystem::path& folder);
 // Says that a place cannot be written or read: std::invalid_argument for a mistake of the user, as a place that is not
 // theirs, std::runtime_error for others, as a full disk or a limit.
 [[noreturn]] void refuse_place(std::string_view verb, const std::filesystem::path& place, int error);
-// Reads a regular file, where a link leads too; nothing if it cannot be read. A user's own: base/inputs.hpp.
-std::optional<std::string> read_file(const std::filesystem::path& file);
+// Reads a regular file, where a link leads too, until it has more than `enough` bytes; nothing if there is none. Throws
+// as refuse_place if it cannot be read. A user's own: base/inputs.hpp.
+std::optional<std::string> read_file(const std::filesystem::path& file, std::uintmax_t enough = UINTMAX_MAX);
 
 // A new folder .ikbench-XXXXXX inside another, for unfinished work; removed at the end, and what a killed process left
 // a day ago when the next is made. Nobody else's link or file is in it.

@@ -82,7 +82,8 @@ int exit_code_of(const std::exception& error) {
   // No space left, a store that another process writes, ...
   const bool is_of_system = dynamic_cast<const std::runtime_error*>(&error) != nullptr;
   const bool is_thread = of_system != nullptr && of_system->code() == std::errc::resource_unavailable_try_again;
-  cli::say_mistake(dynamic_cast<const std::bad_alloc*>(&error) != nullptr
+  cli::say_mistake(of_system != nullptr && std::ferror(stdout) != 0 ? unwritten
+                   : dynamic_cast<const std::bad_alloc*>(&error) != nullptr
                        ? "there is not enough memory (ulimit -v, or the machine's)"
                        : fmt::format("{}{}{}", is_mistake || is_of_system ? "" : "internal error: ", error.what(),
                                      is_thread ? " for a thread; raise ulimit -v or -u" : ""));

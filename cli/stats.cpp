@@ -35,9 +35,10 @@ std::string name_of_source(const std::string& file) { return file == "-" ? "stan
 
 std::string contents_of(const std::string& file) {
   if (file == "-") return base::csv_text(std::cin, name_of_source(file));
-  base::note_input(file);
+  std::error_code none;
+  if (std::filesystem::is_regular_file(file, none)) return base::text_of_file(file, base::max_csv_bytes);
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
+  if (!stream || std::filesystem::is_directory(file, none))
     throw std::invalid_argument(fmt::format("cannot read {}; expected a CSV file, or - for standard input", file));
   return base::csv_text(stream, file);
 }

@@ -156,7 +156,7 @@ bool lacks_locks(const std::string& file) {
             file, file));
       [[fallthrough]];
     case SQLITE_CANTOPEN:
-      if (errno == EMFILE) base::refuse_place("open", file, errno);
+      if (errno == EMFILE || errno == EIO) base::refuse_place("read", file, errno);
       try {  // SQLite forgets why it could not: a full disk refuses this, too
         base::TemporaryFolder(fs::absolute(file).parent_path(), file);
       } catch (const std::invalid_argument&) {

@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
+#include "base/inputs.hpp"
 #include "base/names.hpp"
 #include "numerics/random.hpp"
 
@@ -55,12 +55,7 @@ std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const
 
 }  // namespace
 
-std::string digest_of_file(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) throw std::invalid_argument(fmt::format("cannot read {}", file.string()));
-  return digest_of_text(text);
-}
+std::string digest_of_file(const fs::path& file) { return digest_of_text(base::text_of_file(file, UINTMAX_MAX)); }
 
 void list_fields(base::Fields& io, ProgramChoice& choice) {
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");

@@ -97,5 +97,19 @@ TEST_CASE("a scratch folder that cannot be made is reported with its place", "[f
   CHECK_THROWS_WITH(TemporaryFolder(folder.path / "file"), ContainsSubstring("/file'"));
 }
 
+TEST_CASE("a file that cannot be read is none without contents", "[files]") {
+  const ScratchFolder folder;
+  CHECK(read_file(folder.path / "none") == std::nullopt);
+  CHECK(read_file("/dev/zero") == std::nullopt);
+  write_file(folder.path / "a", std::string(100'000, 'x'));
+  CHECK(read_file(folder.path / "a")->size() == 100'000);
+  CHECK(read_file(folder.path / "a", 10)->size() < 100'000);
+#ifdef __linux__
+  CHECK_THAT(complaint<std::runtime_error>([&] { read_file("/proc/self/mem"); }), StartsWith("cannot read '/proc/"));
+#endif
+  fs::create_symlink("loop", folder.path / "loop");
+  CHECK(read_file(folder.path / "loop") == std::nullopt);
+}
+
 }  // namespace
 }  // namespace ikbench::base
