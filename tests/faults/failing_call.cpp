@@ -1,0 +1,95 @@
+// Loaded before everything else (LD_PRELOAD): of the calls for files that the process makes, that with the number
+// IKBENCH_FAILS fails once, as on a disk that is worn out. A file IKBENCH_CALLS then has its name; or, if none failed,
+// how many there are.
+#include <dirent.h>
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <utility>
+
+namespace {
+
+std::atomic<long> calls{0};
+
+void tell(const char* what) {
+  const auto file = syscall(SYS_openat, AT_FDCWD, getenv("IKBENCH_CALLS"), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  syscall(SYS_write, file, what, strlen(what));
+  syscall(SYS_close, file);
+}
+
+// Its own process alone: what it starts has other calls.
+struct Which {
+  Which() : number(getenv("IKBENCH_FAILS") == nullptr ? -1 : atol(getenv("IKBENCH_FAILS"))) {
+    unsetenv("LD_PRELOAD");
+    calls = 0;
+  }
+  ~Which() {
+    char text[32];
+    snprintf(text, sizeof(text), "%ld", calls.load());
+    if (number >= 0 && (number == 0 || number > calls)) tell(text);
+  }
+  const long number;
+};
+const Which which;
+
+bool fails(const char* call) {
+  if (++calls != which.number) return false;
+  tell(call);
+  errno = EIO;
+  return true;
+}
+
+}  // namespace
+
+// A function of that name, which calls the next one; under a name of its own to the compiler, since headers declare it
+// otherwise.
+#define CALL(Result, name, failed, parameters, ...)                                           \
+  extern "C" Result failing_##name parameters __asm__(#name);                                 \
+  extern "C" Result failing_##name parameters {                                               \
+    static const auto next = reinterpret_cast<Result(*) parameters>(dlsym(RTLD_NEXT, #name)); \
+    return fails(#name) ? (failed) : next(__VA_ARGS__);                                       \
+  }
+
+CALL(int, open, -1, (const char* file, int flags, mode_t mode), file, flags, mode)
+CALL(int, open64, -1, (const char* file, int flags, mode_t mode), file, flags, mode)
+CALL(int, openat, -1, (int folder, const char* file, int flags, mode_t mode), folder, file, flags, mode)
+CALL(FILE*, fopen64, nullptr, (const char* file, const char* mode), file, mode)
+CALL(DIR*, opendir, nullptr, (const char* folder), folder)
+CALL(DIR*, fdopendir, nullptr, (int folder), folder)
+CALL(int, stat, -1, (const char* file, struct stat* its), file, its)
+CALL(int, lstat, -1, (const char* file, struct stat* its), file, its)
+CALL(int, stat64, -1, (const char* file, struct stat64* its), file, its)
+CALL(int, lstat64, -1, (const char* file, struct stat64* its), file, its)
+CALL(int, fstat64, -1, (int file, struct stat64* its), file, its)
+CALL(int, access, -1, (const char* file, int how), file, how)
+CALL(int, fcntl, -1, (int file, int what, void* with), file, what, with)
+CALL(int, fcntl64, -1, (int file, int what, void* with), file, what, with)
+CALL(ssize_t, read, -1, (int file, void* into, size_t size), file, into, size)
+CALL(ssize_t, pread64, -1, (int file, void* into, size_t size, off64_t at), file, into, size, at)
+CALL(ssize_t, write, -1, (int file, const void* of, size_t size), file, of, size)
+CALL(ssize_t, writev, -1, (int file, const iovec* of, int count), file, of, count)
+CALL(ssize_t, pwrite64, -1, (int file, const void* of, size_t size, off64_t at), file, of, size, at)
+CALL(void*, mmap64, reinterpret_cast<void*>(-1),
+     (void* at, size_t size, int protection, int flags, int file, off64_t from), at, size, protection, flags, file,
+     from)
+CALL(int, fsync, -1, (int file), file)
+CALL(int, fdatasync, -1, (int file), file)
+CALL(int, ftruncate64, -1, (int file, off64_t size), file, size)
+CALL(int, fchmod, -1, (int file, mode_t mode), file, mode)
+CALL(int, rename, -1, (const char* file, const char* name), file, name)
+CALL(int, unlink, -1, (const char* file), file)
+CALL(int, unlinkat, -1, (int folder, const char* file, int flags), folder, file, flags)
+CALL(int, rmdir, -1, (const char* folder), folder)
+CALL(int, mkdir, -1, (const char* folder, mode_t mode), folder, mode)
+CALL(char*, mkdtemp, nullptr, (char* folder), folder)
+// It is closed all the same, as on Linux.
+CALL(int, close, (static_cast<void>(next(file)), errno = EIO, -1), (int file), file)
