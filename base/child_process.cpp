@@ -5,14 +5,19 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/select.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -59,36 +64,9 @@ struct Pipe {
   std::array<int, 2> ends{};  // the reading end, the writing end
 };
 
-// A program may leave the group that it was started in, as coreutils' timeout does, and lead its own.
-void kill_all(pid_t group, pid_t process) {
-  if (::getpgid(process) == process) ::kill(-process, SIGKILL);
-  ::kill(process, SIGKILL);
-  ::kill(-group, SIGKILL);
-}
-
-// Starts a process that leads a group, reads the number of the program's process from the lifeline, waits until nobody
-// holds its other end, and ends all. It survives whatever happens to our process, and calls nothing that needs a lock.
-pid_t start_guard(int lifeline) {
-  const pid_t guard = ::fork();
-  if (guard != 0) {
-    if (guard > 0) ::setpgid(guard, guard);
-    return guard;
-  }
-  ::setpgid(0, 0);
-  for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGPIPE}) ::signal(signal, SIG_IGN);
-  ::dup2(lifeline, STDIN_FILENO);
-  closefrom(STDIN_FILENO + 1);
-  pid_t process = 0;
-  while (::read(STDIN_FILENO, &process, sizeof(process)) > 0) {  // its number, then nothing until the end
-  }
-  if (process > 0) kill_all(::getpid(), process);
-  ::kill(0, SIGKILL);
-  ::_exit(0);
-}
-
 // Returns an error number, or 0 if the process runs.
 int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem::path& folder,
-          std::vector<std::string>& own_variables, pid_t group, const std::array<int, 3>& descriptors) {
+          std::vector<std::string>& own_variables, const std::array<int, 3>& descriptors) {
   std::vector<char*> arguments, variables;
   for (std::string& word : words) arguments.push_back(word.data());
   for (std::string& assignment : own_variables) variables.push_back(assignment.data());
@@ -111,7 +89,6 @@ int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem
   sigfillset(&all);
   ::posix_spawnattr_setsigmask(&attributes, &none);
   ::posix_spawnattr_setsigdefault(&attributes, &all);
-  ::posix_spawnattr_setpgroup(&attributes, group);
   ::posix_spawnattr_setflags(&attributes,
                              start_flags | POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   const int error = ::posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), variables.data());
@@ -125,26 +102,78 @@ void bury(pid_t process, int* status = nullptr) {
   }
 }
 
+// The program's parent: waits until the program ends or nobody holds the other end of the lifeline, ends all that is
+// left of it, and ends as it did. It survives whatever happens to our process, and calls nothing that needs a lock, but
+// for malloc, which C libraries hand over in order.
+template <class Spawn>
+[[noreturn]] void guard(int lifeline, int told, Spawn&& start) {
+  ::setpgid(0, 0);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGPIPE}) ::signal(signal, SIG_IGN);
+  ::signal(SIGCHLD, [](int) {});
+#ifdef PR_SET_CHILD_SUBREAPER
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  ::prctl(PR_SET_DUMPABLE, 0);  // one core is enough
+#endif
+  sigset_t none, of_children;
+  sigemptyset(&none);
+  of_children = none;
+  sigaddset(&of_children, SIGCHLD);
+  ::sigprocmask(SIG_SETMASK, &of_children, nullptr);  // it comes while we wait, and then alone
+  pid_t process = 0;
+  const int error = start(process);
+  const pid_t said = error == 0 ? process : -error;
+  if (::write(told, &said, sizeof(said)) < 0 || error != 0) ::_exit(0);
+  ::dup2(lifeline, STDIN_FILENO);
+  closefrom(STDIN_FILENO + 1);
+  bool is_over = false;
+  int status = 0;
+  pid_t ended = 0;
+  for (int tries = 0; ended >= 0 && tries < 1000;) {  // a second, as one may wait for a disk for ever
+    fd_set ends;
+    FD_ZERO(&ends);
+    FD_SET(STDIN_FILENO, &ends);
+    if (!is_over) is_over = ::pselect(1, &ends, nullptr, nullptr, nullptr, &none) > 0;
+    int its = 0;
+    while ((ended = ::waitpid(-1, &its, WNOHANG)) > 0)
+      if (ended == process) is_over = true, status = its;
+    if (!is_over || ended < 0) continue;
+    ::kill(-process, SIGKILL), ::kill(process, SIGKILL);   // it may have left the group
+    std::ifstream children("/proc/thread-self/children");  // with those whose parents have just ended
+    for (pid_t child = 0; children >> child;) ::kill(child, SIGKILL);
+    ::usleep(1000);
+    ++tries;
+  }
+  if (!WIFSIGNALED(status)) ::_exit(WEXITSTATUS(status));
+  ::signal(WTERMSIG(status), SIG_DFL);
+  ::raise(WTERMSIG(status));
+  ::_exit(1);
+}
+
 }  // namespace
 
 ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder,
                            std::vector<std::string> variables) {
-  Pipe input, output, errors, lifeline;
-  guard_ = start_guard(lifeline.ends[0]);
+  Pipe input, output, errors, lifeline, told;
+  guard_ = ::fork();
+  if (guard_ == 0)
+    guard(lifeline.ends[0], told.ends[1], [&](pid_t& process) {
+      return spawn(process, words, folder, variables, {input.ends[0], output.ends[1], errors.ends[1]});
+    });
   if (guard_ < 0) throw std::runtime_error(fmt::format("no process starts: {}; raise ulimit -u", std::strerror(errno)));
-  const int error = spawn(process_, words, folder, variables, guard_, {input.ends[0], output.ends[1], errors.ends[1]});
-  if (error != 0) {
-    ::kill(guard_, SIGKILL);
+  ::close(told.take(1));
+  while (::read(told.ends[0], &process_, sizeof(process_)) < 0 && errno == EINTR) {
+  }
+  if (process_ < 0) {
+    const int error = -process_;
     bury(guard_);
+    std::error_code none;
     throw std::invalid_argument(fmt::format(
         "cannot start \"{0}\": {1}", words[0],
-        error == ENOENT && std::filesystem::exists(folder / words[0])
+        error == ENOENT && std::filesystem::exists(folder / words[0], none)
             ? fmt::format("it is not on the PATH; the file here is ./{}, or its interpreter comes first", words[0])
             : std::strerror(error)));
   }
   lifeline_ = lifeline.take(1);
-  while (::write(lifeline_, &process_, sizeof(process_)) < 0 && errno == EINTR) {
-  }
   input_ = input.take(1);
   output_ = output.take(0);
   errors_ = errors.take(0);
@@ -168,7 +197,7 @@ ChildProcess::Ran ChildProcess::run(const std::vector<std::string>& words, const
 }
 
 bool ChildProcess::is_running() {
-  if (!has_ended_) has_ended_ = ::waitpid(process_, &status_, WNOHANG) == process_;
+  if (!has_ended_) has_ended_ = ::waitpid(guard_, &status_, WNOHANG) == guard_;
   return !has_ended_;
 }
 
@@ -248,13 +277,13 @@ void ChildProcess::end(std::chrono::milliseconds patience) {
   for (const auto until = Clock::now() + patience; is_running() && Clock::now() < until;) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  kill_all(guard_, has_ended_ ? guard_ : process_);  // its children may be left, and the guard
-  if (!has_ended_) bury(process_, &status_);
+  close_one(lifeline_);
+  if (!has_ended_) bury(guard_, &status_);
   has_ended_ = true;
+  if (WIFSIGNALED(status_)) ::kill(-process_, SIGKILL);  // the guard may have been killed, and not it
   if (errors_ >= 0) drain(errors_, wrote_);
-  bury(guard_);
   guard_ = -1;
-  for (int* descriptor : {&lifeline_, &output_, &errors_}) close_one(*descriptor);
+  for (int* descriptor : {&output_, &errors_}) close_one(*descriptor);
 }
 
 std::string ChildProcess::end_after(Trouble::Kind trouble) {

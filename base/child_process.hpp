@@ -1,5 +1,5 @@
-// Another program, run without a shell. It has its own process group and none of our descriptors, and it ends when our
-// process ends, for whatever reason.
+// Another program, run without a shell. It has its own process group and none of our descriptors. It ends when our
+// process ends, for whatever reason, and what it started ends with it, on Linux also what left its group.
 #pragma once
 
 #include <sys/types.h>
@@ -47,7 +47,7 @@ class ChildProcess {
 
   bool is_running();
   double cpu_seconds() const;  // of all its threads; 0 if unknown
-  // Closes its standard input, waits for `patience`, then ends its whole group by force.
+  // Closes its standard input, waits for `patience`, then ends it and all that it started by force.
   void end(std::chrono::milliseconds patience);
   // Ends it after a trouble; returns how it ended by itself and its last words, " (exit code 3); its last words: x". If
   // it ended by itself, takes 0.1 s more, in which a signal to all processes of a job reaches ours, too.
@@ -59,7 +59,7 @@ class ChildProcess {
   // Waits until it can write (to `input`, if that is open) or has read something.
   void wait(int input, Clock::time_point deadline, const char* what);
 
-  pid_t guard_ = -1;  // leads the group, and ends it when our process is gone
+  pid_t guard_ = -1;  // its parent, which ends it when our process is gone, and then as it did
   pid_t process_ = -1;
   int lifeline_ = -1;  // open as long as our process lives
   int input_ = -1, output_ = -1, errors_ = -1;

@@ -1,5 +1,7 @@
 #include "base/child_process.hpp"
 
+#include <signal.h>
+
 #include "tests/common.hpp"
 
 using namespace ikbench::base;
@@ -16,4 +18,15 @@ TEST_CASE("a line ends as Unix or Windows ends it") {
   const auto deadline = Clock::now() + std::chrono::minutes(1);
   CHECK(child.read_line(deadline) == "a");
   CHECK(child.read_line(deadline) == "b");
+}
+
+TEST_CASE("what a program leaves behind ends with it, also what has a session of its own") {
+#ifdef __linux__
+  for (const char* leaves : {"sleep 1000 & echo $!", "setsid sleep 1000 & echo $!",
+                             "(setsid sh -c 'echo $$; sleep 1000 & exec sleep 1000' &); sleep 0.2"}) {
+    const auto ran = ChildProcess::run({"sh", "-c", leaves}, {}, {});
+    CHECK(ran.succeeded);
+    CHECK(::kill(std::stoi(ran.output), 0) != 0);
+  }
+#endif
 }
