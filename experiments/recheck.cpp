@@ -174,6 +174,21 @@ TakeSolve recheck_of(const StoredStudy& study) {
   };
 }
 
+namespace {
+
+// Throws where the key is of a built-in solver's source, and the name is not its own.
+void check_name(const StoredStudy& study, const Series& series) {
+  std::vector<std::string> names;
+  for (const solvers::SolverInfo& info : solvers::all_solvers())
+    if (info.library.empty() && series.key.ends_with(source_key({.solver = info.name}))) names.push_back(info.name);
+  if (names.empty() || std::ranges::count(names, series.algorithm) > 0) return;
+  throw std::invalid_argument(fmt::format("study {}, {}: its solves are by {}, not by {}; the name was changed since",
+                                          study.name, one_line(front(series.label, 60)), names.front(),
+                                          one_line(front(series.algorithm, 60))));
+}
+
+}  // namespace
+
 SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int64_t most,
                         const std::function<void(const Progress&)>& progress) {
   Study study;
@@ -183,6 +198,7 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
   std::map<std::string, SolverEntry> entries;  // by label
   std::map<std::string, SolveRunner> runners;
   for (const Series& series : stored.series) {
+    check_name(stored, series);
     std::optional<SolverEntry> entry = built_in(series);
     if (!entry)
       found.foreign.push_back(series.label);

@@ -168,6 +168,11 @@ TEST_CASE("solves are made again from the store alone, and another bit or count 
     CHECK_THAT(complaint<std::invalid_argument>([&] { found_in(what.c_str(), forged); }),
                ContainsSubstring("made again, it has " + what));
   }
+  StoredStudy renamed = entry;
+  renamed.series.front().algorithm = "newton";
+  const ScratchStore empty;
+  CHECK_THAT(complaint<std::invalid_argument>([&] { solve_again(empty, renamed, 1000); }),
+             ContainsSubstring("its solves are by ik_bat, not by newton"));
   StoredStudy odd = entry;
   for (const char* population : {"\"x\"", "-5", "1e300", "2000000000"}) {
     odd.series.front().options = fmt::format("{{\"population\": {}}}", population);
