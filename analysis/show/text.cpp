@@ -31,7 +31,7 @@ std::string replaced(std::string_view text, std::span<const Substitute> substitu
 
 // Whether the words beside a blank stay on one line: a number and what follows, "* worse", "p < 0.05".
 bool is_inseparable(std::string_view text, std::size_t blank) {
-  if (blank == 0 || blank + 1 >= text.size()) return false;
+  if (blank == 0 || blank >= text.size() - 1) return false;
   const char before = text[blank - 1], after = text[blank + 1];
   return (before >= '0' && before <= '9') || before == '<' || before == '*' || after == '<';
 }
