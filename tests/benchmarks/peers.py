@@ -49,7 +49,7 @@ def theirs(peer, label, seed, points):
     rows = [list(map(float, row.split())) for row in rows]
     each = len(rows) // len(points)  # a place, then its solves
     assert all(math.dist(row, place) < 1e-12 for row, (_, place, _) in zip(rows[::each], points)), f"the arm of {peer} is another"
-    return " " + version, [(s, 100 * e, n) for i, (s, e, n) in enumerate(rows) if i % each]
+    return f" ({version})", [(s, 100 * e, n) for i, (s, e, n) in enumerate(rows) if i % each]
 
 
 def p_of_same(a, b):
@@ -60,13 +60,21 @@ def p_of_same(a, b):
     return math.erfc(abs(u - n * m / 2) / math.sqrt(n * m / 6 * (n + m + 1 - ties) or 1))
 
 
+def short(x):
+    return f"{float(f'{x:.3g}'):g}"
+
+
+def p_text(p):
+    return f" (p {p:.2g})" if p > 1e-15 else " (p < 1e-15)"
+
+
 def row(label, name, pairs, solves, reference, differs):
     """A line of the table; pairs are the times of a solve by it and by ours [s]."""
     errors = [error for _, error, _ in solves]
     far = [error > FAR_CM for error in errors]
-    p = lambda a, of: f" (p {p_of_same(a, [of(e) for e in reference]):.2g})" if reference else ""
+    p = lambda a, of: p_text(p_of_same(a, [of(e) for e in reference])) if reference else ""
     ratios = [it / our for it, our in pairs]
-    print(f"| {label} | {name} | {median(ratios):.3g}{f' ({min(ratios):.3g} to {max(ratios):.3g})' if reference else ''} |",
+    print(f"| {label} | {name} | {short(median(ratios))}{f' ({short(min(ratios))} to {short(max(ratios))})' if reference else ''} |",
           " | ".join(f"{1e3 * median(times):.3g}" for times in zip(*pairs)),
           f"| {'/'.join(f'{n:g}' for n in sorted({n for *_, n in solves}))} | {len(solves)} | {100 * sum(far) / len(far):.3g} %"
           f"{p(far, lambda e: e > FAR_CM)} | {', '.join(f'{q:.2g}' for q in quantiles(errors, n=4))}{p(errors, float)} | {differs} |", flush=True)
@@ -74,7 +82,7 @@ def row(label, name, pairs, solves, reference, differs):
 
 def draw(times):
     """One line a library, with the times of a solve [s] by each algorithm."""
-    names = list(dict.fromkeys(name for _, name in times))
+    names = [name for name in ("ikbench", *(name for name, _ in PEERS.values())) if any(name == of for _, of in times)]
     (out / "peers.gp").write_text(f"""set terminal svg size 560,{24 * len(names) + 70} dynamic font 'Liberation Sans,12' background '#ffffff'
 set output '{out}/peers.svg'
 set logscale x
@@ -118,7 +126,7 @@ for label in LABELS:
         row(label, name + version, pairs, solves, reference, differs.get(label, ""))
         times.setdefault((label, "ikbench"), []).extend(our for _, our in pairs)
         times[label, name] = [its for its, _ in pairs]
-for name in missing:
+for name in sorted(missing):
     print(f"not installed: {name}; ./setup --with-peers installs it", file=sys.stderr)
 if not times:
     sys.exit(1)

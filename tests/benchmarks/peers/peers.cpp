@@ -129,7 +129,7 @@ Joints solve(bool is_by_hand, bool is_pso, const Place& target, unsigned seed) {
 
 int main(int, char** arguments) {
   const bool is_by_hand = arguments[1] == std::string("hand"), is_pso = arguments[2] == std::string("PSO");
-  std::printf("%s\n", is_by_hand ? __VERSION__ : PAGMO_VERSION);
+  std::printf("%s\n", is_by_hand ? "g++ " __VERSION__ : PAGMO_VERSION);
   unsigned seed = std::atoi(arguments[3]);
   Joints q;
   for (Place to; std::scanf("%lf %lf %lf %lf %lf %lf %lf", &to[0], &to[1], &to[2], &q[0], &q[1], &q[2], &q[3]) == 7;) {
