@@ -50,7 +50,8 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
 }
 
 void check_plan(const Study& study) {
-  if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric));
+  const std::vector<judge::Metric> all = judge::metrics_of(study);
+  if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, all));
 }
 
 std::filesystem::path store_in(const std::filesystem::path& folder) { return folder / "store.sqlite"; }
@@ -96,7 +97,8 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
         "another program has {0} open, so part of the data is still in {1}; copy both files together, or close "
         "that program and run this command again to merge them",
         files[0].string(), files[1].string()));
-  if (!std::ranges::all_of(study.solvers, std::logical_not(), &SolverEntry::program)) {  // they write where users can
+  const auto may_meddle = [](const SolverEntry& entry) { return entry.program != nullptr; };
+  if (study.checker || std::ranges::any_of(study.solvers, may_meddle)) {  // a program can write where its user can
     const std::int64_t there = Store(store_in(folder), Store::Mode::read).number_of_solves(stored);
     if (there < progress.done)
       throw std::runtime_error(fmt::format(

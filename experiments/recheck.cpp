@@ -18,6 +18,7 @@
 #include "experiments/solve_runner.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
+#include "results/export.hpp"
 #include "robots/robot.hpp"
 #include "solvers/registry.hpp"
 
@@ -98,6 +99,19 @@ bool may_spend(const StopRule& stop, Kind kind, const SolveRecord& solve) {
          !is_over({.evaluations = solve.evaluations, .iterations = solve.iterations}, stop);
 }
 
+// What the study's check said of the answer, if it reached: all its numbers, and one fault if it is invalid.
+void refuse_wrong_check(const Definition& study, const SolveRecord& solve) {
+  const bool has_check = !study.check.digest.empty(), is_invalid = solve.status == Status::invalid;
+  const auto is_there = [&](const std::string& number) {
+    const auto extra = solve.extras.find(fmt::format("{}{}", check_extra, number));
+    return extra != solve.extras.end() && std::isfinite(extra->second);
+  };
+  const auto is_fault = [](const auto& extra) { return extra.first.starts_with(invalid_extra); };
+  const bool are_there = !is_reached(solve.status) || std::ranges::all_of(study.check.numbers(), is_there);
+  if (has_check ? !are_there || std::ranges::count_if(solve.extras, is_fault) != is_invalid : is_invalid)
+    refuse(solve, "its status or extras are not what the study's check gives");
+}
+
 void check(const Definition& study, const Robot& arm, Kind kind, const SolveRecord& solve) {
   if (const std::string_view column = negative_column(solve); !column.empty())
     refuse(solve, fmt::format("{} is below 0", column));
@@ -130,7 +144,8 @@ void check(const Definition& study, const Robot& arm, Kind kind, const SolveReco
   if (solve.status == Status::not_finite && solve.stop_reason != StopReason::not_finite &&
       std::isfinite(computed.position_error + computed.orientation_error))
     refuse(solve, "its status is not_finite, but its numbers are finite");
-  if (!is_in_order(solve.status) && solve.status != Status::limit_violated)
+  refuse_wrong_check(study, solve);
+  if (!is_in_order(solve.status) && solve.status != Status::invalid && solve.status != Status::limit_violated)
     return;  // what was answered is not stored: the arm stayed, or the claim decided
   const auto status = [&](double rounding) {
     constexpr double least = std::numeric_limits<double>::min();  // 0 would be no tolerance
@@ -139,7 +154,8 @@ void check(const Definition& study, const Robot& arm, Kind kind, const SolveReco
     stop.tolerance = about(stop.tolerance), stop.angle_tolerance = about(stop.angle_tolerance);
     return status_by(computed, {.claimed_error = computed.position_error, .stop = stop});
   };
-  if (solve.status != status(1e-8) && solve.status != status(-1e-8))
+  const Status reached = solve.status == Status::invalid ? Status::ok : solve.status;
+  if (reached != status(1e-8) && reached != status(-1e-8))
     refuse(solve,
            fmt::format("status is {}, but {} follows from the answer", name_of(solve.status), name_of(status(0))));
 }
@@ -202,7 +218,7 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
     std::optional<SolverEntry> entry = built_in(series);
     if (!entry)
       found.foreign.push_back(series.label);
-    else if (!series.key.ends_with(source_key(*entry)))
+    else if (!series.key.ends_with(source_key(*entry, study.check)))
       found.of_other_source.push_back(series.label);
     else if (study.stop.seconds == 0)
       runners.try_emplace(series.label, study, entries[series.label] = *entry, series.key, *study.robot_of_file);
@@ -227,7 +243,8 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
       const auto compare = [&](const char* column, const auto& made, const auto& of_store) {
         if (made != of_store) refuse(solve, fmt::format("made again, it has {} {}, not {}", column, made, of_store));
       };
-      compare("status", name_of(again.status), name_of(solve.status));
+      const bool is_same = again.status == Status::ok && is_reached(solve.status);  // no check is asked again
+      compare("status", name_of(is_same ? solve.status : again.status), name_of(solve.status));
       compare("stop_reason", name_of(again.stop_reason), name_of(solve.stop_reason));
       compare("evaluations", again.evaluations, solve.evaluations);
       compare("iterations", again.iterations, solve.iterations);

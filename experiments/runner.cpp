@@ -136,6 +136,19 @@ std::optional<SolveRecord> undisturbed(PauseWatch& pauses, const IsOver& is_over
                   most_tries));
 }
 
+// Asks the study's check of an answer that reached, unless a stop comes meanwhile.
+bool is_checked(const Work& work, std::unique_ptr<ChildProcess>& checker, SolveRecord& record, const IsOver& is_over) {
+  try {
+    if (work.study.checker && record.status == Status::ok) check_answer(work.study, work.arm, checker, record);
+    return true;
+  } catch (const Trouble& trouble) {
+    const std::string told = trouble.why + (checker ? checker->end_after(trouble.kind) : "");
+    if (is_over()) return false;
+    throw std::invalid_argument(fmt::format("[check] of {}, run {}, point {}: {}; what is stored is kept", record.label,
+                                            record.run, record.point, told));
+  }
+}
+
 // A drawn order of the solvers; each second turn has that of the turn before, from its end.
 std::vector<std::size_t> order_of(const Study& study, std::vector<std::size_t> solvers, int turn) {
   numerics::Random random(numerics::Key(study.seed).with("order").with(static_cast<std::uint64_t>((turn + 1) / 2)));
@@ -148,6 +161,7 @@ std::vector<std::size_t> order_of(const Study& study, std::vector<std::size_t> s
 // A worker's solvers for a session, and the targets and starts of the run that it is at, which may take long to draw.
 struct Bench {
   std::vector<std::unique_ptr<solvers::Solver>> solvers = {};
+  std::unique_ptr<ChildProcess> checker = {};  // null until it is needed
   int at_run = 0;
   std::vector<Pose> poses = {};
   std::vector<Configuration> own_starts = {};
@@ -185,6 +199,13 @@ void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, cons
     const auto end = group + 1 == groups ? parts.end() : first + static_cast<std::ptrdiff_t>(together);
     const SolveRunner& solve_runner = work.solve_runners[s];
     solvers::Solver& solver = *bench.solvers[its];
+    const auto hand_in = [&](SolveRecord& record) {
+      if (!is_checked(work, bench.checker, record, is_over)) return false;
+      if (check) check(record);
+      record_queue.hand_in(std::move(record));
+      return true;
+    };
+    std::vector<SolveRecord> hot;  // are checked behind the last call, which that would cool
     for (auto part = first; is_hot && part != end && !is_over(); ++part)
       solve_runner.heat(solver, bench.call_at(work, part->run, part->first, work.study.initial));
     for (auto part = first; part != end; ++part) {
@@ -195,13 +216,16 @@ void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, cons
         const Call call = bench.call_at(work, part->run, point, left_arm);
         std::optional<SolveRecord> record =
             undisturbed(pauses, is_over, [&] { return solve_runner.solve(solver, call); });
-        if (!record) return;
-        if (check) check(*record);
+        if (!record) break;
         if (!is_over()) solve_runner.count_failure(solver);
         if (moves_arm(*record, work.study.start)) left_arm = vector_of(record->answer_rad);
-        record_queue.hand_in(std::move(*record));
+        if (is_hot && work.study.checker)
+          hot.push_back(std::move(*record));
+        else if (!hand_in(*record))
+          break;
       }
     }
+    std::ranges::all_of(hot, hand_in);
   };
   try {
     share_out(groups * solvers.size(), jobs, cancelled, work_on);

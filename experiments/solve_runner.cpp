@@ -41,15 +41,6 @@ double thread_interruptions() {
 
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
 
-// The text of the arm's URDF file; empty if it is of none, or some of its joints are not searched.
-std::string own_urdf(const Study& study, const SolverEntry& entry, bool are_all_searched) {
-  const std::filesystem::path file = entry.program->folder / study.robot;
-  std::error_code none;
-  const bool is_whole =
-      are_all_searched && robots::is_urdf_file(study.robot) && std::filesystem::is_regular_file(file, none);
-  return is_whole ? text_of_file(file) : "";
-}
-
 // What a solver does to rounding, traps and subnormal numbers ends with its solve.
 struct OwnArithmetic {
   OwnArithmetic() { std::fegetenv(&before); }
@@ -104,9 +95,9 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::stri
       is_counted_(entry.program || info_of(entry).is_counted) {
   if (!entry.program) return;
   conversations_ = std::make_unique<Conversations>(
-      entry.program,
-      robot_message(arm, task_.arm(), task_.goal(Pose::Identity()),
-                    own_urdf(study, entry, task_.arm().joints() == arm.joints()), entry.program->hello, options_));
+      entry.program, robot_message(arm, task_.arm(), task_.goal(Pose::Identity()),
+                                   task_.arm().joints() == arm.joints() ? own_urdf(*entry.program, study.robot) : "",
+                                   entry.program->hello, options_));
 }
 
 std::unique_ptr<Solver> SolveRunner::make_solver() const {

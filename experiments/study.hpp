@@ -56,6 +56,7 @@ struct Study : results::StudyData {
   Eigen::VectorXd initial;  // [rad], all joints; the arm before the first point of a run
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;
+  std::shared_ptr<const Program> checker;  // of answers that reached; null: there is no check
   std::vector<LeftOut> left_out;
   std::vector<std::string> notes;  // what of it was not taken as it stands
 };

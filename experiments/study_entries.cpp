@@ -35,23 +35,8 @@ void leave_out(TomlReader& entry, const std::string& what, const std::string& wh
   throw left_out;
 }
 
-// Starts the program to read its name and options. Throws LeftOut if it does not start and may be left out.
-std::shared_ptr<const Program> read_program(TomlReader& reader) {
-  constexpr std::string_view key = "process";
-  ProgramChoice choice;
-  list_fields(reader, choice);
-  if (choice.process.empty() || choice.process[0].empty())
-    reader.fail(key, *reader.find(key), "a program, and its arguments");
-  try {
-    return meet(choice, folder_of(reader, key));
-  } catch (const std::invalid_argument& error) {
-    leave_out(reader, choice.process[0], error.what());
-    throw reader.mistake(key, fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
-  }
-}
-
-// Reads what an entry is: a built-in solver or a program. Throws LeftOut as read_program does, also for a library that
-// this program was built without.
+// Reads what an entry is: a built-in solver or a program. Throws LeftOut if a program does not start, or this one was
+// built without a library, and the entry may be left out.
 void read_kind(TomlReader& reader, SolverEntry& entry) {
   reader.text("solver", entry.solver);
   const bool is_program = reader.find("process") != nullptr;
@@ -62,7 +47,7 @@ void read_kind(TomlReader& reader, SolverEntry& entry) {
                                      : "a [[solvers]] has no `solver` and no `process`; see: ikbench list solvers"));
   }
   if (is_program) {
-    entry.program = read_program(reader);
+    entry.program = read_program(reader, true);
     entry.solver = entry.program->hello.name;
     return;
   }
@@ -211,6 +196,21 @@ std::vector<SolverEntry> read_entry(TomlReader reader) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Program> read_program(TomlReader& reader, bool is_of_entry) {
+  constexpr std::string_view key = "process";
+  ProgramChoice choice;
+  list_fields(reader, choice);
+  if (choice.process.empty() || choice.process[0].empty())
+    throw reader.mistake(key, reader.prefix() + "process is missing or empty; expected a program, and its arguments");
+  try {
+    return meet(choice, folder_of(reader, key));
+  } catch (const std::invalid_argument& error) {
+    if (is_of_entry) leave_out(reader, choice.process[0], error.what());
+    throw reader.mistake(key, fmt::format("{}: {}{}", choice.process[0], error.what(),
+                                          is_of_entry ? "; see: ikbench check-solver" : ""));
+  }
+}
 
 void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
   constexpr std::string_view key = "solvers", expected = "1 to 400 tables [[solvers]] with solver = \"...\"";

@@ -20,7 +20,9 @@ constexpr std::string_view not_enforced =
 // key=value".
 void override_one(toml::table& study, const std::string& text);
 
-// study_entries.cpp: the solvers of a study, a sweep as one entry per combination.
+// study_entries.cpp: starts the program of an entry, or of the check, to read its name and options.
+std::shared_ptr<const Program> read_program(base::TomlReader& reader, bool is_of_entry);
+// The solvers of a study, a sweep as one entry per combination.
 void read_solvers(base::TomlReader& reader, Study& study, const Robot& arm);
 
 // What `make` makes; what it says is wrong is a mistake of this key.

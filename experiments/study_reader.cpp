@@ -12,6 +12,7 @@
 #include "base/inputs.hpp"
 #include "base/names.hpp"
 #include "base/toml_table.hpp"
+#include "experiments/foreign/program.hpp"
 #include "experiments/study_parts.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/task.hpp"
@@ -129,6 +130,13 @@ void check_stop(const TomlReader& stop, const Study& study) {
   }
 }
 
+void read_check(TomlReader reader, Study& study) {
+  list_fields(reader, study.check);
+  study.checker = read_program(reader, false);
+  study.check.process = study.checker->choice.process, study.check.digest = study.checker->digest;
+  reader.refuse_unknown_keys();
+}
+
 // Checks the study as it was read, but for its entries.
 void check_study(const TomlReader& reader, const Study& study, const Robot& arm) {
   const auto refuse_if = [&](bool is_wrong, std::string_view key, std::string_view message) {
@@ -148,6 +156,8 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
   refuse_if(
       study.state == results::State::hot && study.is_chained(), "state",
       "state is \"hot\", but start = \"previous\", so that a solver makes a run in a row; expected another start");
+  refuse_if(study.checker && !study.has_tolerance(), "check",
+            "[check] is asked of answers that reach their target; expected stop.tolerance_cm");
   constexpr double most_solves = 1e8;
   refuse_if(static_cast<double>(study.solvers.size()) * study.runs * study.path->points() > most_solves, "runs",
             "solvers, runs and points make more than 100 000 000 solves; expected fewer");
@@ -217,6 +227,7 @@ Study read_study(const toml::table& table, std::string_view source) {
   read_part(stop, study.stop);
   check_stop(stop, study);
   read_part(reader.part("loop"), study.loop);
+  if (reader.find("check") != nullptr) read_check(reader.part("check"), study);
   const Robot arm = read_arm(reader, study);
   const Configuration units = joint_units(arm.chain);
   if (study.initial.size() == 0) {

@@ -136,6 +136,10 @@ OrderedJson definition(const Study& study) {
   if (fields.tables != TableStyle()) json["tables"] = json_of(written(fields.tables));
   json["stop"] = json_of(written(fields.stop));
   if (fields.loop.period > 0) json["loop"] = json_of(written(fields.loop));
+  if (study.checker) {
+    ProgramChoice choice = study.checker->choice;
+    json["check"] = json_of(written(fields.check), json_of(written(choice), {{"digest", study.check.digest}}));
+  }
   if (is_urdf_file(study.robot)) json["urdf"] = json_of(written(fields.urdf));
   json["path"] = json_of(written(fields.path), {{"kind", fields.path->name()}});
   if (fields.path->is_drawn())
@@ -189,6 +193,7 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
     std::replace(name.begin(), name.end(), '/', '.');
     keys.push_back(name);
   }
+  if (study.checker) keys.emplace_back("check");
   for (const SolverEntry& entry : original.solvers) {
     const auto same = std::ranges::find(study.solvers, entry.label, &SolverEntry::label);
     if (same == study.solvers.end()) continue;
@@ -273,6 +278,10 @@ std::string to_toml(const Study& study) {
   if (is_urdf_file(study.robot)) text += "\n[urdf]\n" + lines_of(written(fields.urdf));
   text += "\n[stop]\n" + lines_of(written(fields.stop)) + "\n[loop]\n" + lines_of(written(fields.loop)) + '\n' +
           to_toml(fields.path);
+  if (study.checker) {
+    ProgramChoice choice = study.checker->choice;
+    text += "\n[check]\n" + lines_of(written(choice)) + lines_of(written(fields.check));
+  }
   for (const LeftOut& left_out : study.left_out)
     text += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.why);
   for (const SolverEntry& entry : study.solvers) {
@@ -326,6 +335,9 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
   // Other fields enter only if they differ from their defaults, so that a new one leaves stored solves as they are.
   text += said_by_name(study, Study{});
   text += said_by_name(study.stop, StopRule{}, "stop.");
+  if (study.checker)
+    text +=
+        said_by_name(study.checker->choice, ProgramChoice{}, "check.") + said_by_name(study.check, Check{}, "check.");
   // Does not compile with a further field of SolverEntry. Options and population enter as they are in effect, whether
   // a sweep chose them or not.
   [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own, colour, family] =
@@ -352,14 +364,15 @@ std::string source_digest_of(const SolverEntry& entry) {
 
 std::string library_of(const SolverEntry& entry) { return entry.program ? "" : info_of(entry).library; }
 
-std::string source_key(const SolverEntry& entry) {
+std::string source_key(const SolverEntry& entry, const Check& check) {
   Key source = Key(0).with(shared_source_digest()).with(source_digest_of(entry));
   if (const std::string library = library_of(entry); !library.empty()) source = source.with(library);
+  if (!check.digest.empty()) source = source.with("check").with(check.digest);
   return fmt::format("{}{:016x}", before_source, source.value());
 }
 
 std::string series_key(const Study& study, const SolverEntry& entry) {
-  return configuration_key(study, entry) + source_key(entry);
+  return configuration_key(study, entry) + source_key(entry, study.check);
 }
 
 std::vector<Series> series_of(const Study& study) {

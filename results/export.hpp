@@ -25,6 +25,8 @@ using PassSolves = std::function<void(const TakeSolve& take)>;
 
 // So begin the names of extras that are an answer [rad, m], 1 the first joint: a program's, where the arm stayed.
 constexpr std::string_view refused_extra = "refused_";
+// And so those of a study's own check: its numbers, and why an answer is invalid.
+constexpr std::string_view check_extra = "check_", invalid_extra = "invalid: ";
 
 // Tidy CSV: one row per solve. A list becomes one column per element, numbered from 1 (answer_rad_1 ...), as many as
 // the first solve has; shorter lists leave cells empty, and longer ones throw std::invalid_argument. The trace and the

@@ -19,10 +19,11 @@ namespace ikbench::results {
 using numerics::StopReason;
 
 // The verifier's judgement of an answer: the first that applies of not_finite, claimed_but_wrong, refused,
-// limit_violated, tolerance_missed, ok. From crashed on there is none in time: the arm stays where it was, and so does
-// the record's answer.
+// limit_violated, tolerance_missed, ok; the last may become invalid by the study's own check. From crashed on there is
+// none in time: the arm stays where it was, and so does the record's answer.
 enum class Status : std::uint8_t {
   ok,                 // within the tolerance, if there is one
+  invalid,            // the same, but the study's own check refuses it
   tolerance_missed,   // farther off
   limit_violated,     // a joint is outside its limits, which the study only records
   refused,            // the same where the study enforces them: the arm stays
@@ -42,9 +43,9 @@ enum class Timing : std::uint8_t { clean, parallel, debug_build, process };
 // Tells who counted the evaluations.
 enum class CountedBy : std::uint8_t { suite, solver, nobody };
 
-constexpr std::array<std::string_view, 11> names_of(Status) {
-  return {"ok",      "tolerance_missed", "limit_violated", "refused",  "claimed_but_wrong", "not_finite",
-          "crashed", "timed_out",        "broke_protocol", "declined", "over_budget"};
+constexpr std::array<std::string_view, 12> names_of(Status) {
+  return {"ok",         "invalid", "tolerance_missed", "limit_violated", "refused",  "claimed_but_wrong",
+          "not_finite", "crashed", "timed_out",        "broke_protocol", "declined", "over_budget"};
 }
 constexpr std::array<std::string_view, 4> names_of(Timing) { return {"clean", "parallel", "debug_build", "process"}; }
 constexpr std::array<std::string_view, 3> names_of(CountedBy) { return {"suite", "solver", "nobody"}; }
@@ -57,6 +58,8 @@ constexpr double least_told(double cpu_seconds) { return cpu_seconds / 2.2 - 0.0
 constexpr bool is_without_answer(Status status) { return status >= Status::crashed; }
 // True if the arm stayed where it was, and the record's answer is that.
 constexpr bool stays(Status status) { return status == Status::refused || is_without_answer(status); }
+// True if the verifier finds the target reached.
+constexpr bool is_reached(Status status) { return status == Status::ok || status == Status::invalid; }
 // Nothing is wrong with the answer, near enough or not.
 constexpr bool is_in_order(Status status) { return status == Status::ok || status == Status::tolerance_missed; }
 

@@ -78,13 +78,16 @@ Definition definition_of(std::string_view json) {
   base::TomlReader path = reader.part("path"), stop = reader.part("stop"), reach = reader.part("out_of_reach"),
                    figures = reader.part("figures"), colours = figures.part("colours"),
                    analysis = reader.part("analysis"), arm = reader.part("arm"), loop = reader.part("loop"),
-                   tables = reader.part("tables");
+                   tables = reader.part("tables"), check = reader.part("check");
   constexpr std::pair<std::int64_t, std::int64_t> counts{0, std::numeric_limits<int>::max()};
   Definition study;
   study.json = json;
   list_fields(reader, study);
   list_fields(stop, study.stop);
   list_fields(loop, study.loop);
+  list_fields(check, study.check);
+  check.texts("process", study.check.process);
+  check.text("digest", study.check.digest);
   list_fields(analysis, study.plan);
   list_fields(figures, study.figures);
   list_fields(tables, study.tables);

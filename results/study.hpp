@@ -74,6 +74,24 @@ inline void list_fields(base::Fields& io, Loop& loop) {
       "0: no loop");
 }
 
+// A program of the user's own that says which answers that reached their target are valid.
+struct Check {
+  std::vector<std::string> larger = {}, smaller = {};  // its numbers, by which of them are better
+  std::vector<std::string> process = {};               // as the store has it, and its digest; empty: there is no check
+  std::string digest = {};
+
+  std::vector<std::string> numbers() const {
+    std::vector<std::string> all = larger;
+    all.insert(all.end(), smaller.begin(), smaller.end());
+    return all;
+  }
+  bool operator==(const Check&) const = default;
+};
+inline void list_fields(base::Fields& io, Check& check) {
+  io.texts("larger", check.larger, "numbers that it gives of every answer, of which larger ones are better");
+  io.texts("smaller", check.smaller, "the same, of which smaller ones are better");
+}
+
 // wrist: the solver searches the joints before a spherical wrist, whose angles follow in closed form (Eqs. 15-17).
 // all_joints: it searches all joints for the position alone.
 // flange: so does it, but for the last joint, which turns the tool about its own point and stays where it is.
@@ -143,6 +161,7 @@ struct StudyData {
   std::uint64_t seed = 1;
   numerics::StopRule stop;
   Loop loop;
+  Check check;
   Plan plan;            // how the solves will be judged; decides no number of them
   FigureStyle figures;  // the look of its figures; in a study file without the colours of its entries
   TableStyle tables;

@@ -146,8 +146,10 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
 
 std::optional<Figure> metric_boxes(const JudgedStudy& judged, const Look& look) {
   const std::string& column = judged.study.definition.plan.metric;
-  const bool is_drawn = column.empty() || column == error || column == time || column == motion;
-  return is_drawn || metric_named(column).kind == Kind::share ? std::nullopt : boxes_of(judged, column, look);
+  const bool is_drawn = column == error || column == time || column == motion;
+  const auto metric = std::ranges::find(metrics(), column, &Metric::column);  // none: by default, or of a check
+  const bool has_boxes = metric != metrics().end() && metric->kind != Kind::share;
+  return is_drawn || !has_boxes ? std::nullopt : boxes_of(judged, column, look);
 }
 
 std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& look) {

@@ -24,6 +24,7 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
       {a.task != b.task || a.near != b.near || a.rotation_weight != b.rotation_weight,
        "paths, starts or weights of a rotation"},
       {a.limits != b.limits, "treatments of joint limits"},
+      {a.check != b.check, "checks of answers"},
       {a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance, "tolerances"}};
   for (const auto& [differ, what] : differences)
     if (differ)
@@ -51,6 +52,7 @@ std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, con
 // Of both stores, as solvers of one study. Takes their solves. Sessions of one turn are one; without turns all differ.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std::map<int, int>& turns) {
   both.labels = {"now", "before"};
+  both.faults = {};
   const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
   for (Session& session : std::exchange(baseline.sessions, {})) {
     if (!turns.empty()) continue;

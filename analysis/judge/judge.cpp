@@ -104,12 +104,14 @@ JudgedStudy observe_all(StudyResults study) {
   const results::Definition& definition = study.definition;
   const auto solved = std::ranges::count(study.solves, results::Status::ok, &Solve::status);
   const bool are_any_solved = definition.has_tolerance() && solved > 0;
+  const std::vector<Metric> all = metrics_of(definition);
   const Metric& deciding = metric_named(!definition.plan.metric.empty() ? definition.plan.metric
                                         : are_any_solved                ? "solved"
-                                                                        : "position_error_cm");
+                                                                        : "position_error_cm",
+                                        all);
   const bool do_some_fail = are_any_solved && !definition.is_chained() && solved < std::ssize(study.solves);
   JudgedStudy judged;
-  for (const Metric& metric : metrics()) {
+  for (const Metric& metric : all) {
     const bool is_deciding = &metric == &deciding;
     const bool is_told_by_solved = metric.kind == Kind::error && are_any_solved;
     const bool is_told =

@@ -1,5 +1,7 @@
 #include "analysis/judge/observe.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -244,8 +246,28 @@ Observations observe_times(const StudyResults& study, const Metric& metric) {
 
 std::span<const Metric> metrics() { return rows; }
 
-const Metric& metric_named(std::string_view column) {
-  return base::find_named("metric", column, rows, [](const Metric& metric) { return metric.column; });
+double Metric::value(const Solve& solve, const StudyResults& study) const {
+  if (value_of != nullptr) return value_of(solve, study);
+  return solve.status == Status::ok && number < solve.numbers.size() ? solve.numbers[number] : unknown;
+}
+
+std::vector<Metric> metrics_of(const StudyData& study) {
+  std::vector<Metric> all(rows.begin(), rows.end());
+  for (const auto& [names, better] :
+       {std::pair(&study.check.larger, Better::larger), {&study.check.smaller, Better::smaller}}) {
+    for (const std::string& name : *names) {
+      for (const Metric& known : all)
+        if (name == known.column || name == known.slug || name == known.name)
+          throw std::invalid_argument(fmt::format("[check] has the number {}, which is a metric already", name));
+      all.push_back({name, name, name, "", Kind::cost, Measure::other, 0, 0, Told::always, nullptr,
+                     all.size() - rows.size(), better});
+    }
+  }
+  return all;
+}
+
+const Metric& metric_named(std::string_view column, std::span<const Metric> all) {
+  return base::find_named("metric", column, all, [](const Metric& metric) { return metric.column; });
 }
 
 Observations observations_of(const Metric& metric) {
@@ -253,8 +275,10 @@ Observations observations_of(const Metric& metric) {
           .quantity = std::string(metric.name),
           .unit = std::string(metric.unit),
           .measures = metric.measures,
-          .better = metric.kind == Kind::share ? Better::larger : Better::smaller,
-          .scale = metric.kind == Kind::share ? Scale::share : Scale::ratio,
+          .better = metric.better,
+          .scale = metric.kind == Kind::share   ? Scale::share
+                   : metric.value_of == nullptr ? Scale::difference
+                                                : Scale::ratio,
           .floor = metric.floor,
           .rounding = metric.rounding,
           .is_spent = metric.kind == Kind::spent};

@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "analysis/judge/observations.hpp"
 #include "analysis/judge/study.hpp"
@@ -12,7 +13,8 @@ namespace ikbench::judge {
 
 // share: solved or not. error: a distance from the target. cost: effort for an answer; with a tolerance, only of
 // targets that both solvers of a pair solved. spent: all that attempts took, by the number of targets solved, so that
-// who fails pays for it. run: its last solve has the value of all. Shares have a scale of their own, all others ratios.
+// who fails pays for it. run: its last solve has the value of all. Shares have a scale of their own, what a check gives
+// differences, all others ratios.
 enum class Kind { share, error, cost, spent, run };
 
 // In which reports: where a study has a tolerance, costs are of what was solved; if some of it was not, what was spent
@@ -29,12 +31,18 @@ struct Metric {
   double floor;     // of ratios: a smaller value counts as this
   double rounding;  // values that differ by no more are equal
   Told told;
-  double (*value)(const Solve& solve, const StudyResults& study);  // NaN: the solve has none
+  double (*value_of)(const Solve& solve, const StudyResults& study);  // NaN: the solve has none; null: of the check
+  std::size_t number = 0;                                             // its place among those of the check
+  Better better = kind == Kind::share ? Better::larger : Better::smaller;
+
+  double value(const Solve& solve, const StudyResults& study) const;
 };
 
 std::span<const Metric> metrics();
+// With the numbers of a study's check, which it outlives. Throws std::invalid_argument if one has a metric's name.
+std::vector<Metric> metrics_of(const results::StudyData& study);
 // Throws std::invalid_argument, which lists all, if no row has this column.
-const Metric& metric_named(std::string_view column);
+const Metric& metric_named(std::string_view column, std::span<const Metric> all = metrics());
 
 // Its unit of comparison is a session, since what decides a time is drawn once for a process: memory, hashes, cores.
 inline bool is_of_times(const Metric& metric) { return metric.measures == Measure::time; }

@@ -72,7 +72,14 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   const bool is_of_first_run = earlier.empty() || earlier.front().run == record.run;
   if (earlier.empty() || earlier.back().run != record.run) bend = {};
   if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < most_drawn)) study.drawn.push_back(record);
+  std::vector<double> numbers;
+  for (const std::string& name : study.definition.check.numbers())
+    if (const auto found = record.extras.find(std::string(check_extra) + name); found != record.extras.end())
+      numbers.push_back(found->second);
+  const bool has_check = !study.definition.check.digest.empty();
   for (const auto& [name, value] : record.extras) {
+    if (has_check && name.starts_with(invalid_extra)) ++study.faults[record.label][name.substr(invalid_extra.size())];
+    if (has_check && (name.starts_with(invalid_extra) || name.starts_with(check_extra))) continue;
     const bool is_one_of_few = study.extras.contains(name) || std::ssize(study.extras) < most_extras;
     const bool is_metric = std::isfinite(value) && !name.starts_with(results::refused_extra);
     if (is_metric && is_one_of_few) study.extras[name][record.label].push_back(value);
@@ -108,7 +115,8 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .iterations = record.iterations,
        .target = hash_of({record.target_position_m, record.target_rotation}),
        .start = hash_of({record.start_rad}),
-       .answer = hash_of({record.answer_rad})});
+       .answer = hash_of({record.answer_rad}),
+       .numbers = std::move(numbers)});
 }
 
 // The same target, outcome and answer, bit for bit.

@@ -1,7 +1,7 @@
 // A study as it is judged: its definition, its plan and all of its solves.
 //
 // A study may have millions of solves. A record takes about 1 kB, so judging keeps numbers of each and a hash of its
-// lists, 120 bytes: a million within 400 MB. Whole records are kept only of what figures draw.
+// lists, 150 bytes: a million within 400 MB. Whole records are kept only of what figures draw.
 #pragma once
 
 #include <algorithm>
@@ -38,6 +38,7 @@ struct Solve {
   double bend_deg = 0;  // mean second difference of all joint angles of its run until here; NaN: not known
   std::int64_t evaluations = 0, iterations = 0;
   std::uint64_t target = 0, start = 0, answer = 0;  // hashes of the bits of position and rotation, and of all joints
+  std::vector<double> numbers = {};                 // of the study's check, if it was asked
 };
 
 using Solves = std::span<const Solve>;
@@ -60,6 +61,7 @@ struct StudyResults : results::StoredStudy {
   std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace
   std::vector<results::Session> sessions;   // that made them
   std::map<std::string, std::map<std::string, std::vector<double>>> extras;  // by name and solver; finite ones
+  std::map<std::string, std::map<std::string, int>> faults;  // by solver: of answers that the study's check refused
   Beside beside = {};
   Doubt other_version = {.kind = DoubtKind::other_version};  // solves that stand in the store instead of missing ones
 

@@ -125,6 +125,7 @@ std::vector<Table> set_up(const Report& report) {
     add(of_study, "candidates outside limits", with_blanks(name_of(definition.bounds)));
     add(of_study, "answers outside limits", std::string(name_of(definition.limits)));
     add(of_study, "a solve ends at", stops_of(study));
+    add(of_study, "solved answers are valid by", fmt::format("{}", fmt::join(definition.check.process, " ")));
     add(of_study, "runs", fmt::to_string(definition.runs));
     add(of_study, "seed", fmt::to_string(definition.seed));
     for (const std::string& departure : definition.departures)

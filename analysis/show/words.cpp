@@ -184,7 +184,12 @@ std::string stops_of(const StudyResults& study) {
 
 std::string ends_of_unsolved(const StudyResults& study) {
   if (!study.definition.has_tolerance()) return "";  // nothing is solved or not
-  ByWord reasons;
+  ByWord reasons, faults;
+  for (const auto& [label, all] : study.faults) {
+    std::vector<std::string> counts;
+    for (const auto& [fault, count] : all) counts.push_back(fmt::format("{} {}", fault, count));
+    faults.add(counts.size() > 10 ? fmt::format("{} faults", counts.size()) : listed(counts, ", "), label);
+  }
   for (const std::string& label : study.labels) {
     std::set<std::string> of_label;
     for (const Solve& solve : study.of(label)) {
@@ -196,7 +201,10 @@ std::string ends_of_unsolved(const StudyResults& study) {
     }
     if (!of_label.empty()) reasons.add(listed({of_label.begin(), of_label.end()}, " or "), label);
   }
-  return reasons.all.empty() ? "" : fmt::format("Unsolved: {}.", fmt::join(reasons.told("{} ({})"), "; "));
+  const auto told = [](const char* what, const ByWord& all) {
+    return all.all.empty() ? "" : fmt::format("{}: {}.", what, fmt::join(all.told("{} ({})"), "; "));
+  };
+  return told("Unsolved", reasons) + (faults.all.empty() ? "" : " ") + told("Invalid", faults);
 }
 
 const std::string& title_of(const StudyResults& study) {

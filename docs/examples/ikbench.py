@@ -98,14 +98,22 @@ class Robot(_Members):
             raise Declined("joints with limits, alone")
 
 
-class Problem(_Members):
-    """The members of the message `solve`; of a pose also `matrix`, 4 rows of 4, and `rotation`, 3 rows of 3."""
+class Answer(_Members):
+    """The members of the message `check`: `q`, `start`, and the target as `position`, `rotation`, 3 rows of 3, and `matrix`,
+    4 rows of 4."""
 
-    def __init__(self, message, ask):
+    def __init__(self, message):
         super().__init__(message)
         self.position, turn = self.target["position"], self.target.get("rotation", [1, 0, 0, 0, 1, 0, 0, 0, 1])
         self.rotation = [turn[0:3], turn[3:6], turn[6:9]]
         self.matrix = [row + [x] for row, x in zip(self.rotation, self.position)] + [[0, 0, 0, 1]]
+
+
+class Problem(Answer):
+    """The members of the message `solve`; of a pose also `matrix`, 4 rows of 4, and `rotation`, 3 rows of 3."""
+
+    def __init__(self, message, ask):
+        super().__init__(message)
         self.extras = {}
         self.random, self._ask, self.evaluated = random.Random(self.seed), ask, False
         self.clock = _Clock()
@@ -159,15 +167,43 @@ def _option(name, value):
     return {**option, "type": "integer" if isinstance(default, int) else "number", "default": default, **bounds}
 
 
-def run(name, prepare, solve, *, version="", options={}, goals=["position", "axis", "pose"]):
-    """Says hello and answers until the input ends. `options` by name: a default, or (default, low, high, meaning); a
-    list has the choices, the default first. Their values are robot.options."""
+def _messages():  # what says one
     out = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # what a library prints is no message
 
     def say(message):
         out.write(json.dumps(message) + "\n")
         out.flush()
+    return say
+
+
+def _plain(text):
+    return "".join(c if c.isprintable() else " " for c in str(text)).encode()[:200].decode(errors="ignore")
+
+
+def check(function, prepare=lambda robot: robot, *, version=""):
+    """A study's [check]: says of each answer that reached its target what function(prepared, answer) returns: True, or why
+    it is not valid, a few words; or that and its numbers by name: return True, {"clearance_mm": 3.2}."""
+    say = _messages()
+    say({"message": "hello", "ikbench": 2, "name": function.__name__, "version": version})
+    for line in sys.stdin:
+        told = json.loads(line)
+        if told["message"] == "robot":
+            prepared = prepare(Robot(told))
+            continue
+        said = function(prepared, Answer(told))
+        why, numbers = said if isinstance(said, tuple) else (said, {})
+        valid = not isinstance(why, str) and bool(why)
+        if not (valid or why):
+            raise TypeError(f"the check returned {why!r}; expected True, or why the answer is not valid")
+        say({"message": "checked", "valid": valid, "why": "" if valid else _plain(why),
+             "numbers": dict(zip(numbers, _numbers(numbers.values())))})
+
+
+def run(name, prepare, solve, *, version="", options={}, goals=["position", "axis", "pose"]):
+    """Says hello and answers until the input ends. `options` by name: a default, or (default, low, high, meaning); a
+    list has the choices, the default first. Their values are robot.options."""
+    say = _messages()
 
     def ask(message):
         say(message)
@@ -206,5 +242,4 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
                 answer["q"] = own(problem.start if q is None else q)
             say(answer)
         except Declined as declined:
-            why_not = "".join(c if c.isprintable() else " " for c in str(declined))
-            say({"message": "declined", "why": why_not.encode()[:200].decode(errors="ignore")})
+            say({"message": "declined", "why": _plain(declined)})

@@ -7,6 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/task.hpp"
+#include "results/export.hpp"
+
 namespace ikbench::experiments {
 
 using namespace robots;
@@ -20,6 +23,18 @@ constexpr int most_failures_in_a_row = 3;
 Status status_of(Trouble::Kind kind) {
   constexpr Status as_kinds[]{Status::crashed, Status::timed_out, Status::broke_protocol, Status::declined};
   return as_kinds[static_cast<std::size_t>(kind)];
+}
+
+// A fresh process of a program that was met. Throws std::runtime_error if it is not what it was.
+std::unique_ptr<ChildProcess> restarted(const Program& program) {
+  try {
+    if (!program.is_unchanged())
+      throw std::invalid_argument("the files of " + program.choice.process[0] + " changed while it ran");
+    Hello hello;
+    return started(program.choice, program.folder, hello);
+  } catch (const std::invalid_argument& error) {  // it started before, so this is no result of the program
+    throw std::runtime_error(fmt::format("{}; run the study again, and it goes on", error.what()));
+  }
 }
 
 // Records the course of the best error as solvers::solve does.
@@ -82,15 +97,7 @@ bool ForeignSolver::ensure_running() {
   if (own_.child && !own_.child->is_running()) note({Trouble::Kind::crashed, "it ended between two solves"});
   if (own_.refusal) throw Trouble(*own_.refusal);
   if (own_.child) return false;
-  const Program& program = *all_.program;
-  try {
-    if (!program.is_unchanged())
-      throw std::invalid_argument("the files of " + program.choice.process[0] + " changed while it ran");
-    Hello hello;
-    own_.child = started(program.choice, program.folder, hello);
-  } catch (const std::invalid_argument& error) {  // it started before, so this is no result of the program
-    throw std::runtime_error(fmt::format("{}; run the study again, and it goes on", error.what()));
-  }
+  own_.child = restarted(*all_.program);
   own_.child->write(all_.robot, Clock::now() + std::chrono::seconds(20));
   return true;
 }
@@ -235,6 +242,35 @@ void ForeignSolver::count(std::int64_t ours, std::int64_t own, bool is_explained
     account_.trace.clear();
     account_.improved = {};
   }
+}
+
+void check_answer(const Study& study, const Robot& arm, std::unique_ptr<ChildProcess>& child, SolveRecord& solve) {
+  const Program& program = *study.checker;
+  const bool is_new = child == nullptr;
+  const std::chrono::duration<double> given(program.choice.patience > 0 ? program.choice.patience : 60);
+  const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(given);
+  if (is_new) child = restarted(program);
+  if (is_new)
+    child->write(robot_message(arm, arm.chain, Task(study, arm).goal(Pose::Identity()), own_urdf(program, study.robot),
+                               program.hello, options_of(program.hello, {})),
+                 deadline);
+  const base::OrderedJson target{{"position", solve.target_position_m}, {"rotation", solve.target_rotation}},
+      question{{"message", "check"}, {"target", target}, {"start", solve.start_rad}, {"q", solve.answer_rad}};
+  const Message said = exchange(*child, base::text_of(question) + '\n', deadline);
+  const std::string fault = said.fault();
+  std::map<std::string, double> numbers = said.extras("numbers");
+  for (const std::string& name : study.check.numbers()) {
+    const auto number = numbers.extract(name);
+    if (number.empty() || !std::isfinite(number.mapped())) said.fail(fmt::format("\"numbers\" with a finite {}", name));
+    solve.extras[fmt::format("{}{}", check_extra, name)] = number.mapped();
+  }
+  if (!numbers.empty()) said.fail(fmt::format("\"numbers\" that [check] names; {} is none", numbers.begin()->first));
+  // Who answers twice would stay behind, each answer that of the solve before.
+  const Trouble heard = unasked(*child, std::chrono::milliseconds(is_new ? 100 : 0));
+  if (heard.kind != Trouble::Kind::timed_out) throw Trouble(heard);
+  if (fault.empty()) return;
+  solve.status = Status::invalid;
+  solve.extras[fmt::format("{}{}", invalid_extra, fault)] = 1;
 }
 
 }  // namespace ikbench::experiments

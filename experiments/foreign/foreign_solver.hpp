@@ -1,4 +1,5 @@
-// A program as a solver. Its process is started when needed, asked and watched, and started anew if it dies.
+// A program as a solver, and as a study's check of answers. Its process is started when needed, asked and watched, and
+// started anew if it dies.
 #pragma once
 
 #include <chrono>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "experiments/foreign/program.hpp"
+#include "experiments/study.hpp"
 #include "results/record.hpp"
 #include "solvers/solve.hpp"
 
@@ -108,5 +110,11 @@ class ForeignSolver final : public solvers::Searcher {
   Account account_;
   std::optional<Trouble> failure_;  // the last one of this solve, with how the process ended
 };
+
+// Asks the study's checker about an answer that reached; a process of it is started if there is none. The record
+// becomes `invalid` if it says so, and keeps as extras why, and its numbers. Throws Trouble if it says nothing that
+// makes sense, and std::runtime_error if it is not what it was.
+void check_answer(const Study& study, const Robot& arm, std::unique_ptr<ChildProcess>& child,
+                  results::SolveRecord& solve);
 
 }  // namespace ikbench::experiments

@@ -12,6 +12,7 @@
 #include "base/inputs.hpp"
 #include "base/names.hpp"
 #include "numerics/random.hpp"
+#include "robots/urdf.hpp"
 
 namespace ikbench::experiments {
 
@@ -108,6 +109,11 @@ std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const fs::pat
                                             patience.count(), trouble.why, told)};
   }
   return child;
+}
+
+std::string own_urdf(const Program& program, const std::string& robot) {
+  const fs::path file = program.folder / robot;
+  return robots::is_urdf_file(robot) && is_file(file) ? base::text_of_file(file) : "";
 }
 
 bool Program::is_unchanged() const { return digest_of(choice, folder, hello) == digest; }

@@ -39,6 +39,9 @@ std::shared_ptr<const Program> meet(const ProgramChoice& choice, const std::file
 // A fresh process of it, its hello read. Throws Trouble, or std::invalid_argument if it cannot be started.
 std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const std::filesystem::path& folder, Hello& hello);
 
+// The text of the arm's URDF file; empty if it is of none.
+std::string own_urdf(const Program& program, const std::string& robot);
+
 // The next message; lines that do not begin with { are noise, which is told if no message follows. Throws Trouble.
 Message next_message(ChildProcess& child, Clock::time_point deadline);
 Message exchange(ChildProcess& child, const std::string& text, Clock::time_point deadline);

@@ -142,6 +142,14 @@ std::string Message::why() const {
   return std::string(front(base::one_line(why->get<std::string>()), 200));
 }
 
+std::string Message::fault() const {
+  const Json valid = json_->value("valid", Json());
+  std::string why = valid == false ? text(*json_, "why") : "";
+  if (name_ != "checked" || (valid != true && trimmed(why).empty()))
+    fail(R"({"message":"checked","valid":true}, or false and in a few words "why")");
+  return why;
+}
+
 Configuration Message::configuration(const Json& list, int joints, const std::string& expected) const {
   if (!list.is_array() || list.size() != static_cast<std::size_t>(joints)) fail(expected);
   Configuration q(joints);
@@ -168,15 +176,16 @@ Configuration Message::joints(int joints) const {
   return configuration(json_->value("q", Json()), joints, "\"q\", a list of " + counted(joints, "numbers"));
 }
 
-std::map<std::string, double> Message::extras() const {
+std::map<std::string, double> Message::extras(const char* key) const {
   std::map<std::string, double> extras;
-  const Json object = json_->value("extras", Json());
+  const Json object = json_->value(key, Json());
   if (!(object.is_object() || object.is_null()) || object.size() > most_extras)
-    fail(fmt::format("at most {} numbers by name as \"extras\"", most_extras));
+    fail(fmt::format("at most {} numbers by name as \"{}\"", most_extras, key));
   for (const auto& [name, value] : object.items()) {
-    if (!is_plain(name) || trimmed(name).empty() || name.starts_with(results::refused_extra))
-      fail(fmt::format("\"extras\" whose names are texts, not blank and not \"{}...\"", results::refused_extra));
-    if (!(value.is_number() || value.is_null())) fail("numbers by name as \"extras\"");
+    for (const std::string_view ours : {results::refused_extra, results::check_extra, results::invalid_extra})
+      if (!is_plain(name) || trimmed(name).empty() || name.starts_with(ours))
+        fail(fmt::format("\"{}\" whose names are texts, not blank and not \"{}...\"", key, ours));
+    if (!(value.is_number() || value.is_null())) fail(fmt::format("numbers by name as \"{}\"", key));
     extras[name] = value.is_null() ? not_a_number : value.get<double>();
   }
   return extras;

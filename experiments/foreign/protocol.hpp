@@ -50,7 +50,8 @@ class Message {
   Hello hello() const;
   std::string why() const;
   robots::Candidates candidates(int joints, const char* key = "candidates") const;
-  std::map<std::string, double> extras() const;
+  std::map<std::string, double> extras(const char* key = "extras") const;
+  std::string fault() const;  // why a check finds an answer invalid; empty: it is valid
   bool has(const char* key) const;
   robots::Configuration joints(int joints) const;  // [rad]; NaN where the message has null
   double number(const char* key) const;            // NaN if there is none
