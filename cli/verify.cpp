@@ -9,6 +9,7 @@
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/runner.hpp"
+#include "results/fingerprint.hpp"
 #include "results/merge.hpp"
 
 namespace ikbench::cli {
@@ -30,12 +31,15 @@ void add_verify(CLI::App& app, Invocation& invocation) {
   command->callback([arguments, &invocation] {
     const Store store(arguments->store, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
-    const auto all = checked_study(store, study).solves.size();
+    const TakeSolve redraw = redraw_of(study);
+    const auto all = checked_study(store, study, redraw).solves.size();
+    const std::string seal = seal_of(store, study);
     std::optional<ProgressBar> bar("solving again");
     const SolvedAgain again =
         solve_again(store, study, arguments->solves, [&](const Progress& progress) { bar->show(progress); });
     bar.reset();  // leaves its line to the answer
-    std::vector<std::string> unchecked{"times, targets, starts, traces and extras"};
+    std::vector<std::string> unchecked{redraw ? "times, traces and extras"
+                                              : "times, targets, starts, traces and extras"};
     const auto leave_out = [&](const std::vector<std::string>& labels, const char* why) {
       if (!labels.empty()) unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), why));
     };
@@ -46,10 +50,11 @@ void add_verify(CLI::App& app, Invocation& invocation) {
         again.solves == 0 ? "None was made again."
                           : fmt::format("{} of {}, drawn at random, were made again and have the same bits and counts.",
                                         again.solves, again.of);
-    const std::string text = fmt::format(
-        "{}: errors, joint motion and status of all {} follow from their answers. {}\nNot checked: {}.", study.name,
-        base::counted(static_cast<std::int64_t>(all), "solves"), made, fmt::join(unchecked, "; "));
-    fmt::print("{}\n", printable(wrapped(text)));
+    const std::string text =
+        fmt::format("{}: errors, joint motion and status of all {} follow from their answers{}. {}\nNot checked: {}.",
+                    study.name, base::counted(static_cast<std::int64_t>(all), "solves"),
+                    redraw ? ", targets and starts from the seed" : "", made, fmt::join(unchecked, "; "));
+    fmt::print("{}\n{}\n", printable(wrapped(text)), printable(seal));
     const std::string lack = lack_of(store, study);
     if (lack.empty()) return;
     say(fmt::format("{} {}", study.name, lack));

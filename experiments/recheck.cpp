@@ -13,6 +13,7 @@
 
 #include "base/json.hpp"
 #include "base/names.hpp"
+#include "base/toml_table.hpp"
 #include "base/units.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/solve_runner.hpp"
@@ -29,6 +30,19 @@ using namespace numerics;
 using namespace results;
 
 namespace {
+
+// A stored study without its solvers and path.
+Study asked(const StoredStudy& stored) {
+  const std::optional<Robot> arm = robots::stored_arm(stored.definition.arm);
+  if (!arm)
+    throw std::invalid_argument(fmt::format(
+        "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", stored.name));
+  Study study;
+  static_cast<StudyData&>(study) = stored.definition;
+  study.robot_of_file = std::make_shared<const Robot>(*arm);
+  study.initial = nearest_to_zero(*arm);
+  return study;
+}
 
 Pose target_of(const SolveRecord& solve) {
   Pose target = Pose::Identity();
@@ -163,16 +177,12 @@ void check(const Definition& study, const Robot& arm, Kind kind, const SolveReco
 }  // namespace
 
 TakeSolve check_of(const StoredStudy& study) {
-  std::optional<Robot> stored = robots::stored_arm(study.definition.arm);
-  if (!stored)
-    throw std::invalid_argument(fmt::format(
-        "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", study.name));
   std::map<std::string, Kind> kinds;  // by label
   for (const Series& series : study.series)
     kinds[series.label] = built_in(series)                                  ? Kind::ours
                           : parsed_json(series.options).contains("process") ? Kind::program
                                                                             : Kind::called;
-  return [definition = study.definition, arm = std::move(*stored), kinds](const SolveRecord& solve) {
+  return [definition = study.definition, arm = *asked(study).robot_of_file, kinds](const SolveRecord& solve) {
     check(definition, arm, kinds.at(solve.label), solve);
   };
 }
@@ -190,13 +200,43 @@ TakeSolve recheck_of(const StoredStudy& study) {
   };
 }
 
+TakeSolve redraw_of(const StoredStudy& stored) {
+  Study study = asked(stored);
+  const toml::table all = toml_of(parsed_json(stored.definition.json));
+  TomlReader reader(all, "the definition of " + stored.name, "");
+  TomlReader path = reader.part("path");
+  for (const Path& kind : paths())
+    if (kind->name() == stored.definition.path) study.path = kind;
+  study.path->list_fields(path);
+  if (study.path->points() != stored.definition.points) return {};
+  const Configuration units = joint_units(study.robot_of_file->chain);
+  study.initial = study.initial.cwiseQuotient(units).eval();
+  reader.numbers("initial_deg", study.initial, 1, static_cast<int>(units.size()));
+  study.initial = study.initial.cwiseProduct(units).eval();
+  return [study, run = 0, poses = std::vector<Pose>(),
+          own = std::vector<Configuration>()](const SolveRecord& solve) mutable {
+    if (std::exchange(run, solve.run) != solve.run)
+      poses = targets(study, *study.robot_of_file, run), own = starts(study, *study.robot_of_file, run);
+    const auto place = static_cast<std::size_t>(solve.point - 1);
+    const bool is_drawn = same_bits(poses[place].translation(), solve.target_position_m) &&
+                          same_bits(by_rows(poses[place].linear()), solve.target_rotation);
+    const bool begins = !study.is_chained() || solve.point == 1;
+    of_stored([&] {
+      if (!is_drawn) refuse(solve, "the study's seed draws another target");
+      if (begins && !same_bits(own.empty() ? Configuration(study.initial) : own[place], solve.start_rad))
+        refuse(solve, "the study's seed draws another start");
+    });
+  };
+}
+
 namespace {
 
 // Throws where the key is of a built-in solver's source, and the name is not its own.
 void check_name(const StoredStudy& study, const Series& series) {
   std::vector<std::string> names;
   for (const solvers::SolverInfo& info : solvers::all_solvers())
-    if (info.library.empty() && series.key.ends_with(source_key({.solver = info.name}))) names.push_back(info.name);
+    if (info.library.empty() && series.key.ends_with(source_key({.solver = info.name}, study.definition.check)))
+      names.push_back(info.name);
   if (names.empty() || std::ranges::count(names, series.algorithm) > 0) return;
   throw std::invalid_argument(fmt::format("study {}, {}: its solves are by {}, not by {}; the name was changed since",
                                           study.name, one_line(front(series.label, 60)), names.front(),
@@ -207,9 +247,7 @@ void check_name(const StoredStudy& study, const Series& series) {
 
 SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int64_t most,
                         const std::function<void(const Progress&)>& progress) {
-  Study study;
-  static_cast<StudyData&>(study) = stored.definition;
-  study.robot_of_file = std::make_shared<const Robot>(robots::stored_arm(stored.definition.arm).value());
+  Study study = asked(stored);
   SolvedAgain found;
   std::map<std::string, SolverEntry> entries;  // by label
   std::map<std::string, SolveRunner> runners;

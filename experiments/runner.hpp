@@ -68,6 +68,10 @@ results::TakeSolve check_of(const results::StoredStudy& study);
 // chain.
 results::TakeSolve recheck_of(const results::StoredStudy& study);
 
+// A check that draws targets and starts again from the study's seed, and throws the same where a solve had others; for
+// solves that recheck_of took. Null where targets are poses of the study file, which the store has not.
+results::TakeSolve redraw_of(const results::StoredStudy& study);
+
 // What solve_again did. A label is left out if its solver is a program or of a library, or of another source.
 struct SolvedAgain {
   std::int64_t solves = 0;                                      // made again

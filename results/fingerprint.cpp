@@ -100,6 +100,14 @@ Fingerprint fingerprint(const Store& store, StoredStudy study) {
   return {hash.text(), solves};
 }
 
+std::string seal_of(const Store& store, const StoredStudy& study) {
+  const Fingerprint its = fingerprint(store, study);
+  const auto runs = study.definition.runs, points = study.definition.points;
+  const auto solvers = std::ssize(study.series);
+  return fmt::format("{}: {} of {} solves (runs x targets x solvers: {} x {} x {}), fingerprint {}", study.name,
+                     its.solves, solvers * runs * points, runs, points, solvers, its.text);
+}
+
 std::string_view reference_fingerprint(std::string_view study) {
   const auto* const found = std::ranges::find(references, study, &Reference::study);
   return found == std::end(references) ? std::string_view() : found->fingerprint;

@@ -34,6 +34,9 @@ struct Fingerprint {
 // That of a study's solves in a store, read one by one.
 Fingerprint fingerprint(const Store& store, StoredStudy study);
 
+// A line to cite: "mine: 600 of 600 solves (runs x targets x solvers: 100 x 1 x 6), fingerprint 0123...".
+std::string seal_of(const Store& store, const StoredStudy& study);
+
 // The committed fingerprint of a built-in study (results/reference.inc); empty if there is none.
 std::string_view reference_fingerprint(std::string_view study);
 

@@ -134,8 +134,10 @@ JudgedStudy judge(StudyResults study) {
 }
 
 const JudgedMetric* judged_of(const JudgedStudy& judged, std::string_view column) {
-  const auto found = std::ranges::find_if(
-      judged.metrics, [&](const JudgedMetric& each) { return each.observations.metric == metric_named(column).slug; });
+  const std::vector<Metric> all = metrics_of(judged.study.definition);
+  const std::string_view slug = metric_named(column, all).slug;
+  const auto found =
+      std::ranges::find_if(judged.metrics, [&](const JudgedMetric& each) { return each.observations.metric == slug; });
   return found == judged.metrics.end() ? nullptr : &*found;
 }
 

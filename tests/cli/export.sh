@@ -48,3 +48,27 @@ awk -F, '$1 == "error" { printf "%s,%s,%.9g\n", $2, $3, $4 }' tables/descriptive
 cd ..
 
 python3 "$scripts/exports.py" || fail "other programs would not read it"
+
+# verify draws targets and starts again, whatever a study asks, and its last line is what to cite.
+sealed='[0-9]+ of [0-9]+ solves \(runs x targets x solvers: [0-9]+ x [0-9]+ x [0-9]+\), fingerprint [0-9a-f]{32}$'
+cp "$root/tests/data/urdf/ur5e.urdf" .
+drawn=(--no-report --set runs=2 --set stop.iterations=5)
+succeeds run any-arm "${drawn[@]}" --set start=near --set near_deg=30 --set path.set=anywhere --set robot=ur5e.urdf --only LM --out near
+succeeds run any-arm "${drawn[@]}" --set path.generator=numpy --set start=initial --only LM --out numpy
+for folder in made near numpy; do
+  succeeds verify $folder/store.sqlite
+  has "$out" "starts from the seed"
+  [[ $(tail -n 1 .out) =~ $sealed ]] || fail "no line to cite: $out"
+done
+succeeds verify "$root/tests/data/version-3.sqlite"
+edited() { # WORD SQL
+  cp near/store.sqlite edited.sqlite
+  sqlite3 edited.sqlite "$2"
+  refused "$1" verify edited.sqlite
+}
+edited "another target" "UPDATE studies SET definition = json_set(definition, '\$.seed', 7)"
+edited "another start" "UPDATE studies SET definition = json_set(definition, '\$.near_deg', 20)"
+printf 'robot = "planar_3"\nsearch = "all_joints"\nruns = 2\n[path]\nkind = "poses"\nposes = [{ position_cm = [30, 10, 0], rpy_deg = [0, 0, 0] }]\n[stop]\n[[solvers]]\nsolver = "damped_least_squares"\n' >poses.toml
+succeeds run poses.toml --no-report --out poses
+succeeds verify poses/store.sqlite
+has "$out" "times, targets, starts"
