@@ -5,34 +5,64 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "base/files.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
+#include "experiments/runner.hpp"
 #include "results/fingerprint.hpp"
+#include "results/merge.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::cli {
+
+namespace {
+
+// A store that was checked, with the seals of its studies, as one file.
+void write_archive(const std::filesystem::path& store, const std::filesystem::path& file) {
+  const TemporaryFolder folder(std::filesystem::absolute(file).parent_path(), file);
+  const std::filesystem::path made = folder.path() / "store.sqlite";
+  merge(made, {store}, check_of);
+  {
+    Store archive(made, Store::Mode::write_shared);
+    std::map<std::string, std::string> seals;
+    for (const StoredStudy& study : archive.studies())
+      seals[fmt::format("{}{}", seal_fact, study.name)] = seal_of(archive, study);
+    archive.begin_session(seals);
+  }
+  write_through(file, [&](const Write& write) { write(read_file(made).value()); });
+}
+
+}  // namespace
 
 void add_export(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string store, study, format = "csv", file = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("export", "Write all solves as CSV, or their fingerprint");
+  CLI::App* command = app.add_subcommand("export", "Write all solves as CSV, their fingerprint, or an archive");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   add_study_option(*command, arguments->study);
-  add_with_default(*command, "--format", arguments->format,
-                   "csv: a row for each solve; fingerprint: a hash of every bit but of times")
-      ->check(CLI::IsMember({"csv", "fingerprint"}));
+  add_with_default(
+      *command, "--format", arguments->format,
+      "csv: a row for each solve; fingerprint: a hash of every bit but of times; archive: one file, sealed")
+      ->check(CLI::IsMember({"csv", "fingerprint", "archive"}));
   add_out_option(*command, arguments->file, "file to write; - for standard output");
   command->footer(
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format fingerprint\n"
+      "  ikbench export out/mine/store.sqlite --format archive -o mine.sqlite\n"
       "Columns: ikbench list columns");
   command->callback([arguments] {
+    if (arguments->format == "archive") {
+      if (arguments->file == "-") throw std::invalid_argument("--format archive: expected -o FILE, as mine.sqlite");
+      return write_archive(arguments->store, arguments->file);
+    }
     const Store store(arguments->store, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
     const auto write_it = [&](const Contents& contents) {

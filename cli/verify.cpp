@@ -34,6 +34,11 @@ void add_verify(CLI::App& app, Invocation& invocation) {
     const TakeSolve redraw = redraw_of(study);
     const auto all = checked_study(store, study, redraw).solves.size();
     const std::string seal = seal_of(store, study);
+    for (const Session& session : store.sessions()) {
+      const auto its = session.environment.find(fmt::format("{}{}", seal_fact, study.name));
+      if (its != session.environment.end() && its->second != seal)
+        throw std::invalid_argument(fmt::format("it was archived as {}; now it is {}", its->second, seal));
+    }
     std::optional<ProgressBar> bar("solving again");
     const SolvedAgain again =
         solve_again(store, study, arguments->solves, [&](const Progress& progress) { bar->show(progress); });

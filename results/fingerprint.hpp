@@ -36,6 +36,7 @@ Fingerprint fingerprint(const Store& store, StoredStudy study);
 
 // A line to cite: "mine: 600 of 600 solves (runs x targets x solvers: 100 x 1 x 6), fingerprint 0123...".
 std::string seal_of(const Store& store, const StoredStudy& study);
+constexpr std::string_view seal_fact = "seal.";  // so begins its name, before the study's, in an archive's environment
 
 // The committed fingerprint of a built-in study (results/reference.inc); empty if there is none.
 std::string_view reference_fingerprint(std::string_view study);

@@ -72,3 +72,20 @@ printf 'robot = "planar_3"\nsearch = "all_joints"\nruns = 2\n[path]\nkind = "pos
 succeeds run poses.toml --no-report --out poses
 succeeds verify poses/store.sqlite
 has "$out" "times, targets, starts"
+
+# An archive is a store, whole and sealed, for who reads stores; one that was cut short or edited says so.
+refused "-o FILE" export made/store.sqlite --format archive
+succeeds export made/store.sqlite --format archive -o archived.sqlite
+succeeds verify archived.sqlite
+same_fingerprint archived.sqlite made/store.sqlite
+succeeds report archived.sqlite --out archived --figures none
+succeeds run slim2023 "${small[@]}" --set trace=best_error --only IK-BA --beside archived.sqlite --figures none --out beside
+sqlite3 archived.sqlite "DELETE FROM solves WHERE run = 2"
+refused "archived as" verify archived.sqlite
+succeeds export made/store.sqlite --format archive -o archived.sqlite
+head -c 30000 archived.sqlite >short.sqlite
+for command in verify report "run slim2023 ${small[*]} --no-report --out cut --beside"; do refused "short.sqlite" $command short.sqlite; done
+sqlite3 near/store.sqlite "UPDATE solves SET status = 'limit_violated'"
+cp archived.sqlite before.sqlite
+refused "status" export near/store.sqlite --format archive -o archived.sqlite
+cmp archived.sqlite before.sqlite
