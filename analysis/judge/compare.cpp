@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -338,10 +337,9 @@ bool does_one_value_decide(const Group& group) {
   const auto* const measured = std::get_if<Measured>(&group.sample);
   if (measured && measured->worth > 0)
     return measured->worth < std::min(4.0, static_cast<double>(measured->values.size()) / 2);
-  const std::span<const double> values = values_of(group);
-  std::vector<double> sizes(values.begin(), values.end());
-  for (double& size : sizes) size = std::abs(size);
-  return !sizes.empty() && std::ranges::max(sizes) > std::accumulate(sizes.begin(), sizes.end(), 0.0) / 2;
+  double largest = 0, sum = 0;
+  for (const double value : values_of(group)) largest = std::max(largest, std::abs(value)), sum += std::abs(value);
+  return largest > sum / 2;
 }
 
 bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }

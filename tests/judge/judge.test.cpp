@@ -40,11 +40,13 @@ TEST_CASE("A report has the metrics that a study has, and is decided by the plan
 }
 
 TEST_CASE("Of equal solvers the one with fewer evaluations comes first") {
-  const JudgedStudy of = judge::judge(study({.runs = 8}, [](SolveRecord& solve) {
+  JudgedStudy of = judge::judge(study({.runs = 8}, [](SolveRecord& solve) {
     solve.position_error_cm = 0.01 * solve.run;
     solve.evaluations = solve.label == "A" ? 200 : 100;
   }));
   CHECK(best_first(metric(of, "error"), of.metrics) == std::vector<std::size_t>{1, 0});
+  for (JudgedMetric& each : of.metrics) each.observations.measures = Measure::other;  // as a file's column of that name
+  CHECK(best_first(metric(of, "error"), of.metrics) == std::vector<std::size_t>{0, 1});
 }
 
 TEST_CASE("The plan's test, level, margin and control reach the comparison") {
