@@ -29,6 +29,8 @@ for jobs in 1 2; do
   same_fingerprint "jobs-$jobs/store.sqlite" straight/store.sqlite
   sound "jobs-$jobs/store.sqlite"
 done
+succeeds merge merged jobs-1 jobs-2
+same_fingerprint merged/store.sqlite straight/store.sqlite
 
 # A limit of wall time is as long as it says, also of a library's solver.
 succeeds run "$scripts/studies/limit.toml" --out limit --no-report

@@ -3,6 +3,9 @@
 #include <array>
 #include <cfenv>
 
+#include "analysis/judge/judge.hpp"
+#include "analysis/show/publish.hpp"
+#include "base/csv.hpp"
 #include "base/names.hpp"
 #include "tests/base/processes.hpp"
 #include "tests/experiments/samples.hpp"
@@ -24,7 +27,7 @@ class Faulty final : public Solver {
     if (is_faulty_ && place == "start") fault(best_);
   }
   void step(Objective& objective, numerics::Random&) override {
-    if (is_faulty_ && !noted.empty()) objective.note(noted, 2);
+    if (is_faulty_ && !noted.empty()) objective.note(noted, last_noted);
     if (is_faulty_ && place == "step") fault(best_);
   }
   const Best& best() const override {
@@ -38,6 +41,7 @@ class Faulty final : public Solver {
   static inline std::array<double, 2> middle{};  // of targets
   static inline bool asks = true;
   static inline std::string noted;
+  static inline double last_noted = 2;
   static inline std::string place;
   static inline std::function<void(Best&)> fault;
 
@@ -75,6 +79,22 @@ std::string said_of(const std::string& place, const std::function<void(Best&)>& 
   return said;
 }
 
+// Every reader takes a store's solves: the check of its rows, a merge, an export, a report.
+void check_that_all_read(const StoredStudy& study, const Store& store, const std::filesystem::path& folder) {
+  const std::vector<SolveRecord> solves = store.solves(study.name);
+  CHECK(complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, recheck_of(study)); }) == "");
+  std::filesystem::remove(folder / "merged.sqlite");
+  CHECK(results::merge(folder / "merged.sqlite", {folder / "store.sqlite"}, recheck_of).added == std::ssize(solves));
+  CHECK(fingerprint(Store(folder / "merged.sqlite", Store::Mode::read), study).text == fingerprint(store, study).text);
+  std::string csv;
+  write_csv([&](const TakeSolve& take) { store.each_of_study(study, take); },
+            [&](std::string_view part) { csv += part; }, store.names_of_extras(study));
+  CHECK(parse_csv(csv, "solves.csv").rows() == solves.size());
+  show::publish(show::report_of(judge::judge(judge::read_study(store, study)), {}), folder / "report",
+                {.only = {"none"}});
+  CHECK(parsed_json(text_in(folder / "report/results.json")).is_object());
+}
+
 }  // namespace
 
 TEST_CASE("whatever a class answers, every reader takes the store, and its neighbour has the same solves",
@@ -86,6 +106,7 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
     Status status;
     std::string told = "", noted = "";
     bool asks = true;
+    double last_noted = 2;
   };
   const auto fill = [](double value) { return [value](Best& best) { best.q.setConstant(value); }; };
   const auto claim = [](double error) { return [error](Best& best) { best.error = error; }; };
@@ -99,6 +120,8 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
                              {"step", fill(infinity), Status::not_finite, finite},
                              {"step", fill(1e308), Status::not_finite, finite},
                              {"step", fill(100), Status::claimed_but_wrong},
+                             {"step", fill(-100), Status::claimed_but_wrong},
+                             {"step", claim(1e308), Status::claimed_but_wrong},
                              {"step", claim(nan), Status::not_finite, finite},
                              {"start", claim(infinity), Status::not_finite, finite},
                              {"step", claim(0), Status::claimed_but_wrong},
@@ -108,6 +131,10 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
                              {"step", resize(10), Status::not_finite, finite},
                              {"step", [](Best&) { std::fesetround(FE_UPWARD); }, Status::ok},
                              {"", nothing, Status::ok, "", "stalls"},
+                             {"", nothing, Status::ok, "", "not a number", true, nan},
+                             {"", nothing, Status::ok, "", "=1,\"\"", true, -infinity},
+                             {"", nothing, Status::ok, "", "seconds", true, 1e308},
+                             {"", nothing, Status::ok, "", "refused_1", true, -0.0},
                              {"", nothing, Status::ok, cut, "my\tcount"},
                              {"", nothing, Status::ok, cut, std::string(100'000, 'x')},
                              {"", nothing, Status::ok, cut, "\x1b]0;x\x07\xc2\x9b\xff"},
@@ -118,9 +145,10 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
     study.solvers.push_back({.label = "RS", .solver = "random_search"});
     const StoredStudy stored = stored_study(study);
     std::vector<SolveRecord> neighbours;
-    for (const auto& [place, fault, status, told, noted, asks] : all) {
+    for (const auto& [place, fault, status, told, noted, asks, last_noted] : all) {
       INFO(search << ", " << place << ", " << name_of(status) << ", " << one_line(front(noted, 40)));
       Faulty::place = place, Faulty::fault = fault, Faulty::noted = noted, Faulty::asks = asks;
+      Faulty::last_noted = last_noted;
       const ScratchFolder folder;
       Progress progress;
       {
@@ -129,7 +157,7 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
       }
       const Store store(folder.path / "store.sqlite", Store::Mode::read);
       const std::vector<SolveRecord> solves = store.solves(study.name), odd = only("mine", solves);
-      CHECK(complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, recheck_of(stored)); }) == "");
+      check_that_all_read(stored, store, folder.path);
       if (neighbours.empty()) neighbours = only("RS", solves);
       CHECK(same_numbers(only("RS", solves), neighbours));
       REQUIRE(odd.size() == 4);
@@ -139,11 +167,60 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
       CHECK(store.names_of_extras(stored).empty() == noted.empty());
       if (noted == "stalls")
         CHECK(odd[2].extras == std::map<std::string, double>{{noted, 2}});  // the last that it said
+      std::vector<SolveRecord> made;
+      solve_study(study, 1, [&](SolveRecord solve) { made.push_back(std::move(solve)); });
+      if (noted.size() < 20) CHECK(same_numbers(only("mine", made), odd));  // longer ones are cut
       REQUIRE(progress.notes.size() == (told.empty() ? 0 : 1));
       if (!told.empty()) CHECK_THAT(progress.notes[0], StartsWith("mine: ") && ContainsSubstring(told));
     }
     Faulty::noted = "", Faulty::asks = true;
   }
+}
+
+// Also what a clock that jumps could tell, or another program.
+TEST_CASE("of records with any odd number, every reader takes what may be written", "[own_solver]") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  Study study = study_of_faulty("pose");
+  study.runs = 1000;
+  Faulty::place = "";
+  const StoredStudy stored = stored_study(study);
+  SolveRecord odd = solve_once(study, study.solvers.front(), targets(study, 1).front());
+  odd.session = 1;
+  const SolveRecord good = odd;
+  std::vector<SolveRecord> taken;
+  int offered = 0;
+  const auto offer = [&, check = check_of(stored)](auto member, const auto& value) {
+    odd = good;
+    odd.*member = value;
+    odd.run = static_cast<int>(taken.size()) + 1;
+    ++offered;
+    if (complaint<std::invalid_argument>([&] { check(odd); }).empty()) taken.push_back(odd);
+  };
+  for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
+    if (name == "run" || name == "session") return;
+    if constexpr (std::is_enum_v<Value>) {
+      for (std::size_t i = 0; i < names_of(Value{}).size(); ++i) offer(member, static_cast<Value>(i));
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      for (const std::size_t size : {(good.*member).size(), std::size_t{1000}})
+        for (const double value : {nan, infinity, -1e308, -0.0}) offer(member, std::vector<double>(size, value));
+    } else if constexpr (std::is_floating_point_v<Value>) {
+      for (const double value : {nan, infinity, -infinity, 1e308, -1.0, 5e-324}) offer(member, value);
+    } else if constexpr (std::is_integral_v<Value>) {
+      for (const Value value : {Value(0), Value(-1), std::numeric_limits<Value>::max()}) offer(member, value);
+    }
+  });
+  CHECK(offered - std::ssize(taken) > 30);
+  REQUIRE(taken.size() > 60);
+  const ScratchFolder folder;
+  {
+    Store store(folder.path / "store.sqlite", Store::Mode::write);
+    store.save_study(stored);
+    store.begin_session({});
+    store.append(taken);
+  }
+  const Store store(folder.path / "store.sqlite", Store::Mode::read);
+  CHECK(same_numbers(store.solves(study.name), taken));
+  check_that_all_read(stored, store, folder.path);
 }
 
 TEST_CASE("a solve that no reader would take ends the run with its place, and those before are stored",
