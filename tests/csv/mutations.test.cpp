@@ -22,19 +22,18 @@ TEST_CASE("whatever is in a CSV, it is judged or refused in one sentence", "[mut
       {rows, {.values = {"error"}, .label = {"solver"}, .block = {"problem", "run"}, .better = better}},
       {rows, {.label = {"solver"}, .run = "run", .where = {"problem=p1"}, .better = better}},
       {printed, {.better = better, .are_summaries = true}}};
-  int judged = 0;
   for (const auto& each_case : cases) {
     const std::string& whole = each_case.first;
     const csv::Request& request = each_case.second;
-    judged += read_mutated(Mutator(2023), whole, 250, "", [&](const std::string& text) {
+    const bool is_refused = request.better.empty() || !request.where.empty();  // which asks, and has too few rows
+    const auto judge_it = [&](const std::string& text) {
       csv::Quantities read = csv::read(text, "m.csv", request);
       for (judge::Observations& each : read.observed) {
         const judge::Plan plan = csv::with_margin({}, "", each);
         for (const judge::Group& group : judge::judge(std::move(each), plan).observations.groups)
           CHECK(std::ranges::none_of(values_of(group), [](double value) { return std::isnan(value); }));
       }
-    });
+    };
+    read_mutated(Mutator(2023), whole, 250, "", judge_it, is_refused ? 0 : 0.5);
   }
-  CHECK(judged > 100);
-  CHECK(judged < 1900);
 }

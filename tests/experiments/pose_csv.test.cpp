@@ -105,7 +105,9 @@ TEST_CASE("every mistake is told with its line, its column and what was expected
 }
 
 TEST_CASE("random changes and random bytes are read, or refused with their line", "[csv][fuzz]") {
-  CHECK(read_mutated(Mutator(5), quaternions, 3000, "path.csv:", poses_in) > 30);
+  read_mutated(Mutator(5), quaternions, 1000, "path.csv:", poses_in, 0.2);  // most others have another length
+  read_mutated(Mutator(5), "x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg\n0.5,-0.25,0.75,10,20,-30\n0.4,0.3,0.2,0,90,5\n",
+               2000, "path.csv:", poses_in);
   std::mt19937 random(6);
   for (int i = 0; i < 300; ++i) {
     std::string bytes(random() % 400, '\0');
