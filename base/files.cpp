@@ -161,7 +161,8 @@ std::optional<std::string> read_file(const fs::path& file, std::uintmax_t enough
       ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // nor waits for news, as in /proc/kmsg
   if (descriptor < 0) refuse_place("read", file, errno);
   std::string text;
-  std::array<char, 1 << 16> part;
+  if (const std::uintmax_t all = fs::file_size(file, error); !error) text.reserve(std::min(all, enough));
+  std::array<char, 1 << 13> part;
   ssize_t size = 0;
   do {
     size = ::read(descriptor, part.data(), part.size());
