@@ -32,7 +32,7 @@ using namespace results;
 namespace {
 
 // A stored study without its solvers and path.
-Study asked(const StoredStudy& stored) {
+Study study_in_store(const StoredStudy& stored) {
   const std::optional<Robot> arm = robots::stored_arm(stored.definition.arm);
   if (!arm)
     throw std::invalid_argument(fmt::format(
@@ -182,7 +182,7 @@ TakeSolve check_of(const StoredStudy& study) {
     kinds[series.label] = built_in(series)                                  ? Kind::ours
                           : parsed_json(series.options).contains("process") ? Kind::program
                                                                             : Kind::called;
-  return [definition = study.definition, arm = *asked(study).robot_of_file, kinds](const SolveRecord& solve) {
+  return [definition = study.definition, arm = *study_in_store(study).robot_of_file, kinds](const SolveRecord& solve) {
     check(definition, arm, kinds.at(solve.label), solve);
   };
 }
@@ -201,7 +201,7 @@ TakeSolve recheck_of(const StoredStudy& study) {
 }
 
 TakeSolve redraw_of(const StoredStudy& stored) {
-  Study study = asked(stored);
+  Study study = study_in_store(stored);
   const toml::table all = toml_of(parsed_json(stored.definition.json));
   TomlReader reader(all, "the definition of " + stored.name, "");
   TomlReader path = reader.part("path");
@@ -247,7 +247,7 @@ void check_name(const StoredStudy& study, const Series& series) {
 
 SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int64_t most,
                         const std::function<void(const Progress&)>& progress) {
-  Study study = asked(stored);
+  Study study = study_in_store(stored);
   SolvedAgain found;
   std::map<std::string, SolverEntry> entries;  // by label
   std::map<std::string, SolveRunner> runners;
