@@ -185,11 +185,9 @@ std::string stops_of(const StudyResults& study) {
 std::string ends_of_unsolved(const StudyResults& study) {
   if (!study.definition.has_tolerance()) return "";  // nothing is solved or not
   ByWord reasons, faults;
-  for (const auto& [label, all] : study.faults) {
-    std::vector<std::string> counts;
-    for (const auto& [fault, count] : all) counts.push_back(fmt::format("{} {}", fault, count));
-    faults.add(counts.size() > 10 ? fmt::format("{} faults", counts.size()) : listed(counts, ", "), label);
-  }
+  for (const auto& [label, all] : study.faults)
+    for (const auto& [fault, count] : all) faults.add(fault, fmt::format("{} {}", label, count));
+  if (faults.all.size() > 10) faults.all = {{base::counted(faults.all.size(), "faults"), {"solves.csv"}}};
   for (const std::string& label : study.labels) {
     std::set<std::string> of_label;
     for (const Solve& solve : study.of(label)) {
