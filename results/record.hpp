@@ -37,8 +37,8 @@ enum class Status : std::uint8_t {
 };
 
 // The circumstances of a solve's times. Only `clean` times are comparable, and `process`, those of another program,
-// which include its messages.
-enum class Timing : std::uint8_t { clean, parallel, debug_build, process };
+// which include its messages. batch: the time of a batch, divided by its size, wherever that was solved.
+enum class Timing : std::uint8_t { clean, parallel, debug_build, process, batch };
 
 // Tells who counted the evaluations.
 enum class CountedBy : std::uint8_t { suite, solver, nobody };
@@ -47,7 +47,9 @@ constexpr std::array<std::string_view, 12> names_of(Status) {
   return {"ok",         "invalid", "tolerance_missed", "limit_violated", "refused",  "claimed_but_wrong",
           "not_finite", "crashed", "timed_out",        "broke_protocol", "declined", "over_budget"};
 }
-constexpr std::array<std::string_view, 4> names_of(Timing) { return {"clean", "parallel", "debug_build", "process"}; }
+constexpr std::array<std::string_view, 5> names_of(Timing) {
+  return {"clean", "parallel", "debug_build", "process", "batch"};
+}
 constexpr std::array<std::string_view, 3> names_of(CountedBy) { return {"suite", "solver", "nobody"}; }
 
 // The least time [s] that a program may tell of a solve that took so much processor time [s]: with two threads, and a
