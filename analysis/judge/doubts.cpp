@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <ranges>
 #include <set>
 
 #include "analysis/judge/study.hpp"
@@ -151,7 +152,9 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& se
   const auto doubt_of = [](std::string what) {
     return Doubt{.kind = DoubtKind::times_not_comparable, .what = std::move(what)};
   };
-  if (std::ranges::any_of(study.solves, is_timed(Timing::parallel))) return {doubt_of("solved in parallel")};
+  const bool are_alone = study.in_batches.empty() || facts_of(study, "jobs") == std::set<std::string>{"1"};
+  if (!are_alone || std::ranges::any_of(study.solves, is_timed(Timing::parallel)))
+    return {doubt_of("solved in parallel")};
   if (std::ranges::any_of(study.solves, is_timed(Timing::debug_build))) return {doubt_of("a debug build")};
   if (std::ranges::none_of(study.sessions, is_of_this_clock)) return {doubt_of("of the clock of a former version")};
   const auto compared = std::ssize(sessions.compared);
@@ -165,6 +168,8 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& se
     add(doubts, {.kind = kind, .who = std::move(who), .what = what});
   };
   add_of(study.beside.labels, study.beside.of.c_str());
+  const auto in_batches = study.in_batches | std::views::keys;
+  add_of({in_batches.begin(), in_batches.end()}, "asked in batches");
   std::vector<std::string> silent, busy;
   for (std::size_t place = 0; place < study.labels.size(); ++place) {
     const std::string& solver = study.labels[place];

@@ -234,7 +234,7 @@ Observations observe_times(const StudyResults& study, const Metric& metric) {
   observed.fewest = fewest_sessions;
   const Sessions sessions = sessions_of(study);
   for (std::size_t i = 0; i < study.labels.size(); ++i)
-    observed.groups.push_back(study.beside.has(study.labels[i])
+    observed.groups.push_back(study.beside.has(study.labels[i]) || study.in_batches.contains(study.labels[i])
                                   ? Group{.name = study.labels[i], .sample = Untold{.why = Untold::Why::apart}}
                                   : group_of_times(study, metric, study.labels[i], sessions.told[i]));
   observed.doubts = doubts_of_times(study, sessions);

@@ -86,6 +86,9 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   }
   const bool is_told = record.cpu_seconds > 0 && record.claimed_seconds >= least_told(record.cpu_seconds);
   const double seconds = is_told ? record.claimed_seconds : record.seconds;
+  const bool is_single = record.timing != Timing::batch;
+  if (!is_single) study.in_batches[record.label].first.insert(record.repeats);
+  if (!is_single && std::isfinite(seconds)) study.in_batches[record.label].second.push_back(seconds);
   const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;
   const bool is_alone = record.timing == Timing::clean || (record.timing == Timing::process && is_told);
   const double period = study.definition.loop.period;
@@ -109,7 +112,7 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .variation_deg = record.variation_deg,
        .variation_m = record.variation_m,
        .largest_move_deg = record.largest_move_deg,
-       .seconds = seconds,
+       .seconds = is_single ? seconds : unknown,
        .bend_deg = bend.with(record.answer_rad),
        .evaluations = record.evaluations,
        .iterations = record.iterations,

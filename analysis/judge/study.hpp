@@ -34,7 +34,7 @@ struct Solve {
   // Of a control loop: longer than its period, where times count; further than a joint can move in one.
   bool is_late = false, is_too_fast = false;
   double position_error_cm = 0, orientation_error_deg = 0, variation_deg = 0, variation_m = 0;
-  double largest_move_deg = 0, seconds = 0;
+  double largest_move_deg = 0, seconds = 0;  // of a single call; NaN: in a batch
   double bend_deg = 0;  // mean second difference of all joint angles of its run until here; NaN: not known
   std::int64_t evaluations = 0, iterations = 0;
   std::uint64_t target = 0, start = 0, answer = 0;  // hashes of the bits of position and rotation, and of all joints
@@ -62,6 +62,8 @@ struct StudyResults : results::StoredStudy {
   std::vector<results::Session> sessions;   // that made them
   std::map<std::string, std::map<std::string, std::vector<double>>> extras;  // by name and solver; finite ones
   std::map<std::string, std::map<std::string, int>> faults;  // by solver: of answers that the study's check refused
+  // By solver that was asked in batches: their sizes, and the parts of their times [s] of each pose.
+  std::map<std::string, std::pair<std::set<int>, std::vector<double>>> in_batches;
   Beside beside = {};
   Doubt other_version = {.kind = DoubtKind::other_version};  // solves that stand in the store instead of missing ones
 

@@ -1,6 +1,7 @@
 #include "analysis/show/answer.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -116,6 +117,19 @@ Table beside_table(const StudyResults& study, const std::vector<std::string>& so
   return table;
 }
 
+// Times in batches, which are no single call's; without rows if there are none.
+Table batches_table(const StudyResults& study) {
+  Table table{.name = "batches",
+              .caption = "The time of a pose in a batch, solved or not, not tested",
+              .columns = {{"solver"}, {"in batches of"}, {"median", "ms"}, {"95 %", "ms"}}};
+  for (const auto& [solver, its] : study.in_batches) {
+    const Description all = described(its.second);
+    table.rows.push_back(
+        {solver, fmt::format("{}", fmt::join(its.first, ", ")), 1000 * all.median, 1000 * all.quantile_95});
+  }
+  return table;
+}
+
 }  // namespace
 
 std::vector<std::string> Answer::solvers() const {
@@ -176,6 +190,7 @@ Answer answer_of(const JudgedStudy& judged) {
   all.show = judged.study.definition.tables.show;
   all.loop = loop_table(judged.study, all.solvers());
   all.beside = beside_table(judged.study, all.solvers());
+  all.batches = batches_table(judged.study);
   const results::Definition& definition = judged.study.definition;
   const bool are_runs = definition.compares_runs();
   all.noun = are_runs ? "runs" : "targets";

@@ -23,6 +23,7 @@ struct Answer {
   results::TableStyle::Show show = results::TableStyle::Show::tested;  // of the table of results
   Table loop = {};                                                     // of a control loop; without rows if it is none
   Table beside = {};                                                   // times, of another machine too; likewise
+  Table batches = {};                                                  // times in batches; likewise
 
   const judge::JudgedMetric& decisive() const { return metrics.front(); }
   std::vector<std::string> solvers() const;  // in the order

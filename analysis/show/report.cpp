@@ -168,6 +168,7 @@ std::vector<Blocks> sections_of(const Report& report) {
   add("Pictures", {report.figures.begin(), report.figures.end()});
   add("Control loop", {report.answer.loop});
   add("Beside another machine", {report.answer.beside});
+  add("In batches", {report.answer.batches});
   std::ranges::copy(report.additions, std::back_inserter(sections));
   add("Who is better?", {pairs_table(report.answer)});
   if (!report.has_own_numbers) {

@@ -41,7 +41,7 @@ std::string screen(const Answer& answer, const std::string& page) {
   add(std::move(table));
   if (all > most_rows) text += fmt::format("  and {} more solvers\n", all - most_rows + 1);
   if (!notes.empty()) text += paragraph(with_short_names(notes), "");
-  for (const Table& more : {answer.loop, answer.beside}) {
+  for (const Table& more : {answer.loop, answer.beside, answer.batches}) {
     if (more.rows.empty()) continue;
     text += fmt::format("\n{}\n", more.caption);
     add(more);

@@ -83,9 +83,9 @@ struct Table {
 };
 
 // Names that tables with files have: what a later report of the same folder may remove.
-constexpr std::array<std::string_view, 15> names_of_tables{
-    "anova",      "beside", "claims",    "descriptives", "extras",      "loop",   "means", "methods",
-    "multiverse", "pairs",  "questions", "results",      "solve-rates", "solves", "table-"};
+constexpr std::array<std::string_view, 16> names_of_tables{
+    "anova",   "batches",    "beside", "claims",    "descriptives", "extras",      "loop",   "means",
+    "methods", "multiverse", "pairs",  "questions", "results",      "solve-rates", "solves", "table-"};
 
 // "0.1 to 0.8", "above 0 to 0.8"
 std::string interval_text(const judge::Interval& interval, const std::vector<double>& ends);

@@ -303,6 +303,30 @@ TEST_CASE("What a program tells is its time, if its processor time leaves room f
   CHECK(apart(told(0.01, 0.005)) == "B");  // it waited
 }
 
+TEST_CASE("Times in batches are of no single call, and those of batches at once of none") {
+  const auto batches = [](const char* jobs) {
+    std::vector<Session> sessions = sessions_of(5);
+    for (Session& session : sessions) session.environment["jobs"] = jobs;
+    return study(
+        chained,
+        [](SolveRecord& solve) {
+          if (solve.label == "B") solve.timing = Timing::batch, solve.repeats = 10;
+        },
+        {"A", "B"}, sessions);
+  };
+  for (const char* metric : {"seconds", "seconds_per_solved", "solved_in_time"}) {
+    const Observations of = observe(batches("1"), metric_named(metric));
+    CHECK(untold(group(of, "B")));
+    CHECK(list_of(group(of, "B")).empty());
+    REQUIRE(of.doubts.size() == 1);
+    CHECK(of.doubts.front().who == std::vector<std::string>{"B"});
+    CHECK(observe(batches("2"), metric_named(metric)).doubts.front().who.empty());
+  }
+  CHECK(times_of(batches("1"), "B").empty());
+  CHECK(batches("1").in_batches.at("B").first == std::set{10});
+  CHECK(std::ssize(batches("1").in_batches.at("B").second) == std::ssize(batches("1").of("B")));
+}
+
 TEST_CASE("Solved in time is a share of the solves that are compared, over sessions") {
   const Asked asked{.start = "middle",
                     .targets = "drawn",
