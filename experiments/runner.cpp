@@ -175,20 +175,22 @@ struct Bench {
   }
 };
 
-// Solves what these solvers miss of the parts, `jobs` at once: of each part, or two of them where a call on the other
-// comes between the two of a target, all solvers in turns at being first. What is solved is passed on, whatever ends
-// this, such as a solve that `check` refuses.
-void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, const std::vector<Part>& parts, int jobs,
+// Solves what these solvers, whose batches have one size, miss of the parts, `jobs` at once: of each part, or a batch,
+// or two of them where a call on the other comes between the two of a target, all solvers in turns at being first. What
+// is solved is passed on, whatever ends this, such as a solve that `check` refuses.
+void solve_alike(const Work& work, const std::vector<std::size_t>& solvers, const std::vector<Part>& parts, int jobs,
                  const std::atomic<bool>* cancelled, const TakeSolve& check, RecordQueue& record_queue) {
-  const bool is_hot = work.study.state == State::hot;
-  const std::size_t together = is_hot ? 2 : 1, groups = std::max<std::size_t>(1, parts.size() / together);
+  const auto batch = static_cast<std::size_t>(work.solve_runners[solvers.front()].batch());
+  const bool is_hot = work.study.state == State::hot && batch == 0;
+  const std::size_t together = std::max<std::size_t>(batch, is_hot ? 2 : 1), rest = batch > 0 ? together - 1 : 0;
+  const std::size_t groups = std::max<std::size_t>(1, (parts.size() + rest) / together);  // a rest is a batch
   PauseWatch pauses;
   std::vector<Bench> benches(static_cast<std::size_t>(jobs));
   const auto prepare = [&](Bench& bench) {
     const Call call = bench.call_at(work, parts.back().run, parts.back().last, work.study.initial);
     for (const std::size_t s : solvers) {
       bench.solvers.push_back(work.solve_runners[s].make_solver());
-      work.solve_runners[s].warm_up(*bench.solvers.back(), call);
+      work.solve_runners[s].warm_up(*bench.solvers.back(), call, std::min(together, parts.size()));
     }
   };
   const auto work_on = [&](std::size_t turn, std::size_t worker, const IsOver& is_over) {
@@ -206,16 +208,22 @@ void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, cons
       return true;
     };
     std::vector<SolveRecord> hot;  // are checked behind the last call, which that would cool
-    for (auto part = first; is_hot && part != end && !is_over(); ++part)
-      solve_runner.heat(solver, bench.call_at(work, part->run, part->first, work.study.initial));
+    const IsOver is_cut = batch > 0 ? IsOver([] { return false; }) : is_over;  // a batch is stored whole, or not
+    const auto heated = [&] {
+      for (auto part = first; part != end && !is_cut(); ++part)
+        solve_runner.heat(solver, bench.call_at(work, part->run, part->first, work.study.initial));
+      return SolveRecord{.status = batch == 0 || solve_runner.ask(solver) ? Status::ok : Status::crashed};
+    };
+    if ((is_hot || batch > 0) && !undisturbed(pauses, is_over, heated)) return;
+    if (batch > 0) solve_runner.count_failure(solver);
     for (auto part = first; part != end; ++part) {
       const auto stored_chain = work.left_arm.find({s, part->run});
       Configuration left_arm = work.study.initial;
       if (stored_chain != work.left_arm.end()) left_arm = stored_chain->second;
-      for (int point = work.next_point(s, *part); point <= part->last && !is_over(); ++point) {
+      for (int point = work.next_point(s, *part); point <= part->last && !is_cut(); ++point) {
         const Call call = bench.call_at(work, part->run, point, left_arm);
         std::optional<SolveRecord> record =
-            undisturbed(pauses, is_over, [&] { return solve_runner.solve(solver, call); });
+            undisturbed(pauses, is_cut, [&] { return solve_runner.solve(solver, call); });
         if (!record) break;
         if (!is_over()) solve_runner.count_failure(solver);
         if (moves_arm(*record, work.study.start)) left_arm = vector_of(record->answer_rad);
@@ -236,6 +244,13 @@ void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, cons
   record_queue.flush();
   benches.clear();
   for (const std::size_t s : solvers) work.solve_runners[s].end_processes();
+}
+
+void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, const std::vector<Part>& parts, int jobs,
+                 const std::atomic<bool>* cancelled, const TakeSolve& check, RecordQueue& record_queue) {
+  std::map<int, std::vector<std::size_t>> by_batch;
+  for (const std::size_t s : solvers) by_batch[work.solve_runners[s].batch()].push_back(s);
+  for (const auto& [batch, alike] : by_batch) solve_alike(work, alike, parts, jobs, cancelled, check, record_queue);
 }
 
 // What is odd about solvers that others wrote, by label.
@@ -374,7 +389,10 @@ bool moves_arm(const SolveRecord& solve, Start start) {
 SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target) {
   const Robot arm = arm_of(study);
   const SolveRunner solve_runner(study, entry, series_key(study, entry), arm);
-  return solve_runner.solve(*solve_runner.make_solver(), {target, study.initial, 1, 1});
+  const std::unique_ptr<solvers::Solver> solver = solve_runner.make_solver();
+  const Call call{target, study.initial, 1, 1};
+  if (solve_runner.batch() > 0) solve_runner.warm_up(*solver, call);  // which asks
+  return solve_runner.solve(*solver, call);
 }
 
 }  // namespace ikbench::experiments

@@ -88,10 +88,11 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::stri
       task_(study, arm),
       options_(effective_options(study, entry)),
       key_(std::move(key)),
-      timing_(is_debug_build() ? Timing::debug_build
-              : jobs > 1       ? Timing::parallel
-              : entry.program  ? Timing::process
-                               : Timing::clean),
+      timing_(batch() > 0        ? Timing::batch
+              : is_debug_build() ? Timing::debug_build
+              : jobs > 1         ? Timing::parallel
+              : entry.program    ? Timing::process
+                                 : Timing::clean),
       is_counted_(entry.program || info_of(entry).is_counted) {
   if (!entry.program) return;
   conversations_ = std::make_unique<Conversations>(
@@ -143,6 +144,7 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Call& call) const {
     timed.solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
     timed.answer = task_.completed(timed.solution.best.q, target, start);
     timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    if (batch() > 0) timed.seconds = program->account().seconds;
     if (program != nullptr && program->is_given_up()) timed.seconds = std::numeric_limits<double>::quiet_NaN();
     timed.extras = objective.notes();
   } catch (const std::invalid_argument& error) {
@@ -163,7 +165,9 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Call& call) const {
   return timed;
 }
 
-void SolveRunner::warm_up(Solver& solver, const Call& call) const {
+void SolveRunner::warm_up(Solver& solver, const Call& call, std::size_t together) const {
+  for (std::size_t i = 0; batch() > 0 && i < together; ++i) heat(solver, call);
+  if (batch() > 0) return solve_unrecorded([&](std::uint32_t) { ask(solver); });
   if (conversations_) {
     const Problem problem = task_.problem(call.start, effective_population(study_, entry_));
     return static_cast<ForeignSolver&>(solver).prepare(problem, Objective(task_.arm(), task_.goal(call.target)));
@@ -228,6 +232,7 @@ SolveRecord SolveRunner::record_of(const Call& call, const Timed& made, Status s
       .seconds = made.seconds,
       .cpu_seconds = made.cpu_seconds,
       .timing = timing_,
+      .repeats = account != nullptr ? account->together : 1,
       .smallest_seconds = made.seconds,
       .largest_seconds = made.seconds,
       .interruptions = made.interruptions,

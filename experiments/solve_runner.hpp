@@ -51,8 +51,12 @@ class SolveRunner {
   // up. Not for a solve that is not stored.
   void count_failure(solvers::Solver& solver) const;
   std::string odd() const;  // of what others wrote: a failure, or answers that it does not repeat; empty: nothing
-  // Starts a program; solves a few times, unrecorded, whatever comes of it.
-  void warm_up(solvers::Solver& solver, const Call& call) const;
+  int batch() const { return entry_.program ? entry_.program->choice.batch : 0; }
+  // Asks an entry with a batch for all calls by `heat` since the last time; `solve` then has their answers. False: it
+  // failed, with all of them.
+  bool ask(solvers::Solver& solver) const { return static_cast<ForeignSolver&>(solver).ask(); }
+  // Starts a program; solves a few times, unrecorded, whatever comes of it; so many calls together in a batch.
+  void warm_up(solvers::Solver& solver, const Call& call, std::size_t together = 1) const;
   // Both throw std::runtime_error, with label, run and point, if the solver throws (std::invalid_argument, if it throws
   // that). Solves once, unrecorded.
   void heat(solvers::Solver& solver, const Call& call) const { timed(solver, call); }

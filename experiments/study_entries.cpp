@@ -155,6 +155,11 @@ void check_entry(const TomlReader& reader, const TomlReader& at_entry, const Sol
     if (const Hello& hello = entry.program->hello; !hello.solves(goal_kind(study.search)))
       throw at_entry.mistake("process", fmt::format("{} solves for {}; expected another search", hello.name,
                                                     fmt::join(hello.goals, ", ")));
+    if (entry.program->choice.batch == 0) return;
+    if (!entry.program->hello.takes_batches)
+      throw at_entry.mistake("batch", entry.solver + " takes none: its hello does not say \"batch\": true");
+    if (study.is_chained())
+      throw at_entry.mistake("batch", "each solve starts where the one before ended; expected another start");
     return;
   }
   const SolverInfo info = solver(entry.solver);

@@ -95,8 +95,8 @@ void override_one(toml::table& study, const std::string& typed) {
       const std::string solver = (*entry)["solver"].value_or(std::string());
       const std::set<std::string> own = settings_of(solver);
       if (is_of_all ? own.contains(field) : owner == label || owner == solver) {
-        const bool is_of_entry =
-            field == population_key || field == "colour" || field == "memory_mb" || field == "patience_s";
+        const bool is_of_entry = field == population_key || field == "colour" || field == "memory_mb" ||
+                                 field == "patience_s" || field == "batch";
         insert(is_of_entry ? *entry : subtable(*entry, "options", option), field, value, option);
         is_known = true;
       }

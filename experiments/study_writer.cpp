@@ -379,10 +379,12 @@ std::vector<Series> series_of(const Study& study) {
   std::vector<Series> all;
   for (const SolverEntry& entry : study.solvers) {
     Settings options = effective_options(study, entry);
-    if (entry.program)
+    if (entry.program) {
       options["process"] = fmt::format("{}", fmt::join(entry.program->choice.process, " "));
-    else if (const SolverInfo& info = info_of(entry); info.use)
+      if (entry.program->choice.batch > 0) options["batch"] = static_cast<double>(entry.program->choice.batch);
+    } else if (const SolverInfo& info = info_of(entry); info.use) {
       info.use(options);
+    }
     if (entry.population > 0 || (!entry.program && info_of(entry).least_population > 0))
       options["population"] = static_cast<double>(effective_population(study, entry));
     Json values = Json::object();

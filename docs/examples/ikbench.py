@@ -200,9 +200,11 @@ def check(function, prepare=lambda robot: robot, *, version=""):
              "numbers": dict(zip(numbers, _numbers(numbers.values())))})
 
 
-def run(name, prepare, solve, *, version="", options={}, goals=["position", "axis", "pose"]):
+def run(name, prepare, solve=None, *, solve_batch=None, version="", options={}, goals=["position", "axis", "pose"]):
     """Says hello and answers until the input ends. `options` by name: a default, or (default, low, high, meaning); a
-    list has the choices, the default first. Their values are robot.options."""
+    list has the choices, the default first. Their values are robot.options. `solve_batch` gets a list of problems and
+    gives a list, or rows, of answers; each problem's budget of time is then that of all."""
+    solve = solve or (lambda prepared, problem: solve_batch(prepared, [problem])[0])
     say = _messages()
 
     def ask(message):
@@ -210,7 +212,23 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
         return json.loads(sys.stdin.readline() or sys.exit())
 
     say({"message": "hello", "ikbench": 2, "name": name, "version": version, "goals": goals,
-         "options": [_option(*each) for each in options.items()]})
+         "options": [_option(*each) for each in options.items()], **({"batch": True} if solve_batch else {})})
+
+    def answered(problem, q):
+        answer = {"message": "solved", "seed": problem.seed}
+        if not problem.evaluated:  # else ikbench's time is in it
+            problem.extras["setup_s"] = setup
+        if problem.extras:
+            answer["extras"] = dict(zip(problem.extras, _numbers(problem.extras.values())))
+        own = lambda q, start=None: _numbers(
+            inside([float(x) for x in q], robot.turns, problem.lower, problem.upper, start))
+        q = None if isinstance(q, (list, tuple)) and not q else q
+        if isinstance(q, (list, tuple)) and hasattr(q[0], "__len__"):
+            answer["answers"] = [own(each, problem.start) for each in q]
+        elif q is not None or not problem.evaluated:
+            answer["q"] = own(problem.start if q is None else q)
+        return answer
+
     for line in sys.stdin:
         told = json.loads(line)
         try:
@@ -224,22 +242,20 @@ def run(name, prepare, solve, *, version="", options={}, goals=["position", "axi
                 continue
             if why is not None:
                 raise Declined(why)
+            if told["message"] == "solve_batch":
+                problems = [Problem(each, None) for each in told["problems"]]
+                for problem in problems:
+                    problem.budget.seconds *= len(problems)
+                clock = _Clock()
+                found = solve_batch(prepared, problems)
+                seconds = clock.seconds()
+                if len(found) != len(problems):
+                    raise ValueError(f"{len(found)} answers of {len(problems)} problems")
+                say({"message": "solved_batch", "seconds": seconds, "answers": list(map(answered, problems, found))})
+                continue
             problem = Problem(told, ask)
             q = solve(prepared, problem)
             seconds = problem.clock.seconds()
-            answer = {"message": "solved", "seed": problem.seed}
-            if not problem.evaluated:  # else ikbench's time is in it
-                answer["seconds"] = seconds
-                problem.extras["setup_s"] = setup
-            if problem.extras:
-                answer["extras"] = dict(zip(problem.extras, _numbers(problem.extras.values())))
-            own = lambda q, start=None: _numbers(
-                inside([float(x) for x in q], robot.turns, problem.lower, problem.upper, start))
-            q = None if isinstance(q, (list, tuple)) and not q else q
-            if isinstance(q, (list, tuple)) and hasattr(q[0], "__len__"):
-                answer["answers"] = [own(each, problem.start) for each in q]
-            elif q is not None or not problem.evaluated:
-                answer["q"] = own(problem.start if q is None else q)
-            say(answer)
+            say(answered(problem, q) | ({} if problem.evaluated else {"seconds": seconds}))
         except Declined as declined:
             say({"message": "declined", "why": _plain(declined)})

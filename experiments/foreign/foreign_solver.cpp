@@ -1,6 +1,7 @@
 #include "experiments/foreign/foreign_solver.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,16 @@ void add_best(Account& account, std::int64_t evaluations, double best, double at
   if (best < improved.to.back()) improved.add(evaluations, best);
 }
 
+double seconds_since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
+
+// What it says that it took [s]; NaN if nothing.
+double told_seconds(const Message& message, double passed) {
+  const double told = message.number("seconds");
+  if (told < 0 || told > 1.1 * passed + 0.02)  // clocks differ, and some tick so rarely
+    message.fail(fmt::format("\"seconds\" from 0 to {:.2g}, which passed", passed));
+  return told == 0 ? std::nan("") : told;  // no clock tells so little
+}
+
 }  // namespace
 
 double own_seconds(const Account& account, double wall) {
@@ -87,7 +98,7 @@ void ForeignSolver::guarded(Talk&& talk) {
     talk();
   } catch (const Trouble& trouble) {
     note(trouble);
-    account_ = {.failure = status_of(trouble.kind)};
+    account_ = {.failure = status_of(trouble.kind), .together = account_.together, .seconds = account_.seconds};
     best_.error = std::numeric_limits<double>::infinity();
   }
 }
@@ -120,9 +131,44 @@ void ForeignSolver::count_failure() {
   if (!account_.failure) own_.failures_in_a_row = 0;
 }
 
+Clock::time_point ForeignSolver::deadline(double problems) const {
+  const double patience = all_.program->choice.patience;
+  const std::chrono::duration<double> given(patience > 0         ? patience
+                                            : stop_.seconds == 0 ? 60
+                                                                 : std::clamp(20 * stop_.seconds * problems, 5.0, 1e6));
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(given);
+}
+
+bool ForeignSolver::ask() {
+  account_ = {};
+  failure_.reset();
+  const auto size = static_cast<double>(own_.batch.size());
+  for (const std::string& problem : own_.batch) own_.answers[problem].reset();
+  Clock::time_point began = Clock::now();
+  guarded([&] {
+    ensure_running();
+    const double cpu_before = own_.child->cpu_seconds();
+    began = Clock::now();
+    const std::string problems = fmt::format("{}", fmt::join(own_.batch, ","));
+    const Message message =
+        exchange(*own_.child, R"({"message":"solve_batch","problems":[)" + problems + "]}\n", deadline(size));
+    const double told = told_seconds(message, seconds_since(began)), cpu = own_.child->cpu_seconds() - cpu_before;
+    account_.cpu_seconds = std::max(0.0, cpu) / size;
+    if (told >= least_told(cpu)) account_.claimed_seconds = told / size;
+    if (message.name() == "declined") throw Trouble{Trouble::Kind::declined, message.why()};
+    if (message.name() != "solved_batch") message.fail("\"solved_batch\" or \"declined\"");
+    own_.answers = message.answers(own_.batch);
+  });
+  account_.together = static_cast<int>(own_.batch.size());
+  account_.seconds = seconds_since(began) / size;
+  own_.each = account_;
+  return !account_.failure;
+}
+
 void ForeignSolver::prepare(const Problem& problem, const Objective& objective) {
   account_ = {};
   failure_.reset();
+  if (all_.program->choice.batch > 0) return;
   guarded([&] {
     const bool is_new = ensure_running();
     try {
@@ -170,13 +216,20 @@ Configuration ForeignSolver::nearest(const Candidates& answers, const Problem& p
 
 void ForeignSolver::converse(const Problem& problem, Objective& objective, std::uint32_t seed) {
   account_ = {};
-  const Clock::time_point began = Clock::now();
-  const double patience = all_.program->choice.patience;
-  const std::chrono::duration<double> given(patience > 0         ? patience
-                                            : stop_.seconds == 0 ? 60
-                                                                 : std::clamp(20 * stop_.seconds, 5.0, 1e6));
-  const Clock::time_point deadline = began + std::chrono::duration_cast<Clock::duration>(given);
-  const double cpu_before = own_.child->cpu_seconds();
+  const std::string question = solve_message(problem, objective.goal(), stop_, seed);
+  const bool is_of_batch = all_.program->choice.batch > 0;
+  if (is_of_batch && !own_.answers.contains(question)) {
+    if (!std::exchange(own_.answers, {}).empty()) own_.batch.clear();  // which was asked for
+    own_.batch.push_back(question);
+    own_.each = {.failure = Status::declined};
+  }
+  if (is_of_batch) account_ = own_.each;
+  if (account_.failure) {  // noted once, for all
+    best_.error = std::numeric_limits<double>::infinity();
+    return;
+  }
+  const Clock::time_point began = Clock::now(), last = deadline(1);
+  const double cpu_before = is_of_batch ? 0 : own_.child->cpu_seconds();
   const int joints = problem.joints();
   Objective uncounted(objective.arm(), objective.goal());
   Tolerance tolerance(stop_, uncounted);
@@ -184,8 +237,8 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   Best best;
   std::vector<double> seen;  // errors
   bool is_over = false;
-  Message message = exchange(*own_.child, solve_message(problem, objective.goal(), stop_, seed), deadline);
-  for (; message.name() == "evaluate"; ++account_.iterations) {
+  Message message = is_of_batch ? own_.answers[question].value() : exchange(*own_.child, question + '\n', last);
+  for (; !is_of_batch && message.name() == "evaluate"; ++account_.iterations) {
     const Candidates q = message.candidates(joints);
     account_.went_on |= is_over;
     const std::int64_t left = stop_.evaluations > 0 ? stop_.evaluations - objective.evaluations() : q.cols();
@@ -198,10 +251,11 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
     const std::optional<StopReason> end = spent(stop_, account_.iterations, objective.evaluations(), began);
     if (end && !is_over) account_.stopped = *end;
     is_over |= end || tolerance.is_reached(best);
-    message = exchange(*own_.child, errors_message(errors, is_over), deadline);
+    message = exchange(*own_.child, errors_message(errors, is_over), last);
   }
-  account_.cpu_seconds = std::max(0.0, own_.child->cpu_seconds() - cpu_before);  // 0: it ended at once
-  const std::chrono::duration<double> passed = Clock::now() - began;
+  const double passed = seconds_since(began);
+  if (!is_of_batch)
+    account_.cpu_seconds = std::max(0.0, own_.child->cpu_seconds() - cpu_before);  // 0: it ended at once
   if (message.name() == "declined") throw Trouble{Trouble::Kind::declined, message.why()};
   if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
   if (message.has("seed") && message.number("seed") != seed)
@@ -218,11 +272,7 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
     best_.q = message.has("q") || best.q.size() == 0 ? message.joints(joints) : best.q;
   best_.error = uncounted.error(best_.q);
   account_.claimed_error = message.number("error");
-  account_.claimed_seconds = message.number("seconds");
-  const double most = 1.1 * passed.count() + 0.02;  // clocks differ, and some tick so rarely
-  if (account_.claimed_seconds < 0 || account_.claimed_seconds > most)
-    message.fail(fmt::format("\"seconds\" from 0 to {:.2g}, which passed", passed.count()));
-  if (account_.claimed_seconds == 0) account_.claimed_seconds = std::nan("");  // no clock tells so little
+  if (!is_of_batch) account_.claimed_seconds = told_seconds(message, passed);
   const std::int64_t steps = message.count("iterations");  // else its questions; the first is the start of the search
   account_.iterations = steps >= 0 ? steps : std::max<std::int64_t>(0, account_.iterations - 1);
   const std::int64_t ours = objective.evaluations();

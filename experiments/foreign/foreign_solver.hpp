@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -32,6 +33,8 @@ struct Account {
   solvers::Improvements improved = {};
   double claimed_error = std::numeric_limits<double>::quiet_NaN();  // [m], its word
   double claimed_seconds = std::numeric_limits<double>::quiet_NaN();
+  int together = 1;    // the size of its batch, whose times are divided by it
+  double seconds = 0;  // its part of the wall time of a batch
 };
 
 // What a program took by its own word [s], or by its processor time if that leaves no room for it; `wall` if it tells
@@ -45,6 +48,10 @@ struct Conversation {
   std::string last_failure = {};        // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
   std::set<std::string> extras = {};    // names
   std::optional<Trouble> refusal = {};  // set if it is given up
+  // Of a batch: its problems, as their messages; what was answered to them, nothing if it failed; what they share.
+  std::vector<std::string> batch = {};
+  std::map<std::string, std::optional<Message>> answers = {};
+  Account each = {};
 };
 
 // A few unrecorded solves: solve(0), solve(1), solve(2), or fewer that take long.
@@ -82,7 +89,11 @@ class ForeignSolver final : public solvers::Searcher {
       : all_(all), stop_(stop), own_(all.take()) {}
   ~ForeignSolver() override { all_.give_back(std::move(own_)); }
 
-  // Call before the clock starts: starts the process if there is none, and warms it up.
+  // Of an entry with a batch `start` gives the answer that came for the problem in a batch. Where none was asked for,
+  // it puts the problem into the next batch, and `ask` sends this in one message, every time anew; false: it failed.
+  bool ask();
+  // Call before the clock starts: starts the process if there is none, and warms it up; nothing where batches are
+  // asked.
   void prepare(const solvers::Problem& problem, const solvers::Objective& objective);
   void start(const solvers::Problem& problem, solvers::Objective& objective, numerics::Random& random) override;
   void step(solvers::Objective&, numerics::Random&) override {}
@@ -98,6 +109,7 @@ class ForeignSolver final : public solvers::Searcher {
   void guarded(Talk&& talk);  // Trouble becomes the account's failure
   bool ensure_running();      // true if the process is new
   void note(const Trouble& trouble);
+  Clock::time_point deadline(double problems) const;
   robots::Configuration nearest(const robots::Candidates& answers, const solvers::Problem& problem,
                                 solvers::Objective& objective) const;
   void converse(const solvers::Problem& problem, solvers::Objective& objective, std::uint32_t seed);

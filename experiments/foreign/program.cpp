@@ -65,6 +65,7 @@ void list_fields(base::Fields& io, ProgramChoice& choice) {
            "address space that each process of the program may take, on Linux; 0: no limit");
   io.number("patience_s", choice.patience, 1, {0, 86400},
             "wall time after which a solve is given up; 0: 20 times stop.seconds, at least 5 s; without that 60 s");
+  io.whole("batch", choice.batch, {0, 1000}, "most problems that it gets in one message; 0: one by one");
 }
 
 Message next_message(ChildProcess& child, Clock::time_point deadline) {

@@ -15,7 +15,8 @@ struct ProgramChoice {
   std::vector<std::string> process;  // the program and its arguments
   std::vector<std::string> files;    // its further files
   int memory_mb = 0;                 // of each of its processes; 0: as much as there is
-  double patience = 0;               // [s] per solve; 0: max(5 s, 20 x stop.seconds), without that 60 s
+  double patience = 0;               // [s] per message; 0: max(5 s, 20 x stop.seconds of each), without that 60 s
+  int batch = 0;                     // problems in a message; 0: one by one
 };
 
 void list_fields(base::Fields& io, ProgramChoice& choice);

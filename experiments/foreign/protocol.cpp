@@ -87,8 +87,8 @@ std::string Message::text(const Json& object, const char* key) const {
 HelloOption Message::option(const Json& object) const {
   if (!object.is_object()) fail("options that are objects");
   HelloOption option{.name = text(object, "name"), .meaning = text(object, "meaning"), .choices = {}};
-  for (const char* key : {"", "solver", "label", "process", "files", "memory_mb", "patience_s", "population", "options",
-                          "colour", "if_missing"}) {
+  for (const char* key : {"", "solver", "label", "process", "files", "memory_mb", "patience_s", "batch", "population",
+                          "options", "colour", "if_missing"}) {
     if (option.name == key) fail("options whose \"name\" is no key of [[solvers]]");
   }
   if (const auto choices = object.find("choices"); choices != object.end()) {
@@ -132,6 +132,7 @@ Hello Message::hello() const {
     hello.goals.push_back(goal.get<std::string>());
   }
   if (hello.goals.empty()) fail("\"goals\" of position, axis and pose");
+  hello.takes_batches = json_->value("batch", Json()) == Json(true);
   return hello;
 }
 
@@ -191,6 +192,19 @@ std::map<std::string, double> Message::extras(const char* key) const {
   return extras;
 }
 
+std::map<std::string, std::optional<Message>> Message::answers(const std::vector<std::string>& problems) const {
+  const Json list = json_->value("answers", Json());
+  if (!list.is_array() || list.size() != problems.size())
+    fail(fmt::format("\"answers\", a list of {}", problems.size()));
+  std::map<std::string, std::optional<Message>> all;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const double seed = Message(problems[i]).number("seed");
+    const Message& its = all[problems[i]].emplace(base::text_of(list[i]));
+    if (its.number("seed") != seed) its.fail(fmt::format("\"seed\" {}, in the order of the problems", seed));
+  }
+  return all;
+}
+
 bool Message::has(const char* key) const { return json_->contains(key); }
 
 double Message::number(const char* key) const {
@@ -247,16 +261,16 @@ std::string solve_message(const Problem& problem, const Goal& goal, const StopRu
   OrderedJson target{{"position", numbers(goal.target.translation())}};
   if (goal.kind == GoalKind::pose) target["rotation"] = numbers(goal.target.linear().transpose().reshaped());
   if (goal.kind == GoalKind::axis) target["axis"] = numbers(goal.target.linear().col(2));
-  return line_of(
-      {{"message", "solve"},
-       {"target", target},
-       {"start", numbers(problem.start)},
-       {"lower", numbers(limits.lower)},
-       {"upper", numbers(limits.upper)},
-       {"tolerance", {{"position", stop.tolerance}, {"rotation", stop.angle_tolerance}}},
-       {"budget", {{"iterations", stop.iterations}, {"evaluations", stop.evaluations}, {"seconds", stop.seconds}}},
-       {"population", problem.population},
-       {"seed", seed}});
+  return base::text_of(OrderedJson{
+      {"message", "solve"},
+      {"target", target},
+      {"start", numbers(problem.start)},
+      {"lower", numbers(limits.lower)},
+      {"upper", numbers(limits.upper)},
+      {"tolerance", {{"position", stop.tolerance}, {"rotation", stop.angle_tolerance}}},
+      {"budget", {{"iterations", stop.iterations}, {"evaluations", stop.evaluations}, {"seconds", stop.seconds}}},
+      {"population", problem.population},
+      {"seed", seed}});
 }
 
 std::string errors_message(const Eigen::VectorXd& errors, bool is_over) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct Hello {
   std::string name, version;
   std::vector<HelloOption> options;
   std::vector<std::string> goals;  // that it solves for: position, axis, pose
+  bool takes_batches = false;
 
   bool solves(solvers::GoalKind goal) const;
 };
@@ -52,6 +54,8 @@ class Message {
   robots::Candidates candidates(int joints, const char* key = "candidates") const;
   std::map<std::string, double> extras(const char* key = "extras") const;
   std::string fault() const;  // why a check finds an answer invalid; empty: it is valid
+  // Of a batch, by the messages of its problems, in whose order they come, each with the seed of its problem.
+  std::map<std::string, std::optional<Message>> answers(const std::vector<std::string>& problems) const;
   bool has(const char* key) const;
   robots::Configuration joints(int joints) const;  // [rad]; NaN where the message has null
   double number(const char* key) const;            // NaN if there is none
@@ -72,6 +76,7 @@ class Message {
 // matter; `urdf` is the text of the arm's file; empty: it is written here.
 std::string robot_message(const robots::Robot& arm, const robots::Chain& searched, const solvers::Goal& goal,
                           const std::string& urdf, const Hello& hello, const solvers::Settings& options);
+// Without the end of its line.
 std::string solve_message(const solvers::Problem& problem, const solvers::Goal& goal, const solvers::StopRule& stop,
                           std::uint32_t seed);
 std::string errors_message(const Eigen::VectorXd& errors, bool is_over);

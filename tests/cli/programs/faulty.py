@@ -2,9 +2,37 @@
 import json, math, os, sys, time
 
 FAULT = sys.argv[1] if len(sys.argv) > 1 else ""
+held = None  # the answers of a batch
 
 def say(**message):
-    print(json.dumps(message), flush=True)
+    if held is not None: held.append(message)
+    else: print(json.dumps(message), flush=True)
+
+def once(fault):
+    if FAULT != fault or os.path.exists(fault + " once"): return False  # its own name would be a file of it
+    open(fault + " once", "w").close()
+    return True
+
+def batch(problems):
+    global held, batches
+    held = []
+    for problem in problems: solve(problem)
+    answers, held, told = held, None, {"seconds": 0.001 * len(problems)}
+    batches += len({problem["seed"] for problem in problems}) == len(problems)  # else it is a warm-up
+    if batches == 2:
+        if once("one too few"): answers.pop()
+        if once("one too many"): answers.append(answers[-1])
+        if once("another order"): answers.reverse()
+        if once("a null"): answers[1]["q"][0] = None
+        if once("no list"): answers = "none"
+        if once("seconds of a year"): told["seconds"] = 3e7
+        if once("a question"): answers[1] = {"message": "evaluate", "candidates": [[0] * 7]}
+        if once("declines one"): answers[1] = {"message": "declined", "why": "not this", "seed": problems[1]["seed"]}
+        if once("falls"): os._exit(3)
+        if once("never"): time.sleep(1000)
+    if FAULT == "always falls" and batches: os._exit(3)
+    if FAULT == "sleeps" and batches: time.sleep(0.2)
+    say(message="solved_batch", answers=answers, **told)
 
 def ask(candidates):
     say(message="evaluate", candidates=candidates)
@@ -44,14 +72,15 @@ def solve(problem):
         return say(message="solved", answers=[[9] * len(q), far, q, problem["start"]], extras={"restarts": 3, "nothing": None})
     say(message="solved", seed=problem["seed"], q=q, error=error + (0.01 if FAULT == "lies" else 0), **counted)
 
-say(message="hello", ikbench=2, name="faulty", version="1", options=[
+solves = batches = 0
+say(message="hello", ikbench=2, name="faulty", version="1", batch=FAULT != "one by one", options=[
     {"name": "w", "type": "number", "default": 0.5, "low": 0, "high": 1, "meaning": "nothing"}])
-solves = 0
 for line in sys.stdin:
     told = json.loads(line)
     if told["message"] == "robot":
         robot = told
         for joint in robot["joints"]: joint["turn"] = math.cos(joint["alpha"]), math.sin(joint["alpha"])
+    elif told["message"] == "solve_batch": batch(told["problems"])
     elif told["message"] == "solve":
         solves += 1
         if FAULT == "hangs" and solves == 7 and not os.path.exists("hung"):

@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# Programs that solve in batches: each fault is that of all problems of its message, and nothing is lost by a stop.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+cp "$scripts"/programs/faulty.py "$root"/docs/examples/{ikbench,descent}.py .
+
+# entry LABEL FAULT SIZE [PATIENCE]
+entry() { printf '[[solvers]]\nlabel = "%s"\nprocess = ["python3", "faulty.py", "%s"]\npatience_s = %s\n%s\n' "$1" "$2" "${4:-60}" "${3:+batch = $3}"; }
+batches() { # NAME ENTRY...
+  study "$@"
+  sed -i '1i start = "middle"\nturns = 1' "$1.toml"
+}
+# is STUDY LABEL STATUSES: the counts of its 16 solves.
+is() { [[ $(column "$1/store.sqlite" status "$2" | counted | paste -sd' ') =~ ^$3$ ]] || fail "$2: $(column "$1/store.sqlite" status "$2" | counted)"; }
+any='([0-9]+ (ok|tolerance_missed|limit_violated) ?)+'
+
+# A batch entry beside a single one: the same answers, compared; times apart.
+batches both "$(entry single fine "")" "$(entry batch fine 5)" "$(entry large fine 1000)" "$(entry one fine 1)"
+succeeds run both.toml --set turns=6 --figures none --out both --json
+for label in batch large one; do
+  equal "answers of $label" "$(column both/store.sqlite position_error_cm $label)" "$(column both/store.sqlite position_error_cm single)"
+done
+json '{row["metric"] for row in of["findings"] if {row["first"], row["second"]} == {"single", "batch"} and row["p"] is not None} >= {"error"}'
+json 'all(row["p"] is None for row in of["findings"] if row["metric"] == "time" and {row["first"], row["second"]} & {"batch", "large", "one"})'
+json '{row["n"] for row in of["groups"] if row["metric"] == "time" and row["solver"] in ("batch", "large", "one")} <= {0}'
+json 'any("batch" in doubt and "in batches" in doubt for doubt in of["doubts"])'
+equal "times of a batch" "$(grep '^one' both/tables/batches.csv)" "one,1,1.0,1.0"
+equal "timing" "$(column both/store.sqlite timing batch | counted)" "16 batch"
+succeeds run both.toml --no-report --out whole
+equal "sizes" "$(column whole/store.sqlite repeats batch | counted | paste -sd' ')" "1 1 15 5"
+equal "sizes" "$(column whole/store.sqlite repeats large | counted | paste -sd' ')" "16 16"
+equal "its own time, divided" "$(column whole/store.sqlite claimed_seconds batch | sort -u)" 0.001
+
+# Shares of machines, two at once, and a stop in the middle of a batch: the same solves.
+for shard in 1/2 2/2; do succeeds run both.toml --no-report --shard $shard --out shards/${shard%/*}; done
+succeeds merge merged shards
+same_fingerprint merged/store.sqlite both/store.sqlite
+succeeds run both.toml --no-report --out parallel --jobs 2
+same_fingerprint parallel/store.sqlite both/store.sqlite
+batches stops "$(entry sleeps sleeps 3)"
+succeeds run stops.toml --no-report --out straight
+"$program" run stops.toml --no-report --out stopped >/dev/null 2>&1 &
+process=$!
+until [ "$(column stopped/store.sqlite status sleeps 2>/dev/null | wc -l)" -ge 3 ]; do
+  kill -0 $process || fail "it ended before it was stopped"
+  sleep 0.02
+done
+kill -INT $process
+wait $process
+left=$(column stopped/store.sqlite status sleeps | wc -l)
+((left < 16 && left % 3 == 0)) || fail "$left solves of a batch of 3 are stored"
+succeeds run stops.toml --no-report --out stopped
+same_fingerprint stopped/store.sqlite straight/store.sqlite
+equal "sizes after a stop" "$(column stopped/store.sqlite repeats sleeps | counted | paste -sd' ')" "1 1 15 3"
+
+# Each fault is of one message, the second: whoever gives the others' answers loses none.
+batches faults "$(entry few "one too few" 5)" "$(entry many "one too many" 5)" "$(entry order "another order" 5)" \
+  "$(entry list "no list" 5)" "$(entry year "seconds of a year" 5)" "$(entry asks "a question" 5)" "$(entry null "a null" 5)" \
+  "$(entry declines "declines one" 5)" "$(entry falls falls 5)" "$(entry never never 5 2)" "$(entry always "always falls" 5)"
+succeeds run faults.toml --no-report --out faults
+for label in few many order list year asks; do is faults $label "(5 broke_protocol $any|${any}5 broke_protocol.*)"; done
+is faults null ".*1 not_finite.*"
+is faults declines "1 declined $any"
+is faults falls "5 crashed $any"
+is faults never "${any}5 timed_out"
+is faults always "16 crashed"
+equal "solves with a time, before it is given up" "$(column faults/store.sqlite seconds always | grep -vc NaN)" 10
+err=$(tr -s '\n ' ' ' <.err)
+has "$err" 'a list of 5'
+has "$err" 'in the order of the problems'
+equal "moves of solves without an answer" "$(sqlite3 faults/store.sqlite "SELECT count(*) FROM solves WHERE
+  status IN ('crashed', 'timed_out', 'broke_protocol', 'declined') AND start_rad <> answer_rad")" 0
+
+# What cannot be asked in batches is said before anything is solved.
+batches mistake "$(entry mine "one by one" 5)"
+refused '"batch": true' run mistake.toml
+study mistake "$(entry mine fine 5)"
+refused "expected another start" run mistake.toml
+batches mistake "$(entry mine fine 1001)"
+refused "from 0 to 1000" run mistake.toml
+batches mistake '[[solvers]]' 'solver = "levenberg_marquardt"' 'batch = 5'
+refused "batch" run mistake.toml
+[ ! -e out ] || fail "something was solved"
+
+# The helper: what solves one solves many.
+sed 's/^ikbench.run(\(.*\))$/ikbench.run(\1, solve_batch=lambda arm, all: [solve(arm, each) for each in all])/' descent.py >many.py
+batches helper '[[solvers]]' 'label = "one"' 'process = ["python3", "many.py"]' '[[solvers]]' 'label = "many"' 'process = ["python3", "many.py"]' 'batch = 4'
+succeeds run helper.toml --no-report --out helper
+equal "answers by the helper" "$(column helper/store.sqlite position_error_cm many)" "$(column helper/store.sqlite position_error_cm one)"
