@@ -85,6 +85,13 @@ struct Solving {
     return {solution.best.q, position, asked, took.count(), solver.account()};
   }
 
+  // Of a program with a batch: asks for all poses of `once` since the last time.
+  void ask() {
+    ForeignSolver solver(all, usual);
+    solver.ask();
+    solver.count_failure();
+  }
+
   bool is_solved_by_lm(int which) const {
     Objective objective(arm.chain, some_goal(arm, goal.kind, beyond, which));
     Random random(Key(1));
@@ -146,6 +153,18 @@ class Checks {
     answers("a joint that turns without end", turning);
     answers("a joint that slides", shifting);
     same(*usually, afresh, first);
+    if (program->hello.takes_batches) {
+      auto batched = std::make_shared<Program>(*program);
+      batched->choice.batch = 20;
+      Solving together(batched, arm_, kind);
+      for (int which = 0; which < batched->choice.batch; ++which)
+        together.once(usual, which);  // which puts it into one
+      together.ask();
+      const Tried tried = together.once();
+      const bool is_off = tried.account.failure || !(tried.error <= 2 * std::max(usual.tolerance, first.error));
+      line("it answers the first of 20 poses in a batch as alone",
+           !is_off ? "" : fmt::format("{:.2g} m off; {}", tried.error, together.all.last_failure()));
+    }
     budgets(hopeless);
     farewell(usually->all.take());
   }

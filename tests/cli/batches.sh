@@ -81,8 +81,13 @@ batches mistake '[[solvers]]' 'solver = "levenberg_marquardt"' 'batch = 5'
 refused "batch" run mistake.toml
 [ ! -e out ] || fail "something was solved"
 
-# The helper: what solves one solves many.
+# The helper: what solves one solves many, and check-solver asks for both.
 sed 's/^ikbench.run(\(.*\))$/ikbench.run(\1, solve_batch=lambda arm, all: [solve(arm, each) for each in all])/' descent.py >many.py
 batches helper '[[solvers]]' 'label = "one"' 'process = ["python3", "many.py"]' '[[solvers]]' 'label = "many"' 'process = ["python3", "many.py"]' 'batch = 4'
 succeeds run helper.toml --no-report --out helper
 equal "answers by the helper" "$(column helper/store.sqlite position_error_cm many)" "$(column helper/store.sqlite position_error_cm one)"
+succeeds check-solver -- python3 many.py
+has "$out" "20 poses in a batch"
+sed 's/for each in all\]/for each in reversed(all)]/' many.py >turned.py
+ends 1 check-solver -- python3 turned.py
+has "$(grep FAILED <<<"$out")" "20 poses in a batch"
