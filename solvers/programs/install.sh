@@ -3,7 +3,7 @@
 # installs into build/uv where there is none); each in C++, with the sources that its head names (needs g++, Eigen, KDL, NLopt,
 # Boost; by pip); and with_k in Rust (needs cargo).
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 2
-(($#)) || set -- with_*.py *.cpp with_k
+(($#)) || set -- $(printf '%s\n' with_*.py | grep -v torch) *.cpp with_k  # torch takes 6 GB
 here=$PWD code=1  # if none is installed
 export PATH=$PATH:$PWD/../../build/uv/bin
 command -v uv >/dev/null || { python3 -m venv ../../build/uv && ../../build/uv/bin/pip install --quiet uv; } || exit 2
