@@ -46,6 +46,18 @@ TEST_CASE("In a loop a timed solve is late beyond the period, or without an answ
   for (const Solve& solve : of.of("A")) CHECK(solve.is_late == (solve.point % 2 == 1));
 }
 
+TEST_CASE("In a loop a joint is too fast beyond its velocity; one without limits goes the shorter way") {
+  for (const std::string limits : {"\"none\"", "[-360, 360]"}) {
+    const Asked asked{.runs = 1,
+                      .rest = R"(, "loop": {"period_ms": 500}, "arm": {"velocity_deg_s": [90], "links": )"
+                              R"([{"limits_deg": )" +
+                              limits + "}]}"};
+    const StudyResults of =
+        study(asked, [](SolveRecord& solve) { solve.start_rad = {3.1}, solve.answer_rad = {-3.1}; });
+    for (const Solve& solve : of.of("A")) CHECK(solve.is_too_fast == (limits != "\"none\"" && solve.point > 1));
+  }
+}
+
 TEST_CASE("A control that is no solver is none") {
   const Asked asked{.rest = R"(, "analysis": {"control": "gone"})"};
   CHECK(study(asked, [](SolveRecord&) {}).definition.plan.control.empty());
