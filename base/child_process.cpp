@@ -136,7 +136,7 @@ template <class Spawn>
     int its = 0;
     while ((ended = ::waitpid(-1, &its, WNOHANG)) > 0)
       if (ended == process) is_over = true, status = its;
-    if (!is_over || ended < 0) continue;
+    if (!is_over) continue;
     ::kill(-process, SIGKILL), ::kill(process, SIGKILL);   // it may have left the group
     std::ifstream children("/proc/thread-self/children");  // with those whose parents have just ended
     for (pid_t child = 0; children >> child;) ::kill(child, SIGKILL);

@@ -1,4 +1,5 @@
-// Files that the build embeds in the program (packaging/embed.cmake): arms, studies, readings, printed tables, the page.
+// Files that the build embeds in the program (packaging/embed.cmake): arms, studies, readings, printed tables, the
+// page.
 #pragma once
 
 #include <algorithm>

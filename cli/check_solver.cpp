@@ -73,7 +73,7 @@ struct Solving {
 
   Tried once(const StopRule& stop = usual, int which = 0) {
     Objective objective(arm.chain, some_goal(arm, goal.kind, beyond, which));
-    Random random(Key(1));
+    Random random(Key(1).with(static_cast<std::uint64_t>(which)));
     ForeignSolver solver(all, stop);
     solver.prepare(problem, objective);
     const Clock::time_point began = Clock::now();

@@ -165,11 +165,10 @@ std::string targets_of(const Gate& gate) {
     return fmt::format("{} and {} more", fmt::join(all, ", "), more);
   };
   const auto rest = gate.judged.metrics.back().described.front().n - static_cast<int>(changed);
-  return fmt::format(
-      "{}Lost: {}; won: {}; {} {} the same to the bit.", gate.label.empty() ? "" : gate.label + ": ", names(gate.lost),
-      names(gate.won),
-      gate.same == rest ? fmt::format("the other {}", rest) : fmt::format("of the other {}, {}", rest, gate.same),
-      gate.same == 1 ? "is" : "are");
+  const std::string same = gate.same == rest ? fmt::format("the other {} are the same to the bit", rest)
+                                             : fmt::format("the same to the bit: {} of the other {}", gate.same, rest);
+  return fmt::format("{}Lost: {}; won: {}; {}.", gate.label.empty() ? "" : gate.label + ": ", names(gate.lost),
+                     names(gate.won), same);
 }
 
 // Something may differ.
@@ -186,6 +185,7 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
     solves += gate.judged.metrics.back().described.front().n;
     for (const judge::JudgedMetric& judged : show::answer_of(gate.judged).metrics) {
       if (gate.label.empty() || is_told(gate) || judged.observations.unit != "ms") continue;
+      if (!std::isfinite(show::shown_average(judged, 0).value)) continue;  // in batches
       for (const Doubt& doubt : judged.observations.doubts) others.insert(show::warning_of(doubt));
       times.push_back(fmt::format("{} before {}, now {} ms", gate.label,
                                   show::number_text(show::shown_average(judged, 1).value),

@@ -61,6 +61,8 @@ void add_export(CLI::App& app, Invocation&) {
   command->callback([arguments] {
     if (arguments->format == "archive") {
       if (arguments->file == "-") throw std::invalid_argument("--format archive: expected -o FILE, as mine.sqlite");
+      if (!arguments->study.empty())
+        throw std::invalid_argument("an archive has all studies of its store; leave out --study");
       return write_archive(arguments->store, arguments->file);
     }
     const Store store(arguments->store, Store::Mode::read);

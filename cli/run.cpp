@@ -34,7 +34,7 @@ struct StudyToRun {
   std::optional<std::string> shard;
 };
 
-// In the order of --set: what other options say comes first, so that --set has the last word.
+// In the order of --set, which has the last word but for links and sweeps.
 Overrides overrides_of(const StudyToRun& arguments) {
   Overrides overrides;
   if (arguments.report.beside == judge::archive_name)

@@ -37,7 +37,9 @@ void add_verify(CLI::App& app, Invocation& invocation) {
     for (const Session& session : store.sessions()) {
       const auto its = session.environment.find(fmt::format("{}{}", seal_fact, study.name));
       if (its != session.environment.end() && its->second != seal)
-        throw std::invalid_argument(fmt::format("it was archived as {}; now it is {}", its->second, seal));
+        throw std::invalid_argument(
+            fmt::format("it was archived as {}; now it is {}; if more was solved since, merge it into a new store",
+                        its->second, seal));
     }
     std::optional<ProgressBar> bar("solving again");
     const SolvedAgain again =
@@ -48,6 +50,7 @@ void add_verify(CLI::App& app, Invocation& invocation) {
     const auto leave_out = [&](const std::vector<std::string>& labels, const char* why) {
       if (!labels.empty()) unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), why));
     };
+    if (!study.definition.check.process.empty()) unchecked.emplace_back("what the study's check said");
     leave_out(again.foreign, " (programs and libraries)");
     leave_out(again.of_other_source, " (the source is another in this version)");
     if (study.definition.stop.seconds > 0) leave_out({"all solves"}, ", which a clock may end");

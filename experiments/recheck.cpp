@@ -115,7 +115,7 @@ bool may_spend(const StopRule& stop, Kind kind, const SolveRecord& solve) {
 
 // What the study's check said of the answer, if it reached: all its numbers, and one fault if it is invalid.
 void refuse_wrong_check(const Definition& study, const SolveRecord& solve) {
-  const bool has_check = !study.check.digest.empty(), is_invalid = solve.status == Status::invalid;
+  const bool has_check = !study.check.process.empty(), is_invalid = solve.status == Status::invalid;
   const auto is_there = [&](const std::string& number) {
     const auto extra = solve.extras.find(fmt::format("{}{}", check_extra, number));
     return extra != solve.extras.end() && std::isfinite(extra->second);

@@ -233,7 +233,8 @@ void solve_alike(const Work& work, const std::vector<std::size_t>& solvers, cons
           break;
       }
     }
-    std::ranges::all_of(hot, hand_in);
+    for (SolveRecord& record : hot)
+      if (!hand_in(record)) break;
   };
   try {
     share_out(groups * solvers.size(), jobs, cancelled, work_on);

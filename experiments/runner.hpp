@@ -29,13 +29,13 @@ struct RunRequest {
 // of solvers, or on what the store already had.
 // The names of a class's notes are cut to what the store takes. A solve that no reader would take (check_of), as after
 // a jump of the clock, ends the run with std::runtime_error and its place; those before are stored.
-// Each solve is one timed call. A study is done in turns, each a session of the store with its share of the runs or
-// targets, processes of its own and another order of the solvers, after a few unrecorded solves of each. Where solves
-// do not start from the answer before, all solvers solve a target before the next; else a solver makes a run in a row.
-// In a session all solvers miss the same, so that their times in it are of the same targets; a shard is one turn.
-// A row is only what the solver did: a solve in which the process stood still for long (PauseWatch) is made anew, and
-// one in which `cancelled` was set is stored only if it solved. Once all is solved, throws std::invalid_argument if
-// another process has saved another study of that name.
+// Each solve is one timed call, or one of a program's batch. A study is done in turns, each a session of the store with
+// its share of the runs or targets, processes of its own and another order of the solvers, after a few unrecorded
+// solves of each. Where solves do not start from the answer before, all solvers solve a target before the next (those
+// with batches behind them); else a solver makes a run in a row. In a session all solvers miss the same, so that their
+// times in it are of the same targets; a shard is one turn. A row is only what the solver did: a solve in which the
+// process stood still for long (PauseWatch) is made anew, and one in which `cancelled` was set is stored only if it
+// solved. Once all is solved, throws std::invalid_argument if another process has saved another study of that name.
 Progress run(const Study& study, results::Store& store, const RunRequest& request);
 // The same for who has its stored_study.
 Progress run(const Study& study, const results::StoredStudy& stored, results::Store& store, const RunRequest& request);

@@ -167,7 +167,10 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Call& call) const {
 
 void SolveRunner::warm_up(Solver& solver, const Call& call, std::size_t together) const {
   for (std::size_t i = 0; batch() > 0 && i < together; ++i) heat(solver, call);
-  if (batch() > 0) return solve_unrecorded([&](std::uint32_t) { ask(solver); });
+  if (batch() > 0) {
+    solve_unrecorded([&](std::uint32_t) { ask(solver); });
+    return static_cast<ForeignSolver&>(solver).forget_batch();  // a target may be asked for again
+  }
   if (conversations_) {
     const Problem problem = task_.problem(call.start, effective_population(study_, entry_));
     return static_cast<ForeignSolver&>(solver).prepare(problem, Objective(task_.arm(), task_.goal(call.target)));

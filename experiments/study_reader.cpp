@@ -16,6 +16,7 @@
 #include "experiments/study_parts.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/task.hpp"
+#include "results/export.hpp"
 #include "results/published.hpp"
 #include "robots/rotation.hpp"
 #include "robots/spherical_wrist.hpp"
@@ -133,6 +134,14 @@ void check_stop(const TomlReader& stop, const Study& study) {
 void read_check(TomlReader reader, Study& study) {
   list_fields(reader, study.check);
   study.checker = read_program(reader, false);
+  if (study.checker->choice.batch > 0) throw reader.mistake("batch", "[check] is asked of one answer a message");
+  const std::vector<std::string> numbers = study.check.numbers();
+  for (const std::string& name : numbers)
+    if (trimmed(name).empty() || !is_plain(name) || name.size() > most_bytes_of_name || name.starts_with(check_extra) ||
+        name.starts_with(invalid_extra))
+      throw reader.mistake("larger", fmt::format("[check] names a number \"{}\"; expected a plain text", name));
+  if (numbers.size() > most_extras)
+    throw reader.mistake("larger", fmt::format("[check] names {} numbers; at most {}", numbers.size(), most_extras));
   study.check.process = study.checker->choice.process, study.check.digest = study.checker->digest;
   reader.refuse_unknown_keys();
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/json.hpp"
@@ -137,8 +138,8 @@ OrderedJson definition(const Study& study) {
   json["stop"] = json_of(written(fields.stop));
   if (fields.loop.period > 0) json["loop"] = json_of(written(fields.loop));
   if (study.checker) {
-    ProgramChoice choice = study.checker->choice;
-    json["check"] = json_of(written(fields.check), json_of(written(choice), {{"digest", study.check.digest}}));
+    json["check"] = json_of(written(fields.check));
+    json["check"]["process"] = study.check.process, json["check"]["files"] = study.checker->choice.files;
   }
   if (is_urdf_file(study.robot)) json["urdf"] = json_of(written(fields.urdf));
   json["path"] = json_of(written(fields.path), {{"kind", fields.path->name()}});
@@ -335,9 +336,12 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
   // Other fields enter only if they differ from their defaults, so that a new one leaves stored solves as they are.
   text += said_by_name(study, Study{});
   text += said_by_name(study.stop, StopRule{}, "stop.");
-  if (study.checker)
-    text +=
-        said_by_name(study.checker->choice, ProgramChoice{}, "check.") + said_by_name(study.check, Check{}, "check.");
+  if (study.checker) {
+    const std::vector<std::string> numbers = study.check.numbers();
+    text += fmt::format("\ncheck {} files {} numbers {}", fmt::join(study.check.process, " "),
+                        fmt::join(study.checker->choice.files, " "),
+                        fmt::join(std::set<std::string>(numbers.begin(), numbers.end()), ", "));
+  }
   // Does not compile with a further field of SolverEntry. Options and population enter as they are in effect, whether
   // a sweep chose them or not.
   [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own, colour, family] =

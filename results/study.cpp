@@ -87,7 +87,6 @@ Definition definition_of(std::string_view json) {
   list_fields(loop, study.loop);
   list_fields(check, study.check);
   check.texts("process", study.check.process);
-  check.text("digest", study.check.digest);
   list_fields(analysis, study.plan);
   list_fields(figures, study.figures);
   list_fields(tables, study.tables);

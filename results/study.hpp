@@ -77,8 +77,8 @@ inline void list_fields(base::Fields& io, Loop& loop) {
 // A program of the user's own that says which answers that reached their target are valid.
 struct Check {
   std::vector<std::string> larger = {}, smaller = {};  // its numbers, by which of them are better
-  std::vector<std::string> process = {};               // as the store has it, and its digest; empty: there is no check
-  std::string digest = {};
+  std::vector<std::string> process = {};               // empty: there is no check
+  std::string digest = {};                             // of its program, which is of the series; not in a store
 
   std::vector<std::string> numbers() const {
     std::vector<std::string> all = larger;

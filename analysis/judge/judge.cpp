@@ -121,6 +121,7 @@ JudgedStudy observe_all(StudyResults study) {
     if (!is_deciding && !has_meaning(observed)) continue;
     if (is_deciding) judged.deciding = judged.metrics.size();
     judged.metrics.push_back({.observations = std::move(observed), .plan = definition.plan});
+    if (metric.value_of == nullptr) judged.metrics.back().plan.margin = 0;  // a share of what may be below 0
   }
   judged.doubts = doubts_of(study);
   judged.study = std::move(study);

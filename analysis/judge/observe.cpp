@@ -97,7 +97,7 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, st
                         : definition.draws_targets ? (solve.run - 1) * definition.points + solve.point
                                                    : solve.point;
       const double value = is_unknown ? unknown : metric.value(solve, study);
-      values.push_back({block, value < least ? least : value});
+      values.push_back({block, metric.kind == Kind::error && value < least ? least : value});
     }
   }
   if (!std::ranges::is_sorted(values, {}, &Value::block)) std::ranges::stable_sort(values, {}, &Value::block);
@@ -257,7 +257,8 @@ std::vector<Metric> metrics_of(const StudyData& study) {
        {std::pair(&study.check.larger, Better::larger), {&study.check.smaller, Better::smaller}}) {
     for (const std::string& name : *names) {
       for (const Metric& known : all)
-        if (name == known.column || name == known.slug || name == known.name)
+        if (const std::string its = base::lower_case(name);
+            its == known.column || its == known.slug || its == known.name || its == "answered")
           throw std::invalid_argument(fmt::format("[check] has the number {}, which is a metric already", name));
       all.push_back({name, name, name, "", Kind::cost, Measure::other, 0, 0, Told::always, nullptr,
                      all.size() - rows.size(), better});

@@ -76,7 +76,7 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   for (const std::string& name : study.definition.check.numbers())
     if (const auto found = record.extras.find(std::string(check_extra) + name); found != record.extras.end())
       numbers.push_back(found->second);
-  const bool has_check = !study.definition.check.digest.empty();
+  const bool has_check = !study.definition.check.process.empty();
   for (const auto& [name, value] : record.extras) {
     if (has_check && name.starts_with(invalid_extra)) ++study.faults[record.label][name.substr(invalid_extra.size())];
     if (has_check && (name.starts_with(invalid_extra) || name.starts_with(check_extra))) continue;

@@ -208,16 +208,17 @@ Answer answer_of(const JudgedStudy& judged) {
       all.notes.push_back(fmt::format("In ratios, {} below {} {} counts as that.", observed.quantity,
                                       number_text(observed.floor), observed.unit));
   }
-  const auto is_of_time = [](const JudgedMetric& metric) { return metric.observations.unit == "s"; };
+  const auto is_of_time = [](const JudgedMetric& metric) { return metric.observations.measures == Measure::time; };
   if (std::ranges::any_of(judged.metrics, is_of_time) && std::ranges::any_of(judged.study.solves, &Solve::is_told))
     all.notes.emplace_back("Times of programs are told by them.");
-  if (const std::string ends = ends_of_unsolved(judged.study); !ends.empty()) all.notes.push_back(ends);
+  all.faults = faults_of(judged.study);
+  for (const std::string& note : {ends_of_unsolved(judged.study), all.faults})
+    if (!note.empty()) all.notes.push_back(note);
   return all;
 }
 
 std::string noun_of(const Answer& answer, const JudgedMetric& judged) {
-  const bool is_time = judged.observations.unit == "s" || judged.observations.unit == "ms";
-  return is_time ? "sessions" : answer.noun;
+  return judged.observations.measures == Measure::time ? "sessions" : answer.noun;
 }
 
 bool has_failed(const StudyResults& study, const Solve& solve) {

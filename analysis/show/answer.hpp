@@ -17,6 +17,7 @@ struct Answer {
   std::string noun = "values";               // what observations are
   std::vector<std::string> notes;            // of the table of results
   std::string studied = {};                  // of a study: what its solvers did, and when a solve ended, as sentences
+  std::string faults = {};                   // of answers that the study's check refused; empty: none
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
   std::vector<std::string> then = {};  // of a study that asks first what is solved: its plan's

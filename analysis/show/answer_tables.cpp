@@ -26,7 +26,8 @@ using namespace judge;
 
 namespace {
 
-constexpr std::size_t most_told = 15;  // pairs of a metric; of more only those with the reference
+constexpr std::size_t most_told = 15;        // pairs of a metric; of more only those with the reference
+constexpr std::size_t most_listed = 10'000;  // pairs beside these: 400 solvers have 300 000
 
 const std::string star = "*", plus = "+", exclamation = "!";
 
@@ -239,6 +240,27 @@ std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
   return row;
 }
 
+// Takes each pair with whether the headline's metrics tell it; returns how many are not listed.
+template <class Take>
+std::size_t each_listed(const Answer& answer, const Take& take) {
+  const std::string reference = reference_of(answer);
+  const std::vector<Question> questions = questions_of(answer);
+  std::size_t others = 0;
+  for (const JudgedMetric& judged : answer.metrics) {
+    const bool is_asked = std::ranges::count(questions, &judged, &Question::of) > 0,
+               are_many = judged.findings.size() > most_told;
+    for (const Finding& finding : judged.findings) {
+      const bool is_told = is_asked && (!are_many || finding.first == reference || finding.second == reference);
+      if (is_told || ++others <= most_listed) take(finding, judged, is_told);
+    }
+  }
+  return others - std::min(others, most_listed);
+}
+
+std::string words_of_left_out(std::size_t pairs) {
+  return pairs == 0 ? "" : fmt::format("{} more pairs are not listed.", pairs);
+}
+
 }  // namespace
 
 Table results_table(const Answer& answer, bool is_brief) {
@@ -395,21 +417,15 @@ Table pairs_table(const Answer& answer) {
       .caption = "The first against the second",
       .columns = columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "verdict", "A12",
                              "ahead", "behind", "g", "g_av", "test", "n", "n that could decide", "size", "reason"})};
-  const std::string reference = reference_of(answer);
-  const std::vector<Question> questions = questions_of(answer);
   std::set<double> ends;
   std::vector<std::vector<Cell>> others;
   bool has_p = false;
-  for (const JudgedMetric& judged : answer.metrics) {
-    const bool is_asked = std::ranges::count(questions, &judged, &Question::of) > 0,
-               are_many = judged.findings.size() > most_told;
-    for (const Finding& finding : judged.findings) {
-      const bool is_told = is_asked && (!are_many || finding.first == reference || finding.second == reference);
-      (is_told ? table.rows : others).push_back(row_of(finding, judged));
-      has_p |= p_of(finding).has_value();
-      for (const double end : ends_of(finding, judged)) ends.insert(end);
-    }
-  }
+  const std::size_t left_out =
+      each_listed(answer, [&](const Finding& finding, const JudgedMetric& judged, bool is_told) {
+        (is_told ? table.rows : others).push_back(row_of(finding, judged));
+        has_p |= p_of(finding).has_value();
+        for (const double end : ends_of(finding, judged)) ends.insert(end);
+      });
   table.told = table.rows.size();
   std::ranges::move(others, std::back_inserter(table.rows));
   table.columns[4].role = Role::interval;
@@ -423,7 +439,7 @@ Table pairs_table(const Answer& answer) {
       answer.verdict.empty() && has_p
           ? "p is multiplied by the number of pairs tested of its metric, and intervals hold for all."
           : "",
-      of_pairs(answer)};
+      words_of_left_out(left_out), of_pairs(answer)};
   std::erase(notes, "");
   if (!notes.empty()) table.notes = {fmt::format("{}", fmt::join(notes, " "))};
   return table;
@@ -499,11 +515,13 @@ Table anova_table(const Answer& answer) {
 base::OrderedJson to_json(const Answer& answer) {
   base::OrderedJson doubts = base::OrderedJson::array(), direction;
   Table pairs = pairs_table(answer);
-  pairs.rows.clear();  // all, in their order
-  for (const JudgedMetric& judged : answer.metrics) {
+  pairs.rows.clear();  // in their order
+  std::vector<std::string> notes = answer.notes;
+  notes.push_back(words_of_left_out(
+      each_listed(answer, [&](auto& finding, auto& judged, bool) { pairs.rows.push_back(row_of(finding, judged)); })));
+  std::erase(notes, "");
+  for (const JudgedMetric& judged : answer.metrics)
     direction[judged.observations.quantity] = judged.observations.better == Better::larger ? "larger" : "smaller";
-    for (const Finding& finding : judged.findings) pairs.rows.push_back(row_of(finding, judged));
-  }
   for (const Doubt& doubt : answer.all_doubts()) doubts.push_back(words_of(doubt));
   return {{"headline", headline(answer)},
           {"metric", answer.decisive().observations.quantity},
@@ -512,7 +530,7 @@ base::OrderedJson to_json(const Answer& answer) {
           {"findings", to_json(pairs)},
           {"direction", std::move(direction)},
           {"doubts", std::move(doubts)},
-          {"notes", answer.notes}};
+          {"notes", notes}};
 }
 
 }  // namespace ikbench::show

@@ -28,8 +28,17 @@ std::string screen(const Answer& answer, const std::string& page) {
   };
   Table table = results_table(answer, !is_of_file);
   table.columns[0].name = "";
-  const std::size_t all = table.rows.size();
-  if (all > most_rows) table.rows.resize(most_rows - 1);
+  const auto cut = [&](Table& its) {  // to the first, with the reference; how many are left out
+    const std::size_t all = its.rows.size();
+    if (all <= most_rows) return std::string();
+    const auto last = its.rows.begin() + (most_rows - 2);
+    const auto own = std::find_if(last, its.rows.end(),
+                                  [&](auto& row) { return std::get<std::string>(row[0]) == reference_of(answer); });
+    if (own != its.rows.end()) std::rotate(last, own, own + 1);
+    its.rows.resize(most_rows - 1);
+    return fmt::format("  and {} more solvers\n", all - most_rows + 1);
+  };
+  const std::string more_solvers = cut(table);
   std::string notes = fmt::format("{}", fmt::join(std::exchange(table.notes, {}), " "));
   if (const std::string decides = what_decides(answer); !decides.empty())
     notes += fmt::format("{}{}.", notes.empty() ? "" : " ", decides);
@@ -39,13 +48,15 @@ std::string screen(const Answer& answer, const std::string& page) {
     text += to_text(its);
   };
   add(std::move(table));
-  if (all > most_rows) text += fmt::format("  and {} more solvers\n", all - most_rows + 1);
+  text += more_solvers;
   if (!notes.empty()) text += paragraph(with_short_names(notes), "");
-  for (const Table& more : {answer.loop, answer.beside, answer.batches}) {
+  if (!answer.faults.empty()) text += paragraph("! " + with_short_names(answer.faults), "  ");
+  for (Table more : {answer.loop, answer.beside, answer.batches}) {
     if (more.rows.empty()) continue;
     text += fmt::format("\n{}\n", more.caption);
+    const std::string left_out = cut(more);
     add(more);
-    text += '\n';
+    text += left_out + '\n';
   }
   auto pairs = page.empty() ? pair_rows(answer) : std::vector<std::vector<std::string>>();
   for (auto& row : pairs) row[0] = one_line(with_short_names(row[0]));

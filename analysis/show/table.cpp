@@ -344,7 +344,7 @@ std::string to_html(const Table& whole) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       const bool is_judgement = r > 0 && std::holds_alternative<Judgement>(table.rows[r - 1][c]),
                  is_long = classes[c].empty() && !is_judgement && character_count(row[c]) > long_text;
-      const std::string_view its = is_long ? "long" : classes[c];
+      const std::string its = is_long ? std::string("long") : classes[c];
       text += fmt::format("<{}{}>{}</{}>", tag, its.empty() ? "" : fmt::format(" class=\"{}\"", its), cell_of(r, c),
                           tag.substr(0, tag.find(' ')));
     }

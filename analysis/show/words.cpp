@@ -184,10 +184,7 @@ std::string stops_of(const StudyResults& study) {
 
 std::string ends_of_unsolved(const StudyResults& study) {
   if (!study.definition.has_tolerance()) return "";  // nothing is solved or not
-  ByWord reasons, faults;
-  for (const auto& [label, all] : study.faults)
-    for (const auto& [fault, count] : all) faults.add(fault, fmt::format("{} {}", label, count));
-  if (faults.all.size() > 10) faults.all = {{base::counted(faults.all.size(), "faults"), {"solves.csv"}}};
+  ByWord reasons;
   for (const std::string& label : study.labels) {
     std::set<std::string> of_label;
     for (const Solve& solve : study.of(label)) {
@@ -199,10 +196,15 @@ std::string ends_of_unsolved(const StudyResults& study) {
     }
     if (!of_label.empty()) reasons.add(listed({of_label.begin(), of_label.end()}, " or "), label);
   }
-  const auto told = [](const char* what, const ByWord& all) {
-    return all.all.empty() ? "" : fmt::format("{}: {}.", what, fmt::join(all.told("{} ({})"), "; "));
-  };
-  return told("Unsolved", reasons) + (faults.all.empty() ? "" : " ") + told("Invalid", faults);
+  return reasons.all.empty() ? "" : fmt::format("Unsolved: {}.", fmt::join(reasons.told("{} ({})"), "; "));
+}
+
+std::string faults_of(const StudyResults& study) {
+  ByWord faults;
+  for (const auto& [label, all] : study.faults)
+    for (const auto& [fault, count] : all) faults.add(fault, fmt::format("{} {}", label, count));
+  if (faults.all.size() > 10) faults.all = {{base::counted(faults.all.size(), "faults"), {"solves.csv"}}};
+  return faults.all.empty() ? "" : fmt::format("Invalid: {}.", fmt::join(faults.told("{} ({})"), "; "));
 }
 
 const std::string& title_of(const StudyResults& study) {

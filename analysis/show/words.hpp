@@ -67,5 +67,6 @@ std::string what_is_solved(const judge::StudyResults& study);
 std::string stops_of(const judge::StudyResults& study);  // "0.01 mm or 10000 evaluations"
 // "Unsolved: limit of evaluations (DLS); it gave up or limit of iterations (PSO and DE)."; empty if all are solved.
 std::string ends_of_unsolved(const judge::StudyResults& study);
+std::string faults_of(const judge::StudyResults& study);  // of answers that reached, by the study's check
 
 }  // namespace ikbench::show

@@ -113,17 +113,18 @@ bool ForeignSolver::ensure_running() {
   return true;
 }
 
-// Keeps the trouble and ends the process, unless it only declined.
+// Keeps the trouble and ends the process, unless it only declined, or answered one problem of a batch wrongly.
 void ForeignSolver::note(const Trouble& trouble) {
   if (own_.refusal) return;
   failure_ = trouble;
-  if (trouble.kind == Trouble::Kind::declined || !own_.child) return;
+  if (trouble.kind == Trouble::Kind::declined || own_.is_answered() || !own_.child) return;
   failure_->why += own_.child->end_after(trouble.kind);
   own_.child.reset();
 }
 
 void ForeignSolver::count_failure() {
-  if (failure_ && failure_->kind != Trouble::Kind::declined && ++own_.failures_in_a_row == most_failures_in_a_row) {
+  const bool counts = failure_ && failure_->kind != Trouble::Kind::declined && !own_.is_answered();
+  if (counts && ++own_.failures_in_a_row == most_failures_in_a_row) {
     failure_->why += "; it is given up after three failures in a row";
     own_.refusal = failure_;
   }
@@ -138,6 +139,8 @@ Clock::time_point ForeignSolver::deadline(double problems) const {
                                                                  : std::clamp(20 * stop_.seconds * problems, 5.0, 1e6));
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(given);
 }
+
+void ForeignSolver::forget_batch() { own_.answers.clear(), own_.batch.clear(); }
 
 bool ForeignSolver::ask() {
   account_ = {};
@@ -297,13 +300,14 @@ void ForeignSolver::count(std::int64_t ours, std::int64_t own, bool is_explained
 void check_answer(const Study& study, const Robot& arm, std::unique_ptr<ChildProcess>& child, SolveRecord& solve) {
   const Program& program = *study.checker;
   const bool is_new = child == nullptr;
-  const std::chrono::duration<double> given(program.choice.patience > 0 ? program.choice.patience : 60);
-  const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(given);
-  if (is_new) child = restarted(program);
-  if (is_new)
+  if (is_new) {
+    child = restarted(program);
     child->write(robot_message(arm, arm.chain, Task(study, arm).goal(Pose::Identity()), own_urdf(program, study.robot),
                                program.hello, options_of(program.hello, {})),
-                 deadline);
+                 Clock::now() + std::chrono::seconds(20));
+  }
+  const std::chrono::duration<double> given(program.choice.patience > 0 ? program.choice.patience : 60);
+  const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(given);
   const base::OrderedJson target{{"position", solve.target_position_m}, {"rotation", solve.target_rotation}},
       question{{"message", "check"}, {"target", target}, {"start", solve.start_rad}, {"q", solve.answer_rad}};
   const Message said = exchange(*child, base::text_of(question) + '\n', deadline);
@@ -314,7 +318,9 @@ void check_answer(const Study& study, const Robot& arm, std::unique_ptr<ChildPro
     if (number.empty() || !std::isfinite(number.mapped())) said.fail(fmt::format("\"numbers\" with a finite {}", name));
     solve.extras[fmt::format("{}{}", check_extra, name)] = number.mapped();
   }
-  if (!numbers.empty()) said.fail(fmt::format("\"numbers\" that [check] names; {} is none", numbers.begin()->first));
+  if (!numbers.empty())
+    said.fail(
+        fmt::format("only \"numbers\" that [check] names as larger or smaller, and not {}", numbers.begin()->first));
   // Who answers twice would stay behind, each answer that of the solve before.
   const Trouble heard = unasked(*child, std::chrono::milliseconds(is_new ? 100 : 0));
   if (heard.kind != Trouble::Kind::timed_out) throw Trouble(heard);

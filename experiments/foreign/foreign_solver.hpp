@@ -52,6 +52,7 @@ struct Conversation {
   std::vector<std::string> batch = {};
   std::map<std::string, std::optional<Message>> answers = {};
   Account each = {};
+  bool is_answered() const { return !answers.empty() && answers.begin()->second; }
 };
 
 // A few unrecorded solves: solve(0), solve(1), solve(2), or fewer that take long.
@@ -92,6 +93,7 @@ class ForeignSolver final : public solvers::Searcher {
   // Of an entry with a batch `start` gives the answer that came for the problem in a batch. Where none was asked for,
   // it puts the problem into the next batch, and `ask` sends this in one message, every time anew; false: it failed.
   bool ask();
+  void forget_batch();
   // Call before the clock starts: starts the process if there is none, and warms it up; nothing where batches are
   // asked.
   void prepare(const solvers::Problem& problem, const solvers::Objective& objective);

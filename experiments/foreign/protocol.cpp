@@ -145,7 +145,7 @@ std::string Message::why() const {
 
 std::string Message::fault() const {
   const Json valid = json_->value("valid", Json());
-  std::string why = valid == false ? text(*json_, "why") : "";
+  std::string why = valid == false ? std::string(front(text(*json_, "why"), most_bytes_of_name)) : "";
   if (name_ != "checked" || (valid != true && trimmed(why).empty()))
     fail(R"({"message":"checked","valid":true}, or false and in a few words "why")");
   return why;
@@ -200,7 +200,8 @@ std::map<std::string, std::optional<Message>> Message::answers(const std::vector
   for (std::size_t i = 0; i < problems.size(); ++i) {
     const double seed = Message(problems[i]).number("seed");
     const Message& its = all[problems[i]].emplace(base::text_of(list[i]));
-    if (its.number("seed") != seed) its.fail(fmt::format("\"seed\" {}, in the order of the problems", seed));
+    const bool is_theirs = its.has("seed") ? its.number("seed") == seed : its.name() == "declined";
+    if (!is_theirs) its.fail(fmt::format("\"seed\" {}, in the order of the problems", seed));
   }
   return all;
 }

@@ -42,7 +42,8 @@ struct Hello {
 // does.
 solvers::Settings options_of(const Hello& hello, const solvers::Settings& settings);
 
-constexpr std::size_t most_extras = 50;  // names, in one answer and in all of a program
+constexpr std::size_t most_bytes_of_name = 180;  // of what a check says, which is stored with a prefix
+constexpr std::size_t most_extras = 50;          // names, in one answer and in all of a program
 
 // A message of a program. What makes no sense is a Trouble that shows the line and what was expected.
 class Message {

@@ -80,6 +80,11 @@ for fault in hangs dies "is nonsense" "is no verdict" "says no why" "lacks the n
   refused ", run 3, point 1: it " run wrong.toml --no-report --out "wrong $fault"
   equal "kept where it $fault" "$(sqlite3 "wrong $fault/store.sqlite" "SELECT count(*) FROM solves")" 4
 done
+checked late "begins late"; succeeds run late.toml --no-report --out late
+for line in "batch = 5" 'larger = [" "]' 'larger = ["check_x"]'; do
+  sed "s/^smaller.*/$line/" mine.toml >odd.toml
+  refused "[check]" run odd.toml --no-report --out wrong
+done
 checked wrong twice; refused "nothing after its answer" run wrong.toml --no-report --out twice
 checked wrong "says no hello"; refused "it ended" run wrong.toml --no-report --out hello
 sed -i 's/, "says no hello"//; s/checking.py/nowhere.py/' wrong.toml; refused "nowhere.py" run wrong.toml --no-report --out hello

@@ -2,6 +2,7 @@
 import json, sys, time
 
 FAULT = sys.argv[1]
+if FAULT == "begins late": time.sleep(1.5)
 if FAULT == "says no hello": sys.exit()
 print(json.dumps({"message": "hello", "ikbench": 2, "name": "checking"}), flush=True)
 asked = 0

@@ -17,7 +17,8 @@ def batch(problems):
     global held, batches
     held = []
     for problem in problems: solve(problem)
-    answers, held, told = held, None, {"seconds": 0.001 * len(problems)}
+    answers, held, told = held, None, {"seconds": 0.005 * len(problems)}
+    time.sleep(told["seconds"])  # longer than its processor needs, also on a busy machine
     batches += len({problem["seed"] for problem in problems}) == len(problems)  # else it is a warm-up
     if batches == 2:
         if once("one too few"): answers.pop()
@@ -25,6 +26,8 @@ def batch(problems):
         if once("another order"): answers.reverse()
         if once("a null"): answers[1]["q"][0] = None
         if once("no list"): answers = "none"
+        if once("three wrong"):
+            for wrong in answers[:3]: wrong["q"].pop()
         if once("seconds of a year"): told["seconds"] = 3e7
         if once("a question"): answers[1] = {"message": "evaluate", "candidates": [[0] * 7]}
         if once("declines one"): answers[1] = {"message": "declined", "why": "not this", "seed": problems[1]["seed"]}
