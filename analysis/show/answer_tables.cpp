@@ -204,7 +204,15 @@ std::vector<std::string> explained(const Answer& answer, const Occurring& occurr
       occurring.reasons.all.empty() ? "" : fmt::format("-: {}", fmt::join(occurring.reasons.told("{} ({})"), "; "))};
 }
 
-// Of the table of pairs.
+// Of the table of pairs, as row_of fills them.
+std::vector<Column> columns_of_pairs() {
+  std::vector<Column> columns =
+      columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "verdict", "A12", "ahead", "behind",
+                  "g", "g_av", "test", "n", "n that could decide", "size", "reason"});
+  columns[4].role = Role::interval;
+  return columns;
+}
+
 std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
   const Amount* const amount = amount_of(finding);
   const auto* const tested = std::get_if<Tested>(&finding.what);
@@ -412,11 +420,7 @@ std::string of_pairs(const Answer& answer) {
 
 // A pair, complete: readers see what stands up to the verdict.
 Table pairs_table(const Answer& answer) {
-  Table table{
-      .name = "pairs",
-      .caption = "The first against the second",
-      .columns = columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "verdict", "A12",
-                             "ahead", "behind", "g", "g_av", "test", "n", "n that could decide", "size", "reason"})};
+  Table table{.name = "pairs", .caption = "The first against the second", .columns = columns_of_pairs()};
   std::set<double> ends;
   std::vector<std::vector<Cell>> others;
   bool has_p = false;
@@ -428,7 +432,6 @@ Table pairs_table(const Answer& answer) {
       });
   table.told = table.rows.size();
   std::ranges::move(others, std::back_inserter(table.rows));
-  table.columns[4].role = Role::interval;
   table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[6].role = Role::p;
   table.columns[6].ends = {answer.decisive().plan.significance};
@@ -514,8 +517,7 @@ Table anova_table(const Answer& answer) {
 
 base::OrderedJson to_json(const Answer& answer) {
   base::OrderedJson doubts = base::OrderedJson::array(), direction;
-  Table pairs = pairs_table(answer);
-  pairs.rows.clear();  // in their order
+  Table pairs{.columns = columns_of_pairs()};
   std::vector<std::string> notes = answer.notes;
   notes.push_back(words_of_left_out(
       each_listed(answer, [&](auto& finding, auto& judged, bool) { pairs.rows.push_back(row_of(finding, judged)); })));
