@@ -392,7 +392,7 @@ SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose&
   const SolveRunner solve_runner(study, entry, series_key(study, entry), arm);
   const std::unique_ptr<solvers::Solver> solver = solve_runner.make_solver();
   const Call call{target, study.initial, 1, 1};
-  if (solve_runner.batch() > 0) solve_runner.warm_up(*solver, call);  // which asks
+  if (solve_runner.batch() > 0) solve_runner.heat(*solver, call), solve_runner.ask(*solver);
   return solve_runner.solve(*solver, call);
 }
 
