@@ -6,8 +6,6 @@ namespace ikbench::experiments {
 #include "experiments/paths.inc"
 #undef PATH
 
-Path::Path() : Path(paths().front()) {}
-
 std::vector<Path> paths() {
   std::vector<Path> all;
 #define PATH(name) all.emplace_back(name##_path());

@@ -19,8 +19,6 @@ using base::Fields, base::InKey, numerics::Key, numerics::Random, robots::Config
 class PathKind {
  public:
   virtual ~PathKind() = default;
-  virtual std::unique_ptr<PathKind> copy() const = 0;
-
   virtual std::string_view name() const = 0;     // NAME, as in study files
   virtual std::string_view summary() const = 0;  // in `ikbench list paths`
   virtual void list_fields(Fields& io) = 0;
@@ -39,26 +37,10 @@ class PathKind {
   virtual std::vector<Configuration> solutions(const Robot&, Random&) const { return {}; }
 };
 
-// A path of any kind, as a value: a copy is independent.
-class Path {
- public:
-  Path();  // the first kind, with its defaults
-  explicit Path(std::unique_ptr<PathKind> kind) : kind_(std::move(kind)) {}
-  Path(const Path& other) : kind_(other->copy()) {}
-  Path(Path&& other) noexcept = default;
-  Path& operator=(Path other) noexcept {
-    kind_ = std::move(other.kind_);
-    return *this;
-  }
+// A path of any kind. Copies share it, so change its fields only before anybody else has it.
+using Path = std::shared_ptr<PathKind>;
 
-  PathKind* operator->() { return kind_.get(); }
-  const PathKind* operator->() const { return kind_.get(); }
-
- private:
-  std::unique_ptr<PathKind> kind_;
-};
-
-// One path of each kind, with its defaults, in the order of paths.inc.
+// A new path of each kind, with its defaults, in the order of paths.inc.
 std::vector<Path> paths();
 // The path of the kind `poses`.
 Path path_through(std::vector<Pose> poses);

@@ -52,7 +52,7 @@ struct LeftOut {
 struct Study : results::StudyData {
   std::shared_ptr<const Robot> robot_of_file;  // the arm in the file `robot`; null: the arm is built in
   robots::UrdfChoice urdf;                     // for a URDF file
-  Path path;
+  Path path = paths().front();
   Eigen::VectorXd initial;  // [rad], all joints; the arm before the first point of a run
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;

@@ -23,8 +23,6 @@ enum class Spacing { k_over_n, k_over_n_minus_1 };
 
 class Helix : public PathKind {
  public:
-  std::unique_ptr<PathKind> copy() const override { return std::make_unique<Helix>(*this); }
-
   std::string_view name() const override { return "helix"; }
   std::string_view summary() const override { return "a helix that rises along z"; }
 
@@ -95,8 +93,6 @@ class Circle final : public Helix {
     turns_ = 1;
     phase_ = Phase::cos_sin;
   }
-  std::unique_ptr<PathKind> copy() const override { return std::make_unique<Circle>(*this); }
-
   std::string_view name() const override { return "circle"; }
   std::string_view summary() const override { return "a horizontal circle"; }
 

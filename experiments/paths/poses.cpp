@@ -269,8 +269,6 @@ class PoseColumns {
 class Poses : public PathKind {
  public:
   explicit Poses(std::vector<Pose> poses = {}) : poses_(std::move(poses)) {}
-  std::unique_ptr<PathKind> copy() const override { return std::make_unique<Poses>(*this); }
-
   std::string_view name() const override { return "poses"; }
   std::string_view summary() const override {
     return "a list of poses: { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] }";
@@ -287,8 +285,6 @@ class Poses : public PathKind {
 
 class CsvPath final : public Poses {
  public:
-  std::unique_ptr<PathKind> copy() const override { return std::make_unique<CsvPath>(*this); }
-
   std::string_view name() const override { return "csv"; }
   std::string_view summary() const override { return "poses from a CSV file: x_cm, y_cm, z_cm, qw, qx, qy, qz"; }
 
@@ -355,6 +351,6 @@ std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file, c
 std::unique_ptr<PathKind> poses_path() { return std::make_unique<Poses>(); }
 std::unique_ptr<PathKind> csv_path() { return std::make_unique<CsvPath>(); }
 
-Path path_through(std::vector<Pose> poses) { return Path(std::make_unique<Poses>(std::move(poses))); }
+Path path_through(std::vector<Pose> poses) { return std::make_shared<Poses>(std::move(poses)); }
 
 }  // namespace ikbench::experiments

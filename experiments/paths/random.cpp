@@ -94,8 +94,6 @@ Configuration drawn_to_meet(const Demand& demand, const Robot& arm, Random& rand
 
 class RandomTargets final : public PathKind {
  public:
-  std::unique_ptr<PathKind> copy() const override { return std::make_unique<RandomTargets>(*this); }
-
   std::string_view name() const override { return "random"; }
   std::string_view summary() const override { return "random poses that the arm can reach, or cannot"; }
 

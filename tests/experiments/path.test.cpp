@@ -33,7 +33,7 @@ bool near(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).n
 }  // namespace
 
 TEST_CASE("the paper's helix is the default: 20 points, a fifth of a turn and 2.5 cm of rise apart", "[path][paper]") {
-  const std::vector<Pose> helix = poses_of(Path());
+  const std::vector<Pose> helix = poses_of(Study{}.path);
   REQUIRE(helix.size() == 20);
   // t = 0, pi, 2 pi, 3 pi: (sin t, cos t) is (0, 1), (0, -1), ...; z = 10 + 50 k/20 cm
   CHECK(near(helix[0].translation(), {0.60, 0.20, 0.10}));
@@ -143,7 +143,7 @@ TEST_CASE("every kind of path has a name and words of its own", "[path]") {
     CHECK(summaries.insert(path->summary()).second);
     CHECK(path->summary().size() > 5);
   }
-  CHECK(Path()->name() == "helix");  // the default of study files
+  CHECK(Study{}.path->name() == "helix");  // the default of study files
 }
 
 // ---- orientation --------------------------------------------------------------------------------------------------

@@ -31,7 +31,7 @@ double largest_unreachable_cm(const Path& path) {
 TEST_CASE("the tool straight down, the helix is fully reachable: 81.53 cm of 82, to its end 81.99",
           "[reachability][paper]") {
   CHECK(unreachable(load_study("slim2023")).empty());
-  CHECK(largest_distance_cm(Path()) == Approx(81.53).margin(0.005));
+  CHECK(largest_distance_cm(Study{}.path) == Approx(81.53).margin(0.005));
   const Path helix = path_of({"spacing=k_over_n_minus_1"});
   CHECK(unreachable(with_path(helix)).empty());
   CHECK(largest_distance_cm(helix) == Approx(81.99).margin(0.005));
