@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cfenv>
@@ -28,16 +27,6 @@ using namespace solvers;
 using namespace results;
 
 namespace {
-
-// Counts how often the system took the processor from this thread; where nobody counts that, from the process.
-double thread_interruptions() {
-#ifndef RUSAGE_THREAD
-  constexpr int RUSAGE_THREAD = RUSAGE_SELF;
-#endif
-  rusage usage{};
-  getrusage(RUSAGE_THREAD, &usage);
-  return static_cast<double>(usage.ru_nivcsw);
-}
 
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
 
@@ -182,10 +171,9 @@ void SolveRunner::warm_up(Solver& solver, const Call& call, std::size_t together
 }
 
 SolveRecord SolveRunner::solve(Solver& solver, const Call& call) const {
-  const double interrupted_before = thread_interruptions(), before = thread_seconds();
+  const double before = thread_seconds();
   Timed made = timed(solver, call);
   if (!made.account) made.cpu_seconds = thread_seconds() - before;
-  made.interruptions = thread_interruptions() - interrupted_before;
   const auto verified = [&](const Configuration& answer) {
     return verify(arm_, call.target, call.start, answer, study_.search == Search::axis, study_.motion_joints);
   };
@@ -238,7 +226,6 @@ SolveRecord SolveRunner::record_of(const Call& call, const Timed& made, Status s
       .repeats = account != nullptr ? account->together : 1,
       .smallest_seconds = made.seconds,
       .largest_seconds = made.seconds,
-      .interruptions = made.interruptions,
       .variation_m = verified.variation_m,
       .limit_violation_m = verified.limit_violation_m,
       .claimed_seconds = account != nullptr ? account->claimed_seconds : std::numeric_limits<double>::quiet_NaN(),

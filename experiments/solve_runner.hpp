@@ -71,7 +71,6 @@ class SolveRunner {
     double seconds = 0;                   // to solve, and to complete the answer
     std::optional<Account> account = {};  // if a program solved
     double cpu_seconds = 0;               // of the program, else of this thread
-    double interruptions = 0;             // by the system, of this thread
     std::map<std::string, double> extras = {};
   };
   Timed timed(solvers::Solver& solver, const Call& call) const;

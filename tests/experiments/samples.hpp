@@ -79,7 +79,6 @@ inline experiments::Study small_study() {
 // A solve without the values that differ between runs of the program.
 inline results::SolveRecord without_times(results::SolveRecord record) {
   record.seconds = record.cpu_seconds = record.smallest_seconds = record.largest_seconds = 0;
-  record.interruptions = 0;
   record.repeats = 1;
   record.timing = results::Timing::clean;
   record.session = 0;
