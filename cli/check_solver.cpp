@@ -250,8 +250,8 @@ class Checks {
 
   void farewell(Conversation last) {
     if (last.child) last.child->end_input();
-    const Trouble heard = last.child ? unasked(*last.child, std::chrono::seconds(2))
-                                     : Trouble{Trouble::Kind::declined, "it had ended before"};
+    const Trouble heard =
+        last.child ? unasked(*last.child, 2) : Trouble{Trouble::Kind::declined, "it had ended before"};
     line("it answers once, and ends when its input does", heard.kind == Trouble::Kind::crashed ? ""
                                                           : heard.kind == Trouble::Kind::timed_out
                                                               ? "it still ran after 2 s"

@@ -109,7 +109,7 @@ bool ForeignSolver::ensure_running() {
   if (own_.refusal) throw Trouble(*own_.refusal);
   if (own_.child) return false;
   own_.child = restarted(*all_.program);
-  own_.child->write(all_.robot, Clock::now() + std::chrono::seconds(20));
+  own_.child->write(all_.robot, after(start_patience));
   return true;
 }
 
@@ -134,10 +134,7 @@ void ForeignSolver::count_failure() {
 
 Clock::time_point ForeignSolver::deadline(double problems) const {
   const double patience = all_.program->choice.patience;
-  const std::chrono::duration<double> given(patience > 0         ? patience
-                                            : stop_.seconds == 0 ? 60
-                                                                 : std::clamp(20 * stop_.seconds * problems, 5.0, 1e6));
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(given);
+  return after(patience > 0 ? patience : stop_.seconds == 0 ? 60 : std::clamp(20 * stop_.seconds * problems, 5.0, 1e6));
 }
 
 void ForeignSolver::forget_batch() { own_.answers.clear(), own_.batch.clear(); }
@@ -186,7 +183,7 @@ void ForeignSolver::prepare(const Problem& problem, const Objective& objective) 
     }
     if (!is_new && !own_.child->has_line()) return;
     // Who answers twice after a pause would stay behind, each answer that of the solve before.
-    const Trouble heard = unasked(*own_.child, std::chrono::milliseconds(is_new ? 100 : 0));
+    const Trouble heard = unasked(*own_.child, is_new ? 0.1 : 0);
     if (heard.kind != Trouble::Kind::timed_out) throw Trouble(heard);
   });
 }
@@ -215,6 +212,20 @@ Configuration ForeignSolver::nearest(const Candidates& answers, const Problem& p
   objective.note("answers", static_cast<double>(answers.cols()));
   if (stop_.tolerance > 0) objective.note("answers_right", right);
   return best;
+}
+
+void ForeignSolver::take_answer(const Message& message, const Problem& problem, Objective& objective,
+                                const Configuration& evaluated) {
+  for (const auto& [name, value] : message.extras()) {
+    if (own_.extras.size() < most_extras) own_.extras.insert(name);
+    if (!own_.extras.contains(name)) message.fail(fmt::format("at most {} names of \"extras\" in all", most_extras));
+    objective.note(name, value);
+  }
+  if (message.has("answers"))
+    best_.q = nearest(message.candidates(problem.joints(), "answers"), problem, objective);
+  else
+    best_.q = message.has("q") || evaluated.size() == 0 ? message.joints(problem.joints()) : evaluated;
+  account_.claimed_error = message.number("error");
 }
 
 void ForeignSolver::converse(const Problem& problem, Objective& objective, std::uint32_t seed) {
@@ -263,18 +274,8 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
   if (message.has("seed") && message.number("seed") != seed)
     message.fail(fmt::format("\"seed\" {}, as this answers another solve", seed));
-
-  for (const auto& [name, value] : message.extras()) {
-    if (own_.extras.size() < most_extras) own_.extras.insert(name);
-    if (!own_.extras.contains(name)) message.fail(fmt::format("at most {} names of \"extras\" in all", most_extras));
-    objective.note(name, value);
-  }
-  if (message.has("answers"))
-    best_.q = nearest(message.candidates(joints, "answers"), problem, objective);
-  else
-    best_.q = message.has("q") || best.q.size() == 0 ? message.joints(joints) : best.q;
+  take_answer(message, problem, objective, best.q);
   best_.error = uncounted.error(best_.q);
-  account_.claimed_error = message.number("error");
   if (!is_of_batch) account_.claimed_seconds = told_seconds(message, passed);
   const std::int64_t steps = message.count("iterations");  // else its questions; the first is the start of the search
   account_.iterations = steps >= 0 ? steps : std::max<std::int64_t>(0, account_.iterations - 1);
@@ -304,13 +305,12 @@ void check_answer(const Study& study, const Robot& arm, std::unique_ptr<ChildPro
     child = restarted(program);
     child->write(robot_message(arm, arm.chain, Task(study, arm).goal(Pose::Identity()), own_urdf(program, study.robot),
                                program.hello, options_of(program.hello, {})),
-                 Clock::now() + std::chrono::seconds(20));
+                 after(start_patience));
   }
-  const std::chrono::duration<double> given(program.choice.patience > 0 ? program.choice.patience : 60);
-  const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(given);
   const base::OrderedJson target{{"position", solve.target_position_m}, {"rotation", solve.target_rotation}},
       question{{"message", "check"}, {"target", target}, {"start", solve.start_rad}, {"q", solve.answer_rad}};
-  const Message said = exchange(*child, base::text_of(question) + '\n', deadline);
+  const Message said = exchange(*child, base::text_of(question) + '\n',
+                                after(program.choice.patience > 0 ? program.choice.patience : 60));
   const std::string fault = said.fault();
   std::map<std::string, double> numbers = said.extras("numbers");
   for (const std::string& name : study.check.numbers()) {
@@ -322,7 +322,7 @@ void check_answer(const Study& study, const Robot& arm, std::unique_ptr<ChildPro
     said.fail(
         fmt::format("only \"numbers\" that [check] names as larger or smaller, and not {}", numbers.begin()->first));
   // Who answers twice would stay behind, each answer that of the solve before.
-  const Trouble heard = unasked(*child, std::chrono::milliseconds(is_new ? 100 : 0));
+  const Trouble heard = unasked(*child, is_new ? 0.1 : 0);
   if (heard.kind != Trouble::Kind::timed_out) throw Trouble(heard);
   if (fault.empty()) return;
   solve.status = Status::invalid;

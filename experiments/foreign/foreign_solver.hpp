@@ -114,6 +114,9 @@ class ForeignSolver final : public solvers::Searcher {
   Clock::time_point deadline(double problems) const;
   robots::Configuration nearest(const robots::Candidates& answers, const solvers::Problem& problem,
                                 solvers::Objective& objective) const;
+  // Notes what it tells, and takes its answer; without one, the best that it let evaluate.
+  void take_answer(const Message& message, const solvers::Problem& problem, solvers::Objective& objective,
+                   const robots::Configuration& evaluated);
   void converse(const solvers::Problem& problem, solvers::Objective& objective, std::uint32_t seed);
   // Our count of evaluations where they explain the answer, or the program's own, if it has one.
   void count(std::int64_t ours, std::int64_t own, bool is_explained, double best);

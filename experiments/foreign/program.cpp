@@ -20,8 +20,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double hello_patience = 20;  // [s]
-
 std::string digest_of_text(const std::string& text) {
   return fmt::format("{:016x}", numerics::Key(0).with(text).value());
 }
@@ -68,6 +66,10 @@ void list_fields(base::Fields& io, ProgramChoice& choice) {
   io.whole("batch", choice.batch, {0, 1000}, "most problems that it gets in one message; 0: one by one");
 }
 
+Clock::time_point after(double seconds) {
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
 Message next_message(ChildProcess& child, Clock::time_point deadline) {
   std::string noise;
   try {
@@ -86,9 +88,9 @@ Message exchange(ChildProcess& child, const std::string& text, Clock::time_point
   return next_message(child, deadline);
 }
 
-Trouble unasked(ChildProcess& child, std::chrono::milliseconds patience) {
+Trouble unasked(ChildProcess& child, double patience) {
   try {
-    next_message(child, Clock::now() + patience).fail("nothing after its answer");
+    next_message(child, after(patience)).fail("nothing after its answer");
   } catch (const Trouble& trouble) {
     return trouble;
   }
@@ -100,14 +102,14 @@ std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const fs::pat
     words.insert(words.begin(),
                  {"sh", "-c", fmt::format(R"(ulimit -v {} && exec "$0" "$@")", 1000 * choice.memory_mb)});
   auto child = std::make_unique<ChildProcess>(words, folder, std::vector<std::string>{"LC_ALL=C", "OMP_NUM_THREADS=1"});
-  const std::chrono::duration<double> patience(std::max(hello_patience, choice.patience));
+  const double patience = std::max(start_patience, choice.patience);
   try {
-    hello = next_message(*child, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience)).hello();
+    hello = next_message(*child, after(patience)).hello();
   } catch (const Trouble& trouble) {
     const std::string told = child->end_after(trouble.kind);
     if (trouble.kind != Trouble::Kind::timed_out) throw Trouble{trouble.kind, trouble.why + told};
     throw Trouble{trouble.kind, fmt::format("it says no hello within {:g} s ({}); a larger patience_s waits longer{}",
-                                            patience.count(), trouble.why, told)};
+                                            patience, trouble.why, told)};
   }
   return child;
 }

@@ -43,10 +43,12 @@ std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const std::fi
 // The text of the arm's URDF file; empty if it is of none.
 std::string own_urdf(const Program& program, const std::string& robot);
 
+constexpr double start_patience = 20;     // [s] with a program that starts
+Clock::time_point after(double seconds);  // from now
 // The next message; lines that do not begin with { are noise, which is told if no message follows. Throws Trouble.
 Message next_message(ChildProcess& child, Clock::time_point deadline);
 Message exchange(ChildProcess& child, const std::string& text, Clock::time_point deadline);
 // What it does within `patience` though nothing is asked: `timed_out` is silence, `crashed` its end.
-Trouble unasked(ChildProcess& child, std::chrono::milliseconds patience);
+Trouble unasked(ChildProcess& child, double patience);  // [s]
 
 }  // namespace ikbench::experiments
