@@ -173,6 +173,14 @@ struct Bench {
     const auto place = static_cast<std::size_t>(point - 1);
     return {poses[place], own_starts.empty() ? left_arm : own_starts[place], run, point};
   }
+  void prepare(const Work& work, const std::vector<std::size_t>& which, const std::vector<Part>& parts,
+               std::size_t together) {
+    const Call call = call_at(work, parts.back().run, parts.back().last, work.study.initial);
+    for (const std::size_t s : which) {
+      solvers.push_back(work.solve_runners[s].make_solver());
+      work.solve_runners[s].warm_up(*solvers.back(), call, std::min(together, parts.size()));
+    }
+  }
 };
 
 // Solves what these solvers, whose batches have one size, miss of the parts, `jobs` at once: of each part, or a batch,
@@ -186,16 +194,9 @@ void solve_alike(const Work& work, const std::vector<std::size_t>& solvers, cons
   const std::size_t groups = std::max<std::size_t>(1, (parts.size() + rest) / together);  // a rest is a batch
   PauseWatch pauses;
   std::vector<Bench> benches(static_cast<std::size_t>(jobs));
-  const auto prepare = [&](Bench& bench) {
-    const Call call = bench.call_at(work, parts.back().run, parts.back().last, work.study.initial);
-    for (const std::size_t s : solvers) {
-      bench.solvers.push_back(work.solve_runners[s].make_solver());
-      work.solve_runners[s].warm_up(*bench.solvers.back(), call, std::min(together, parts.size()));
-    }
-  };
   const auto work_on = [&](std::size_t turn, std::size_t worker, const IsOver& is_over) {
     Bench& bench = benches[worker];
-    if (bench.solvers.empty()) prepare(bench);
+    if (bench.solvers.empty()) bench.prepare(work, solvers, parts, together);
     const std::size_t group = turn / solvers.size(), its = (turn + group) % solvers.size(), s = solvers[its];
     const auto first = parts.begin() + static_cast<std::ptrdiff_t>(group * together);
     const auto end = group + 1 == groups ? parts.end() : first + static_cast<std::ptrdiff_t>(together);
