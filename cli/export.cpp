@@ -2,13 +2,11 @@
 #include "results/export.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "base/files.hpp"
@@ -78,19 +76,8 @@ void add_export(CLI::App& app, Invocation&) {
       });
     }
     store.at_one_moment([&] {
-      const bool has_bar = arguments->file != "-" || isatty(STDOUT_FILENO) == 0;  // else it would be among the solves
-      const std::int64_t all = store.number_of_solves(study);
       const std::vector<std::string> extras = store.names_of_extras(study);
-      const PassSolves pass = [&](const TakeSolve& take) {
-        std::optional<ProgressBar> bar;
-        if (has_bar) bar.emplace("writing " + study.name);
-        Progress progress{.total = all};
-        store.each_of_study(study, [&](const SolveRecord& solve) {
-          take(solve);
-          ++progress.done;
-          if (bar) bar->show(progress);
-        });
-      };
+      const PassSolves pass = [&](const TakeSolve& take) { store.each_of_study(study, take); };
       write_it([&](const Write& write) { write_csv(pass, write, extras); });
     });
   });

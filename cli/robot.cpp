@@ -23,7 +23,6 @@ namespace {
 struct RobotArguments {
   std::string robot;
   UrdfChoice urdf;
-  double snap_deg = least_snap / degree;
   std::vector<double> at;
   bool shows_links = false, shows_urdf = false;
 };
@@ -128,10 +127,6 @@ void add_robot(CLI::App& app, Invocation&) {
       ->delimiter(',')
       ->check(number_in({-1e6, 1e6}));
   add_link_options(*command, arguments->urdf);
-  add_with_default(
-      *command, "--snap-deg", arguments->snap_deg,
-      "angles of a URDF file this near a multiple of 15 deg, and axes this near parallel, are meant to be it")
-      ->check(number_in({0, 1}));
   command->add_flag("--links", arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
   command->add_flag("--urdf", arguments->shows_urdf, "print the arm as a URDF file, and nothing else");
   command->footer(
@@ -139,14 +134,13 @@ void add_robot(CLI::App& app, Invocation&) {
       "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45\n"
       "  ikbench robot my_arm.urdf --base base_link --tip tool0");
   command->callback([arguments, command] {
-    for (const char* option : {"--base", "--tip", "--snap-deg", "--links"}) {
+    for (const char* option : {"--base", "--tip", "--links"}) {
       if (command->count(option) == 0 || is_urdf_file(arguments->robot)) continue;
       throw std::invalid_argument(
           fmt::format("{} is about a URDF file, but the arm is {}; leave it out", option, arguments->robot));
     }
     if (arguments->shows_links)
       return fmt::print("{}", printable(link_tree(text_of_arm_file(arguments->robot), arguments->robot)));
-    arguments->urdf.snap = arguments->snap_deg * degree;
     const Robot arm =
         is_arm_file(arguments->robot) ? load_robot(arguments->robot, arguments->urdf) : robot(arguments->robot);
     if (arguments->shows_urdf) return fmt::print("{}", urdf_of(arm, arm.chain));

@@ -146,7 +146,7 @@ Chain chain_of(const Description& description) {
     if (is_bounded && difference < allowed) continue;
     throw std::invalid_argument(fmt::format(
         "the axes of joints {} and {} are almost parallel, to {:.2g} deg: too little for a common normal, too much for "
-        "none; expected axes that are parallel, or a snap_deg (robot --snap-deg) above it",
+        "none; expected axes that are parallel, or a snap_deg of [urdf] above it",
         farthest - links.begin() + 1, farthest - links.begin() + 2,
         std::abs(farthest->alpha - std::round(farthest->alpha / std::numbers::pi) * std::numbers::pi) / degree));
   }
