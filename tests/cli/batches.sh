@@ -3,18 +3,15 @@
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 cp "$scripts"/programs/faulty.py "$root"/docs/examples/{ikbench,descent}.py .
 
-# entry LABEL FAULT SIZE [PATIENCE]
-entry() { printf '[[solvers]]\nlabel = "%s"\nprocess = ["python3", "faulty.py", "%s"]\npatience_s = %s\n%s\n' "$1" "$2" "${4:-60}" "${3:+batch = $3}"; }
+# of LABEL FAULT SIZE [PATIENCE]
+of() { entry "$1" "$2" "batch = $3" "${4:-60}"; }
 batches() { # NAME ENTRY...
   study "$@"
   sed -i '1i start = "middle"\nturns = 1' "$1.toml"
 }
-# is STUDY LABEL STATUSES: the counts of its 16 solves.
-is() { [[ $(column "$1/store.sqlite" status "$2" | counted | paste -sd' ') =~ ^$3$ ]] || fail "$2: $(column "$1/store.sqlite" status "$2" | counted)"; }
-any='([0-9]+ (ok|tolerance_missed|limit_violated) ?)+'
 
 # A batch entry beside a single one: the same answers, compared; times apart.
-batches both "$(entry single fine "")" "$(entry batch fine 5)" "$(entry large fine 1000)" "$(entry one fine 1)"
+batches both "$(entry single fine)" "$(of batch fine 5)" "$(of large fine 1000)" "$(of one fine 1)"
 succeeds run both.toml --set turns=6 --figures none --out both --json
 for label in batch large one; do
   equal "answers of $label" "$(column both/store.sqlite position_error_cm $label)" "$(column both/store.sqlite position_error_cm single)"
@@ -36,7 +33,7 @@ succeeds merge merged shards
 same_fingerprint merged/store.sqlite both/store.sqlite
 succeeds run both.toml --no-report --out parallel --jobs 2
 same_fingerprint parallel/store.sqlite both/store.sqlite
-batches stops "$(entry sleeps sleeps 3)"
+batches stops "$(of sleeps sleeps 3)"
 succeeds run stops.toml --no-report --out straight
 "$program" run stops.toml --no-report --out stopped >/dev/null 2>&1 &
 process=$!
@@ -53,9 +50,9 @@ same_fingerprint stopped/store.sqlite straight/store.sqlite
 equal "sizes after a stop" "$(column stopped/store.sqlite repeats sleeps | counted | paste -sd' ')" "1 1 15 3"
 
 # Each fault is of one message, the second: whoever gives the others' answers loses none.
-batches faults "$(entry few "one too few" 5)" "$(entry many "one too many" 5)" "$(entry order "another order" 5)" \
-  "$(entry list "no list" 5)" "$(entry year "seconds of a year" 5)" "$(entry asks "a question" 5)" "$(entry null "a null" 5)" \
-  "$(entry declines "declines one" 5)" "$(entry falls falls 5)" "$(entry never never 5 2)" "$(entry always "always falls" 5)" "$(entry wrong "three wrong" 5)"
+batches faults "$(of few "one too few" 5)" "$(of many "one too many" 5)" "$(of order "another order" 5)" \
+  "$(of list "no list" 5)" "$(of year "seconds of a year" 5)" "$(of asks "a question" 5)" "$(of null "a null" 5)" \
+  "$(of declines "declines one" 5)" "$(of falls falls 5)" "$(of never never 5 2)" "$(of always "always falls" 5)" "$(of wrong "three wrong" 5)"
 succeeds run faults.toml --no-report --out faults
 for label in few many order list year asks; do is faults $label "(5 broke_protocol $any|${any}5 broke_protocol.*)"; done
 is faults null ".*1 not_finite.*"
@@ -73,11 +70,11 @@ equal "moves of solves without an answer" "$(sqlite3 faults/store.sqlite "SELECT
   status IN ('crashed', 'timed_out', 'broke_protocol', 'declined') AND start_rad <> answer_rad")" 0
 
 # What cannot be asked in batches is said before anything is solved.
-batches mistake "$(entry mine "one by one" 5)"
+batches mistake "$(of mine "one by one" 5)"
 refused '"batch": true' run mistake.toml
-study mistake "$(entry mine fine 5)"
+study mistake "$(of mine fine 5)"
 refused "expected another start" run mistake.toml
-batches mistake "$(entry mine fine 1001)"
+batches mistake "$(of mine fine 1001)"
 refused "from 0 to 1000" run mistake.toml
 batches mistake '[[solvers]]' 'solver = "levenberg_marquardt"' 'batch = 5'
 refused "batch" run mistake.toml

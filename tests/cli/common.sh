@@ -111,6 +111,9 @@ study() {
   } >"$1.toml"
 }
 
+# entry LABEL FAULT [FURTHER KEYS [PATIENCE]]: faulty.py in a study; who answers is not given up, however busy the machine is.
+entry() { printf '[[solvers]]\nlabel = "%s"\nprocess = ["python3", "faulty.py", "%s"]\npatience_s = %s\n%s\n' "$1" "$2" "${4:-60}" "${3:-}"; }
+
 # column STORE NAME LABEL: the values of a solver's rows.
 column() {
   "$program" export "$1" | awk -F, -v name="$2" -v label="$3" '
@@ -127,3 +130,10 @@ words() {
 
 # counted: counts each line of the input.
 counted() { sort | uniq -c | sed 's/^ *//'; }
+
+# is STUDY LABEL STATUS...: the statuses of its solves, with their counts.
+is() {
+  local found=$(column "$1/store.sqlite" status "$2" | counted | paste -sd' ')
+  [[ $found =~ ^${*:3}$ ]] || fail "$2 in $1: $found, expected ${*:3}"
+}
+any='([0-9]+ (ok|tolerance_missed|limit_violated) ?)+' # no fault

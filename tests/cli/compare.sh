@@ -31,23 +31,11 @@ ends 4 compare $base $fewer --label BA --strict
 ends 3 compare $base $fewer --label BA --label K-ABC --strict -o verdict.md
 equal "metrics of two labels in verdict.md" "$(grep -c '^| error |' verdict.md)" 2
 
-# What the candidate lacks is not compared, unless --label leaves it out (gate.test.cpp).
-make three --set runs=3
-refused 'complete both' compare $base three/store.sqlite --label BA
-cp $again five.sqlite
-sqlite3 five.sqlite "DELETE FROM series WHERE label = 'PSO'"
-refused 'lacks PSO' compare $base five.sqlite
-succeeds compare $base five.sqlite --label BA --label DE
-
 # Two labels of one store.
 succeeds compare BA IK-BA --store $base --json
 golden compare-labels
 ends 3 compare IK-BA BA --store $base --margin 10%
 cmp $base before.sqlite || fail "compare changed the store"
-
-# Another task is refused.
-make turned --set 'initial_deg=[1,0,0,0,0,0,0]' --set start=initial
-refused 'than before' compare $base turned/store.sqlite
 
 # Programs: three times the evaluations for the same answers are worse (crashes: gate.test.cpp).
 cp "$scripts/studies/gate.toml" .

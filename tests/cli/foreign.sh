@@ -4,20 +4,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 examples=$root/docs/examples
 cp "$scripts"/programs/*.py "$scripts"/programs/snapped/* .
 
-# entry LABEL FAULT [FURTHER KEYS [PATIENCE]]: who answers is not given up, however busy the machine is.
-entry() { printf '[[solvers]]\nlabel = "%s"\nprocess = ["python3", "faulty.py", "%s"]\npatience_s = %s\n%s\n' "$1" "$2" "${4:-60}" "${3:-}"; }
 # runs NAME ENTRY...: a study of damped least squares and these entries, run into a folder of its name.
 runs() {
   study "$@"
   succeeds run "$1.toml" --no-report --out "$1"
   equal "numbers of another solver beside $1" "$(column "$1/store.sqlite" position_error_cm DLS)" "$alone"
 }
-# is STUDY LABEL STATUS...: the statuses of its 16 solves, with their counts.
-is() {
-  local found=$(column "$1/store.sqlite" status "$2" | counted | paste -sd' ')
-  [[ $found =~ ^${*:3}$ ]] || fail "$2 in $1: $found, expected ${*:3}"
-}
-any='([0-9]+ (ok|tolerance_missed|limit_violated) ?)+' # no fault
 
 study plain
 succeeds run plain.toml --no-report --out plain
@@ -174,19 +166,3 @@ study missing "$(entry there fine)" '[[solvers]]' 'label = "gone"' 'process = ["
 succeeds run missing.toml --no-report --out missing
 has "$err" "gone"
 equal "solvers" "$(sqlite3 missing/store.sqlite "SELECT group_concat(label) FROM series")" "DLS,there"
-
-# Any end of ikbench ends its programs.
-left() { pgrep -f "faulty.py until-$1-$$\$" | wc -l; }
-for signal in INT KILL; do
-  sed -e 's/runs = 2/runs = 2000/' -e "s/fine/until-$signal-$$/" edited.toml >long.toml
-  "$program" run long.toml --no-report --out long-$signal >/dev/null 2>&1 &
-  process=$!
-  until [ "$(solves long-$signal/store.sqlite 2>/dev/null)" -ge 1 ] && [ "$(left $signal)" -ge 1 ]; do # not only hello
-    kill -0 $process || fail "it ended before its program worked"
-    sleep 0.02
-  done
-  kill -$signal $process
-  wait $process 2>/dev/null
-  for _ in {1..1000}; do [ "$(left $signal)" != 0 ] || break; sleep 0.02; done
-  equal "processes after SIG$signal" "$(left $signal)" 0
-done

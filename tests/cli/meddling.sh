@@ -18,14 +18,6 @@ wait "${processes[@]}" 2>.waited
 equal "standard output of a stopped run" "$(cat .first-out .second-out)" ""
 succeeds "${study[@]}" --out twice
 
-# What somebody changed stops a report and a comparison with its place (recheck.test.cpp).
-mkdir changed
-cp twice/store.sqlite changed/
-sqlite3 changed/store.sqlite "UPDATE solves SET answer_rad = json_set(answer_rad, '\$[0]', 3) WHERE label = 'BA' AND run = 2 AND point = 3"
-refused "BA, run 2, point 3" report changed/store.sqlite --figures none
-refused "BA, run 2, point 3" compare IK-BA BA --store changed/store.sqlite
-equal "a refused report left" "$(ls changed)" store.sqlite
-
 # A program that empties the store: the run counts what is there.
 cat >thief.py <<'END'
 import json, sqlite3, sys, time
