@@ -78,10 +78,3 @@ rm two.urdf
 # Files with the features of public URDF files, held against other kinematics, and run.
 cp "$root"/tests/data/urdf/*.urdf "$scripts"/programs/snapped/*.urdf .
 python3 "$scripts/urdfs.py" "$program" *.urdf || fail "see above"
-
-# Mistakes.
-sed -i 's/d_m = 0.40/d_m = 400/' my_arm.toml
-refused my_arm.toml:4:11 robot my_arm.toml
-refused none.toml run my_study.toml --set robot=none.toml
-echo '<robot name="r"><xacro:include filename="x"/></robot>' >macro.urdf
-refused macro.urdf:1 robot macro.urdf
