@@ -77,10 +77,6 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
                       mode == Store::Mode::write_shared ? "definition is replaced, and merge takes no two of one name"
                                                         : "report is overwritten"));
   }
-  if (const LeftAside aside = left_aside(stored, store); aside.solves > 0)  // why what looks done is made anew
-    warn(fmt::format(
-        "another version of {} or of shared code made {}; the store keeps them, and this run solves those points again",
-        fmt::join(aside.labels, ", "), counted(aside.solves, "solves")));
   Progress progress;
   bool is_cancelled = false;
   {

@@ -362,17 +362,6 @@ Progress run(const Study& study, const StoredStudy& stored, Store& store, const 
   return progress;
 }
 
-LeftAside left_aside(const StoredStudy& study, const Store& store) {
-  LeftAside aside;
-  for (const Series& series : study.series) {
-    const std::int64_t solves = store.solves_of_other_sources(series.key);
-    if (solves == 0 || store.number_of_solves({study.name, study.definition, {series}}) > 0) continue;
-    aside.labels.push_back(series.label);
-    aside.solves += solves;
-  }
-  return aside;
-}
-
 void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
                  const std::atomic<bool>* cancelled) {
   const Work work(study, series_of(study), jobs);

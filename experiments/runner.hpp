@@ -40,14 +40,6 @@ Progress run(const Study& study, results::Store& store, const RunRequest& reques
 // The same for who has its stored_study.
 Progress run(const Study& study, const results::StoredStudy& stored, results::Store& store, const RunRequest& request);
 
-// The stored solves that another version of the source made, for solvers without solves by this version. `run` leaves
-// them in place and solves anew.
-struct LeftAside {
-  std::vector<std::string> labels;
-  std::int64_t solves = 0;
-};
-LeftAside left_aside(const results::StoredStudy& study, const results::Store& store);
-
 // Makes all solves of a study, without a store. `take` gets each as soon as it is done, by one thread at a time, in a
 // run in the order of its points. `cancelled` is checked before every solve.
 void solve_study(const Study& study, int jobs, const std::function<void(results::SolveRecord)>& take,
