@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Disturbs a working program: kill -9, SIGTERM and SIGHUP at random moments, to it alone and to all processes, a pause, a
-# full disk. No stored solve is lost, none is there twice, and at the end all is as if nothing had happened. (Files:
+# Disturbs a working program: kill -9, SIGTERM and SIGHUP at random moments, to it alone and to all processes, a pause.
+# No stored solve is lost, none is there twice, and at the end all is as if nothing had happened. (Files:
 # files.test.cpp; locks: store_faults.test.cpp.)
 #
 #   tests/kills.sh PROGRAM                  one of each, as ./check does
@@ -194,41 +194,8 @@ pause_all() { # for longer than its program may take for a solve
   done
 }
 
-kill_disk() { # full while solves are stored, merged, exported and drawn: exit code 2, the name, and later all goes on
-  local format picture
-  mkdir small
-  mount -t tmpfs -o size=256k none small 2>/dev/null || { echo "skipped in part: only root can make a small disk"; return; }
-  trap 'cd /; umount "$work/small"; rm -rf "$work"' EXIT
-  ends 2 "${study[@]}" --out small/run
-  has "$err" small/run/store.sqlite
-  ends 2 merge small/run shards
-  has "$err" small/run/
-  mount -o remount,size=40m small
-  succeeds "${study[@]}" --out small/run
-  as_whole small/run/store.sqlite "a full disk"
-  mount -o remount,size=200m small
-  succeeds run slim2023 --set runs=2 --set trace=best_error --out few --no-report
-  for format in csv report; do
-    local command=(export few/store.sqlite --format $format -o small/$format)
-    [ $format != report ] || command=(report few/store.sqlite --out small/report)
-    succeeds "${command[@]}"
-    size=$(du -s --block-size=1 small/$format | cut -f1)
-    rm -r small/$format
-    head -c $(($(df --output=avail --block-size=1 small | tail -1) - size / 2)) /dev/zero >small/filler
-    ends 2 "${command[@]}"
-    has "$err" "/$format"
-    has "$(tr -s " \n" " " <<<"$err")" "make room"
-    [ $format = report ] || [ ! -e small/$format ] || fail "$format on a full disk leaves $(find small/$format)"
-    for picture in small/report/figures/*.svg; do
-      [ ! -e "$picture" ] || tail -c 9 "$picture" | grep -q '</svg>' || fail "half of a figure: $picture"
-    done
-    rm -rf small/filler small/report
-  done
-}
-
 kill_run
 kill_merge
 kill_report
 kill_all
 pause_all
-kill_disk
