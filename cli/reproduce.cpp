@@ -89,9 +89,8 @@ int jobs_of(const Arguments& arguments) {
 papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper& paper) {
   const std::vector<Dimension> all = dimensions(paper.name);
   if (arguments.seeds == 0 || all.empty()) return {};
-  const papers::SolvedMultiverse solved =
-      solved_multiverse(paper.name, within(Scope::small, all),
-                        {.seeds = arguments.seeds, .overrides = overridden_runs(arguments)}, jobs_of(arguments));
+  const papers::SolvedMultiverse solved = solved_multiverse(
+      paper.name, all, {.seeds = arguments.seeds, .overrides = overridden_runs(arguments)}, jobs_of(arguments));
   return papers::judged(paper, solved, load_study(paper.name).plan);
 }
 

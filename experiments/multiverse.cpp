@@ -31,13 +31,11 @@ constexpr std::size_t most_tables = 100;
 
 Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labels) {
   Dimension one;
-  reader.text("section", one.section);
   for (const toml::table* table : reader.tables("alternatives", most_tables, "a list of tables")) {
     TomlReader of_one = reader.nested(*table, "dimensions.alternatives.");
     Alternative& alternative = one.alternatives.emplace_back();
     of_one.text("set", alternative.set);
     of_one.text("where", alternative.where);
-    of_one.choice("in", alternative.scope, {"small", "default"});
     of_one.texts("except", alternative.except);
     of_one.refuse_unknown_keys();
   }
@@ -49,8 +47,6 @@ Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labe
   return one;
 }
 
-constexpr double most_combinations = 1e5, most_readings = 1e15;
-
 const Alternative& alternative_of(const std::vector<Dimension>& dimensions, const Choice& choice) {
   return dimensions[choice.dimension].alternatives[choice.alternative];
 }
@@ -59,12 +55,6 @@ bool is_excepted(const Alternative& alternative, const std::vector<Dimension>& d
   return std::ranges::any_of(chosen, [&](const Choice& each) {
     return std::ranges::count(alternative.except, alternative_of(dimensions, each).set) > 0;
   });
-}
-
-void refuse_too_many(const std::vector<Dimension>& dimensions, std::string_view what, double count, double most) {
-  if (count <= most) return;
-  throw std::invalid_argument(fmt::format("{} dimensions make more than {:g} {}; choose fewer with --dimensions",
-                                          dimensions.size(), most, what));
 }
 
 // All choices in the dimensions of one owner (a solver, or "" for the study) that are possible together, given others,
@@ -89,9 +79,23 @@ std::vector<Chosen> combinations(const std::vector<Dimension>& dimensions, std::
         larger.push_back(chosen);
         larger.back().push_back(each);
       }
-      refuse_too_many(dimensions, "choices", static_cast<double>(larger.size()), most_combinations);
     }
     all = std::move(larger);
+  }
+  return all;
+}
+
+// All choices, before anything is loaded or solved.
+Multiverse choices_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers) {
+  Multiverse all{.dimensions = dimensions, .solvers = solvers, .studies = {}};
+  for (const Chosen& chosen : combinations(dimensions, "", {})) {
+    Multiverse::OfStudy& of_study = all.studies.emplace_back();
+    of_study.chosen = chosen;
+    for (const std::string& solver : solvers) {
+      std::vector<Multiverse::ChosenSolver>& of_solver = of_study.solvers.emplace_back();
+      for (const Chosen& own : combinations(dimensions, solver, chosen))
+        of_solver.push_back({.chosen = own, .parts = {}});
+    }
   }
   return all;
 }
@@ -102,15 +106,12 @@ void add_overrides(Overrides& overrides, const std::vector<Dimension>& dimension
 }
 
 // The key of the search alone: unless limits or wraps change where a solve starts, no search sees which way the wrist
-// bends and turns, and never whose motion counts. A program or library may be too late.
+// bends. A program or library may be too late.
 std::string search_key(Study study) {
   const SolverEntry& entry = study.solvers.front();
   const bool is_built_in = !entry.program && info_of(entry).library.empty();
-  if (is_built_in && study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == Wrap::no) {
+  if (is_built_in && study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == Wrap::no)
     study.wrist_branch = WristBranch::nearest;
-    study.wrist_turns = WristTurns::principal;
-    study.motion_joints = 0;
-  }
   return series_key(study, study.solvers.front());
 }
 
@@ -141,18 +142,15 @@ std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveReco
 }
 
 PartMeans means_of(const Study& study, const std::vector<SolveRecord>& solves) {
-  const bool are_runs = study.plan.values == Plan::Values::runs;
-  const int runs = study.runs, points = study.path->points();
-  const auto values = static_cast<std::size_t>(are_runs ? runs : points);
-  PartMeans means{.error_cm = std::vector<double>(values), .variation_deg = std::vector<double>(values)};
+  const auto runs = static_cast<std::size_t>(study.runs);
+  PartMeans means{.error_cm = std::vector<double>(runs), .variation_deg = std::vector<double>(runs)};
   for (const SolveRecord& solve : solves) {
-    const auto value = static_cast<std::size_t>((are_runs ? solve.run : solve.point) - 1);
-    means.error_cm[value] += solve.position_error_cm;
-    means.variation_deg[value] += solve.variation_deg;
+    const auto run = static_cast<std::size_t>(solve.run - 1);
+    means.error_cm[run] += solve.position_error_cm;
+    means.variation_deg[run] += solve.variation_deg;
   }
-  for (std::vector<double>* all : {&means.error_cm, &means.variation_deg}) {
-    for (double& value : *all) value /= are_runs ? points : runs;
-  }
+  for (std::vector<double>* all : {&means.error_cm, &means.variation_deg})
+    for (double& value : *all) value /= study.path->points();
   return means;
 }
 
@@ -171,60 +169,8 @@ std::vector<Dimension> dimensions(std::string_view study) {
   return list;
 }
 
-std::vector<Dimension> within(Scope scope, std::vector<Dimension> dimensions) {
-  for (Dimension& each : dimensions) {
-    std::vector<Alternative>& all = each.alternatives;  // of which the first is in every scope
-    const auto is_beyond = [&](const Alternative& one) { return one.scope > scope; };
-    all.erase(std::remove_if(all.begin() + 1, all.end(), is_beyond), all.end());
-  }
-  std::erase_if(dimensions, [](const Dimension& each) { return each.alternatives.size() < 2; });
-  return dimensions;
-}
-
-std::vector<Dimension> named(const std::vector<std::string>& names, const std::vector<Dimension>& dimensions) {
-  for (const std::string& name : names) {
-    find_named("dimension", name, dimensions, [](const Dimension& each) { return each.name; });
-    if (std::ranges::count(names, name) > 1)
-      throw std::invalid_argument(fmt::format("the dimension {} is given twice; expected it once", name));
-  }
-  std::vector<Dimension> chosen = dimensions;
-  std::erase_if(chosen, [&](const Dimension& each) { return std::ranges::count(names, each.name) == 0; });
-  return chosen;
-}
-
-void refuse_varied(const Overrides& overrides, const std::vector<Dimension>& dimensions) {
-  for (const std::string& text : overrides) {
-    const std::string key = text.substr(0, text.find('='));
-    if (key == "seed")
-      throw std::invalid_argument(fmt::format("--set {}: the multiverse uses the seeds 1 to --seeds", text));
-    if (std::ranges::find(dimensions, key, &Dimension::name) == dimensions.end()) continue;
-    throw std::invalid_argument(fmt::format(
-        "--set {}: {} is a dimension that varies; leave this out, or choose other dimensions with --dimensions", text,
-        key));
-  }
-}
-
-Multiverse choices_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers) {
-  Multiverse all{.dimensions = dimensions, .solvers = solvers, .studies = {}};
-  double settings = 0;
-  for (const Chosen& chosen : combinations(dimensions, "", {})) {
-    Multiverse::OfStudy& of_study = all.studies.emplace_back();
-    of_study.chosen = chosen;
-    for (const std::string& solver : solvers) {
-      std::vector<Multiverse::ChosenSolver>& of_solver = of_study.solvers.emplace_back();
-      for (const Chosen& own : combinations(dimensions, solver, chosen))
-        of_solver.push_back({.chosen = own, .parts = {}});
-      settings += static_cast<double>(of_solver.size());
-    }
-    refuse_too_many(dimensions, "solver settings for a seed", settings, most_combinations);
-  }
-  refuse_too_many(dimensions, "readings", all.readings(), most_readings);
-  return all;
-}
-
 MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimension>& dimensions,
                                const MultiverseRequest& request) {
-  refuse_varied(request.overrides, dimensions);
   MultiversePlan plan{choices_of(dimensions, labels_of(load_study(name, request.overrides))), {}};
   std::map<std::string, std::size_t> places;  // in the plan's parts, by series key
   for (Multiverse::OfStudy& of_study : plan.studies) {
@@ -238,7 +184,7 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
         for (int seed = 1; seed <= request.seeds; ++seed) {
           if (request.cancelled != nullptr && *request.cancelled) return plan;
           study.seed = static_cast<std::uint64_t>(seed);
-          const std::string key = series_key(study, study.solvers[s]) + to_json(study.plan);
+          const std::string key = series_key(study, study.solvers[s]);
           const auto [place, is_new] = places.try_emplace(key, plan.parts.size());
           of_solver.parts.push_back(place->second);
           if (!is_new) continue;

@@ -7,19 +7,14 @@
 
 namespace ikbench::results {
 
-// The multiverses that vary an alternative: the small and the usual one, the usual one, or none by default.
-enum class Scope { small, usual, none };
-
 struct Alternative {
   std::string set;                       // "bounds=initial"
   std::string where;                     // a clause: "no solver is clamped"
-  Scope scope = Scope::none;             // the default is in every scope
   std::vector<std::string> except = {};  // earlier alternatives under which it has no effect, or which it contradicts
 };
 
 struct Dimension {
   std::string name;                       // what its alternatives set: "bounds", "IK-BA.acceptance"
-  std::string section;                    // section of the paper's notes
   std::string label;                      // of its solver; empty: the study's
   std::vector<Alternative> alternatives;  // the first is the default
 };

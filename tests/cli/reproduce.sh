@@ -70,10 +70,3 @@ grep -q '^ABB IRB120,[^,]*,[^,]*,[^,]*,[^,]*,90.0,99.91,0.1,0.26' beeson2015/tab
 
 # README and the pages on papers have these numbers.
 python3 "$scripts/page_numbers.py" "$root" whole six_rules fanuc || fail "a page says other numbers, or fewer"
-
-# All readings: the same with any number of jobs.
-few=(multiverse slim2023 "${small[@]}" --dimensions bounds,IK-BA.step_factor,BA.best_of)
-succeeds "${few[@]}" --jobs 2 --out folder
-equal "readings" "$(tail -n +2 folder/tables/multiverse.csv | awk -F, '{ print $2 + $3 + $4 }' | sort -u)" 12
-succeeds "${few[@]}" --out again
-diff -r folder again || fail "other readings with one job"

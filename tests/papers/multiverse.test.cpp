@@ -21,7 +21,6 @@ SolvedMultiverse::ChosenSolver chosen(SolvedMultiverse& of, results::Chosen choi
 results::Dimension dimension(std::string name, std::string solver) {
   return {
       .name = name,
-      .section = "",
       .label = std::move(solver),
       .alternatives = {{.set = name + "=0", .where = name + " is 0"}, {.set = name + "=1", .where = name + " is 1"}}};
 }
