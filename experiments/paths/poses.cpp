@@ -6,8 +6,6 @@
 #include <cctype>
 #include <cmath>
 #include <initializer_list>
-#include <numbers>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -62,42 +60,13 @@ class PoseColumns {
     if (titles.size() != sheet.titles().size())
       sheet.refuse(fmt::format("it has {} columns, but `columns` names {}", sheet.titles().size(), titles.size()));
     for (const std::string& title : titles) names_.emplace_back(title);
-    for (const std::size_t first : {std::size_t{0}, std::size_t{1}}) {  // after a column of times
-      const std::size_t size = names_.size() - first;
-      if (matrix_.empty() && (size == 12 || size == 16) && (first == 0 || rises(0)) && are_matrices(first))
-        for (std::size_t i = 0; i < size; ++i) matrix_.push_back(first + i);
-    }
-    if (matrix_.empty()) quaternion_ = the_only({"w", "x", "y", "z"}, "");
+    quaternion_ = the_only({"w", "x", "y", "z"}, "");
     rpy_ = the_only({"roll", "pitch", "yaw"}, "deg rad");
     position_ = the_only({"x", "y", "z"}, "m cm mm");
-    if (matrix_.empty()) {
-      refuse_others();
-      return;
-    }
-    if (const Group by_row{matrix_[3], matrix_[7], matrix_[11]}; position_.empty() || position_ == by_row)
-      position_ = by_row;
-    else
-      refuse_order();
-    std::vector<double> places;  // "r21" and "m4" say where a number belongs
-    for (const ColumnName& name : names_) {
-      const std::size_t at = name.whole.find_last_not_of("0123456789") + 1;
-      if (at < name.whole.size()) places.push_back(*number_from(name.whole.substr(at)));
-    }
-    if (!std::ranges::is_sorted(places)) refuse_order();
-  }
-
-  // Asks about degrees that would all be within a turn as radians, and are no whole numbers.
-  void expect_degrees() {
-    std::set<double> broken;
-    for (const std::size_t column : rpy_) {
-      for (const std::size_t row : sheet_.rows()) {
-        const double value = number(row, column);
-        if (names_[column].unit != "deg" || std::abs(value) > 2 * std::numbers::pi) return;
-        if (value != std::round(value)) broken.insert(value);
-      }
-    }
-    if (broken.size() > 2)
-      sheet_.refuse("all its angles seem to be radians; name the columns _rad, and write small degrees as radians too");
+    is_matrix_ = titles.front() == "1" && titles.back() == std::to_string(titles.size()) &&
+                 (titles.size() == 12 || titles.size() == 16);  // there is no header
+    if (is_matrix_) position_ = {3, 7, 11};
+    check_names();
   }
 
   Pose pose_in(std::size_t row) {
@@ -111,8 +80,8 @@ class PoseColumns {
   Sheet& sheet_;
   bool are_said_;
   std::vector<ColumnName> names_;
-  Group position_, quaternion_, rpy_, matrix_;
-  Group not_matrix_;  // row and first column of as many numbers as a matrix has, which are none
+  Group position_, quaternion_, rpy_;
+  bool is_matrix_ = false;  // each row is one
 
   double number(std::size_t row, std::size_t column) {
     const double value = sheet_.number(row, column);
@@ -142,10 +111,7 @@ class PoseColumns {
   }
 
   Eigen::Matrix3d rotation_in(std::size_t row) {
-    if (!matrix_.empty()) {
-      const Eigen::Matrix3d R = matrix_in(row, matrix_.front()).topLeftCorner<3, 3>();
-      return Eigen::Quaterniond(R).normalized().toRotationMatrix();
-    }
+    if (is_matrix_) return rotation_of_matrix(row);
     if (!rpy_.empty()) return rotation_from_rpy({angle(row, rpy_[0]), angle(row, rpy_[1]), angle(row, rpy_[2])});
     if (quaternion_.empty()) return rotation(Tool::down);
     Eigen::Vector4d q;
@@ -158,35 +124,17 @@ class PoseColumns {
     return Eigen::Quaterniond(unit[0], unit[1], unit[2], unit[3]).toRotationMatrix();
   }
 
-  // From the columns that begin there; without a last line it is that of poses.
-  Eigen::Matrix4d matrix_in(std::size_t row, std::size_t first) {
+  // Without a last line that of poses is meant.
+  Eigen::Matrix3d rotation_of_matrix(std::size_t row) {
     Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
-    for (std::size_t i = 0; i < 16 && first + i < names_.size(); ++i)
-      T(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = sheet_.number(row, first + i);
-    return T;
-  }
-
-  bool are_matrices(std::size_t first) {
-    for (std::size_t column = first; column < names_.size(); ++column) {
-      if (!sheet_.has_numbers(column)) return false;
-    }
-    const auto other = std::ranges::find_if_not(sheet_.rows(), [&](auto row) {
-      const Eigen::Matrix4d T = matrix_in(row, first);
-      const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
-      return R.isUnitary(0.01) && R.determinant() > 0 && T.row(3) == Eigen::RowVector4d(0, 0, 0, 1);
-    });
-    if (other == sheet_.rows().end()) return true;
-    not_matrix_ = {*other, first};
-    return false;
-  }
-
-  // As times and numbers of rows do, and names of frames, which are one.
-  bool rises(std::size_t column) {
-    const auto falls = [&, has_numbers = sheet_.has_numbers(column)](auto before, auto after) {
-      return has_numbers ? !(sheet_.number(before, column) < sheet_.number(after, column))
-                         : sheet_.cell(before, column) != sheet_.cell(after, column);
-    };
-    return names_[column].unit.empty() && std::ranges::adjacent_find(sheet_.rows(), falls) == sheet_.rows().end();
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      T(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = number(row, i);
+    const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
+    if (!R.isUnitary(0.01) || R.determinant() < 0 || T.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+      sheet_.refuse(row, 0,
+                    "begins a matrix that is no pose; expected the rows of a rotation, each with its part of the "
+                    "position behind it, then 0 0 0 1 or nothing");
+    return Eigen::Quaterniond(R).normalized().toRotationMatrix();
   }
 
   // The columns that are these parts of one thing, in a unit of these or none; empty if there are none.
@@ -216,44 +164,27 @@ class PoseColumns {
     return found.empty() ? Group() : found.front();
   }
 
-  [[noreturn]] void refuse_order() const {
-    sheet_.refuse("its header has a matrix's numbers in another order than row by row, the position as 4th, 8th, 12th");
+  // "%time", "t" and all of "field.header."
+  static bool is_stamp(std::string_view name) {
+    const auto has = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
+    return has("stamp") || has("time") || has("header.") || is_one_of(name, {"t", "sec", "secs", "nsec", "nsecs"});
   }
 
-  // Of the other columns, those before the pose may be a time, a number and the name of a frame; three numbers that
-  // rise may be a rotation, unless they are too large, as times in ns are.
-  void refuse_others() {
-    if (position_.empty() && !not_matrix_.empty())
-      sheet_.refuse(
-          not_matrix_[0], not_matrix_[1],
-          "begins a matrix that is no pose; expected the rows of a rotation, each with its part of the position "
-          "behind it, then 0 0 0 1 or nothing");
-    bool is_before = !position_.empty();
-    int numbers = 0;
-    const auto may_be_angle = [&](std::size_t column) {
-      return sheet_.has_numbers(column) && std::abs(sheet_.number(sheet_.rows().front(), column)) < 1e9;
-    };
-    for (std::size_t column = 0; column < names_.size(); ++column) {
+  // Of other columns stamps are left out, and those that `columns` names otherwise.
+  void check_names() {
+    for (std::size_t column = 0; column < names_.size() && !is_matrix_; ++column) {
       const bool is_used = std::ranges::any_of(std::array{&position_, &quaternion_, &rpy_}, [&](const Group* group) {
         return std::ranges::count(*group, column) > 0;
       });
-      is_before = is_before && !is_used;
-      const bool may_be_out = are_said_ || names_[column].whole.find("stamp") != std::string::npos;
-      if (!is_used && may_be_out && names_[column].part.empty()) continue;
-      // A single row rises in every column, so that one alone may be its time.
-      const bool may_rise = column == 0 || sheet_.rows().size() > 1;
+      const bool may_be_out = are_said_ || is_stamp(names_[column].whole);
       if (is_used && !names_[column].other_unit.empty() && std::ranges::count(quaternion_, column) == 0)
         sheet_.refuse(fmt::format("{} has no unit of a length or an angle; expected m, cm, mm, deg or rad",
                                   in_quotes(sheet_.titles()[column])));
-      const std::string_view cell = sheet_.cell(sheet_.rows().front(), column);
-      const bool may_matter = !names_[column].part.empty() || is_one_of(cell, {"m", "cm", "mm", "deg", "rad"}) ||
-                              (!is_used && (numbers += may_be_angle(column)) > 2);
-      if (!is_used && (may_matter || !(is_before && may_rise && rises(column))))
-        sheet_.refuse(fmt::format("{}{} is no part of a position or rotation{}; expected {}",
-                                  number_from(sheet_.titles()[0]) ? "there is no header, and column " : "",
-                                  in_quotes(sheet_.titles()[column]),
-                                  is_before ? ", nor a time or a number, which rise, nor the name of one frame" : "",
-                                  expected_columns));
+      if (!is_used && !(may_be_out && names_[column].part.empty()))
+        sheet_.refuse(fmt::format(
+            "{}{} is no part of a position or rotation; name it \"\" in path.columns to leave it out, or expected {}",
+            number_from(sheet_.titles()[0]) ? "there is no header, and column " : "",
+            in_quotes(sheet_.titles()[column]), expected_columns));
     }
     if (position_.empty()) sheet_.refuse(fmt::format("there is no position; expected {}", expected_columns));
     if (!quaternion_.empty() && !rpy_.empty())
@@ -342,7 +273,6 @@ std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file, c
   Sheet sheet(text, file, 0, Sheet::Header::optional);
   if (sheet.rows().size() > most_rows) sheet.refuse(fmt::format("expected at most {} poses", most_rows));
   PoseColumns columns(sheet, said);
-  columns.expect_degrees();
   std::vector<Pose> poses;
   for (const std::size_t row : sheet.rows()) poses.push_back(columns.pose_in(row));
   return poses;

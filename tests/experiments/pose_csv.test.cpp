@@ -75,7 +75,7 @@ TEST_CASE("the same poses are read from sheets of spreadsheets and from what rob
     }
     ++files;
   }
-  CHECK(files == 10);
+  CHECK(files == 9);
 }
 
 TEST_CASE("every mistake is told with its line, its column and what was expected", "[csv]") {
@@ -87,14 +87,12 @@ TEST_CASE("every mistake is told with its line, its column and what was expected
   CHECK_THAT(refusal("x [in],y [in],z [in]\n5,5,5\n"), ContainsSubstring("'x [in]'"));
   CHECK_THAT(refusal("x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg\n.4,.1,.3,1e19,0,0\n"), ContainsSubstring("'1e19'"));
   CHECK_THAT(refusal("x_m,y_m,z_m\n1,\x01,3\n"), ContainsSubstring("path.csv:2:2: ' ' in column 'y_m'"));
-  // What only looks like a pose: rates, and matrices whose header says another order.
+  // What only looks like a pose: rates, and matrices under a header, which may say another order.
   for (const std::string text :
        {"time,vx,vy,vz\n0,.1,.2,.3\n1,.1,.2,.3\n", "x,y,z,w,qx,qy,qz\n.4,.2,.3,.8426149,.1,.2,.3\n"})
     CHECK_THAT(refusal(text), ContainsSubstring("is no part of a position"));
-  for (const std::string header :
-       {"r11,r21,r31,x,r12,r22,r32,y,r13,r23,r33,z", "r11,r12,r13,r21,r22,r23,r31,r32,r33,tx,ty,tz"})
-    CHECK_THAT(refusal(header + "\n1,0,0,0,0,1,0,0,0,0,1,0.3\n"), ContainsSubstring("another order than row by row"));
-  CHECK(poses_in("r11,r12,r13,tx,r21,r22,r23,ty,r31,r32,r33,tz\n1,0,0,0,0,1,0,0,0,0,1,0.3\n").size() == 1);
+  CHECK_THAT(refusal("r11,r21,r31,x,r12,r22,r32,y,r13,r23,r33,z\n1,0,0,0,0,1,0,0,0,0,1,0.3\n"),
+             ContainsSubstring("'r11' is no part of a position"));
   // A row that was taken out is no header, also after a byte-order mark.
   CHECK(poses_in("\xEF\xBB\xBF# 1 0 0 .9 0 1 0 0 0 0 1 .9\n1 0 0 .4 0 1 0 0 0 0 1 .3\n").at(0).translation().x() ==
         0.4);
@@ -142,7 +140,8 @@ TEST_CASE("stamps are no part of a pose, wherever they stand", "[csv]") {
       "17,999000000,base,0.5,0,0.4,1,0,0,0\n18,4000000,base,0.5,0.1,0.4,1,0,0,0\n";
   REQUIRE(poses_in(ros2).size() == 2);
   CHECK(poses_in(ros2)[1].translation() == Eigen::Vector3d(0.5, 0.1, 0.4));
-  CHECK(poses_in("x_m,y_m,z_m,timestamp\n1,2,3,9\n1,2,4,7\n").size() == 2);
+  for (const std::string stamp : {"timestamp", "time", "t", "secs", "time_s"})
+    CHECK(poses_in("x_m,y_m,z_m," + stamp + "\n1,2,3,9\n1,2,4,7\n").size() == 2);
 }
 
 TEST_CASE("`columns` says what a file without a header has, or what its header does not", "[csv][series]") {
@@ -150,6 +149,7 @@ TEST_CASE("`columns` says what a file without a header has, or what its header d
   CHECK(!refusal(tum).empty());
   const std::vector<std::string> columns{"", "x", "y", "z", "qx", "qy", "qz", "qw"};
   CHECK(poses_from_csv(tum, "path.csv", columns)[1].translation() == Eigen::Vector3d(0.5, 0.1, 0.4));
+  CHECK_THAT(refusal("i,x,y,z\n1,0.5,0,0.4\n"), ContainsSubstring("name it \"\" in path.columns"));
   CHECK(poses_from_csv("t,a,b,c\n1,500,0,400\n", "path.csv", {"", "x_mm", "y_mm", "z_mm"})[0].translation() ==
         Eigen::Vector3d(0.5, 0, 0.4));
   CHECK_THAT(complaint<std::invalid_argument>([&] {
