@@ -221,13 +221,13 @@ void refuse_sums(const Sheet& sheet, const Items& items) {
 // What the rows were taken for.
 std::string how_read(const Sheet& sheet, const Layout& layout, const Items& items,
                      const std::vector<std::string>& where) {
-  const auto counted = [&](auto n, Column column) {
-    const std::string title = column ? base::one_line(base::front(sheet.titles()[*column], 60)) : "column";
-    return fmt::format("{} {}{}", n, title, n == 1 || title.ends_with('s') ? "" : "s");
+  const auto counted = [&](std::int64_t n, std::string_view nouns, Column column) {  // a title may be no noun
+    const std::string text = base::counted(n, nouns);
+    return column ? fmt::format("{} ({})", text, base::one_line(base::front(sheet.titles()[*column], 60))) : text;
   };
-  std::string text = counted(items.groups.size(), layout.label);
-  const Column unit = layout.block ? layout.block : layout.run;
-  if (unit) text = fmt::format("{} as {}, {}", counted(items.units, unit), layout.block ? "blocks" : "runs", text);
+  std::string text = counted(std::ssize(items.groups), layout.label ? "labels" : "columns", layout.label);
+  if (const Column unit = layout.block ? layout.block : layout.run)
+    text += ", " + counted(items.units, layout.block ? "blocks" : "runs", unit);
   const Index most = std::ranges::max(items.means, {}, &Mean::rows).rows;
   if (most > 1) text += fmt::format(", means of {} rows", most);
   if (!layout.block && !layout.run) text += ", rows unrelated";

@@ -97,6 +97,7 @@ TEST_CASE("rows of several metrics are asked about, and --where takes one") {
   CHECK(list_of(observations(text, chosen).groups.front()) == std::vector{0.10, 0.12, 0.11, 0.13});
   const std::string read = csv::read(text, "d.csv", smaller(chosen)).notes.front();
   CHECK(contains(read, "; only rows with 'metric=error'."));
+  CHECK(read.starts_with("2 labels (solver), "));  // a title may be no noun
   // A column that --where fixed is named.
   CHECK(finding("solver,metric,value\nA,e,1\nA,e,2\nA,t,9\nB,e,3\nB,e,4\nB,t,9\n", {.where = {"metric = e"}}).first ==
         "A");
