@@ -3,15 +3,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
-#include <set>
 #include <stdexcept>
 
 #include "analysis/judge/gate.hpp"
 #include "analysis/show/answer_tables.hpp"
-#include "analysis/show/article.hpp"
 #include "analysis/show/screen.hpp"
 #include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
@@ -140,13 +137,12 @@ std::string verdict_of(const Gate& gate, const show::Answer& answer) {
   if (!gate.worse_by_little.empty())
     text += fmt::format(" Worse by less than the margin: {}.", show::listed(gate.worse_by_little));
   if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));
-  std::vector<std::string> untested;
-  for (const std::string& quantity : gate.not_tested) {
-    const JudgedMetric& judged = *std::ranges::find_if(
-        gate.judged.metrics, [&](const JudgedMetric& its) { return its.observations.quantity == quantity; });
-    untested.push_back(fmt::format("{} ({})", quantity, why_open(answer, judged)));
+  show::ByWord untested;  // by why
+  for (const JudgedMetric& judged : gate.judged.metrics) {
+    const std::string& quantity = judged.observations.quantity;
+    if (std::ranges::count(gate.not_tested, quantity) > 0) untested.add(why_open(answer, judged), quantity);
   }
-  if (!untested.empty()) text += fmt::format(" Not tested: {}.", show::listed(untested));
+  if (!untested.all.empty()) text += fmt::format(" Not tested: {}.", fmt::join(untested.told("{1} ({0})"), "; "));
   if (const std::string then = gate.label.empty() ? show::second_sentence(answer) : ""; !then.empty())
     text += ' ' + then;
   return text;
@@ -176,27 +172,16 @@ bool is_told(const Gate& gate) { return !gate.are_same || gate.do_times_decide; 
 
 // Of all that are the same, bit for bit, in one; empty if none are.
 std::string verdict_of_same(const std::vector<Gate>& all) {
-  std::vector<std::string> names, times;
-  std::set<std::string> others;  // of another state, or clock
+  std::vector<std::string> names;
   int solves = 0;
   for (const Gate& gate : all) {
     if (!gate.are_same) continue;
     names.push_back(gate.label.empty() ? show::listed(gate.judged.study.labels) : gate.label);
     solves += gate.judged.metrics.back().described.front().n;
-    for (const judge::JudgedMetric& judged : show::answer_of(gate.judged).metrics) {
-      if (gate.label.empty() || is_told(gate) || judged.observations.unit != "ms") continue;
-      if (!std::isfinite(show::shown_average(judged, 0).value)) continue;  // in batches
-      for (const Doubt& doubt : judged.observations.doubts) others.insert(show::warning_of(doubt));
-      times.push_back(fmt::format("{} before {}, now {} ms", gate.label,
-                                  show::number_text(show::shown_average(judged, 1).value),
-                                  show::number_text(show::shown_average(judged, 0).value)));
-    }
   }
   if (names.empty()) return "";
-  return fmt::format("{}: all solves are the same, bit for bit ({}).{}{}{}", show::listed(names),
-                     base::counted(solves, "solves"),
-                     times.empty() ? "" : fmt::format(" Times (not compared: two sessions): {}.", show::listed(times)),
-                     others.empty() ? "" : " ", fmt::join(others, " "));
+  return fmt::format("{}: all solves are the same, bit for bit ({}).", show::listed(names),
+                     base::counted(solves, "solves"));
 }
 
 show::Answer answer_of(const Gate& gate) {
@@ -209,8 +194,9 @@ show::Answer answer_of(const Gate& gate) {
 std::string note_of(const std::vector<Gate>& all) {
   if (std::ranges::none_of(all, is_told)) return "";
   const JudgedStudy& judged = all.front().judged;
-  const auto time =
-      std::ranges::find_if(judged.metrics, [](const JudgedMetric& its) { return its.observations.unit == "s"; });
+  const auto time = std::ranges::find_if(judged.metrics, [](const JudgedMetric& its) {
+    return its.observations.measures == Measure::time && !show::is_share(its);  // which is in time
+  });
   const bool do_times_decide = all.front().do_times_decide;
   const std::string times = !do_times_decide ? "do not count in the exit code"
                             : time == judged.metrics.end()
@@ -275,11 +261,12 @@ std::string markdown_of(const std::vector<Gate>& all) {
   for (const Gate& gate : all) {
     if (!is_told(gate)) continue;
     const show::Answer answer = answer_of(gate);
-    std::vector<std::string> sentences = show::results_of(answer);
-    sentences.front().clear();
+    std::vector<std::string> sentences{targets_of(gate)};
+    for (const Doubt& doubt : answer.all_doubts()) sentences.push_back(show::warning_of(doubt));
+    std::erase(sentences, "");
     text += fmt::format("**{}**\n\n{}\n{}\n{}\n\n", show::markdown_text(answer.verdict),
                         show::to_markdown(show::results_table(answer)), show::to_markdown(show::pairs_table(answer)),
-                        show::markdown_text(fmt::format("{} {}", targets_of(gate), fmt::join(sentences, " "))));
+                        show::markdown_text(fmt::format("{}", fmt::join(sentences, " "))));
   }
   const std::string same = show::markdown_text(verdict_of_same(all));
   std::vector<std::string> last{show::markdown_text(note_of(all)), same.empty() ? "" : fmt::format("**{}**", same)};
@@ -313,7 +300,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "The exit code is 3 if something is shown to be worse, and not shown to be so by less than the margin, or if "
       "solves without an answer are new; 1 after a mistake, or else if A and B, or the times that --time-margin asks for, could not be compared; else 4 with "
       "--strict, if something is not decided or not tested; else 0.\n"
-      "Times are shown and decide nothing without --time-margin.");
+      "Times decide nothing without --time-margin.");
   command->callback([arguments, &invocation] {
     const std::vector<Gate> all = compare_all(*arguments);
     invocation.exit_code = exit_code(all, arguments->is_strict);
