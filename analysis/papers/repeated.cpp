@@ -227,7 +227,7 @@ std::vector<std::string> means_sentences(const std::vector<RateColumn>& columns)
 std::vector<std::string> rates_sentences(const Repeated& repeated) {
   const Rates& plan = repeated.paper.rates;
   if (!plan.is_of_arms()) return means_sentences(rates_of(repeated));
-  std::vector<std::string> sentences, who, undecided;
+  std::vector<std::string> sentences, who;
   for (const auto& [name, words] : plan.tables) {
     const bool is_first = sentences.empty();
     std::vector<std::string> counts;
@@ -243,10 +243,6 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
         const double ratio = rate.mean_ms / base::number_from(rate.printed_ms).value();
         least = std::min(least, ratio), most = std::max(most, ratio);
       }
-      if (open == std::ssize(column.rates)) {
-        undecided.push_back(column.name);
-        continue;
-      }
       counts.push_back(fmt::format("by {} on {}{} of {}{}", column.name, repeat,
                                    open > 0 ? fmt::format(" (not decided on {})", open) : "", column.rates.size(),
                                    counts.empty() ? " arms" : ""));
@@ -256,9 +252,7 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
         who.push_back(
             fmt::format("The mean times of {} are {:.2g} to {:.2g} times the printed ones.", column.name, least, most));
     }
-    if (!counts.empty()) sentences.push_back(fmt::format("The rates of {} repeat {}.", words, show::listed(counts)));
-    if (!undecided.empty())
-      return {fmt::format("Too few targets to decide on any arm: the rates of {}.", show::listed(undecided))};
+    sentences.push_back(fmt::format("The rates of {} repeat {}.", words, show::listed(counts)));
   }
   std::ranges::move(who, std::back_inserter(sentences));
   return sentences;
