@@ -200,13 +200,6 @@ Answer answer_of(const JudgedStudy& judged) {
   for (JudgedMetric& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
-    const Observations& observed = metric.observations;
-    const auto is_below_floor = [&](const Description& its) { return its.smallest < observed.floor; };
-    const auto is_ratio = [](const Finding& finding) { return finding.scale == Scale::ratio; };
-    if (std::ranges::any_of(metric.findings, is_ratio) && observed.floor > 0 &&
-        std::ranges::any_of(metric.described, is_below_floor))
-      all.notes.push_back(fmt::format("In ratios, {} below {} {} counts as that.", observed.quantity,
-                                      number_text(observed.floor), observed.unit));
   }
   const auto is_of_time = [](const JudgedMetric& metric) { return metric.observations.measures == Measure::time; };
   if (std::ranges::any_of(judged.metrics, is_of_time) && std::ranges::any_of(judged.study.solves, &Solve::is_told))

@@ -97,15 +97,8 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   cell.is_best = is_of_all && !losers.empty() && !is_worse && !is_untested && std::ranges::count(apart, reference) == 0;
   if (are_ratios(judged, reference) && solver != reference && !untold(group)) {
     if (is_untested) return Absent{std::string(words_of(std::get<Open>(finding.what).why).of_solver)};
-    if (const Amount* const amount = amount_of(finding)) {
-      cell.value = amount->value, cell.to_reference = finding.scale;
-      return cell;
-    }
-    if (!tested || !tested->effect) return Absent{"too few to compare"};
-    const auto& [ahead, behind] = *tested->effect;
-    cell.words = ahead + behind < 0.5 ? "1 times"  // most are equal
-                                      : fmt::format("in {} %", number_text(100 * std::max(ahead, behind)));
-    return cell;
+    if (const Amount* const amount = amount_of(finding)) cell.value = amount->value, cell.to_reference = finding.scale;
+    return tested || cell.to_reference ? Cell(cell) : Absent{"too few to compare"};
   }
   const Description& its = judged.described[i];
   const bool are_means = are_means_shown(answer);
@@ -133,15 +126,14 @@ std::string of_whom(const Answer& answer, const std::string& reference) {
 
 // What stands in a table of results, which its notes explain.
 struct Occurring {
-  bool numbers = false, averages = false, quartiles = false, shares = false, words = false, deviations = false;
+  bool numbers = false, averages = false, spreads = false, shares = false;
   std::set<std::string> marks = {}, scales = {};
   ByWord reasons = {};                                 // metrics by why they have a "-"
   std::vector<std::string> ratios = {}, counted = {};  // metrics: to the reference; of each one's own targets
 
   void add(const Marked& cell, bool is_share, bool is_average) {
-    numbers |= !is_share, averages |= !is_share && is_average, words |= !cell.words.empty();
-    (is_share ? shares : quartiles) |= cell.interval.has_value();
-    deviations |= cell.sd.has_value();
+    numbers |= !is_share, averages |= !is_share && is_average;
+    (is_share ? shares : spreads) |= cell.interval || cell.sd;
     marks.insert(cell.mark);
     if (cell.to_reference) scales.insert(*cell.to_reference == Scale::ratio ? "multiples of" : "differences from");
   }
@@ -154,8 +146,7 @@ std::vector<std::string> key_of(const Answer& answer, const Occurring& occurring
   const double level = decisive.plan.significance;
   const std::string reference = reference_of(answer);
   std::string numbers = !occurring.averages ? "" : are_means ? "Means" : "Medians";
-  if (occurring.quartiles) numbers += " (quartiles)";
-  if (occurring.deviations) numbers += " ± standard deviations";
+  if (occurring.spreads) numbers += are_means ? " ± standard deviations" : " (quartiles)";
   if (const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n); most.n > 0 && is_of_file)
     numbers = fmt::format("{} of {}{}; {}", occurring.averages ? numbers : "Shares",
                           least.n == most.n ? "" : fmt::format("{} to ", least.n), base::counted(most.n, "values"),
@@ -171,7 +162,7 @@ std::vector<std::string> key_of(const Answer& answer, const Occurring& occurring
   return {
       numbers, meaning_of(occurring.marks, of_whom(answer, reference) + tested),
       occurring.shares
-          ? fmt::format("Intervals{}: {:.3g} %", occurring.quartiles ? " of shares" : "", 100 * (1 - level))
+          ? fmt::format("Intervals{}: {:.3g} %", occurring.spreads && !are_means ? " of shares" : "", 100 * (1 - level))
           : "",
       occurring.scales.empty()
           ? ""
@@ -200,7 +191,6 @@ std::vector<std::string> explained(const Answer& answer, const Occurring& occurr
           ? ""
           : fmt::format("{}: {}s of the {} that each solved", as_sentence(listed(occurring.counted)),
                         average_shown(answer), answer.noun),
-      occurring.words ? "1 times, or in N % of comparisons: no other ratio tells it" : "",
       occurring.reasons.all.empty() ? "" : fmt::format("-: {}", fmt::join(occurring.reasons.told("{} ({})"), "; "))};
 }
 
@@ -248,27 +238,6 @@ std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
   return row;
 }
 
-// Takes each pair with whether the headline's metrics tell it; returns how many are not listed.
-template <class Take>
-std::size_t each_listed(const Answer& answer, const Take& take) {
-  const std::string reference = reference_of(answer);
-  const std::vector<Question> questions = questions_of(answer);
-  std::size_t others = 0;
-  for (const JudgedMetric& judged : answer.metrics) {
-    const bool is_asked = std::ranges::count(questions, &judged, &Question::of) > 0,
-               are_many = judged.findings.size() > most_told;
-    for (const Finding& finding : judged.findings) {
-      const bool is_told = is_asked && (!are_many || finding.first == reference || finding.second == reference);
-      if (is_told || ++others <= most_listed) take(finding, judged, is_told);
-    }
-  }
-  return others - std::min(others, most_listed);
-}
-
-std::string words_of_left_out(std::size_t pairs) {
-  return pairs == 0 ? "" : fmt::format("{} more pairs are not listed.", pairs);
-}
-
 }  // namespace
 
 Table results_table(const Answer& answer, bool is_brief) {
@@ -276,7 +245,9 @@ Table results_table(const Answer& answer, bool is_brief) {
   for (const std::string& solver : answer.solvers()) table.rows.push_back({solver});
   const std::string reference = reference_of(answer);
   const std::set<std::string> losers = losers_of(answer.decisive().findings);
-  const std::vector<std::string> apart = not_compared(answer);
+  std::vector<std::string> apart;  // nobody knows whether they are better
+  for (const Said& fact : said_of(answer.decisive(), answer.solvers()))
+    if (fact.what == Said::What::not_tested) apart = fact.who;
   Occurring occurring;
   for (const JudgedMetric& judged : answer.metrics) {
     const Observations& observed = judged.observations;
@@ -421,15 +392,26 @@ std::string of_pairs(const Answer& answer) {
 // A pair, complete: readers see what stands up to the verdict.
 Table pairs_table(const Answer& answer) {
   Table table{.name = "pairs", .caption = "The first against the second", .columns = columns_of_pairs()};
+  const std::string reference = reference_of(answer);
+  const std::vector<Question> questions = questions_of(answer);
   std::set<double> ends;
   std::vector<std::vector<Cell>> others;
+  std::size_t left_out = 0;
   bool has_p = false;
-  const std::size_t left_out =
-      each_listed(answer, [&](const Finding& finding, const JudgedMetric& judged, bool is_told) {
-        (is_told ? table.rows : others).push_back(row_of(finding, judged));
-        has_p |= p_of(finding).has_value();
-        for (const double end : ends_of(finding, judged)) ends.insert(end);
-      });
+  for (const JudgedMetric& judged : answer.metrics) {
+    const bool is_asked = std::ranges::count(questions, &judged, &Question::of) > 0,
+               are_many = judged.findings.size() > most_told;
+    for (const Finding& finding : judged.findings) {
+      const bool is_told = is_asked && (!are_many || finding.first == reference || finding.second == reference);
+      if (!is_told && others.size() == most_listed) {
+        ++left_out;
+        continue;
+      }
+      (is_told ? table.rows : others).push_back(row_of(finding, judged));
+      has_p |= p_of(finding).has_value();
+      for (const double end : ends_of(finding, judged)) ends.insert(end);
+    }
+  }
   table.told = table.rows.size();
   std::ranges::move(others, std::back_inserter(table.rows));
   table.columns[4].ends = {ends.begin(), ends.end()};
@@ -442,7 +424,7 @@ Table pairs_table(const Answer& answer) {
       answer.verdict.empty() && has_p
           ? "p is multiplied by the number of pairs tested of its metric, and intervals hold for all."
           : "",
-      words_of_left_out(left_out), of_pairs(answer)};
+      left_out == 0 ? "" : fmt::format("{} more pairs are not listed.", left_out), of_pairs(answer)};
   std::erase(notes, "");
   if (!notes.empty()) table.notes = {fmt::format("{}", fmt::join(notes, " "))};
   return table;
@@ -517,11 +499,9 @@ Table anova_table(const Answer& answer) {
 
 base::OrderedJson to_json(const Answer& answer) {
   base::OrderedJson doubts = base::OrderedJson::array(), direction;
-  Table pairs{.columns = columns_of_pairs()};
+  const Table pairs = pairs_table(answer);
   std::vector<std::string> notes = answer.notes;
-  notes.push_back(words_of_left_out(
-      each_listed(answer, [&](auto& finding, auto& judged, bool) { pairs.rows.push_back(row_of(finding, judged)); })));
-  std::erase(notes, "");
+  notes.insert(notes.end(), pairs.notes.begin(), pairs.notes.end());
   for (const JudgedMetric& judged : answer.metrics)
     direction[judged.observations.quantity] = judged.observations.better == Better::larger ? "larger" : "smaller";
   for (const Doubt& doubt : answer.all_doubts()) doubts.push_back(words_of(doubt));

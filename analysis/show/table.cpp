@@ -47,7 +47,6 @@ struct Readable {
   }
   // Without what stands around it.
   std::string plain(const Marked& marked) const {
-    if (!marked.words.empty()) return marked.words;
     if (marked.to_reference == judge::Scale::ratio)
       return number_text(marked.value, std::abs(marked.value - 1) < 0.1 ? 3 : 2) + " times";
     return (marked.to_reference && marked.value > 0 ? "+" : "") + (*this)(marked.value);
@@ -126,6 +125,8 @@ Rows readable(const Table& table, Escape escape) {
 }
 
 constexpr std::string_view its_times = "times", its_mark = "mark";  // have no unit
+constexpr std::string_view all_members[]{"",     "printed", its_times,  "difference", "low",
+                                         "high", "sd",      "excluded", its_mark};
 
 // The members of a cell in files of numbers, by the words that follow the name of its column.
 std::map<std::string_view, Json> members(const Cell& cell) {
@@ -150,26 +151,32 @@ std::map<std::string_view, Json> members(const Cell& cell) {
   return all;
 }
 
-// Those that a column has.
-std::vector<std::string_view> members_of(const Table& table, std::size_t column) {
-  const bool is_interval = table.columns[column].role == Role::interval;
-  std::set<std::string_view> all;
-  if (is_interval) all = {"low", "high", "excluded"};
-  if (!is_interval &&
-      !has(table, column, [](const Cell& cell) { return std::holds_alternative<judge::Interval>(cell); }))
-    all.insert("");
-  for (const auto& row : table.rows)
-    for (const auto& [name, value] : members(row[column])) all.insert(name);
-  std::vector<std::string_view> ordered{"",     "printed", its_times,  "difference", "low",
-                                        "high", "sd",      "excluded", its_mark};
-  std::erase_if(ordered, [&](std::string_view name) { return !all.contains(name); });
-  return ordered;
-}
+// A column of files of numbers: a member that cells of a column have.
+struct Flat {
+  std::string name, unit;  // "error low", but "low" alone of a column that has nothing else
+  std::vector<Json> values = {};
+};
 
-// "error low", but "low" alone of a column that has nothing else.
-std::string member_name(const Column& column, std::string_view member) {
-  if (member.empty()) return column.name;
-  return column.role == Role::interval ? std::string(member) : fmt::format("{} {}", column.name, member);
+std::vector<Flat> flat(const Table& table) {
+  std::vector<Flat> all;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const auto& [title, unit, role, unit_of_cells, ends] = table.columns[c];
+    const bool is_interval = role == Role::interval,
+               has_intervals = has(table, c, [](auto&cell) { return std::holds_alternative<judge::Interval>(cell); });
+    std::vector<std::map<std::string_view, Json>> cells;
+    for (const auto& row : table.rows) cells.push_back(members(row[c]));
+    for (const std::string_view member : all_members) {
+      const bool is_end = member == "low" || member == "high" || member == "excluded";
+      const auto is_there = [&](const auto& its) { return its.contains(member); };
+      if (!(is_interval ? is_end : member.empty() && !has_intervals) && std::ranges::none_of(cells, is_there)) continue;
+      Flat& its = all.emplace_back(Flat{member.empty() ? title
+                                        : is_interval  ? std::string(member)
+                                                       : fmt::format("{} {}", title, member),
+                                        member == its_times || member == its_mark ? "" : unit});
+      for (auto& cell : cells) its.values.push_back(std::move(cell[member]));
+    }
+  }
+  return all;
 }
 
 std::string latex_cell(const Cell& cell, const Column& column) {
@@ -203,45 +210,25 @@ std::string interval_text(const judge::Interval& interval, const Ends& ends) {
 }
 
 std::string to_csv(const Table& table) {
-  std::string text;
-  std::vector<std::string> heads;
-  std::vector<std::vector<std::string_view>> all_members;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    const Column& column = table.columns[c];
-    const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
-    for (const std::string_view member : all_members.emplace_back(members_of(table, c)))
-      heads.push_back(member_name(column, member) + (member == its_times || member == its_mark ? "" : unit));
-  }
-  base::append_csv_row(text, heads);
-  for (const auto& row : table.rows) {
-    std::vector<std::string> cells;
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      std::map<std::string_view, Json> its = members(row[c]);
-      for (const std::string_view member : all_members[c]) {
-        const Json& value = its[member];
-        cells.push_back(value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump());
-      }
+  const std::vector<Flat> columns = flat(table);
+  std::vector<std::vector<std::string>> rows(1 + table.rows.size());
+  for (const Flat& column : columns) {
+    rows[0].push_back(column.name + (column.unit.empty() ? "" : fmt::format(" [{}]", column.unit)));
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      const Json& value = column.values[r];
+      rows[r + 1].push_back(value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump());
     }
-    base::append_csv_row(text, cells);
   }
+  std::string text;
+  for (const auto& row : rows) base::append_csv_row(text, row);
   return text;
 }
 
 Json to_json(const Table& table) {
-  std::vector<std::vector<std::string_view>> all_members;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) all_members.push_back(members_of(table, c));
-  Json rows = Json::array();
-  for (const auto& row : table.rows) {
-    Json object = Json::object();
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      std::map<std::string_view, Json> its = members(row[c]);
-      for (const std::string_view member : all_members[c]) {
-        std::string name = member_name(table.columns[c], member);
-        for (char& letter : name) letter = letter == ' ' ? '_' : static_cast<char>(std::tolower(letter));
-        object[name] = its[member];
-      }
-    }
-    rows.push_back(std::move(object));
+  std::vector<Json> rows(table.rows.size(), Json::object());
+  for (Flat& column : flat(table)) {
+    for (char& letter : column.name) letter = letter == ' ' ? '_' : static_cast<char>(std::tolower(letter));
+    for (std::size_t r = 0; r < rows.size(); ++r) rows[r][column.name] = std::move(column.values[r]);
   }
   return rows;
 }

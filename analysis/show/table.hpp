@@ -25,7 +25,7 @@ struct Printed {
 };
 // A number with a mark, "*", or its interval or standard deviation, or that is an upper bound; or what stands in its
 // place: a ratio to the reference of the column, or a difference from it, which files of numbers have in a column of
-// their own; or words where a pair that is decided has neither.
+// their own.
 struct Marked {
   double value;
   std::string mark = {};
@@ -33,8 +33,7 @@ struct Marked {
   std::optional<judge::Interval> interval = {};
   std::optional<double> sd = {};
   std::optional<judge::Scale> to_reference = {};
-  bool is_best = false;    // bold in LaTeX
-  std::string words = {};  // in place of the value: "in 61 %"
+  bool is_best = false;  // bold in LaTeX
 };
 // Why a number is not known: "too few to compare".
 struct Absent {
