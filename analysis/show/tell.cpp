@@ -90,14 +90,6 @@ std::string leader_of(const Pairs& pairs, const Names& among) {
   return leader == unbeaten.end() ? "" : *leader;
 }
 
-Names apart_of(const Pairs& pairs, const Names& among) {
-  const std::string leader = leader_of(pairs, among);
-  return who_of(among, [&](auto& name) {
-    const bool is_beside = pairs.is_loser(name) || name == leader || pairs.of(leader, name) != Verdict::not_tested;
-    return pairs.tested(name) == 0 || !is_beside;
-  });
-}
-
 // How the second question is told.
 struct Words {
   std::string_view then;                // in a plan
@@ -129,8 +121,9 @@ std::string why_not(const Answer& answer, const JudgedMetric& judged, const Name
     if (!open || (!has(who, finding.first) && !has(who, finding.second))) continue;
     std::string reason = reason_of(*open, noun_of(answer, judged));
     for (const Doubt& doubt : judged.observations.doubts) {
-      const bool is_of_clock = doubt.kind == DoubtKind::seconds_decide || doubt.kind == DoubtKind::times_not_comparable;
-      if (open->why == Open::Why::apart && is_of_clock) reason = doubt.what;
+      if (open->why == Open::Why::apart && doubt.kind == DoubtKind::times_not_comparable) reason = doubt.what;
+      if (open->why == Open::Why::apart && doubt.kind == DoubtKind::seconds_decide)
+        reason = "stopped by the time limit";
     }
     reasons.insert(std::move(reason));
   }
@@ -275,9 +268,14 @@ class First {
                                        ? "solved all " + base::counted(n, answer_.noun)
                                        : its);
     Names others = who_of(fact.who, [&](auto& name) { return described(name).mean != most; });
-    for (std::string& name : others) name += ' ' + number(name);
     if (others.empty()) return text;
-    return fmt::format("{}, {} ({})", text, names_of(others, ", "),
+    const std::string best = number(others.front()), worst = number(others.back());
+    const bool are_many = others.size() > most_named;
+    for (std::string& name : others) name += ' ' + number(name);
+    return fmt::format("{}, {} ({})", text,
+                       are_many
+                           ? fmt::format("{} others {}{}", others.size(), worst, best == worst ? "" : " to " + best)
+                           : fmt::format("{}", fmt::join(others, ", ")),
                        fact.what == What::undecided  ? "not decided"
                        : fact.what == What::unbeaten ? "no difference is shown"
                                                      : "the same within " + margin_words(judged_));
@@ -304,7 +302,7 @@ std::string then_told(const Answer& answer, const Question& question) {
   const JudgedMetric& judged = *question.of;
   const Words& words =
       *std::ranges::find_if(all_words, [&](const Words& its) { return metric_of(answer, its) == &judged; });
-  Names best, losers, untested, undecided, others;
+  Names best, losers, untested;
   for (const Said& fact : question.said) {
     Names& who = fact.what == What::not_tested ? untested : fact.what == What::worse ? losers : best;
     who.insert(who.end(), fact.who.begin(), fact.who.end());
@@ -325,29 +323,19 @@ std::string then_told(const Answer& answer, const Question& question) {
     const std::string first = *std::ranges::max_element(best, {}, [&](const std::string& name) {
       return std::ranges::count_if(losers, [&](auto& loser) { return is_ahead(name, loser); });
     });
-    const auto is_undecided = [&](auto& name) { return pairs.of(first, name) != Verdict::same && name != first; };
-    if (!all_pairs(best, losers, is_ahead)) {  // who may be anywhere is not named beside the first
-      undecided = who_of(best, is_undecided);
-      std::erase_if(best, is_undecided);
-    }
     std::vector<std::pair<std::string, double>> ratios;
     for (const std::string& loser : losers) {
       const Finding* const pair = pairs.finding(first, loser);
       const Amount* const amount = pair && is_ahead(first, loser) ? amount_of(*pair) : nullptr;
       if (amount && pair->scale == Scale::ratio)
         ratios.emplace_back(loser, pair->first == loser ? amount->value : 1 / amount->value);
-      else if (loser != first)
-        others.push_back(loser);
     }
+    const bool is_clear = all_pairs(best, losers, is_ahead);
     const auto is_so = [&](auto& one, auto& other) { return is_little(pairs.finding(one, other)); };
-    text += undecided.empty() && all_pairs(best, losers, is_ahead)
-                ? fmt::format("{} {}{}", names_of(best), best.size() == 1 ? words.is : words.are,
-                              all_pairs(best, losers, is_so) ? ", by less than " + margin_words(judged) : "")
-                : fmt::format("None is shown to {} than {}", words.than, names_of(best, " or "));
-    text += ratios_told(ratios, words, best.size() == 1 && undecided.empty() ? "" : " as " + first);
-    if (!ratios.empty() && !others.empty())
-      text += fmt::format("; {} {} worse than another", names_of(others), is_or_are(others));
-    if (!undecided.empty()) text += fmt::format("; not decided: {}", names_of(undecided));
+    text += is_clear ? fmt::format("{} {}{}", names_of(best), best.size() == 1 ? words.is : words.are,
+                                   all_pairs(best, losers, is_so) ? ", by less than " + margin_words(judged) : "")
+                     : fmt::format("None is shown to {} than {}", words.than, first);
+    text += ratios_told(ratios, words, is_clear && best.size() > 1 ? " as " + first : "");
   }
   if (untested.empty()) return text + '.';
   const std::string why = why_not(answer, judged, untested);
@@ -369,7 +357,12 @@ std::vector<Said> said_of(const JudgedMetric& judged, const Names& among) {
   const auto are = [&](const Names& who, Verdict verdict) {
     return all_pairs(who, who, [&](auto& one, auto& other) { return pairs.of(one, other) == verdict; });
   };
-  const Names apart = apart_of(pairs, among), losers = who_of(among, [&](auto&name) { return pairs.is_loser(name); }),
+  const std::string leader = leader_of(pairs, among);
+  const auto is_apart = [&](auto& name) {
+    const bool is_beside = pairs.is_loser(name) || name == leader || pairs.of(leader, name) != Verdict::not_tested;
+    return pairs.tested(name) == 0 || !is_beside;
+  };
+  const Names apart = who_of(among, is_apart), losers = who_of(among, [&](auto&name) { return pairs.is_loser(name); }),
               unbeaten = who_of(among, [&](auto&name) { return !pairs.is_loser(name); }),
               rest = who_of(unbeaten, [&](auto&name) { return !has(apart, name); });
   const auto is_ahead = [&](auto& one, auto& other) { return pairs.of(one, other) == Verdict::better; };
@@ -406,22 +399,20 @@ std::vector<Said> said_of(const JudgedMetric& judged, const Names& among) {
   }
   for (const auto& [winner, who] : worse.all) add(What::worse, who, {winner});
   const bool are_joined = std::ranges::any_of(apart, [&](auto& name) { return pairs.tested(name) > 0; });
-  add(What::not_tested, apart, are_joined ? Names{leader_of(pairs, among)} : Names());
+  add(What::not_tested, apart, are_joined ? Names{leader} : Names());
   return said;
 }
 
 std::vector<Question> questions_of(const Answer& answer) {
   const JudgedMetric& first = answer.decisive();
-  const Names names = answer.solvers();
-  const Pairs pairs(first, names);
-  const Names apart = apart_of(pairs, names);
-  const Names rest = who_of(names, [&](auto& name) { return !pairs.is_loser(name) && !has(apart, name); });
-  std::vector<Question> all{{.of = &first, .said = said_of(first, names)}};
+  std::vector<Question> all{{.of = &first, .said = said_of(first, answer.solvers())}};
+  const auto& [what, unbeaten, against, is_little] = all.front().said.front();
+  const Names rest = what == What::numbers || what > What::unbeaten ? Names() : unbeaten;
   std::string before;
   for (const std::string& then : answer.then) {
     const auto words = std::ranges::find(all_words, then, &Words::then);
     const JudgedMetric* const judged = words == all_words.end() ? nullptr : metric_of(answer, *words);
-    if (judged == nullptr || rest.size() < 2 || (names.size() > 2 && !first.plan.control.empty())) continue;
+    if (judged == nullptr || rest.size() < 2 || (answer.order.size() > 2 && !first.plan.control.empty())) continue;
     std::vector<Said> said = said_of(*judged, rest);
     const auto is_judged = [](const Said& fact) { return fact.what != What::not_tested && fact.what != What::numbers; };
     if (std::ranges::any_of(said, is_judged)) {
@@ -433,11 +424,6 @@ std::vector<Question> questions_of(const Answer& answer) {
                           why.empty() ? "" : fmt::format(" ({})", why));
   }
   return all;
-}
-
-Names not_compared(const Answer& answer) {
-  const Names names = answer.solvers();
-  return apart_of(Pairs(answer.decisive(), names), names);
 }
 
 std::string second_sentence(const Answer& answer) {

@@ -38,10 +38,6 @@ struct Question {
 };
 std::vector<Question> questions_of(const Answer& answer);
 
-// Of the deciding metric, who is not tested, or unbeaten and not tested against the first: nobody knows whether they
-// are better. In the order of the table.
-std::vector<std::string> not_compared(const Answer& answer);
-
 // "DLS (solved 100 of 100 targets) is best; PSO (88) is worse." "LM and DLS solved all 100 targets, SLSQP 99 (not
 // decided); Newton (77) is worse. LM is the fastest; DLS takes 1.2 times as long." Without numbers only the first
 // sentence, without its point, which studies may have in common.

@@ -66,6 +66,8 @@ TEST_CASE("numbers of a headline stand behind their solvers, equal ones together
   CHECK(of({{"A", 20}, {"B", 20}, {"C", 18}}) == "A and B solved all 20 targets, C 18 (not decided).");
   CHECK(of({{"A", 19}, {"B", 18}, {"C", 3}}) == "A solved 19 of 20 targets, B 18 (not decided); C (3) is worse.");
   CHECK(of({{"A", 20}, {"B", 20}, {"C", 3}}) == "A and B solved all 20 targets; C (3) is worse.");
+  CHECK(of({{"A", 20}, {"B", 20}, {"C", 19}, {"D", 19}, {"E", 18}, {"F", 18}, {"G", 18}}) ==
+        "A and B solved all 20 targets, 5 others 18 to 19 (not decided).");
   CHECK(of({{"A", 20}, {"B", 4}}) == "A (solved 20 of 20 targets) is better than B (4).");
   CHECK(of({{"A", 20}}) == "A solved all 20 targets.");
 }
