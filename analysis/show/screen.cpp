@@ -44,7 +44,9 @@ std::string screen(const Answer& answer, const std::string& page) {
     notes += fmt::format("{}{}.", notes.empty() ? "" : " ", decides);
   std::string text = paragraph(with_short_names(headline(answer)), "") + '\n';
   const auto add = [&](Table its) {
-    for (auto& row : its.rows) row[0] = with_short_names(std::get<std::string>(row[0]));
+    for (auto& row : its.rows)
+      for (Cell& cell : row)
+        if (auto* const words = std::get_if<std::string>(&cell)) *words = with_short_names(*words);
     text += to_text(its);
   };
   add(std::move(table));
@@ -58,15 +60,20 @@ std::string screen(const Answer& answer, const std::string& page) {
     add(more);
     text += left_out + '\n';
   }
-  auto pairs = page.empty() ? pair_rows(answer) : std::vector<std::vector<std::string>>();
-  for (auto& row : pairs) row[0] = one_line(with_short_names(row[0]));
-  text += in_columns(pairs);
-  if (const std::string of = of_pairs(answer); !pairs.empty() && !of.empty()) text += paragraph(of, "");
+  if (const JudgedMetric& first = answer.decisive();
+      page.empty() && !first.findings.empty() && first.findings.size() <= most_pairs) {
+    Table pairs = pairs_table(answer);
+    if (first.described.size() > 2) pairs.rows.resize(pairs.told);
+    const auto is_none = [](const Cell& cell) { return std::holds_alternative<std::monostate>(cell); };
+    std::erase_if(pairs.rows, [&](const auto& row) { return is_none(row[3]) && is_none(row[6]); });  // not tested
+    pairs.notes = {of_pairs(answer)};
+    std::erase(pairs.notes, "");
+    if (!pairs.rows.empty()) add(std::move(pairs));
+  }
   const std::vector<Doubt> doubts = answer.all_doubts();  // in the order of their kinds
   for (const Doubt& doubt : doubts) {
-    const bool is_told = !page.empty() && std::any_of(doubts.data(), &doubt, [&](const Doubt& other) {
-      return other.kind == doubt.kind || (other.what == doubt.what && doubt.kind == DoubtKind::times_not_comparable);
-    });
+    const bool is_told = !page.empty() && std::any_of(doubts.data(), &doubt,
+                                                      [&](const Doubt& other) { return other.kind == doubt.kind; });
     const auto alike = std::ranges::count(doubts, doubt.kind, &Doubt::kind);
     if (doubt.kind == DoubtKind::sessions_left_out || is_told) continue;  // on the page
     text += paragraph("! " + with_short_names(words_of(doubt)) +

@@ -170,6 +170,8 @@ std::string in_columns(const Rows& rows, std::size_t gap, std::size_t width) {
     widths.resize(std::max(widths.size(), row.size()));
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], character_count(row[c]));
   }
+  const std::size_t gaps = widths.empty() ? 0 : widths.size() - 1;
+  if (std::accumulate(widths.begin(), widths.end(), gaps * gap) > width) gap = 2;
   narrow(widths, rows, gap, width);
   std::string text;
   for (const auto& row : rows) {

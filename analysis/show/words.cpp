@@ -152,25 +152,6 @@ std::string amount_words(const Finding& finding, const JudgedMetric& judged) {
   return text;
 }
 
-std::vector<std::vector<std::string>> pair_rows(const Answer& answer) {
-  const bool has_two = answer.decisive().described.size() == 2;
-  std::vector<std::vector<std::string>> rows;
-  if (answer.decisive().findings.size() > most_pairs) return rows;
-  for (const JudgedMetric& judged : answer.metrics) {
-    const bool is_decisive = &judged == &answer.decisive();
-    if (!has_two && (!is_decisive || std::ranges::all_of(judged.findings, are_equal))) continue;
-    for (const Finding& finding : judged.findings) {
-      if (!is_decisive && verdict_of(finding) == Verdict::not_tested) continue;
-      rows.push_back(
-          {fmt::format("{}{} vs {}", has_two && answer.metrics.size() > 1 ? judged.observations.quantity + ": " : "",
-                       finding.first, finding.second),
-           verdict_words(finding, judged), amount_words(finding, judged),
-           p_of(finding) ? p_sentence(*p_of(finding), {judged.plan.significance}) : ""});
-    }
-  }
-  return rows;
-}
-
 std::string stops_of(const StudyResults& study) {
   const numerics::StopRule& stop = study.definition.stop;
   std::vector<std::string> tolerances{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg")};

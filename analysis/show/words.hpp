@@ -50,9 +50,6 @@ std::string effect_words(const judge::Finding& finding);
 // "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)", "the same to 1e-7"; where that would refute the verdict, or show
 // nothing of it, how often which is better
 std::string amount_words(const judge::Finding& finding, const judge::JudgedMetric& judged);
-// Of each pair of the deciding metric, "DLS vs PSO", the verdict, the amount and p; of only two solvers those of
-// each metric that were tested. None of more than most_pairs, nor where all solvers are equal.
-std::vector<std::vector<std::string>> pair_rows(const Answer& answer);
 // No difference and the margin's ends, as the finding's numbers are.
 std::vector<double> ends_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
 std::string with_unit(const std::string& text, const std::string& unit);  // "1 point", "2.5 cm"
