@@ -24,7 +24,5 @@ for arm in "${arms[@]}"; do
 done
 ask() { sqlite3 -header -markdown "${@:2}" "$out/store.sqlite" <"$here/$1.sql"; }
 ask who
-for state in "${states[@]}"; do
-  for study in "${studies[@]}"; do ask times -cmd ".parameter set :study \"'${study/_/-}'\"" -cmd ".parameter set :state \"'$state'\""; done
-done
+for study in "${studies[@]}"; do ask times -cmd ".parameter set :study \"'${study/_/-}'\""; done
 exit $code

@@ -1,5 +1,6 @@
--- Who solves: of each library the poses solved of 200 on three arms (-: it declines the arm), of these 600 when asked again
--- (-hot), and the arms on which it solves the first 20 poses. From one store (libraries.sh).
+-- Who solves: of each library the poses solved of 200 on three arms (-: it declines the arm), of these 600 when asked once and
+-- again (-hot), and on how many arms it solves the first 20 poses, of those that it does not decline. From one store
+-- (libraries.sh).
 WITH arms AS (
   SELECT robot, label, study LIKE '%-hot' AS again, sum(status = 'ok') AS solved, sum(status = 'declined') = count(*) AS declines,
     sum(status = 'ok' AND run <= 20) = min(count(*), 20) AS is_whole,
@@ -10,6 +11,6 @@ shown AS (SELECT robot, label, iif(declines, '-', solved) AS solved FROM arms WH
 SELECT label AS library, (SELECT solved FROM shown WHERE label = a.label AND robot = 'franka_panda') AS Panda,
   (SELECT solved FROM shown WHERE label = a.label AND robot = 'kuka_iiwa14') AS "iiwa 14",
   (SELECT solved FROM shown WHERE label = a.label AND robot = 'ur5e') AS UR5e,
-  sum(iif(is_shown AND NOT again, solved, 0)) AS "of 600", sum(iif(is_shown AND again, solved, 0)) AS again,
-  sum(is_whole AND NOT again) AS arms, sum(declines AND NOT again) AS declines
+  sum(iif(is_shown AND NOT again, solved, 0)) || ', ' || sum(iif(is_shown AND again, solved, 0)) AS "of 600, twice",
+  sum(is_whole AND NOT again) || '/' || sum(NOT declines AND NOT again) AS arms
 FROM arms AS a GROUP BY label ORDER BY sum(iif(is_shown, solved, 0)) DESC, sum(is_whole AND NOT again) DESC, label;

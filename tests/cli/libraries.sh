@@ -41,7 +41,7 @@ puma560 A 1 declined 1 1
 puma560 B 1 ok 1 1
 ur5e nothing 1 ok 1 1
 END
-equal "who solves" "$(sqlite3 store.sqlite <"$root/solvers/programs/who.sql" | paste -sd' ')" "B|||2|2|2|2|0 A|||1|1|1|0|1"
+equal "who solves" "$(sqlite3 store.sqlite <"$root/solvers/programs/who.sql" | paste -sd' ')" "B|||2|2, 2|2/2 A|||1|1, 1|0/1"
 equal "who answers otherwise" "$(sqlite3 store.sqlite <"$root/solvers/programs/again.sql")" "libraries-ur5e|B|1|2"
 
 # What is 7e-7 rad outside the limits, as single precision costs, comes inside; by both helpers.
