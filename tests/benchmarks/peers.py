@@ -10,7 +10,7 @@ from pathlib import Path
 from statistics import median, quantiles
 
 home, out = map(Path, sys.argv[1:])
-REPEATS, FAR_CM = 5, 0.01
+REPEATS, FAR_CM, EVALUATIONS = 5, 0.01, 4020
 LABELS = {"PSO": "PSO.random=per_joint", "DE": "DE.weight_drawn=never"}  # the equations as all have them
 AGAIN = "draws again outside limits"
 PEERS = {  # what differs from ours, or an algorithm that it lacks
@@ -65,19 +65,19 @@ def short(x):
 
 
 def p_text(p):
-    return f" (p {p:.2g})" if p > 1e-15 else " (p < 1e-15)"
+    return f" ({p:.2g})" if p > 1e-15 else " (< 1e-15)"
 
 
-def row(label, name, pairs, solves, reference, differs):
+def row(name, pairs, solves, reference, differs):
     """A line of the table; pairs are the times of a solve by it and by ours [s]."""
+    assert {n for *_, n in solves} == {EVALUATIONS}, f"{name} makes other evaluations"
     errors = [error for _, error, _ in solves]
     far = [error > FAR_CM for error in errors]
     p = lambda a, of: p_text(p_of_same(a, [of(e) for e in reference])) if reference else ""
     ratios = [it / our for it, our in pairs]
-    print(f"| {label} | {name} | {short(median(ratios))}{f' ({short(min(ratios))} to {short(max(ratios))})' if reference else ''} |",
-          " | ".join(f"{1e3 * median(times):.3g}" for times in zip(*pairs)),
-          f"| {'/'.join(f'{n:g}' for n in sorted({n for *_, n in solves}))} | {len(solves)} | {100 * sum(far) / len(far):.3g} %"
-          f"{p(far, lambda e: e > FAR_CM)} | {', '.join(f'{q:.2g}' for q in quantiles(errors, n=4))}{p(errors, float)} | {differs} |", flush=True)
+    print(f"| {name} | {short(median(ratios))}{f' ({short(min(ratios))}-{short(max(ratios))})' if reference else ''} "
+          f"| {1e3 * median(it for it, _ in pairs):.3g} | {100 * sum(far) / len(far):.3g}{p(far, lambda e: e > FAR_CM)} "
+          f"| {', '.join(f'{q:.2g}' for q in quantiles(errors, n=4))}{p(errors, float)} | {differs} |", flush=True)
 
 
 def draw(times):
@@ -92,7 +92,7 @@ set ytics ({", ".join(f"'{name}' {i}" for i, name in enumerate(names))}) scale 0
 set border 1
 set tics nomirror
 set grid xtics lc rgb '#dddddd' lt 1
-set xlabel 'time of a solve with 4020 evaluations [ms]'
+set xlabel 'time of a solve with {EVALUATIONS} evaluations [ms]'
 """ + "".join(f"${of} << END\n" + "".join(f"{1e3 * median(t)} {names.index(name)} {1e3 * min(t)} {1e3 * max(t)}\n" for (label, name), t in
                                          times.items() if label == of) + "END\n" for of in LABELS) + """
 plot $PSO using 1:($2-0.13):3:4 with xerrorbars pt 7 ps 0.7 lc rgb '#0072b2' title 'PSO', \\
@@ -102,13 +102,13 @@ plot $PSO using 1:($2-0.13):3:4 with xerrorbars pt 7 ps 0.7 lc rgb '#0072b2' tit
 
 
 cpu = next((line.split(": ")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")), "")
-print(f"{cpu}, one core; load {os.getloadavg()[0]:.1f}. Joints 1 to 4 of a KUKA iiwa 14, 20 points of a helix, 20 candidates, 200 iterations; "
-      f"{REPEATS} repeats: median (least to most).\n\n| | | times ours | ms | ours, ms | evaluations | solves | error above 0.1 mm "
-      "| quartiles of the error, cm | not as ours |\n|---|---|--:|--:|--:|--:|--:|--:|--:|---|", flush=True)
+print(f"{cpu}, one core; load {os.getloadavg()[0]:.1f}. Joints 1 to 4 of a KUKA iiwa 14, 20 points of a helix, 20 candidates, "
+      f"{EVALUATIONS} evaluations; 10000 solves in C++, 100 in Python; {REPEATS} repeats: median (least-most).")
 times, missing = {}, set()
 for label in LABELS:
     all_ours, points = ours(label, 1, 500)
-    row(label, "ikbench", [(s, s) for s, *_ in all_ours], all_ours, [], "")
+    print(f"\n| {label} | times ours | ms | % above 0.1 mm (p) | quartiles of the error, cm (p) | not as ours |\n|---|--:|--:|--:|--:|---|")
+    row("ikbench", [(s, s) for s, *_ in all_ours], all_ours, [], "")
     reference = [error for _, error, _ in all_ours]
     for peer, (name, differs) in PEERS.items():
         solves, pairs, our_times = [], [], []
@@ -123,7 +123,7 @@ for label in LABELS:
         if not pairs:
             missing |= {name} if differs.get(label, "") is not None else set()
             continue
-        row(label, name + version, pairs, solves, reference, differs.get(label, ""))
+        row(name + version, pairs, solves, reference, differs.get(label, ""))
         times.setdefault((label, "ikbench"), []).extend(our for _, our in pairs)
         times[label, name] = [its for its, _ in pairs]
 for name in sorted(missing):
