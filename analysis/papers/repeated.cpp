@@ -209,15 +209,15 @@ std::vector<std::string> means_sentences(const std::vector<RateColumn>& columns)
       if (std::abs(rate.ours - rate.printed) < most + 0.5) same.push_back(fmt::format("{}/{}", ours, rate.digits));
     }
   }
-  std::vector<std::string> sentences{all == open
-                                         ? "Too few targets to decide whether any printed number repeats."
-                                         : fmt::format("{} of {} printed numbers repeat{}.", repeat, all,
-                                                       open > 0 ? fmt::format(", {} are not decided", open) : "")};
-  if (!same.empty())
-    sentences.front() = fmt::format(
-        "With the paper's own poses {} of {} solvers fail on as many of them as is printed, to {:g} poses ({}); {} of "
-        "all {} printed numbers repeat.",
-        same.size(), counted, most, fmt::join(same, ", "), repeat, all);
+  const std::string undecided = open > 0 ? fmt::format(", {} are not decided", open) : "";
+  const std::string nearly =
+      same.empty()
+          ? ""
+          : fmt::format("; of the paper's own poses {} of {} solvers miss as many as printed, within {:g} ({})",
+                        same.size(), counted, most, fmt::join(same, ", "));
+  std::vector<std::string> sentences{
+      all == open ? "Too few targets to decide whether any printed number repeats."
+                  : fmt::format("{} of {} printed numbers repeat{}{}.", repeat, all, undecided, nearly)};
   if (!others.empty()) sentences.push_back(fmt::format("Not as printed: {}.", show::listed(others, ", ")));
   return sentences;
 }

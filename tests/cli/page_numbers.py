@@ -59,7 +59,7 @@ told == sorted((f"{int(row['solved']) / int(row['n']):.2%}"[:-1], f"{float(row['
 repeat = [sum("x" not in arm[i + 1] for arm in arms) for i in columns]
 all_say("beeson2015", repeat[0], len(arms))
 says("docs/papers/beeson2015.md", len(arms), *repeat)
-rates = "SELECT 100 * avg(status = 'ok') FROM current_solves WHERE study = 'beeson2015-fanuc_m430ia2f' GROUP BY label"
+rates = "SELECT 100 * avg(status = 'ok') FROM current_solves WHERE study = 'beeson2015-fanuc_m430ia2f' AND label IN ('KDL', 'KDL-RR') GROUP BY label"
 says("docs/papers/beeson2015.md", *(f"{rate:.1f}" for rate, in sqlite3.connect(fanuc / "store.sqlite").execute(rates)))
 
 # Haviland and Corke: the page's numbers are the store's. A printed one repeats if it lies within the 99 % interval of the
