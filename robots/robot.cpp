@@ -139,7 +139,7 @@ std::string size_of(const Robot& arm) {
   const double reach = arm.chain.reach().radius, offset = tool.translation().norm();
   return fmt::format("{}{}{}{}", counted(arm.joints(), "joints"),
                      std::isfinite(reach) ? fmt::format(", reach {:.3g} m", reach) : "",
-                     offset > 0 ? fmt::format(", tool {:.3g} m from the last", offset) : "",
+                     offset > 0 ? fmt::format(", tool {:.3g} m from the last joint", offset) : "",
                      arm.other_tip.empty() ? "" : fmt::format("; --tip {} for another end", arm.other_tip));
 }
 

@@ -46,7 +46,7 @@ struct Robot {
   int joints() const { return chain.joints(); }
 };
 
-// "6 joints, reach 0.95 m, tool 0.1 m from the last; --tip flange for another".
+// "6 joints, reach 0.95 m, tool 0.1 m from the last joint; --tip flange for another".
 std::string size_of(const Robot& arm);
 // What hints at other units than metres and radians.
 std::vector<std::string> doubts_of(const Robot& arm);
