@@ -92,8 +92,9 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
     table.rows[i].push_back(row == counts.rows.end() ? show::Cell() : show::Cell(span_of(row->second)));
   }
   table.notes.push_back(fmt::format(
-      "Repeat: of its statistics in Table 3, by seed (1 to {}); of all {} by the runs of all these seeds at once {}.",
-      counts.all.size(), counts.of, counts.together));
+      "Repeat: how many of a solver's statistics in Table 3, by seed (1 to {}). As one study, the runs of these "
+      "seeds repeat {} of all {}.",
+      counts.all.size(), counts.together, counts.of));
   return table;
 }
 
