@@ -27,7 +27,7 @@ with tarfile.open(archive) as tar:
             place = path.replace("bin/", "scripts/", 1) if path.startswith("bin/") else f"data/{path}"
             files[f"ikbench-{version}.data/{place}"] = tar.extractfile(member).read()
 files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: ikbench\nRoot-Is-Purelib: false\nTag: py3-none-manylinux_2_{needed}_{machine}\n".encode()
-files["ikbench.py"] = files[f"ikbench-{version}.data/data/share/doc/ikbench/docs/examples/ikbench.py"]
+files["ikbench.py"] = files[f"ikbench-{version}.data/data/share/doc/ikbench/solvers/helpers/ikbench.py"]
 files[f"{info}/METADATA"] = f"""Metadata-Version: 2.1
 Name: ikbench
 Version: {version}

@@ -50,7 +50,9 @@ std::vector<fs::path> sources_of(const std::string& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string type = entry.path().extension().string(), path = entry.path().string();
-    if (folder_of(path) != folder_of(folder + '/') || path.starts_with("solvers/programs/")) continue;
+    if (folder_of(path) != folder_of(folder + '/') || path.starts_with("solvers/programs/") ||
+        path.starts_with("solvers/helpers/"))
+      continue;
     if (type == ".hpp" || type == ".cpp" || type == ".inc") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

@@ -152,7 +152,7 @@ until_solved() {
 }
 kill_all() { # as batch systems stop a job: the solver that is a program ends first
   local round signal all
-  cp "$root"/docs/examples/{ikbench,pso}.py .
+  cp "$root"/{solvers/helpers/ikbench,docs/examples/pso}.py .
   study all '[[solvers]]' 'label = "PSO"' 'process = ["python3", "pso.py"]'
   all=(run all.toml --set stop.iterations=400 --set population=10 --set stop.tolerance_cm=0.0001 --no-report --out)
   succeeds "${all[@]}" all-alone
@@ -175,7 +175,7 @@ kill_all() { # as batch systems stop a job: the solver that is a program ends fi
 pause_all() { # for longer than its program may take for a solve
   local round slow paused
   sed 's/^import ikbench/&, time/; s/^def solve.*/&\n    time.sleep(0.5)/' "$root/docs/examples/pso.py" >slow.py
-  cp "$root/docs/examples/ikbench.py" .
+  cp "$root/solvers/helpers/ikbench.py" .
   study slow '[[solvers]]' 'label = "slow"' 'process = ["python3", "slow.py"]' 'patience_s = 2'
   slow=(run slow.toml --set runs=1 --set path.points=4 --no-report --out)
   succeeds "${slow[@]}" slow-alone

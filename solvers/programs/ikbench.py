@@ -1,1 +1,1 @@
-../../docs/examples/ikbench.py
+../helpers/ikbench.py

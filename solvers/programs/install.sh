@@ -15,7 +15,7 @@ compiled() {  # FILE PLACE
     tar -xzf ./*.tar.gz --strip-components 1; } || return
   printf '#include <cstdlib>\n#define PyMem_RawCalloc std::calloc\n#define PyMem_RawFree std::free\n' >Python.h
   printf '#include <stdexcept>\nnamespace nanobind { using value_error = std::runtime_error; }\n' >nanobind/nanobind.h
-  eval "g++ -std=c++17 -O3 -DNDEBUG -w -I $here/../../docs/examples -o program $here/$1 $flags" \
+  eval "g++ -std=c++17 -O3 -DNDEBUG -w -I $here/../helpers -o program $here/$1 $flags" \
     -I /usr/include/eigen3 || return
 }
 for file; do

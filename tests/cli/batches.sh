@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Programs that solve in batches: each fault is that of all problems of its message, and nothing is lost by a stop.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-cp "$scripts"/programs/faulty.py "$root"/docs/examples/{ikbench,descent}.py .
+cp "$scripts"/programs/faulty.py "$root"/{solvers/helpers/ikbench,docs/examples/descent}.py .
 
 # of LABEL FAULT SIZE [PATIENCE]
 of() { entry "$1" "$2" "batch = $3" "${4:-60}"; }

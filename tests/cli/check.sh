@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A study's own check: what it refuses is not solved, its numbers are compared, and what goes wrong ends the run.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-cp "$scripts/programs/checking.py" "$root"/docs/examples/{ikbench,manipulability}.py .
+cp "$scripts/programs/checking.py" "$root"/{solvers/helpers/ikbench,docs/examples/manipulability}.py .
 
 # checked NAME FAULT [LINES]: a study with a check of this fault.
 checked() {

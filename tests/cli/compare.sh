@@ -54,7 +54,7 @@ gate() {
   equal "outcome ($*)" "$(tail -n 2 outputs | head -n 1)" "outcome=$outcome"
 }
 cp "$pso" mine.py
-cp "$root/docs/examples/ikbench.py" .
+cp "$root/solvers/helpers/ikbench.py" .
 gate 0 no-baseline
 cp ikbench-gate/store.sqlite baseline.sqlite
 gate 0 passed OUT=same STRICT=true

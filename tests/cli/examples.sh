@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Every file of docs/examples does what the page that shows it says.
+# Every file of docs/examples and each helper does what the page that shows it says.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-examples=$root/docs/examples
+examples=$root/docs/examples helpers=$root/solvers/helpers
 cp "$root/tests/data/urdf/ur5e.urdf" .
-for file in "$examples"/*; do
+for file in "$examples"/* "$helpers"/*; do
   [[ $file == */__pycache__ ]] || grep -rqF "$(basename "$file")" "$root"/tests/{cli,solvers} || fail "no test of $(basename "$file")"
 done
 
 # The examples of docs/reference/protocol.md, below 50 lines each, find solutions that are near, and pass their
 # checks.
-cp "$examples"/{ikbench.py,ikbench_program.hpp,pso.py,descent.py,damped.m,search.cpp} .
+cp "$helpers"/ikbench{.py,_program.hpp} "$examples"/{pso.py,descent.py,damped.m,search.cpp} .
 entries=()
 add() {
   [ "$(wc -l <"$1")" -lt 50 ] || fail "$1 has 50 lines or more"
@@ -107,13 +107,13 @@ fi
 kdl=
 for python in python3 /usr/bin/python3; do
   $python -c 'import PyKDL' 2>/dev/null || continue
-  cp "$examples"/kdl.py .
-  succeeds check-solver --patience 20 -- $python kdl.py
-  study library "$(printf '[[solvers]]\nlabel = "kdl.py"\nprocess = ["%s", "kdl.py"]\n' "$python")"
+  cp "$root/solvers/programs/with_kdl.py" .
+  succeeds check-solver --patience 20 -- $python with_kdl.py
+  study library "$(printf '[[solvers]]\nlabel = "KDL"\nprocess = ["%s", "with_kdl.py"]\n' "$python")"
   library=(run library.toml --no-report --set robot=ur5e.urdf --set search=pose --set start=near --set stop.iterations=100
     --set stop.tolerance_cm=0.01 --set stop.tolerance_deg=0.1)
   succeeds "${library[@]}" --out library
-  equal "solves of a library" "$(column library/store.sqlite status kdl.py | counted)" "16 ok"
+  equal "solves of a library" "$(column library/store.sqlite status KDL | counted)" "16 ok"
   refused "solves for pose" "${library[@]}" --set search=axis
   kdl=yes
   break

@@ -73,7 +73,7 @@ is stuck stuck "16 timed_out"
 equal "stuck programs left" "$(pgrep -f "stuck.py of-$$\$" | wc -l)" 0
 
 # Who asks counts here. Who asks too little to have found its answer, or answers another one, has kinematics of its own.
-cp "$examples/ikbench.py" .
+cp "$root/solvers/helpers/ikbench.py" .
 sed 's/size, joints = problem.population/size, joints = 1000/' "$examples/pso.py" >many.py
 study many '[[solvers]]' 'label = "many"' 'process = ["python3", "many.py"]' \
   "$(entry once "asks once")" "$(entry first "asks at first")"

@@ -8,7 +8,7 @@ cmake=$2 tree=$(realpath "$3") compiler=$4 sanitizers=${5:-}
 DESTDIR=$work/staged "$cmake" --install "$(dirname "$program")" --prefix "$work/prefix" >.log 2>&1 || fail "cannot install: $(<.log)"
 mv "staged/$work/prefix" prefix || fail "DESTDIR is ignored"
 equal installed "$(cd prefix && find . -type f ! -path './lib*' ! -path './include/ikbench/*' ! -path './share/doc/*')" ./bin/ikbench
-for file in copyright README.md CITATION.cff docs/reference/api.md docs/examples/pso.py cli/gate.sh; do
+for file in copyright README.md CITATION.cff docs/reference/api.md docs/examples/pso.py solvers/helpers/ikbench{.py,_program.hpp} cli/gate.sh; do
   [ -s "prefix/share/doc/ikbench/$file" ] || fail "not installed: $file"
 done
 ! grep -rlF "$tree" prefix/lib*/cmake prefix/lib*/*/cmake 2>/dev/null || fail "the package holds the path of its source"

@@ -45,7 +45,7 @@ equal "who solves" "$(sqlite3 store.sqlite <"$root/solvers/programs/who.sql" | p
 equal "who answers otherwise" "$(sqlite3 store.sqlite <"$root/solvers/programs/again.sql")" "libraries-ur5e|B|1|2"
 
 # What is 7e-7 rad outside the limits, as single precision costs, comes inside; by both helpers.
-cp "$root"/docs/examples/ikbench{.py,_program.hpp} .
+cp "$root"/solvers/helpers/ikbench{.py,_program.hpp} .
 inside='[round(x, 9) for x in of] == [2, 2.0000008, -1.283185307, 9]'
 json "$inside" <(python3 -c 'import ikbench; print(ikbench.inside([2.0000006, 2.0000008, 5, 9], [1, 1, 1, 0], [-2] * 4, [2] * 4))')
 cat >inside.cpp <<'CPP'

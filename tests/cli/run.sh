@@ -6,7 +6,7 @@ source "$(dirname "$0")/common.sh"
 awk '/^```toml mine.toml/ { shown = 1; next } /^```/ { shown = 0 } shown' "$root/docs/tutorial.md" >mine.toml
 sed -i '0,/^\[\[solvers\]\]/s//&\ncolour = "#00FF00"/' mine.toml
 cp "$root/docs/examples/pso.py" mine.py
-cp "$root/docs/examples/ikbench.py" .
+cp "$root/solvers/helpers/ikbench.py" .
 succeeds run mine.toml --out mine
 quiet
 quoted() { grep -qF -- "$(sed 's/\. .*//; s/\.$//; q' .out)" "$root/docs/tutorial.md" || fail "the tutorial does not say: $(head -n 1 .out)"; }
