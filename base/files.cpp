@@ -36,29 +36,15 @@ void refuse_place(std::string_view verb, const fs::path& place, int error) {
 
 namespace {
 
-// A write that the system refused, as opposed to an error of the contents.
-struct WriteFailed {
-  std::error_code error;
-};
-
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-void write_text(int descriptor, std::string_view text) {
+void write_text(int descriptor, const fs::path& file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
     if (written >= 0)
       text.remove_prefix(static_cast<std::size_t>(written));
     else if (errno != EINTR)
-      throw WriteFailed{last_error()};
-  }
-}
-
-std::error_code write_all(int descriptor, const Contents& contents) {
-  try {
-    contents([&](std::string_view text) { write_text(descriptor, text); });
-    return {};
-  } catch (const WriteFailed& failed) {
-    return failed.error;
+      refuse_place("write", file, errno);
   }
 }
 
@@ -92,16 +78,16 @@ std::error_code replace(const fs::path& file, const Contents& contents, const st
   const fs::path half = scratch.path() / file.filename();
   const int descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
   if (descriptor < 0) return last_error();
-  std::error_code error;
   try {
-    error = write_all(descriptor, contents);
-  } catch (...) {  // an error of the contents
+    contents([&](std::string_view text) { write_text(descriptor, file, text); });
+  } catch (...) {
     ::close(descriptor);
     throw;
   }
+  std::error_code error;
   if (former != nullptr) ::fchmod(descriptor, former->st_mode & 07777);
   // A name that outlives a power cut must not be that of a file without contents.
-  if (syncs && !error && ::fsync(descriptor) != 0) error = last_error();
+  if (syncs && ::fsync(descriptor) != 0) error = last_error();
   if (::close(descriptor) != 0 && !error) error = last_error();
   const std::scoped_lock lock(temporary_mutex);
   if (!error) fs::rename(half, file, error);
