@@ -51,20 +51,14 @@ std::string toml_string(std::string_view text) {
 }
 
 void refuse_deep_keys(std::string_view text, std::string_view source) {
-  constexpr int most_dots = 500;
-  int line = 1, column = 0, dots = 0;
-  for (const char c : text) {
-    ++column;
-    if (c == '\n' || c == ',') dots = 0;
-    if (c == '.' && ++dots > most_dots) {
+  constexpr std::size_t most_dots = 500;
+  for (std::size_t at = 0, line = 1, begin = 0, dots = 0; at < text.size(); ++at) {
+    if (text[at] == '\n') ++line, begin = at + 1;
+    if (text[at] == '\n' || text[at] == ',') dots = 0;
+    if (text[at] == '.' && ++dots > most_dots)
       throw std::invalid_argument(
           fmt::format("{}:{}:{}: not readable TOML: {} dots in a row; expected less deeply nested keys", source, line,
-                      column, dots));
-    }
-    if (c == '\n') {
-      ++line;
-      column = 0;
-    }
+                      at - begin + 1, dots));
   }
 }
 
@@ -98,11 +92,13 @@ void TomlReader::on_text(Name name, std::string& field) {
 void TomlReader::on_texts(Name name, std::vector<std::string>& field) {
   const toml::node* node = find(name.key);
   if (node == nullptr) return;
-  const std::vector<std::string> found = texts_in(*node);
-  const toml::array* array = node->as_array();
-  const bool are_texts = array != nullptr && array->size() <= 1000 &&
-                         (array->empty() || array->is_homogeneous<std::string>()) &&
-                         std::ranges::all_of(found, is_plain);
+  std::vector<std::string> found;
+  const toml::array* const array = node->as_array();
+  bool are_texts = array != nullptr && array->size() <= 1000;
+  for (std::size_t i = 0; are_texts && i < array->size(); ++i) {
+    found.push_back((*array)[i].value<std::string>().value_or("\n"));
+    are_texts = is_plain(found.back());
+  }
   if (!are_texts)
     fail(name.key, *node, "a list of quoted strings, each of at most 200 bytes without control characters");
   field = found;
@@ -220,14 +216,6 @@ std::string TomlReader::where(const toml::source_region& region, std::string_vie
   if (region.path && *region.path != override_source) return fmt::format("{}: ", *region.path);
   if (region.begin.line == 0 || region.path) return fmt::format("{} {}{}: ", override_source, prefix_, key);
   return fmt::format("{}:{}:{}: ", source_, region.begin.line, region.begin.column);
-}
-
-std::vector<std::string> TomlReader::texts_in(const toml::node& node) {
-  std::vector<std::string> result;
-  if (const toml::array* array = node.as_array()) {
-    for (const toml::node& element : *array) result.push_back(element.value<std::string>().value_or(""));
-  }
-  return result;
 }
 
 std::optional<double> TomlReader::as_number(const toml::node& node) {

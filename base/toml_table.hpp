@@ -81,8 +81,7 @@ class TomlReader : public Fields {
 
   // Refuses angles that seem to be in another unit.
   void refuse_doubt(std::string_view key, const toml::node& node, double value, double unit) const;
-  static std::optional<double> as_number(const toml::node& node);    // nothing if not finite
-  static std::vector<std::string> texts_in(const toml::node& node);  // empty if no list
+  static std::optional<double> as_number(const toml::node& node);  // nothing if not finite
 
   const toml::table& table_;
   std::string source_;
