@@ -85,26 +85,6 @@ std::vector<Chosen> combinations(const std::vector<Dimension>& dimensions, std::
   return all;
 }
 
-// All choices, before anything is loaded or solved.
-Multiverse choices_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers) {
-  Multiverse all{.dimensions = dimensions, .solvers = solvers, .studies = {}};
-  for (const Chosen& chosen : combinations(dimensions, "", {})) {
-    Multiverse::OfStudy& of_study = all.studies.emplace_back();
-    of_study.chosen = chosen;
-    for (const std::string& solver : solvers) {
-      std::vector<Multiverse::ChosenSolver>& of_solver = of_study.solvers.emplace_back();
-      for (const Chosen& own : combinations(dimensions, solver, chosen))
-        of_solver.push_back({.chosen = own, .parts = {}});
-    }
-  }
-  return all;
-}
-
-// Adds defaults too: a solver's own default may differ from what the study's choice implies for it.
-void add_overrides(Overrides& overrides, const std::vector<Dimension>& dimensions, const Chosen& chosen) {
-  for (const Choice& each : chosen) overrides.push_back(alternative_of(dimensions, each).set);
-}
-
 // The key of the search alone: unless limits or wraps change where a solve starts, no search sees which way the wrist
 // bends. A program or library may be too late.
 std::string search_key(Study study) {
@@ -171,21 +151,24 @@ std::vector<Dimension> dimensions(std::string_view study) {
 
 MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimension>& dimensions,
                                const MultiverseRequest& request) {
-  MultiversePlan plan{choices_of(dimensions, labels_of(load_study(name, request.overrides))), {}};
+  MultiversePlan plan{{.dimensions = dimensions, .solvers = labels_of(load_study(name)), .studies = {}}, {}};
   std::map<std::string, std::size_t> places;  // in the plan's parts, by series key
-  for (Multiverse::OfStudy& of_study : plan.studies) {
-    Overrides all = request.overrides;
-    add_overrides(all, dimensions, of_study.chosen);
+  for (const Chosen& chosen : combinations(dimensions, "", {})) {
+    Multiverse::OfStudy& of_study = plan.studies.emplace_back();
+    of_study.chosen = chosen;
     for (std::size_t s = 0; s < plan.solvers.size(); ++s) {
-      for (Multiverse::ChosenSolver& of_solver : of_study.solvers[s]) {
-        Overrides of_own = all;
-        add_overrides(of_own, dimensions, of_solver.chosen);
-        Study study = load_study(name, of_own);
+      of_study.solvers.emplace_back();
+      for (const Chosen& own : combinations(dimensions, plan.solvers[s], chosen)) {
+        Multiverse::ChosenSolver& of_solver = of_study.solvers[s].emplace_back();
+        of_solver.chosen = own;
+        Overrides all = request.overrides;
+        for (const Chosen& some : {chosen, own})  // defaults too: a solver's may differ from what the study's implies
+          for (const Choice& each : some) all.push_back(alternative_of(dimensions, each).set);
+        Study study = load_study(name, all);
         for (int seed = 1; seed <= request.seeds; ++seed) {
           if (request.cancelled != nullptr && *request.cancelled) return plan;
           study.seed = static_cast<std::uint64_t>(seed);
-          const std::string key = series_key(study, study.solvers[s]);
-          const auto [place, is_new] = places.try_emplace(key, plan.parts.size());
+          const auto [place, is_new] = places.try_emplace(series_key(study, study.solvers[s]), plan.parts.size());
           of_solver.parts.push_back(place->second);
           if (!is_new) continue;
           plan.parts.push_back(study);
