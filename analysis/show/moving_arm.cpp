@@ -11,7 +11,6 @@
 #include "base/embedded_file.hpp"
 #include "base/json.hpp"
 #include "base/names.hpp"
-#include "base/units.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::show {
@@ -32,23 +31,6 @@ Json rounded(const std::vector<double>& values) {
   return list;
 }
 
-// Joints of an answer outside their limits, and by how much. Up to 1e-9 is rounding, as in experiments/verifier.cpp.
-// Computed here because the page has rounded angles.
-Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
-  constexpr double rounding = 1e-9;
-  Json list = Json::array();
-  if (!(solve.limit_violation_deg > 0 || solve.limit_violation_m > 0)) return list;
-  for (std::size_t joint = 0; joint < solve.answer_rad.size(); ++joint) {
-    const auto j = static_cast<Eigen::Index>(joint);
-    const double q = solve.answer_rad[joint], outside = std::max(arm.limits.lower[j] - q, q - arm.limits.upper[j]);
-    if (!(outside > rounding)) continue;
-    list.push_back({{"joint", joint},
-                    {"by", arm.chain.slides(j) ? outside * 100 : outside / base::degree},
-                    {"unit", arm.chain.slides(j) ? " cm" : "\u00b0"}});
-  }
-  return list;
-}
-
 judge::Solves first_solves(const StudyResults& study, const std::string& solver) {
   return study.of(solver).first(study.first_run_of(solver).size());
 }
@@ -64,8 +46,7 @@ std::set<std::size_t> shown_places(const StudyResults& study, const std::vector<
 }
 
 // Of the first run of a solver these places; a start only if it differs from the previous answer.
-Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm,
-               const std::set<std::size_t>& places) {
+Json first_run(const StudyResults& study, const std::string& solver, const std::set<std::size_t>& places) {
   const std::span<const SolveRecord> solves = study.first_run_of(solver);
   const auto [unit, factor] = figures::drawn_unit(study, "cm");
   Json steps = Json::array();
@@ -80,7 +61,6 @@ Json first_run(const StudyResults& study, const std::string& solver, const robot
               {"error", factor * solve.position_error_cm},
               {"variation_deg", solve.variation_deg},
               {"variation_m", solve.variation_m},
-              {"outside", joints_outside(solve, arm)},
               {"late", judged.is_late},
               {"too_fast", judged.is_too_fast}};
     if (!before || before->answer_rad != solve.start_rad) step["start"] = rounded(solve.start_rad);
@@ -126,7 +106,7 @@ std::optional<std::string> moving_arm(const StudyResults& study, const std::vect
   std::erase_if(shown, [&](const std::string& solver) { return study.first_run_of(solver).empty(); });
   shown.resize(std::min(shown.size(), most_solvers));
   const std::set<std::size_t> places = shown_places(study, shown);
-  for (const std::string& solver : shown) solvers.push_back(first_run(study, solver, *arm, places));
+  for (const std::string& solver : shown) solvers.push_back(first_run(study, solver, places));
   if (solvers.empty()) return std::nullopt;
   const bool is_path = !study.definition.draws_targets, are_all = *places.rbegin() + 1 == places.size();
   const std::string which =

@@ -5,7 +5,7 @@
   const stage = document.getElementById('stage');
   const arm = data.arm;
   const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
-  const metal = 0x8a94a3, joint = 0x0072b2, outside = 0xd62728, way = 0xe69f00, goal = 0x009e73;
+  const metal = 0x8a94a3, joint = 0x0072b2, way = 0xe69f00, goal = 0x009e73;
 
   const turnedAbout = {
     x: angle => new THREE.Matrix4().makeRotationX(angle),
@@ -176,11 +176,9 @@
       }
       this.moving.remove(...this.moving.children);
       const corners = forward(q);
-      const wrongJoints = time > 0 ? move.outside.map(each => each.joint) : [];  // of the answer it is on its way to
       corners.forEach((corner, i) => {
-        const wrong = wrongJoints.includes(corner.joint);
         const last = i === corners.length - 1;
-        this.moving.add(this.ball(corner.at, wrong ? 0.03 : last ? 0.012 : 0.021, wrong ? outside : last ? way : joint));
+        this.moving.add(this.ball(corner.at, last ? 0.012 : 0.021, last ? way : joint));
         if (i > 0 && corners[i - 1].at.distanceTo(corner.at) > 1e-6) this.moving.add(this.bar(corners[i - 1].at, corner.at));
       });
       const done = Math.min(time, this.moves.length);
@@ -191,17 +189,15 @@
 
     tell(index, move) {
       const digits = (value, count) => value === null ? 'none' : Number(value.toPrecision(count)).toString();
-      const joints = move.outside.map(each => `joint ${each.joint + 1} by ${digits(each.by, 2)}${each.unit}`);
       const words = `Target ${move.point}: error ${digits(move.error, 2)} ${this.solver.unit}, joints move ${digits(move.variation_deg, 3)}\u00b0${
         slides ? ` and ${digits(move.variation_m, 3)} m` : ''}.`;
       if (this.told === index + words) return;
       this.told = index + words;
       this.text.textContent = words;
-      const faults = [joints.length > 0 && ` Outside its limits: ${joints.join(', ')}.`, move.late && ' Late.',
-        move.too_fast && ' Too fast for a joint.'].filter(Boolean);
+      const faults = [move.late && ' Late.', move.too_fast && ' Too fast for a joint.'].filter(Boolean);
       if (faults.length === 0) return;
       const warning = document.createElement('span');
-      warning.className = 'outside';
+      warning.className = 'fault';
       warning.textContent = faults.join('');
       this.text.append(warning);
     }
