@@ -96,26 +96,26 @@ std::string list_of_figures() {
          "\n[words.FIGURE]  # of a file, with x, y and caption: what its axes and its caption say\n";
 }
 
-Style styled(Style style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
-  for (const std::string& name : arguments.styles) read_style_text(style_text(name), name, style.figures, style.tables);
+FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
+  for (const std::string& name : arguments.styles) read_style_text(style_text(name), name, style);
   std::vector<std::string> named, texts = labels;
-  for (const auto& [name, words] : style.figures.words) {
+  for (const auto& [name, words] : style.words) {
     named.push_back(name);
     for (const auto& [of, text] : words) texts.push_back(text);
   }
   refuse_unknown_figures(named);
-  for (const std::string& label : style.figures.solvers)
+  for (const std::string& label : style.solvers)
     if (std::ranges::find(labels, label) == labels.end())
       throw std::invalid_argument(fmt::format("solvers of [figures]: {}", unknown_name("solver", label, labels)));
   if (std::ranges::count(arguments.figures, "none") == 0) {
     refuse_unknown_figures(arguments.figures);
-    figures::refuse_missing_font(style.figures, texts);
+    figures::refuse_missing_font(style, texts);
   }
   return style;
 }
 
-Style styled(const StoredStudy& entry, const ReportArguments& arguments) {
-  return styled({entry.definition.figures, entry.definition.tables}, labels_of(entry), arguments);
+FigureStyle styled(const StoredStudy& entry, const ReportArguments& arguments) {
+  return styled(entry.definition.figures, labels_of(entry), arguments);
 }
 
 std::vector<std::string> labels_of(const StoredStudy& stored) {
@@ -138,7 +138,7 @@ std::vector<std::string> references_of(std::string_view name) {
 }
 
 void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
-              const Style& style, const std::string& screen) {
+              const FigureStyle& style, const std::string& screen) {
   std::set<std::string> names, keys;
   for (const Series& series : reported.study.series)
     names.insert({series.algorithm, reported.study.definition.robot, reported.study.definition.published});
@@ -146,13 +146,12 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
   for (const std::string& name : names) std::ranges::copy(references_of(name), std::inserter(keys, keys.end()));
   reported.keys.assign(keys.begin(), keys.end());
   reported.references = references[0].text;
-  reported.answer.show = style.tables.show;
   std::optional<ProgressBar> bar(std::in_place, "drawing", "figures");
   show::Written written =
       show::publish(reported, folder,
                     {.only = arguments.figures,
                      .progress = [&](std::int64_t done, std::int64_t all) { bar->show({.done = done, .total = all}); },
-                     .style = style.figures},
+                     .style = style},
                     program_name());
   bar.reset();  // leaves its line to the screen
   for (const std::string& warning : written.warnings) warn(warning);
@@ -176,8 +175,7 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
 
 bool write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments, const std::optional<judge::StudyResults>& beside) {
-  const Style style = styled(study, arguments);  // refuses before the study is read
-  show::refuse_others(folder);
+  const FigureStyle style = styled(study, arguments);  // refuses before the study is read
   judge::JudgedStudy judged = judge::judge(exported_study(store, study, folder));
   const std::vector<std::string> silent = never_answering(judged.study);
   if (!silent.empty()) {
@@ -185,13 +183,13 @@ bool write_and_announce(const Store& store, const StoredStudy& study, const std:
                                          fmt::join(silent, separator_of(silent)));
     arguments.is_json ? say(text) : fmt::print("{}\n", wrapped(text));
   }
-  const figures::Look look = figures::look_of(judged, style.figures);
+  const figures::Look look = figures::look_of(judged, style);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
   if (beside) {
     judge::put_beside(judged.study, *beside);
     judged = judge::judge(std::move(judged.study));
   }
-  announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, {look.style, style.tables});
+  announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, look.style);
   return !silent.empty();
 }
 

@@ -24,22 +24,19 @@ struct ReportArguments {
 // The names of figures, and the keys of their look.
 std::string list_of_figures();
 void add_report_options(CLI::App& command, ReportArguments& arguments, bool is_of_study = false);
-struct Style {
-  results::FigureStyle figures = {};
-  results::TableStyle tables = {};
-};
 // Of a study of these labels, with the style file, if there is one. Throws std::invalid_argument for what cannot be
 // drawn. Call it before anything is solved.
-Style styled(Style style, const std::vector<std::string>& labels, const ReportArguments& arguments);
+results::FigureStyle styled(results::FigureStyle style, const std::vector<std::string>& labels,
+                            const ReportArguments& arguments);
 // The same of a stored study.
-Style styled(const results::StoredStudy& entry, const ReportArguments& arguments);
+results::FigureStyle styled(const results::StoredStudy& entry, const ReportArguments& arguments);
 std::vector<std::string> labels_of(const results::StoredStudy& stored);
 
 // The keys of docs/references.bib whose keywords name a solver, an arm or a paper.
 std::vector<std::string> references_of(std::string_view name);
 // Writes the report into the folder, and prints its screen (the study's, if it is empty) or JSON.
 void announce(show::Report reported, const std::filesystem::path& folder, const ReportArguments& arguments,
-              const Style& style, const std::string& screen = {});
+              const results::FigureStyle& style, const std::string& screen = {});
 // What stands beside a study; none if nothing does. Throws std::invalid_argument if it is of another.
 std::optional<judge::StudyResults> beside_of(const results::StoredStudy& study, const ReportArguments& arguments);
 // The report of a study of the store, written and announced. Says first which solvers gave no answer in any solve, and

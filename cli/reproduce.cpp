@@ -158,7 +158,7 @@ void add_slim2023(show::Report& reported, const papers::Repeated& repeated, cons
 // The first of the studies is the paper's own.
 void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
             const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
-  const Style style = styled(all.front().study, arguments.report);
+  const FigureStyle style = styled(all.front().study, arguments.report);
   std::string text;
   const CsvTable programs = programs_of(paper, folder, text);
   const papers::Repeated repeated{.paper = paper, .studies = all, .programs = &programs};
@@ -168,14 +168,14 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   if (means.rows.empty()) means = papers::rates_table(repeated);
 
   const bool is_slim2023 = paper.name == "slim2023", has_arms = paper.rates.is_of_arms();
-  const figures::Look look = is_slim2023 ? figures::look_of(all.front().study.series, style.figures)
-                                         : figures::look_of(all.front(), style.figures);
+  const figures::Look look =
+      is_slim2023 ? figures::look_of(all.front().study.series, style) : figures::look_of(all.front(), style);
   show::Report reported = show::report_of(all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look)
                                                        : has_arms  ? std::vector<figures::Figure>()
                                                                    : figures::of_study(all.front(), look));
   reported.has_own_numbers = is_slim2023 || has_arms;
   reported.warnings = warnings_of(repeated, reported.answer);
-  if (is_slim2023) add_slim2023(reported, repeated, look, style.figures);
+  if (is_slim2023) add_slim2023(reported, repeated, look, style);
   const std::vector<std::string> sentences =
       is_slim2023 ? slim2023::sentences(claims, counts) : papers::rates_sentences(repeated);
   reported.first = papers::beginning(paper, sentences, means);
@@ -190,7 +190,7 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
   reported.claims = papers::claims_section(claims);
   if (!readings.in_readings.empty())
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
-  announce(reported, folder, arguments.report, {look.style, style.tables},
+  announce(reported, folder, arguments.report, look.style,
            fmt::format("{}{}\n", papers::screen(sentences, means, claims),
                        fingerprints_of(Store(store_in(folder), Store::Mode::read), all, studies_of(paper, {}))));
 }

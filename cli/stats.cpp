@@ -53,7 +53,7 @@ std::string direction_of(const std::vector<judge::JudgedMetric>& metrics) {
 }
 
 // With figures, and the look that they have, if there is a folder for them.
-show::Report judged(const StatsArguments& arguments, Style& style) {
+show::Report judged(const StatsArguments& arguments, FigureStyle& style) {
   const std::string text = contents_of(arguments.file), source = name_of_source(arguments.file);
   csv::Quantities quantities = csv::read(text, source, arguments.csv);
   std::vector<judge::JudgedMetric> metrics;
@@ -69,9 +69,9 @@ show::Report judged(const StatsArguments& arguments, Style& style) {
     for (const judge::Group& group : metrics.front().observations.groups)
       groups.push_back({.label = group.name, .algorithm = group.name});
     style = styled({}, labels_of({.series = groups}), arguments.report);
-    const figures::Look look = figures::look_of(groups, style.figures);
+    const figures::Look look = figures::look_of(groups, style);
     reported.figures = figures::of_file(metrics, look);
-    style.figures = look.style;
+    style = look.style;
   }
   const std::string direction = direction_of(metrics);
   reported.answer = show::answer_of(std::move(metrics));
@@ -89,7 +89,7 @@ void stats(const StatsArguments& arguments) {
       throw std::invalid_argument(
           fmt::format("--out {}: the {} of a study is there; choose another folder", arguments.out, file));
   }
-  Style style;
+  FigureStyle style;
   show::Report reported = judged(arguments, style);
   if (!arguments.out.empty()) return announce(std::move(reported), arguments.out, arguments.report, style);
   if (arguments.report.is_json) return show_json(show::to_json(reported.answer));

@@ -83,7 +83,7 @@ void override_one(toml::table& study, const std::string& typed) {
     throw std::invalid_argument(
         fmt::format("{} {}: expected a name on both sides of the dot", option, text.substr(0, 100)));
   }
-  std::set<std::string> owners{"analysis", "check", "figures", "loop", "path", "stop", "tables", "urdf"}, settings;
+  std::set<std::string> owners{"analysis", "check", "figures", "loop", "path", "stop", "urdf"}, settings;
   if (owners.contains(owner)) return insert(subtable(study, owner, option), field, value, option);
   const bool is_of_all = owner == swept_owner;
   bool is_known = false;

@@ -226,6 +226,8 @@ Study read_study(const toml::table& table, std::string_view source) {
     throw reader.mistake("repeats",
                          "no solve is timed several times any more: each is one call, and times are compared over "
                          "sessions; expected no repeats, and turns for more sessions");
+  if (reader.find("tables") != nullptr)
+    throw reader.mistake("tables", "tables show what is tested, medians or means; expected no [tables]");
   study.path = read_path(PathReader(reader.part("path")));
   if (reader.find("urdf") != nullptr && !is_urdf_file(study.robot))
     throw reader.mistake("urdf", fmt::format("[urdf] is about a URDF file, but robot is \"{}\"; expected one such as "
@@ -256,7 +258,6 @@ Study read_study(const toml::table& table, std::string_view source) {
     refuse_unknown(analysis, "control", "label", control, labels);
   drop_lost_control(study);
   read_style(figures, study.figures);
-  read_part(reader.part("tables"), study.tables);
   for (const std::string& label : study.figures.solvers) refuse_unknown(figures, "solvers", "label", label, labels);
   reader.refuse_unknown_keys();
   check_study(reader, study, arm);

@@ -134,7 +134,6 @@ OrderedJson definition(const Study& study) {
   }
   if (fields.figures != FigureStyle()) json["figures"] = json_of(written(fields.figures));
   if (!fields.figures.colours.empty()) json["figures"]["colours"] = fields.figures.colours;
-  if (fields.tables != TableStyle()) json["tables"] = json_of(written(fields.tables));
   json["stop"] = json_of(written(fields.stop));
   if (fields.loop.period > 0) json["loop"] = json_of(written(fields.loop));
   if (study.checker) {
@@ -187,8 +186,7 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
     const bool of_arm = pointer == "/robot" || pointer.starts_with("/initial_deg");  // which its limits may move
     const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
                          pointer == "/turns" || (of_arm && original.path->name() == "random") ||
-                         pointer.starts_with("/analysis/") || pointer.starts_with("/figures/") ||
-                         pointer.starts_with("/tables/");
+                         pointer.starts_with("/analysis/") || pointer.starts_with("/figures/");
     if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
     std::string name = pointer.substr(1);
     std::replace(name.begin(), name.end(), '/', '.');
@@ -272,10 +270,9 @@ std::string to_toml(const Study& study) {
   Study fields = as_in_files(study);
   if (study.initial == nearest_to_zero(arm_of(study))) fields.initial.resize(0);  // so the robot may be another
   std::string text = lines_of(written(fields));
-  text += "\n[analysis]  # how the results are judged; it does not affect the solves\n" +
-          lines_of(written(fields.plan)) +
-          "\n[figures]  # their style; it affects neither the solves nor how they are judged\n" +
-          to_toml(fields.figures) + "\n[tables]\n" + lines_of(written(fields.tables));
+  text +=
+      "\n[analysis]  # how the results are judged; it does not affect the solves\n" + lines_of(written(fields.plan)) +
+      "\n[figures]  # their style; it affects neither the solves nor how they are judged\n" + to_toml(fields.figures);
   if (is_urdf_file(study.robot)) text += "\n[urdf]\n" + lines_of(written(fields.urdf));
   text += "\n[stop]\n" + lines_of(written(fields.stop)) + "\n[loop]\n" + lines_of(written(fields.loop)) + '\n' +
           to_toml(fields.path);

@@ -63,12 +63,9 @@ void read_style(base::TomlReader reader, FigureStyle& style) {
   }
 }
 
-void read_style_text(std::string_view toml, std::string_view source, FigureStyle& style, TableStyle& tables) {
+void read_style_text(std::string_view toml, std::string_view source, FigureStyle& style) {
   const toml::table table = base::parse_toml(toml, source);
   base::TomlReader reader(table, source, "");
-  base::TomlReader of_tables = reader.part("tables");
-  list_fields(of_tables, tables);
-  of_tables.refuse_unknown_keys();
   base::TomlReader words = reader.part("words");
   for (const auto& [name, node] : words.table()) {
     base::TomlReader of_figure = words.part(name.str());

@@ -1,5 +1,5 @@
-// The look of a study's figures and tables: [figures] and [tables] of a study, a file of its own (--style), and the
-// colours of its solvers. It decides no number.
+// The look of a study's figures: [figures] of a study, a file of its own (--style), and the colours of its solvers. It
+// decides no number.
 #pragma once
 
 #include <map>
@@ -40,18 +40,6 @@ struct FigureStyle {
   bool operator==(const FigureStyle&) const = default;
 };
 
-// How the table of results shows what solvers have; it decides nothing.
-struct TableStyle {
-  enum class Show { tested, medians, means } show = Show::tested;
-
-  bool operator==(const TableStyle&) const = default;
-};
-
-inline void list_fields(base::Fields& io, TableStyle& style) {
-  io.choice("show", style.show, {"tested", "medians", "means"},
-            "medians with quartiles, or means with standard deviations; tested: those by which the plan tests");
-}
-
 constexpr std::string_view expected_colour = "a colour such as \"#1E8CF8\"";
 
 inline void list_fields(base::Fields& io, FigureStyle& style) {
@@ -74,7 +62,7 @@ std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle&
 
 // Sets the given keys and leaves the others. Throws std::invalid_argument (base/toml_table.hpp).
 void read_style(base::TomlReader reader, FigureStyle& style);
-// The same of a text, whose keys are those of [figures], and the tables [tables] and [words.NAME], of a figure.
-void read_style_text(std::string_view toml, std::string_view source, FigureStyle& style, TableStyle& tables);
+// The same of a text, whose keys are those of [figures], and the tables [words.NAME], of a figure.
+void read_style_text(std::string_view toml, std::string_view source, FigureStyle& style);
 
 }  // namespace ikbench::results

@@ -78,7 +78,7 @@ Definition definition_of(std::string_view json) {
   base::TomlReader path = reader.part("path"), stop = reader.part("stop"), reach = reader.part("out_of_reach"),
                    figures = reader.part("figures"), colours = figures.part("colours"),
                    analysis = reader.part("analysis"), arm = reader.part("arm"), loop = reader.part("loop"),
-                   tables = reader.part("tables"), check = reader.part("check");
+                   check = reader.part("check");
   constexpr std::pair<std::int64_t, std::int64_t> counts{0, std::numeric_limits<int>::max()};
   Definition study;
   study.json = json;
@@ -89,7 +89,6 @@ Definition definition_of(std::string_view json) {
   check.texts("process", study.check.process);
   list_fields(analysis, study.plan);
   list_fields(figures, study.figures);
-  list_fields(tables, study.tables);
   for (const auto& [label, node] : colours.table())
     colours.text(label.str(), study.figures.colours[std::string(label.str())]);
   if (const auto mistake = mistake_in(study.figures))

@@ -164,7 +164,6 @@ struct StudyData {
   Check check;
   Plan plan;            // how the solves will be judged; decides no number of them
   FigureStyle figures;  // the look of its figures; in a study file without the colours of its entries
-  TableStyle tables;
 
   // Each solve begins where the last one left the arm.
   bool is_chained() const { return start == Start::previous; }

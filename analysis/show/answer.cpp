@@ -187,7 +187,6 @@ Answer answer_of(const JudgedStudy& judged) {
   const std::string solved = what_is_solved(judged.study), &name = judged.study.name;
   all.studied = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
                             stops_of(judged.study));
-  all.show = judged.study.definition.tables.show;
   all.loop = loop_table(judged.study, all.solvers());
   all.beside = beside_table(judged.study, all.solvers());
   all.batches = batches_table(judged.study);

@@ -21,10 +21,9 @@ struct Answer {
   std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
   std::string direction = {};  // of a file: "smaller is better"
   std::vector<std::string> then = {};  // of a study that asks first what is solved: its plan's
-  results::TableStyle::Show show = results::TableStyle::Show::tested;  // of the table of results
-  Table loop = {};                                                     // of a control loop; without rows if it is none
-  Table beside = {};                                                   // times, of another machine too; likewise
-  Table batches = {};                                                  // times in batches; likewise
+  // Of a study, with their headings: a control loop; times, of another machine too, and in batches. Without rows if it
+  // has none.
+  std::vector<std::pair<std::string, Table>> more = {};
 
   const judge::JudgedMetric& decisive() const { return metrics.front(); }
   std::vector<std::string> solvers() const;  // in the order

@@ -62,14 +62,9 @@ bool are_ratios(const JudgedMetric& judged, const std::string& reference) {
   return judged.observations.is_of_solved && std::ranges::any_of(judged.findings, is_known);
 }
 
-bool are_means_tested(const JudgedMetric& judged) { return judged.plan.test == results::Plan::Test::means; }
+bool are_means(const Answer& answer) { return answer.decisive().plan.test == results::Plan::Test::means; }
 
-bool are_means_shown(const Answer& answer) {
-  using Show = results::TableStyle::Show;
-  return answer.show == Show::means || (answer.show == Show::tested && are_means_tested(answer.decisive()));
-}
-
-std::string average_shown(const Answer& answer) { return are_means_shown(answer) ? "mean" : "median"; }
+std::string average_shown(const Answer& answer) { return are_means(answer) ? "mean" : "median"; }
 
 // A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
 // with the reference. Where the numbers of two are of other targets, the finding of the pair stands in its place.
@@ -101,17 +96,17 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
     return tested || cell.to_reference ? Cell(cell) : Absent{"too few to compare"};
   }
   const Description& its = judged.described[i];
-  const bool are_means = are_means_shown(answer);
+  const bool has_means = are_means(answer);
   const bool is_only_one = is_share(judged) || judged.observations.are_logs || std::isnan(its.median);
   const Shown shown =
-      is_only_one ? shown_average(judged, i) : show::shown(judged, i, are_means ? its.mean : its.median);
+      is_only_one ? shown_average(judged, i) : show::shown(judged, i, has_means ? its.mean : its.median);
   if (std::isnan(shown.value))
     return Absent{untold(group) ? std::string(words_of(untold(group)->why).of_solver) : "without a value"};
   cell.value = shown.value, cell.is_bound = shown.is_bound;
   cell.interval = interval_of(judged, its);
   if (!is_deciding || is_share(judged) || judged.observations.is_of_solved || cell.is_bound || its.n < 2) return cell;
-  if (are_means && !std::isnan(its.sd)) cell.sd = its.sd;
-  if (!are_means && !is_only_one) cell.interval = Interval{its.lower_quartile, its.upper_quartile};
+  if (has_means && !std::isnan(its.sd)) cell.sd = its.sd;
+  if (!has_means && !is_only_one) cell.interval = Interval{its.lower_quartile, its.upper_quartile};
   return cell;
 }
 
@@ -126,13 +121,13 @@ std::string of_whom(const Answer& answer, const std::string& reference) {
 
 // What stands in a table of results, which its notes explain.
 struct Occurring {
-  bool numbers = false, averages = false, spreads = false, shares = false;
+  bool averages = false, spreads = false, shares = false;
   std::set<std::string> marks = {}, scales = {};
   ByWord reasons = {};                                 // metrics by why they have a "-"
   std::vector<std::string> ratios = {}, counted = {};  // metrics: to the reference; of each one's own targets
 
   void add(const Marked& cell, bool is_share, bool is_average) {
-    numbers |= !is_share, averages |= !is_share && is_average;
+    averages |= !is_share && is_average;
     (is_share ? shares : spreads) |= cell.interval || cell.sd;
     marks.insert(cell.mark);
     if (cell.to_reference) scales.insert(*cell.to_reference == Scale::ratio ? "multiples of" : "differences from");
@@ -142,11 +137,11 @@ struct Occurring {
 // What its numbers and marks are.
 std::vector<std::string> key_of(const Answer& answer, const Occurring& occurring) {
   const JudgedMetric& decisive = answer.decisive();
-  const bool is_of_file = !answer.direction.empty(), are_means = are_means_shown(answer);
+  const bool is_of_file = !answer.direction.empty(), has_means = are_means(answer);
   const double level = decisive.plan.significance;
   const std::string reference = reference_of(answer);
-  std::string numbers = !occurring.averages ? "" : are_means ? "Means" : "Medians";
-  if (occurring.spreads) numbers += are_means ? " ± standard deviations" : " (quartiles)";
+  std::string numbers = !occurring.averages ? "" : has_means ? "Means" : "Medians";
+  if (occurring.spreads) numbers += has_means ? " ± standard deviations" : " (quartiles)";
   if (const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n); most.n > 0 && is_of_file)
     numbers = fmt::format("{} of {}{}; {}", occurring.averages ? numbers : "Shares",
                           least.n == most.n ? "" : fmt::format("{} to ", least.n), base::counted(most.n, "values"),
@@ -162,15 +157,12 @@ std::vector<std::string> key_of(const Answer& answer, const Occurring& occurring
   return {
       numbers, meaning_of(occurring.marks, of_whom(answer, reference) + tested),
       occurring.shares
-          ? fmt::format("Intervals{}: {:.3g} %", occurring.spreads && !are_means ? " of shares" : "", 100 * (1 - level))
+          ? fmt::format("Intervals{}: {:.3g} %", occurring.spreads && !has_means ? " of shares" : "", 100 * (1 - level))
           : "",
       occurring.scales.empty()
           ? ""
           : fmt::format("{}: {} {}'s {}", is_of_file ? listed(occurring.ratios) : as_sentence(listed(occurring.ratios)),
-                        fmt::join(occurring.scales, " or "), reference, average_shown(answer)),
-      !occurring.numbers || are_means == are_means_tested(decisive) ? ""
-      : are_means                                                   ? "Tests are of ranks"
-                                                                    : "Tests are of means"};
+                        fmt::join(occurring.scales, " or "), reference, average_shown(answer))};
 }
 
 // What a page tells besides.

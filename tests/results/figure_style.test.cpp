@@ -19,8 +19,7 @@ TEST_CASE("a style with a value that no figure may have is refused with its plac
 
 TEST_CASE("a style file has words of figures, and the last file counts", "[style]") {
   FigureStyle style;
-  TableStyle tables;
-  const auto read = [&](const std::string& text) { read_style_text(text, "look.toml", style, tables); };
+  const auto read = [&](const std::string& text) { read_style_text(text, "look.toml", style); };
   read("text_pt = 10\n[words.error-boxes]\nx = 'Fehler [mm]'\ny = 'y'\n");
   read("[words.error-boxes]\ny = 'Löser'\ncaption = 'Der Fehler.'\n");
   CHECK(style.text_pt == 10);
