@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/figures/look.hpp"
 #include "analysis/judge/judge.hpp"
 #include "analysis/show/answer_tables.hpp"
 #include "analysis/show/publish.hpp"
@@ -28,11 +27,10 @@ namespace {
 void write_studies(const std::vector<std::string>& files, const std::string& study, const std::string& out,
                    const ReportArguments& report) {
   if (out.empty()) throw std::invalid_argument("several stores: where shall the table be written? --out FOLDER");
-  if (report.is_json || !report.figures.empty() || !report.beside.empty())
-    throw std::invalid_argument("several stores make one table and its figure: without --json, --figures and --beside");
+  if (report.is_json || !report.figures.empty() || !report.styles.empty() || !report.beside.empty())
+    throw std::invalid_argument("several stores make one table: without --json, --figures, --style and --beside");
   std::vector<show::Answer> studies;
   std::vector<std::string> names, arms, folders;
-  std::set<std::string> solvers;
   for (const std::string& file : files) {
     const Store store(file, Store::Mode::read);
     const StoredStudy entry = store.study(study);
@@ -40,7 +38,6 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     names.push_back(entry.name);
     arms.push_back(judged.study.definition.robot);
     folders.push_back(std::filesystem::path(file).parent_path().filename());
-    solvers.insert(judged.study.labels.begin(), judged.study.labels.end());
     studies.push_back(show::answer_of(judged));
   }
   const auto tell_apart = [](const std::vector<std::string>& all) {
@@ -48,26 +45,12 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   };
   const std::array ways{names, arms, folders, files};
   const auto& told = *std::find_if(ways.begin(), std::prev(ways.end()), tell_apart);
-  show::Table table = show::studies_table(studies, told);
-  const FigureStyle style = styled({}, {solvers.begin(), solvers.end()}, report).figures;
+  const show::Table table = show::studies_table(studies, told);
   const std::filesystem::path folder = out;
-  auto figure = show::studies_figure(table, studies);
-  using Names = std::vector<std::string>;
-  show::claim(folder, show::files_of({table.name}, figure ? Names{figure->name} : Names()));
-  if (figure) {
-    for (const std::string& unused : figures::reword({&*figure}, style)) warn(unused);
-    for (const std::string& error : figures::write_figures({*figure}, folder / "figures", {.style = style}))
-      warn(error);
-  }
-  const auto unit = &show::Column::unit;
-  if (files.size() > 6 &&  // more do not stand across
-      std::ranges::count(table.columns, table.columns.back().unit, unit) == std::ssize(files))
-    table = show::with_a_row_a_study(table);
+  show::claim(folder, show::files_of({table.name}, {}));
   show::write_table(table, table, folder / "tables", program_name());
-  std::string written = fmt::format("Table: {}.*", (folder / "tables" / table.name).string());
-  if (figure) written += fmt::format(". Figure: {}.*", (folder / "figures" / figure->name).string());
-  fmt::print("{}\n\n{}{}\n", printable(wrapped(show::found_in_studies(studies, told))), printable(show::to_text(table)),
-             printable(wrapped(written)));
+  fmt::print("{}\n\n{}Table: {}.*\n", printable(wrapped(show::found_in_studies(studies, told))),
+             printable(show::to_text(table)), printable((folder / "tables" / table.name).string()));
 }
 
 }  // namespace

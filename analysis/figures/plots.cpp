@@ -461,52 +461,6 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
   return figure;
 }
 
-std::optional<Figure> bars(const About& about, const std::vector<std::string>& rows,
-                           const std::vector<BarPanel>& all_panels, const std::vector<std::string>& key) {
-  Figure figure{.name = about.name, .caption = about.caption};
-  const auto panels = drawn_of(all_panels, 5, figure);
-  if (rows.empty() || panels.empty()) return std::nullopt;
-  std::vector<std::string> ticks, clauses;
-  add_labelled_rows(figure, rows, 0.5);
-  if (figure.sides_cm + 2.2 * static_cast<double>(panels.size()) > figure.width_cm)
-    figure.width_cm = 17;  // two columns of a journal
-  const double panel_cm = (figure.width_cm - figure.sides_cm) / static_cast<double>(panels.size()),
-               pitch = 1 / std::max(0.6, 1 - 1.1 / panel_cm);  // of panels, where a bar of 100 % is 1, and its number
-  figure.data = "# row, share [%] of each study\n";
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    std::vector<double> numbers{static_cast<double>(r + 1)};
-    for (const BarPanel& panel : panels) numbers.push_back(panel.shares[r]);
-    figure.data += fmt::format("# {}\n{}", one_line(rows[r]), data_row(numbers));
-  }
-  for (std::size_t p = 0; p < panels.size(); ++p) {
-    const double left = pitch * static_cast<double>(p);
-    for (const double share : {0.0, 1.0}) ticks.push_back(fmt::format("'{}' {}", 100 * share, left + share));
-    figure.settings += fmt::format("set label {} at first {}, graph 1 left offset 0, 0.7 noenhanced tc rgb ink\n",
-                                   gnuplot_text(shortened(panels[p].label, 14)), left);
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      const double share = panels[p].shares[r];
-      figure.settings +=
-          fmt::format("set label '{}' at first {}, first {} left offset 0.3, 0 noenhanced front tc rgb ink\n",
-                      std::isfinite(share) ? fmt::format("{:.3g} {}", share, panels[p].marks[r]) : "-",
-                      left + (std::isfinite(share) ? share / 100 : 0), r + 1);
-    }
-    clauses.push_back(fmt::format(
-        "data using (${1}==${1}?{0}:NaN):1:({0}):({0}+${1}/100.0):($1-0.3):($1+0.3) with boxxyerror fs @filled "
-        "0.6 noborder lc rgb colour_of(1)",
-        left, p + 2));
-  }
-  figure.legend = key.size();
-  for (std::size_t i = 0; i < key.size(); ++i)
-    figure.settings += fmt::format("set label {} at screen 0.5, screen up({}) center noenhanced tc rgb ink\n",
-                                   gnuplot_text(key[i]), text_of(0.35 * static_cast<double>(key.size() - i)));
-  figure.height_cm += 0.4;
-  figure.settings += fmt::format(
-      "set tmargin at screen 1 - up(0.7)\nset xrange [0:{}]\nset xtics ({})\n{}set xlabel x_title noenhanced\n",
-      pitch * static_cast<double>(panels.size()), fmt::join(ticks, ", "), title_of('x', about.axis()));
-  figure.plot = plotted(clauses);
-  return figure;
-}
-
 std::optional<Figure> overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots) {
   Figure figure{.name = about.name, .caption = about.caption};
   std::vector<double> xs, ys;

@@ -100,16 +100,6 @@ struct JointRows {
 };
 std::optional<Figure> joints(const About& about, const JointRows& all_rows);
 
-// Shares of several studies: a row a solver, a panel of bars a study. What is nowhere has a dash. The lines of the key
-// stand below.
-struct BarPanel {
-  std::string label;
-  std::vector<double> shares;      // of each row [%]
-  std::vector<std::string> marks;  // of each row, beside its number
-};
-std::optional<Figure> bars(const About& about, const std::vector<std::string>& rows,
-                           const std::vector<BarPanel>& panels, const std::vector<std::string>& key);
-
 // A dot a solver, of two quantities; a ring is what a paper printed.
 struct Dot {
   std::string label;

@@ -12,8 +12,6 @@
 #include <span>
 #include <utility>
 
-#include "analysis/figures/of_study.hpp"
-#include "analysis/figures/plots.hpp"
 #include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
@@ -323,64 +321,6 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
   return fmt::format("{}.", fmt::join(verdicts.told("{1}: {0}"), ".\n"));
 }
 
-std::optional<figures::Figure> studies_figure(const Table& studies, const std::vector<Answer>& answers) {
-  std::vector<std::size_t> shares;
-  for (std::size_t c = 1; c < studies.columns.size(); ++c)
-    if (studies.columns[c].unit == "%") shares.push_back(c);
-  if (shares.size() < 2) return std::nullopt;
-  std::string shared = studies.columns[shares[0]].name;  // at the start, which tells none apart: "baselines-"
-  for (const std::size_t c : shares)
-    shared.resize(
-        static_cast<std::size_t>(std::ranges::mismatch(shared, studies.columns[c].name).in1 - shared.begin()));
-  std::vector<figures::BarPanel> panels;
-  std::vector<std::string> solvers;
-  std::set<std::string> marks, whom;
-  bool has_empty = false;
-  for (const auto& row : studies.rows) {
-    const auto share = [&](std::size_t c) { return std::get_if<Marked>(&row[c]); };
-    if (std::ranges::any_of(shares, share)) solvers.push_back(std::get<std::string>(row[0]));
-  }
-  for (const std::size_t c : shares) {
-    figures::BarPanel& panel = panels.emplace_back(
-        figures::BarPanel{.label = studies.columns[c].name.substr(shared.find_last_of("-_ /") + 1)});
-    const JudgedMetric& judged = answers[c - 1].decisive();
-    for (const auto& row : studies.rows) {
-      if (std::ranges::count(solvers, std::get<std::string>(row[0])) == 0) continue;
-      const auto* const cell = std::get_if<Marked>(&row[c]);
-      panel.shares.push_back(cell ? cell->value : figures::nowhere);
-      panel.marks.push_back(cell ? cell->mark : "");
-      marks.insert(panel.marks.back());
-      has_empty |= cell == nullptr;
-      if (panel.marks.back() == star || panel.marks.back() == plus)
-        whom.insert(of_whom(answers[c - 1], judged.plan.control.empty() ? "the best" : "the control"));
-    }
-  }
-  std::vector<std::string> key{meaning_of(marks, listed({whom.begin(), whom.end()}, " or ")),
-                               has_empty ? "- not in the study" : ""};
-  std::erase(key, "");
-  return figures::bars({.name = "studies", .caption = "Share of targets solved.", .quantity = "solved", .unit = "%"},
-                       solvers, panels, key);
-}
-
-Table with_a_row_a_study(const Table& studies) {
-  Table turned{.name = studies.name, .caption = studies.caption, .columns = {{"study"}}, .notes = studies.notes};
-  for (std::size_t c = 1; c < studies.columns.size(); ++c) turned.rows.push_back({studies.columns[c].name});
-  for (const auto& row : studies.rows) {
-    turned.columns.push_back({.name = std::get<std::string>(row[0]), .unit = studies.columns[1].unit});
-    for (std::size_t c = 1; c < row.size(); ++c) turned.rows[c - 1].push_back(row[c]);
-  }
-  return turned;
-}
-
-std::string of_pairs(const Answer& answer) {
-  const JudgedMetric& judged = answer.decisive();
-  const auto told =
-      std::ranges::find_if(judged.findings, [](const Finding& each) { return amount_of(each) != nullptr; });
-  if (is_share(judged) || judged.plan.test == results::Plan::Test::means || told == judged.findings.end()) return "";
-  return fmt::format("{} are of single {}, not of medians.", told->scale == Scale::ratio ? "Ratios" : "Differences",
-                     answer.noun);
-}
-
 // A pair, complete: readers see what stands up to the verdict.
 Table pairs_table(const Answer& answer) {
   Table table{.name = "pairs", .caption = "The first against the second", .columns = columns_of_pairs()};
@@ -416,7 +356,7 @@ Table pairs_table(const Answer& answer) {
       answer.verdict.empty() && has_p
           ? "p is multiplied by the number of pairs tested of its metric, and intervals hold for all."
           : "",
-      left_out == 0 ? "" : fmt::format("{} more pairs are not listed.", left_out), of_pairs(answer)};
+      left_out == 0 ? "" : fmt::format("{} more pairs are not listed.", left_out)};
   std::erase(notes, "");
   if (!notes.empty()) table.notes = {fmt::format("{}", fmt::join(notes, " "))};
   return table;

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "analysis/figures/figure.hpp"
 #include "analysis/show/answer.hpp"
 #include "analysis/show/table.hpp"
 
@@ -20,10 +18,7 @@ Table results_table(const Answer& answer, bool is_brief = false);
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names);
 // "a and b: DLS is best.\nc: Not decided." What the headline of each begins with.
 std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names);
-std::optional<figures::Figure> studies_figure(const Table& studies, const std::vector<Answer>& answers);  // its shares
-Table with_a_row_a_study(const Table& studies);                                                           // of one unit
-Table pairs_table(const Answer& answer);     // a row a pair; first those of the headline, which are told
-std::string of_pairs(const Answer& answer);  // what estimates are of, where they are not those of the averages shown
+Table pairs_table(const Answer& answer);  // a row a pair; first those of the headline, which are told
 Table descriptives_table(const Answer& answer);
 Table anova_table(const Answer& answer);
 

@@ -66,8 +66,7 @@ std::string screen(const Answer& answer, const std::string& page) {
     if (first.described.size() > 2) pairs.rows.resize(pairs.told);
     const auto is_none = [](const Cell& cell) { return std::holds_alternative<std::monostate>(cell); };
     std::erase_if(pairs.rows, [&](const auto& row) { return is_none(row[3]) && is_none(row[6]); });  // not tested
-    pairs.notes = {of_pairs(answer)};
-    std::erase(pairs.notes, "");
+    pairs.notes.clear();
     if (!pairs.rows.empty()) add(std::move(pairs));
   }
   const std::vector<Doubt> doubts = answer.all_doubts();  // in the order of their kinds

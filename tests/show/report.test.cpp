@@ -274,23 +274,6 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
   CHECK(found_in_studies({of(20, 5)}, {"one"}) == "one: A is better than B.");
   const Answer with_colon = answer_of({judged(shares({{"I: A", solved(20)}, {"B", solved(5)}}))});
   CHECK(contains(found_in_studies({with_colon}, {"one"}), "one: I: A is better than B."));
-  CHECK_FALSE(studies_figure(studies_table({answers[0]}, {"alone"}), answers));
-  const figures::Figure figure = studies_figure(table, answers).value();
-  CHECK(figure.data == "# row, share [%] of each study\n# A\n1 100 NaN\n# B\n2 50 100\n# C\n3 NaN 25\n");
-  CHECK(contains(figure.settings, "set label 'two' at first 1."));  // without what both names share
-  CHECK(contains(figure.settings, "set label '-' at first 0, first 3"));
-  const std::vector more{
-      answers[0], answers[1],
-      answer_of({judged(numbers("error", "error", "mm", {{"A", values_around(1, 0.5)}, {"B", values_around(3, 0.5)}}),
-                        {.control = "B"})})};
-  CHECK(contains(studies_figure(studies_table(more, {"one", "two", "three"}), more)->settings,
-                 "'* worse than the best'"));
-  CHECK(contains(figure.plot, "($3==$3?1."));  // no bar of C in the first, which gnuplot would draw back to 0
-  const Table turned = with_a_row_a_study(table);
-  CHECK(turned.columns[1].name == "A");
-  CHECK(std::get<std::string>(turned.rows[1][0]) == "on-two");
-  CHECK(std::get<Marked>(turned.rows[0][2]).mark == "*");
-  CHECK(std::holds_alternative<Absent>(turned.rows[1][1]));
 }
 
 TEST_CASE("a table says no more below it than it has", "[show]") {
@@ -308,10 +291,6 @@ TEST_CASE("a table says no more below it than it has", "[show]") {
   Answer of_none = of(numbers("value", "value", "", {{"A", {}}, {"B", {}}}));
   of_none.direction = "smaller is better";
   CHECK(results_table(of_none).notes == std::vector<std::string>{"-: without a value (value)."});
-  const judge::Observations alike =
-      numbers("value", "value", "", {{"A", values_around(1, 0.5)}, {"B", values_around(1.0001, 0.6)}});
-  CHECK(of_pairs(of(alike)) == "Ratios are of single values, not of medians.");
-  CHECK(of_pairs(answer_of({judged(alike, {.test = results::Plan::Test::means})})).empty());
 }
 
 TEST_CASE("a pair has one effect size, named by its standardiser", "[show]") {
