@@ -224,7 +224,6 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       throw std::invalid_argument(
           fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));
     const std::filesystem::path folder = folder_for(paper.studies.front(), arguments->run.out);
-    show::refuse_others(folder);
     std::vector<judge::JudgedStudy> judged;
     for (const Study& study : studies_of(paper, *arguments)) {
       const StoredStudy stored = stored_study(study);

@@ -86,7 +86,6 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   std::filesystem::path folder = folder_for(study.name, arguments.run.out);
   if (arguments.run.out.empty() && is_part)
     folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
-  if (has_report) show::refuse_others(folder);
   const StoredStudy stored = stored_study(study);
   const auto beside = beside_of(stored, arguments.report);
   const std::string solved =

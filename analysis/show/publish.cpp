@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <span>
 #include <system_error>
 
 #include "analysis/figures/of_study.hpp"
@@ -25,23 +24,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// With those of a former version: .dat, .md and .txt, and time-tail.*.
-constexpr std::array<std::string_view, 8> types_of_files{".csv", ".dat", ".gp", ".md", ".pdf", ".png", ".svg", ".tex"};
+// With those of a former version: .dat, .md and .txt.
+constexpr std::array<std::string_view, 10> types_of_files{".bib", ".csv", ".dat", ".gp",  ".md",
+                                                          ".pdf", ".png", ".svg", ".tex", ".txt"};
 constexpr std::array<const char*, 4> own_files{"report.html", "report.md", "results.json", "solves.csv"};
-constexpr std::array<const char*, 6> article_files{"main.tex",    "methods.tex", "references.bib",
-                                                   "results.tex", "methods.txt", "results.txt"};
+constexpr std::array<const char*, 4> article_files{"main.tex", "methods.tex", "references.bib", "results.tex"};
 constexpr std::array<const char*, 4> folders{"article", "tables", "figures", "figures/source"};
 
-// Whether a report can have written it, in a folder of its own. A table or figure that is not here outlives its report.
+// Whether a report can have written it, in a folder of its own.
 bool may_be_of_report(const fs::path& file) {
-  const std::string folder = file.parent_path(), stem = file.stem();
-  const std::string_view name(stem.data(), stem.find_last_not_of("0123456789") + 1);  // without its number
-  if (folder == "article") return std::ranges::count(article_files, file.filename()) > 0;
-  if (std::ranges::count(types_of_files, file.extension().string()) == 0) return false;
-  if (folder == "tables") return std::ranges::count(names_of_tables, name) > 0;
-  const auto is_of_kind = [&](const auto& kind) { return figures::is_meant(std::string(name), kind.first); };
-  return (folder == folders[2] || folder == folders[3]) &&
-         (name == "style" || name == "time-tail" || std::ranges::any_of(all_figures(), is_of_kind));
+  return std::ranges::count(folders, file.parent_path()) > 0 &&
+         std::ranges::count(types_of_files, file.extension().string()) > 0;
 }
 
 // The results.json of a folder, or an empty object; a link may be to another folder's.
@@ -51,28 +44,6 @@ Json results_of(const fs::path& folder) {
   const auto text = fs::is_symlink(file, none) ? std::nullopt : base::read_file(file);
   const Json json = text ? base::parsed_ordered_json(*text) : Json();
   return json.is_object() ? json : Json::object();
-}
-
-// What it says that ikbench has written.
-std::vector<std::string> files_of_earlier(const Json& results) {
-  std::vector<std::string> files;
-  if (!results.contains("files") || !results["files"].is_array()) return files;
-  for (const Json& entry : results["files"]) {
-    if (entry.is_string()) files.push_back(entry);
-  }
-  return files;
-}
-
-void refuse_others(const fs::path& folder, const std::vector<std::string>& earlier,
-                   const std::vector<std::string>& files) {
-  for (const std::string& file : files) {
-    std::error_code none;
-    const fs::file_type type = fs::symlink_status(folder / file, none).type();
-    if (std::ranges::count(earlier, file) == 0 && (type == fs::file_type::regular || type == fs::file_type::symlink))
-      throw std::invalid_argument(
-          fmt::format("'{}' is there, but in no results.json of ikbench; remove it, or choose another folder",
-                      (folder / file).string()));
-  }
 }
 
 template <class Kind>
@@ -117,10 +88,7 @@ void leave_out_undrawn(std::vector<Blocks>& sections, const fs::path& folder, st
 
 void write_page(const Report& report, const std::vector<Blocks>& sections, const fs::path& folder,
                 const std::string& program, Written& written) {
-  std::vector<std::string> order = report.answer.solvers();
-  const auto control = std::ranges::find(order, report.answer.decisive().plan.control);  // beside the first
-  if (control != order.end() && control != order.begin()) std::rotate(order.begin() + 1, control, control + 1);
-  std::optional<std::string> arm = moving_arm(report.study, order);
+  std::optional<std::string> arm = moving_arm(report.study, report.answer.solvers());
   if (arm && drawing_library().empty()) {
     written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
     arm.reset();
@@ -154,18 +122,6 @@ void write_table(const Table& table, const Table& article, const fs::path& folde
   base::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
 }
 
-void refuse_others(const fs::path& folder) {
-  std::error_code none;
-  std::vector<std::string> files(own_files.begin(), own_files.end());
-  for (const fs::path part : folders) {
-    for (fs::directory_iterator entry(folder / part, none), end; entry != end; entry.increment(none)) {
-      const fs::path file = part / entry->path().filename();
-      if (may_be_of_report(file)) files.push_back(file);
-    }
-  }
-  refuse_others(folder, files_of_earlier(results_of(folder)), files);
-}
-
 std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<std::string>& figures) {
   std::vector<std::string> files;
   for (const std::string& table : tables)
@@ -183,10 +139,20 @@ std::vector<std::string> claim(const fs::path& folder, std::vector<std::string> 
   base::refuse_links(folder);
   files.emplace_back(own_files[2]);
   Json results = results_of(folder);
-  std::vector<std::string> earlier = files_of_earlier(results);
-  refuse_others(folder, earlier, files);
-  std::set<std::string> all(earlier.begin(), earlier.end());
-  all.insert(files.begin(), files.end());
+  std::set<std::string> all;
+  if (results.contains("files") && results["files"].is_array())
+    for (const Json& file : results["files"])
+      if (file.is_string()) all.insert(file);
+  const std::vector<std::string> earlier(all.begin(), all.end());
+  for (const std::string& file : files) {
+    std::error_code none;
+    const fs::file_type type = fs::symlink_status(folder / file, none).type();
+    const bool is_new = all.insert(file).second;
+    if (is_new && (type == fs::file_type::regular || type == fs::file_type::symlink))
+      throw std::invalid_argument(
+          fmt::format("'{}' is there, but in no results.json of ikbench; remove it, or choose another folder",
+                      (folder / file).string()));
+  }
   results["files"] = all;
   base::write_file(folder / own_files[2], base::text_of(results, 1) + '\n');
   return earlier;
@@ -214,7 +180,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   }
   Written written{.page = folder / own_files[0]};
   std::vector<std::string>& files = written.files = files_of(names, names_of_figures);
-  for (const std::string file : std::span(article_files).first(4))
+  for (const std::string file : article_files)
     if (file != "references.bib" || !report.keys.empty()) files.push_back("article/" + file);
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
   std::vector<std::string> earlier = claim(folder, files);

@@ -25,8 +25,6 @@ struct Written {
   std::vector<std::string> files;     // all, from the folder
   std::vector<std::string> warnings;  // figures that were not drawn
 };
-// Throws std::invalid_argument if the folder has a file of a report's names that its results.json does not list.
-void refuse_others(const std::filesystem::path& folder);
 // Those of tables and figures of these names.
 std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<std::string>& figures);
 // Before these files are written: refuses those that results.json does not list, and lists them there, so that after a

@@ -81,11 +81,6 @@ struct Table {
   std::size_t told = std::numeric_limits<std::size_t>::max();  // rows; a page folds the others, articles lack them
 };
 
-// Names that tables with files have: what a later report of the same folder may remove.
-constexpr std::array<std::string_view, 16> names_of_tables{
-    "anova",   "batches",    "beside", "claims",    "descriptives", "extras",      "loop",   "means",
-    "methods", "multiverse", "pairs",  "questions", "results",      "solve-rates", "solves", "table-"};
-
 // "0.1 to 0.8", "above 0 to 0.8"
 std::string interval_text(const judge::Interval& interval, const std::vector<double>& ends);
 

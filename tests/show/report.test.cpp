@@ -229,19 +229,19 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
   const ScratchFolder folder;
   const fs::path out = folder.path / "out", killed = folder.path / "killed";
   for (const char* file :
-       {"tables/table-8.csv", "tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious"})
+       {"tables/table-8.csv", "tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious.csv"})
     base::write_file(out / file, "");
-  base::write_file(out / "results.json", R"({"files": ["results.json", "tables/table-8.csv", "tables/mine.csv",
-      "tables/results.xlsx", "store.sqlite", "../precious", "tables/../../precious", 7]})");
+  base::write_file(out / "results.json", R"({"files": ["results.json", "tables/table-8.csv", "tables/results.xlsx",
+      "store.sqlite", "../precious.csv", "tables/../../precious.csv", 7]})");
   publish(report_of(), out, {.only = {"none"}});
   CHECK_FALSE(fs::exists(out / "tables" / "table-8.csv"));
-  for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious"})
+  for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious.csv"})
     CHECK(fs::exists(out / file));
   for (const char* name : {"report.html", "report.md", "results.json", "solves.csv", "article/main.tex",
                            "tables/results.csv", "figures/source/style.gp"}) {
     const fs::path other = folder.path / fs::path(name).filename();
     base::write_file(other / name, "not ours");
-    CHECK_THROWS_WITH(refuse_others(other), ContainsSubstring(name));
+    CHECK_THROWS_WITH(claim(other, {name}), ContainsSubstring(name));
     if (name != std::string("solves.csv"))  // which publish does not write
       CHECK_THROWS_WITH(publish(report_of(), other, {.gnuplot = "none"}), ContainsSubstring(name));
     CHECK(*base::read_file(other / name) == "not ours");
@@ -249,7 +249,7 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
   // A report that was killed is continued.
   claim(killed, files_of({"results"}, {}));
   base::write_file(killed / "tables" / "results.csv", "");
-  CHECK_NOTHROW(refuse_others(killed));
+  CHECK_NOTHROW(claim(killed, files_of({"results"}, {})));
 }
 
 TEST_CASE("a report of three solvers is short", "[show]") {
