@@ -187,9 +187,9 @@ Answer answer_of(const JudgedStudy& judged) {
   const std::string solved = what_is_solved(judged.study), &name = judged.study.name;
   all.studied = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
                             stops_of(judged.study));
-  all.loop = loop_table(judged.study, all.solvers());
-  all.beside = beside_table(judged.study, all.solvers());
-  all.batches = batches_table(judged.study);
+  all.more = {{"Control loop", loop_table(judged.study, all.solvers())},
+              {"Beside another machine", beside_table(judged.study, all.solvers())},
+              {"In batches", batches_table(judged.study)}};
   const results::Definition& definition = judged.study.definition;
   const bool are_runs = definition.compares_runs();
   all.noun = are_runs ? "runs" : "targets";

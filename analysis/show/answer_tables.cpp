@@ -250,14 +250,13 @@ Table results_table(const Answer& answer, bool is_brief) {
                are_counted = observed.is_of_solved && !are_ratios_here && !judged.findings.empty();
     if (are_ratios_here) occurring.ratios.push_back(observed.quantity);
     if (are_counted) occurring.counted.push_back(observed.quantity);
-    std::set<std::string> why_not;
     for (auto& row : table.rows) {
       row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), losers, apart));
-      if (const auto* const absent = std::get_if<Absent>(&row.back())) why_not.insert(absent->why);
+      if (const auto* const absent = std::get_if<Absent>(&row.back()))
+        occurring.reasons.add(absent->why, observed.quantity);
       if (const auto* const marked = std::get_if<Marked>(&row.back()))
         occurring.add(*marked, is_share(judged), !observed.are_logs && !are_ratios_here && !are_counted);
     }
-    for (const std::string& reason : why_not) occurring.reasons.add(reason, observed.quantity);
   }
   const auto add = [&](std::vector<std::string> sentences) {
     std::erase(sentences, "");

@@ -21,13 +21,6 @@ using namespace judge;
 
 namespace {
 
-// The table of results with the warnings below it.
-Table warned_results(const Answer& answer) {
-  Table table = results_table(answer);
-  for (const Doubt& doubt : answer.all_doubts()) table.notes.push_back(warning_of(doubt));
-  return table;
-}
-
 // Times of single calls up to rare ones, and how many failed, whatever an observation is made of.
 Table solves_table(const Report& report) {
   const StudyResults& study = report.study;
@@ -149,10 +142,15 @@ std::vector<Table> set_up(const Report& report) {
 std::vector<Blocks> sections_of(const Report& report) {
   std::vector<Blocks> sections{report.first};
   const bool is_of_study = !report.study.series.empty();  // else of a user's file
+  std::vector<std::string> doubts;
+  for (const Doubt& doubt : report.answer.all_doubts()) doubts.push_back(warning_of(doubt));
   if (report.first.empty()) {
     sections[0] = {Heading{headline(report.answer)}};
     if (is_of_study) sections[0].emplace_back(report.answer.studied);
-    sections[0].emplace_back(warned_results(report.answer));
+    Table results = results_table(report.answer);
+    results.notes.insert(results.notes.end(), doubts.begin(), doubts.end());
+    doubts.clear();
+    sections[0].emplace_back(std::move(results));
   }
   const auto add = [&](std::string heading, Blocks blocks) {
     const auto is_empty = [](const Block& block) {
@@ -166,9 +164,7 @@ std::vector<Blocks> sections_of(const Report& report) {
   };
   if (!report.claims.empty()) sections.push_back(report.claims);
   add("Pictures", {report.figures.begin(), report.figures.end()});
-  add("Control loop", {report.answer.loop});
-  add("Beside another machine", {report.answer.beside});
-  add("In batches", {report.answer.batches});
+  for (const auto& [heading, table] : report.answer.more) add(heading, {table});
   std::ranges::copy(report.additions, std::back_inserter(sections));
   add("Who is better?", {pairs_table(report.answer)});
   if (!report.has_own_numbers) {
@@ -181,12 +177,8 @@ std::vector<Blocks> sections_of(const Report& report) {
     all.told = static_cast<std::size_t>(std::ranges::count_if(all.rows, is_first));
     if (report.answer.decisive().plan.test == results::Plan::Test::means) add("All solvers at once", {std::move(all)});
   }
-  Blocks warnings;
-  if (!report.first.empty()) {
-    for (const Doubt& doubt : report.answer.all_doubts()) warnings.emplace_back(warning_of(doubt));
-  }
-  warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
-  add("Warnings", std::move(warnings));
+  doubts.insert(doubts.end(), report.warnings.begin(), report.warnings.end());
+  add("Warnings", {doubts.begin(), doubts.end()});
   if (is_of_study)
     add("Set-up", {set_up(report)[0], options_table(report.study), set_up(report)[1],
                    "As a paragraph, with what to cite: article/methods.tex."});

@@ -53,7 +53,7 @@ std::string screen(const Answer& answer, const std::string& page) {
   text += more_solvers;
   if (!notes.empty()) text += paragraph(with_short_names(notes), "");
   if (!answer.faults.empty()) text += paragraph("! " + with_short_names(answer.faults), "  ");
-  for (Table more : {answer.loop, answer.beside, answer.batches}) {
+  for (auto [heading, more] : answer.more) {
     if (more.rows.empty()) continue;
     text += fmt::format("\n{}\n", more.caption);
     const std::string left_out = cut(more);

@@ -43,7 +43,7 @@ std::string names_of(const std::vector<std::string>& names, std::string_view las
 void ByWord::add(const std::string& word, const std::string& name) {
   auto entry = std::ranges::find(all, word, [](const auto& pair) { return pair.first; });
   if (entry == all.end()) entry = all.insert(entry, {word, {}});
-  entry->second.push_back(name);
+  if (std::ranges::count(entry->second, name) == 0) entry->second.push_back(name);
 }
 
 std::vector<std::string> ByWord::told(const char* form) const {

@@ -15,7 +15,7 @@ constexpr std::size_t most_pairs = 6;  // that a screen lists; of more the headl
 
 // "A, B and C", "A, B, C and 5 more"
 std::string names_of(const std::vector<std::string>& names, std::string_view last = " and ");
-// Each word once, with the names that have it.
+// Each word once, with the names that have it, each once.
 struct ByWord {
   std::vector<std::pair<std::string, std::vector<std::string>>> all = {};
 
