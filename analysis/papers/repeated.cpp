@@ -92,8 +92,7 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
     table.rows[i].push_back(row == counts.rows.end() ? show::Cell() : show::Cell(span_of(row->second)));
   }
   table.notes.push_back(fmt::format(
-      "Repeat: how many of a solver's statistics in Table 3, by seed (1 to {}). As one study, the runs of these "
-      "seeds repeat {} of all {}.",
+      "Repeat: of its statistics in Table 3, by seed (1 to {}); as one study the runs of all seeds repeat {} of {}.",
       counts.all.size(), counts.together, counts.of));
   return table;
 }
