@@ -17,7 +17,7 @@ def says(page, *numbers):
 
 
 def all_say(paper, *numbers):
-    for page in ("README.md", "docs/papers/README.md", f"docs/papers/{paper}.md"):
+    for page in ("README.md", f"docs/papers/{paper}.md"):
         says(page, *numbers)
 
 
@@ -37,7 +37,7 @@ def same(page, report):
 
 
 # Slim et al.: the report begins with the statistics that repeat, and pages say the same sentence.
-for page in ("README.md", "docs/papers/README.md", "docs/papers/slim2023.md"):
+for page in ("README.md", "docs/papers/slim2023.md"):
     same(page, slim)
 for with_20, with_50 in zip(table("table-3.csv"), table("table-3-50.csv")):
     for quantity in ("position error [cm]", "angles variation [deg]"):
@@ -46,7 +46,7 @@ for with_20, with_50 in zip(table("table-3.csv"), table("table-3-50.csv")):
 for claim in table("claims.csv"):
     says("docs/papers/slim2023.md", *re.findall(number, claim["number"]))
 counts = [int(table("multiverse.csv")[0][verdict]) for verdict in ("holds", "fails", "not decided")]
-for page in ("README.md", "docs/papers/README.md", "docs/papers/slim2023.md"):
+for page in ("README.md", "docs/papers/slim2023.md"):
     says(page, sum(counts), *counts, table("multiverse.csv")[0]["most failures with one answer"].split()[0])
 
 # Beeson and Ames: TRAC-IK's rates are the stored ones, one arm's other rates the store's. How many repeat is counted
