@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -63,9 +64,8 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
                           {.name = "too fast", .unit = "%", .ends = ends}}};
   const auto& all_steps = study.definition.steps;
   std::vector<std::string> unlimited;
-  for (std::size_t j = 0; j < all_steps.size(); ++j) {
+  for (std::size_t j = 0; j < all_steps.size(); ++j)
     if (std::isinf(all_steps[j].first)) unlimited.push_back(fmt::format("joint {}", j + 1));
-  }
   bool is_all_timed = true;
   for (const std::string& solver : solvers) {
     const Solves all = study.of(solver);
@@ -148,13 +148,12 @@ std::vector<Doubt> Answer::all_doubts() const {
         const bool is_one = other.who == doubt.who && other.count == doubt.count && other.of == doubt.of;
         return other.kind == doubt.kind && (is_one || is_of_clock) && (names_metric || other.what == doubt.what);
       });
-      if (known == all.end()) {
+      if (known == all.end())
         all.push_back(doubt);
-      } else if (names_metric) {
+      else if (names_metric)
         known->what += ", " + doubt.what;
-      } else if (known->who.size() < doubt.who.size()) {
+      else if (known->who.size() < doubt.who.size())
         *known = doubt;
-      }
     }
   }
   std::ranges::stable_sort(all, {}, &Doubt::kind);
@@ -171,11 +170,12 @@ Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
     std::map<std::string_view, std::size_t> places;
     for (const std::size_t i : best_first(judged, answer.metrics))
       places.emplace(judged.observations.groups[i].name, places.size());
-    for (Finding& finding : judged.findings)
-      finding = better_first(finding, judged.plan.control, places.at(finding.second) < places.at(finding.first));
-    std::ranges::stable_sort(judged.findings, {}, [&](const Finding& finding) {
-      return std::minmax({places.at(finding.first), places.at(finding.second)});
-    });
+    std::multimap<std::pair<std::size_t, std::size_t>, Finding> by_place;  // many pairs: a sort would look names up
+    for (Finding& its : judged.findings) {
+      const std::size_t first = places.at(its.first), second = places.at(its.second);
+      by_place.emplace(std::minmax(first, second), better_first(std::move(its), judged.plan.control, second < first));
+    }
+    std::ranges::move(by_place | std::views::values, judged.findings.begin());
   }
   return answer;
 }

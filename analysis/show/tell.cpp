@@ -37,7 +37,7 @@ class Pairs {
       all_.emplace(std::pair(std::string_view(finding.first), std::string_view(finding.second)), &finding);
       for (const std::string* const name : {&finding.first, &finding.second})
         tested_[*name] += verdict_of(finding) != Verdict::not_tested;
-      losers_.merge(losers_of({finding}));
+      if (is_difference(verdict_of(finding))) losers_.merge(losers_of({finding}));
     }
   }
 
