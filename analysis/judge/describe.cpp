@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <iterator>
@@ -13,36 +12,13 @@
 namespace ikbench::judge {
 namespace {
 
-using Columns = std::vector<std::vector<double>>;
-
 bool has_chance(const Group& group) {  // in its values
   return std::holds_alternative<Summary>(group.sample) ||
          (!untold(group) && repeats_of(group) != Repeats::yes && !values_of(group).empty());
 }
 
-// Values of each group; of paired ones those of the blocks that all have. None for fewer than two groups, or where a
-// group has no value with chance in it.
-Columns columns_of(const Observations& observed) {
-  Columns columns;
-  std::vector<int> common;
-  for (const Group& group : observed.groups) {
-    const auto* const measured = std::get_if<Measured>(&group.sample);
-    if (measured == nullptr || !has_chance(group)) return {};
-    const std::vector<int>& blocks = measured->blocks;
-    std::vector<int> both;
-    std::ranges::set_intersection(columns.empty() ? blocks : common, blocks, std::back_inserter(both));
-    common = std::move(both);
-    columns.push_back(measured->values);
-  }
-  for (std::size_t g = 0; observed.is_paired && g < columns.size(); ++g)
-    columns[g] = values_in(common, std::get<Measured>(observed.groups[g].sample));
-  if (columns.size() < 2 || columns.front().empty()) return {};
-  return columns;
-}
-
-template <class Distribution>
-double p_of(const Distribution& distribution, double statistic) {
-  return boost::math::cdf(boost::math::complement(distribution, statistic));
+double p_of(const TestOfAll& test) {
+  return boost::math::cdf(boost::math::complement(boost::math::fisher_f(test.df, test.df_within), test.statistic));
 }
 
 // None without spread but of rounding, or where squares of the largest numbers have no place in a double.
@@ -51,12 +27,21 @@ std::optional<TestOfAll> with_f(TestOfAll test) {
       !(test.ss_between + test.ss_within < std::numeric_limits<double>::infinity()))
     return {};
   test.statistic = test.ss_between / test.df / (test.ss_within / test.df_within);
-  test.p = p_of(boost::math::fisher_f(test.df, test.df_within), test.statistic);
+  test.p = p_of(test);
   return test;
 }
 
-std::optional<TestOfAll> anova_of_blocks(Columns columns) {
-  const std::size_t k = columns.size(), n = columns.empty() ? 0 : columns.front().size();
+// Of the blocks that all groups have.
+std::optional<TestOfAll> anova_of_blocks(const Observations& observed) {
+  std::vector<int> common = std::get<Measured>(observed.groups.front().sample).blocks;
+  for (const Group& group : observed.groups) {
+    std::vector<int> both;
+    std::ranges::set_intersection(common, std::get<Measured>(group.sample).blocks, std::back_inserter(both));
+    common = std::move(both);
+  }
+  std::vector<std::vector<double>> columns;
+  for (const Group& group : observed.groups) columns.push_back(values_in(common, std::get<Measured>(group.sample)));
+  const std::size_t k = columns.size(), n = columns.front().size();
   if (n < 2) return {};
   const double shift = columns.front().front();
   std::vector<double> of_block(n), of_group(k);
@@ -157,8 +142,8 @@ std::optional<double> hedges_g(const Summary& first, const Summary& second) {
 }
 
 std::optional<TestOfAll> anova(const Observations& observed) {
-  if (observed.is_paired) return anova_of_blocks(columns_of(observed));
   if (observed.groups.size() < 2 || !std::ranges::all_of(observed.groups, has_chance)) return {};
+  if (observed.is_paired) return anova_of_blocks(observed);
   const std::vector<Summary> groups = summaries_of(observed);
   double n = 0, sum = 0;
   for (const Summary& group : groups) n += group.n, sum += group.n * group.mean;
@@ -199,39 +184,7 @@ std::optional<TestOfAll> anova_of_unequal(const Observations& observed, const st
     test.statistic /= 1 + 2 * (k - 2) / (k * k - 1) * lost;
     test.df_within = (k * k - 1) / (3 * lost);
   }
-  test.p = p_of(boost::math::fisher_f(test.df, test.df_within), test.statistic);
-  return test;
-}
-
-std::optional<TestOfAll> test_of_ranks(const Observations& observed) {
-  const Columns columns = columns_of(observed);
-  const auto has_one = [](const std::vector<double>& column) { return column.size() < 2; };
-  if (std::ranges::all_of(columns, has_one)) return {};
-  const std::size_t k = columns.size(), n = columns.front().size();
-  std::vector<double> all;
-  for (const std::vector<double>& column : columns) all.insert(all.end(), column.begin(), column.end());
-  settle(all, observed, observed.scale == Scale::ratio);
-  if (!observed.is_paired) all = midranks(all).ranks;
-  for (std::size_t i = 0; observed.is_paired && i < n; ++i) {
-    std::vector<double> block;
-    for (std::size_t g = 0; g < k; ++g) block.push_back(all[g * n + i]);
-    block = midranks(block).ranks;
-    for (std::size_t g = 0; g < k; ++g) all[g * n + i] = block[g];
-  }
-  // Squares of ranks, ties and all: those between groups are compared with all.
-  const double middle = static_cast<double>(observed.is_paired ? k + 1 : all.size() + 1) / 2;
-  double between = 0, total = 0;
-  auto rank = all.begin();
-  for (const std::vector<double>& column : columns) {
-    double sum = 0;
-    for (const auto end = rank + std::ssize(column); rank != end; ++rank)
-      sum += *rank - middle, total += std::pow(*rank - middle, 2);
-    between += sum * sum / static_cast<double>(column.size());
-  }
-  if (total == 0) return {};
-  TestOfAll test{.name = observed.is_paired ? "Friedman" : "Kruskal-Wallis", .df = static_cast<double>(k - 1)};
-  test.statistic = between / total * static_cast<double>(all.size() - (observed.is_paired ? n : 1));
-  test.p = p_of(boost::math::chi_squared(test.df), test.statistic);
+  test.p = p_of(test);
   return test;
 }
 
@@ -252,7 +205,7 @@ TestsOfAll tests_of_all(Observations observed) {
     return !has_chance(group);
   });
   const std::optional<TestOfAll> plain = anova(observed);
-  for (const auto& test : {plain, anova_of_unequal(observed, plain), test_of_ranks(observed)})
+  for (const auto& test : {plain, anova_of_unequal(observed, plain)})
     if (test) all.tests.push_back(*test);
   return all;
 }

@@ -36,10 +36,10 @@ std::optional<Interval> interval_of_quantile(const std::vector<double>& sorted, 
 // Understanding the New Statistics, 2012, chapter 11). None without spread.
 std::optional<double> hedges_g(const Summary& first, const Summary& second);
 
-// Chi-squared of ranks have neither degrees of freedom within nor sums of squares.
+// What assumes no equal spreads has no sums of squares.
 struct TestOfAll {
   std::string_view name;
-  double statistic = unknown;
+  double statistic = unknown;  // F
   double df = unknown, df_within = unknown;
   double p = unknown;
   double ss_between = unknown, ss_within = unknown;  // within: of blocks the error, group x block
@@ -55,12 +55,10 @@ std::optional<TestOfAll> anova(const Observations& observed);
 // spread; of more than two paired groups with the degrees of freedom of Greenhouse and Geisser (Psychometrika 24 (1959)
 // 95).
 std::optional<TestOfAll> anova_of_unequal(const Observations& observed, const std::optional<TestOfAll>& plain);
-// Kruskal and Wallis (J. Am. Stat. Assoc. 47 (1952) 583), of paired groups Friedman (32 (1937) 675); both with ties.
-std::optional<TestOfAll> test_of_ranks(const Observations& observed);
 // Nemenyi's, of mean ranks of so many groups at 0.05 (Demsar, J. Machine Learning Research 7 (2006) 1). NaN for fewer
 // than 2 and more than 20 groups.
 double critical_difference(std::size_t groups, std::size_t blocks);
-// All three tests, of the groups with chance in their values, and the names of the others; none of shares and of
+// Both tests, of the groups with chance in their values, and the names of the others; none of shares and of
 // logarithms.
 struct TestsOfAll {
   std::vector<TestOfAll> tests = {};

@@ -414,15 +414,14 @@ Table anova_table(const Answer& answer) {
       table.rows.push_back({quantity, std::string(test.name), "between", known(test.ss_between), degrees(test.df),
                             known(test.ss_between / test.df), test.statistic, test.p, known(test.partial_eta_squared()),
                             known(test.epsilon)});
-      if (!std::isnan(test.df_within))
-        table.rows.push_back({quantity, std::string(test.name),
-                              judged.observations.is_paired ? "error (solver x block)" : "within",
-                              known(test.ss_within), degrees(test.df_within), known(test.ss_within / test.df_within),
-                              Cell(), Cell(), Cell(), Cell()});
+      table.rows.push_back({quantity, std::string(test.name),
+                            judged.observations.is_paired ? "error (solver x block)" : "within", known(test.ss_within),
+                            degrees(test.df_within), known(test.ss_within / test.df_within), Cell(), Cell(), Cell(),
+                            Cell()});
     }
     if (!without.empty() && !tests.empty()) left_out.add(names_of(without), quantity);
   }
-  table.notes = {"Statistics: F of ANOVA, chi-squared of ranks. The pairs decide, whatever these say."};
+  table.notes = {"The pairs decide, whatever these say."};
   std::ranges::move(left_out.told("Without {}: no chance in the values, or not compared ({})."),
                     std::back_inserter(table.notes));
   return table;
