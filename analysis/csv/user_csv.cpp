@@ -158,13 +158,9 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const std::string& name = items.groups[i];
     std::vector<double>& values = measured[i].values;
-    const std::size_t known = values.size();
-    const auto lacking = static_cast<int>((layout.block ? items.units : all[i]) - known);
-    // Such as time-outs have no end that anybody knows, so they repeat nothing.
-    if (known > 1 && std::isfinite(values.front()) && std::ranges::count(values, values.front()) == std::ssize(values))
-      measured[i].repeats = Repeats::maybe;
+    const auto lacking = static_cast<int>((layout.block ? items.units : all[i]) - values.size());
     add(lost, name, lacking, all[i]);
-    add(without, name, std::ranges::count_if(values, [](double value) { return std::isinf(value); }), known);
+    add(without, name, std::ranges::count_if(values, [](double value) { return std::isinf(value); }), values.size());
     Group& group = observed.groups.emplace_back(Group{.name = name});
     if (lacking > 0)
       group.sample = Untold{.why = Untold::Why::lost, .lost = lacking, .values = std::move(values)};

@@ -17,49 +17,37 @@ struct Method {
 
   std::string_view name;
   By by;
-  bool is_by_difference;
-  double (*smallest_p)(std::size_t m, std::size_t n);  // that data of these sizes can give
+  bool is_by_difference;  // of pairs, or of values and the one of a solver that repeats itself
   Outcome (*test)(const Prepared& its, double alpha);
+
+  // That data of these sizes can give.
+  double smallest_p(std::size_t m, std::size_t n) const {
+    // Of two values the larger is more than half of their sum.
+    if (by == By::means && (m == n || !is_by_difference)) return std::min(m, n) < 3 ? 1 : 0;
+    if (is_by_difference) return smallest_p_paired(std::max(m, n));
+    // The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other,
+    // or the other way round.
+    return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n) / (by == By::shares && m != n ? 2 : 1);
+  }
 };
 
 using By = Method::By;
 
-double smallest_of_means(std::size_t m, std::size_t n) {
-  return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
-}
-// Of pairs, or of values and the one of a solver that repeats itself.
-double smallest_of_differences(std::size_t m, std::size_t n) { return smallest_p_paired(std::max(m, n)); }
-double smallest_of_both(std::size_t m, std::size_t n) { return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n); }
-
-constexpr Method unpaired_ranks{"Brunner-Munzel and Mann-Whitney", By::ranks, false, smallest_of_both,
+constexpr Method unpaired_ranks{"Brunner-Munzel and Mann-Whitney", By::ranks, false,
                                 [](auto& its, double alpha) { return rank_test(its.first, its.second, alpha); }};
-constexpr Method signed_ranks{"Wilcoxon's signed ranks", By::ranks, true, smallest_of_differences,
+constexpr Method signed_ranks{"Wilcoxon's signed ranks", By::ranks, true,
                               [](auto& its, double alpha) { return signed_rank_test(its.differences, alpha); }};
-constexpr Method signs{"sign test", By::ranks, true, smallest_of_differences,
+constexpr Method signs{"sign test", By::ranks, true,
                        [](auto& its, double alpha) { return sign_test(its.differences, alpha); }};
-constexpr Method signs_and_ranks{
-    "sign test and Mann-Whitney", By::ranks, true,
-    [](std::size_t m, std::size_t n) { return std::max(smallest_of_differences(m, n), smallest_of_both(m, n)); },
-    [](auto& its, double alpha) {
-      Outcome outcome = sign_test(its.differences, alpha);
-      outcome.p = std::max(outcome.p, mann_whitney(its.first, its.second));
-      return outcome;
-    }};
-constexpr Method paired_t{
-    "paired t", By::means, true,
-    [](std::size_t m, std::size_t n) { return m == n ? smallest_of_means(m, n) : smallest_of_differences(m, n); },
-    [](auto& its, double alpha) { return t_test(its.differences, alpha, its.worth); }};
-constexpr Method unpaired_t{"Welch's t", By::means, false, smallest_of_means, [](auto& its, double alpha) {
+constexpr Method paired_t{"paired t", By::means, true,
+                          [](auto& its, double alpha) { return t_test(its.differences, alpha, its.worth); }};
+constexpr Method unpaired_t{"Welch's t", By::means, false, [](auto& its, double alpha) {
                               return welch(its.of_first, its.of_second, alpha, its.worth);
                             }};
-constexpr Method paired_shares{"McNemar's exact", By::shares, true, smallest_of_differences,
+constexpr Method paired_shares{"McNemar's exact", By::shares, true,
                                [](auto& its, double alpha) { return mcnemar(its.first, its.second, alpha); }};
-// The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other, or
-// the other way round.
-constexpr Method unpaired_shares{
-    "Fisher's exact", By::shares, false,
-    [](std::size_t m, std::size_t n) { return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n) / (m != n ? 2 : 1); },
-    [](auto& its, double alpha) { return fisher(its.first, its.second, alpha); }};
+constexpr Method unpaired_shares{"Fisher's exact", By::shares, false,
+                                 [](auto& its, double alpha) { return fisher(its.first, its.second, alpha); }};
 
 // By what is compared: unpaired, paired, and against the one value of a solver that repeats itself.
 constexpr const Method* methods[][3]{{&unpaired_ranks, &signed_ranks, &signs},
@@ -68,14 +56,12 @@ constexpr const Method* methods[][3]{{&unpaired_ranks, &signed_ranks, &signs},
 
 // What design and plan choose, never the values.
 const Method& method_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
-  const Repeats one = repeats_of(a), other = repeats_of(b);
   const bool is_printed = std::holds_alternative<Summary>(a.sample) || std::holds_alternative<Summary>(b.sample);
-  const bool is_one = one == Repeats::yes || other == Repeats::yes, is_share = observed.scale == Scale::share;
+  const bool is_one = repeats_itself(a) || repeats_itself(b), is_share = observed.scale == Scale::share;
   const bool by_means = is_printed || is_share || observed.are_logs || (plan.test == Plan::Test::means && !is_one);
   const By by = is_share && observed.trials == 1 && observed.fewest == 0 && !is_printed ? By::shares
                 : by_means                                                              ? By::means
                                                                                         : By::ranks;
-  if (by == By::ranks && !observed.is_paired && !is_one && one != other) return signs_and_ranks;
   return *methods[static_cast<std::size_t>(by)][is_printed ? 0 : is_one ? 2 : observed.is_paired];
 }
 
@@ -260,7 +246,7 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
       pair.takes_logs = observed.scale == Scale::ratio && pair.method->by == By::ranks;
       pair.are_ratios = pair.takes_logs || observed.are_logs;
       const std::size_t m = size_of(pair.a), n = size_of(pair.b);
-      const bool is_one = repeats_of(*a) == Repeats::yes, is_other = repeats_of(*b) == Repeats::yes;
+      const bool is_one = repeats_itself(*a), is_other = repeats_itself(*b);
       pair.is_fact = is_one && is_other;
       pair.n = static_cast<int>(std::min(m, n) > 0 && (is_one || is_other) ? std::max(m, n) : std::min(m, n));
       if (const auto why = why_not(*pair.method, *a, *b)) pair.open = Open{.why = *why, .n = pair.n};
@@ -284,7 +270,7 @@ std::size_t testable(std::vector<Pair>& pairs, double significance) {
     std::erase_if(family, [&](Pair* pair) {
       if (pair->smallest_p < worst) return false;
       std::size_t n = 2;
-      const bool has_one = repeats_of(pair->a) == Repeats::yes || repeats_of(pair->b) == Repeats::yes;
+      const bool has_one = repeats_itself(pair->a) || repeats_itself(pair->b);
       while (pair->method->smallest_p(has_one ? 1 : n, n) >= level) ++n;
       pair->open = Open{.why = Open::Why::too_few, .n = pair->n, .needed = static_cast<int>(n)};
       return true;

@@ -14,7 +14,7 @@ namespace {
 
 bool has_chance(const Group& group) {  // in its values
   return std::holds_alternative<Summary>(group.sample) ||
-         (!untold(group) && repeats_of(group) != Repeats::yes && !values_of(group).empty());
+         (!untold(group) && !repeats_itself(group) && !values_of(group).empty());
 }
 
 double p_of(const TestOfAll& test) {

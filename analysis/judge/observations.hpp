@@ -22,14 +22,11 @@ enum class Scale { ratio, difference, share };
 // What is measured, where somebody goes by it. Times are compared where they are comparable, whatever is made of them.
 enum class Measure { other, solved, answered, position, angle, time, evaluations };
 
-// Whether all values are one, since the solver repeats itself. maybe: they are equal, and nobody knows.
-enum class Repeats { no, maybe, yes };
-
 // What is known of a group: one of these.
 struct Measured {
   std::vector<double> values = {};  // infinite: no answer, worse than any
   std::vector<int> blocks = {};     // where paired: of each value, rising; none: those of all groups are the same
-  Repeats repeats = Repeats::no;    // yes: the one value stands for all runs
+  bool repeats_itself = false;      // the one value stands for all runs
   double worth = 0;                 // of logarithms of costs: how many equal ones would tell as much
   double solved = 0;                // of the same: the targets solved
 };
@@ -67,9 +64,9 @@ struct Group {
 
 // Null if it is compared.
 inline const Untold* untold(const Group& group) { return std::get_if<Untold>(&group.sample); }
-inline Repeats repeats_of(const Group& group) {
+inline bool repeats_itself(const Group& group) {
   const auto* const measured = std::get_if<Measured>(&group.sample);
-  return measured ? measured->repeats : Repeats::no;
+  return measured && measured->repeats_itself;
 }
 // Observations without a value.
 inline int lost_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }

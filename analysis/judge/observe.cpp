@@ -158,7 +158,7 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   if (lost > 0)
     group.sample = Untold{.why = Untold::Why::lost, .lost = lost, .values = std::move(measured.values)};
   else if (!is_paired && are_equal && repeats_itself(study, solver))
-    group.sample = Measured{.values = {measured.values.front()}, .repeats = Repeats::yes};
+    group.sample = Measured{.values = {measured.values.front()}, .repeats_itself = true};
   else
     group.sample = std::move(measured);
   return group;

@@ -22,9 +22,15 @@ void remove_rounding(std::vector<double>& values, const std::vector<double>& rou
   }
 }
 
-bool is_one_value(const Group& group) {
-  const auto* const measured = std::get_if<Measured>(&group.sample);
-  return measured == nullptr || measured->repeats != Repeats::no || measured->values.size() == 1;
+// Makes values equal that differ by no more than the rounding, or lie below a floor.
+void settle(std::vector<double>& values, const Observations& observed, bool has_floor) {
+  std::vector<double> roundings;
+  for (double& value : values) {
+    value = has_floor ? std::max(value, observed.floor) : value;
+    // No answer is no number, so none is equal to it.
+    roundings.push_back(std::isinf(value) ? 0 : std::max(observed.rounding, rounding_of_doubles * std::abs(value)));
+  }
+  remove_rounding(values, roundings);
 }
 
 Summary summary_of(const Group& group, const std::vector<double>& values) {
@@ -32,12 +38,11 @@ Summary summary_of(const Group& group, const std::vector<double>& values) {
   return summarise(values);
 }
 
-std::vector<double> differences_of(const Group& first, const Group& second, const Prepared& numbers, bool are_logs) {
+// One value is held against all of the other group.
+std::vector<double> differences_of(const std::vector<double>& first, const std::vector<double>& second, bool are_logs) {
   std::vector<double> differences, sizes, roundings;
-  const bool is_one_of_first = is_one_value(first), is_one_of_second = is_one_value(second);
-  const std::size_t n = is_one_of_first ? numbers.second.size() : numbers.first.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = numbers.first[is_one_of_first ? 0 : i], y = numbers.second[is_one_of_second ? 0 : i];
+  for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i) {
+    const double x = first[first.size() == 1 ? 0 : i], y = second[second.size() == 1 ? 0 : i];
     // By the size of these two: a huge pair hides no difference of the others, nor does its 0 equal them.
     const double rounding = rounding_of_doubles * std::max({are_logs ? 1.0 : 0.0, std::abs(x), std::abs(y)});
     const bool are_equal = std::abs(x - y) <= rounding;
@@ -58,16 +63,6 @@ std::vector<double> values_in(const std::vector<int>& blocks, const Measured& gr
   for (std::size_t i = 0; i < group.blocks.size(); ++i)
     if (std::ranges::binary_search(blocks, group.blocks[i])) values.push_back(group.values[i]);
   return values;
-}
-
-void settle(std::vector<double>& values, const Observations& observed, bool has_floor) {
-  std::vector<double> roundings;
-  for (double& value : values) {
-    value = has_floor ? std::max(value, observed.floor) : value;
-    // No answer is no number, so none is equal to it.
-    roundings.push_back(std::isinf(value) ? 0 : std::max(observed.rounding, rounding_of_doubles * std::abs(value)));
-  }
-  remove_rounding(values, roundings);
 }
 
 Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,
@@ -95,7 +90,7 @@ Prepared prepared(const Group& first, const Group& second, const Observations& o
     numbers.solved = std::min(numbers.solved, measured->solved);
   }
   if (is_by_difference) {
-    numbers.differences = differences_of(first, second, numbers, takes_logs);
+    numbers.differences = differences_of(numbers.first, numbers.second, takes_logs);
     numbers.are_all_equal = std::ranges::count(numbers.differences, 0.0) == std::ssize(numbers.differences);
   } else {
     numbers.are_all_equal = !all.empty() && std::ranges::count(all, all.front()) == std::ssize(all);

@@ -31,9 +31,6 @@ struct Prepared {
 // Values of the blocks that are among these, which rise; all where the group has no blocks.
 std::vector<double> values_in(const std::vector<int>& blocks, const Measured& group);
 
-// Makes values equal that differ by no more than the rounding, or lie below a floor.
-void settle(std::vector<double>& values, const Observations& observed, bool has_floor);
-
 // Values below the floor count as it where logarithms are taken; those that differ by no more than the rounding are
 // equal. Paired values without blocks belong together by their places.
 Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,

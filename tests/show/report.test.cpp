@@ -380,7 +380,7 @@ TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
   CHECK(anova_table(answer_of({judged(of)})).rows.size() == 4);
   of.is_paired = true;
   CHECK(std::get<std::string>(anova_table(answer_of({judged(of)})).rows[0][1]) == "ANOVA of repeated measures");
-  of.groups[1].sample = judge::Measured{.values = {2}, .repeats = judge::Repeats::yes};
+  of.groups[1].sample = judge::Measured{.values = {2}, .repeats_itself = true};
   CHECK(anova_table(answer_of({judged(of)})).rows.empty());
 }
 

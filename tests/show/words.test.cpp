@@ -116,14 +116,13 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   add("alone", of(errors({{"A", a}})));
 
   Observations two_fields = shares({{"LM", {1}}, {"PSO", {0.2, 0.4, 0.3, 0.5, 0.4}}, {"BA", {0, 0.01, 0.02, 0.01, 0}}});
-  two_fields.groups[0].sample = judge::Measured{.values = {1}, .repeats = judge::Repeats::yes};
-  two_fields.groups.push_back(
-      {.name = "DLS", .sample = judge::Measured{.values = {1}, .repeats = judge::Repeats::yes}});
+  two_fields.groups[0].sample = judge::Measured{.values = {1}, .repeats_itself = true};
+  two_fields.groups.push_back({.name = "DLS", .sample = judge::Measured{.values = {1}, .repeats_itself = true}});
   two_fields.is_paired = false, two_fields.trials = 20;
   add("two fields that no test joins", of(two_fields));
   Observations repeated = errors({{"A", {1}}, {"B", {2}}});
-  repeated.groups[0].sample = judge::Measured{.values = {1}, .repeats = judge::Repeats::yes},
-  repeated.groups[1].sample = judge::Measured{.values = {2}, .repeats = judge::Repeats::yes};
+  repeated.groups[0].sample = judge::Measured{.values = {1}, .repeats_itself = true},
+  repeated.groups[1].sample = judge::Measured{.values = {2}, .repeats_itself = true};
   add("facts", of(repeated));
   Observations lost = errors({{"A", a}, {"B", b}});
   lost.groups[1].sample = judge::Untold{.lost = 3, .values = b};
