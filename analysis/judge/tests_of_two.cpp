@@ -47,6 +47,30 @@ double two_sided_binomial(double k, double n) {  // at one half
   return n == 0 ? 1 : std::min(1.0, 2 * bm::cdf(bm::binomial(n, 0.5), std::min(k, n - k)));
 }
 
+std::vector<double> sorted(Values values) {
+  std::vector<double> order(values.begin(), values.end());
+  std::ranges::sort(order);
+  return order;
+}
+
+// Equal values share the mean of their ranks; 1 is the smallest.
+struct Ranks {
+  std::vector<double> ranks;  // in the order of the values
+  double tie_sum = 0;         // sum of t^3 - t over the ties
+};
+
+Ranks midranks(Values values) {
+  const std::vector<Placed> order = rising(values);
+  Ranks result{.ranks = std::vector<double>(values.size())};
+  for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+    while (end < order.size() && order[end].first == order[first].first) ++end;
+    for (std::size_t i = first; i < end; ++i) result.ranks[order[i].second] = number(first + 1 + end) / 2;
+    const double ties = number(end - first);
+    result.tie_sum += ties * ties * ties - ties;
+  }
+  return result;
+}
+
 // The null distribution of a sum of ranks: exact if it has probabilities, by the sum times 1, or 2 where ties make
 // halves.
 struct RankSum {
@@ -81,56 +105,33 @@ struct RankSum {
   }
 };
 
-std::vector<std::size_t> whole(const Ranks& ranks, double times) {
-  std::vector<std::size_t> result;
-  for (const double rank : ranks.ranks) result.push_back(static_cast<std::size_t>(std::lround(times * rank)));
-  std::ranges::sort(result);
-  return result;
-}
-
-// So many of the ranks, all choices equally likely.
-RankSum sum_of_some(const Ranks& ranks, std::size_t chosen) {
-  const double all = number(ranks.ranks.size()), m = number(chosen), n = all - m;
-  RankSum sum{.mean = m * (all + 1) / 2, .variance = m * n / 12 * (all + 1 - ranks.tie_sum / (all * (all - 1)))};
-  if (all > exact_unpaired) return sum;
+// Of so many of the ranks, or, if that is 0, of any of them; all choices are equally likely.
+RankSum sum_of(const Ranks& ranks, std::size_t chosen) {
+  const double n = number(ranks.ranks.size()), m = number(chosen);
+  RankSum sum{.mean = n * (n + 1) / 4, .variance = n * (n + 1) * (2 * n + 1) / 24 - ranks.tie_sum / 48};
+  if (chosen > 0) sum = {m * (n + 1) / 2, m * (n - m) / 12 * (n + 1 - ranks.tie_sum / (n * (n - 1)))};
+  if (ranks.ranks.size() > (chosen > 0 ? exact_unpaired : exact_paired)) return sum;
   sum.times = ranks.tie_sum > 0 ? 2 : 1;
   std::vector<std::vector<double>> ways(chosen + 1);  // by the number chosen, and the sum
   ways[0] = {1};
-  for (const std::size_t rank : whole(ranks, sum.times)) {
-    for (std::size_t k = chosen; k-- > 0;) {
-      if (ways[k].empty()) continue;
-      ways[k + 1].resize(std::max(ways[k + 1].size(), ways[k].size() + rank));
-      for (std::size_t i = 0; i < ways[k].size(); ++i) ways[k + 1][i + rank] += ways[k][i];
+  for (const double rank : sorted(ranks.ranks)) {
+    const auto more = static_cast<std::size_t>(std::lround(sum.times * rank));
+    for (std::size_t k = std::max<std::size_t>(chosen, 1); k-- > 0;) {
+      std::vector<double>&from = ways[k], &to = ways[chosen > 0 ? k + 1 : 0];
+      const std::size_t reached = from.size();
+      if (reached == 0) continue;
+      to.resize(std::max(to.size(), reached + more));
+      for (std::size_t i = reached; i-- > 0;) to[i + more] += from[i];
     }
   }
   sum.probabilities = std::move(ways[chosen]);
-  const double choices = std::accumulate(sum.probabilities.begin(), sum.probabilities.end(), 0.0);
+  const double choices =
+      chosen > 0 ? std::accumulate(sum.probabilities.begin(), sum.probabilities.end(), 0.0) : std::exp2(n);
   for (double& share : sum.probabilities) share /= choices;
   return sum;
 }
 
-// Each rank or not, with even chances. The probabilities go to half of all, because the others mirror them.
-RankSum sum_of_any(const Ranks& ranks, std::size_t) {
-  const double n = number(ranks.ranks.size());
-  RankSum sum{.mean = n * (n + 1) / 4, .variance = n * (n + 1) * (2 * n + 1) / 24 - ranks.tie_sum / 48};
-  if (ranks.ranks.size() > exact_paired) return sum;
-  sum.times = ranks.tie_sum > 0 ? 2 : 1;
-  const auto most = static_cast<std::size_t>(sum.times * sum.mean);
-  std::vector<double> now(most + 1), next(most + 1);
-  now[0] = 1;
-  std::size_t reached = 0;
-  for (const std::size_t rank : whole(ranks, sum.times)) {
-    reached = std::min(most, reached + rank);
-    for (std::size_t i = 0; i <= reached && i < rank; ++i) next[i] = now[i] / 2;
-    for (std::size_t i = rank; i <= reached; ++i) next[i] = (now[i] + now[i - rank]) / 2;
-    now.swap(next);
-  }
-  sum.probabilities = std::move(now);
-  return sum;
-}
-
 // Without ties the distribution is of the sizes alone, and is kept.
-template <RankSum (*sum_of)(const Ranks&, std::size_t)>
 const RankSum& without_ties(std::size_t n, std::size_t chosen) {
   thread_local std::map<std::pair<std::size_t, std::size_t>, RankSum> known;
   if (known.size() > 100) known.clear();
@@ -141,26 +142,9 @@ const RankSum& without_ties(std::size_t n, std::size_t chosen) {
   return at->second;
 }
 
-template <RankSum (*sum_of)(const Ranks&, std::size_t)>
 double two_sided(const Ranks& ranks, std::size_t chosen, double sum) {
-  if (ranks.tie_sum == 0) return without_ties<sum_of>(ranks.ranks.size(), chosen).two_sided(sum);
+  if (ranks.tie_sum == 0) return without_ties(ranks.ranks.size(), chosen).two_sided(sum);
   return sum_of(ranks, chosen).two_sided(sum);
-}
-
-Ranks ranks_of_both(Values first, Values second) {
-  std::vector<double> all(first.begin(), first.end());
-  all.insert(all.end(), second.begin(), second.end());
-  return midranks(all);
-}
-
-double rank_sum(const Ranks& ranks, std::size_t first) {
-  return std::accumulate(ranks.ranks.begin(), ranks.ranks.begin() + static_cast<std::ptrdiff_t>(first), 0.0);
-}
-
-std::vector<double> sorted(Values values) {
-  std::vector<double> order(values.begin(), values.end());
-  std::ranges::sort(order);
-  return order;
 }
 
 // For each value of `own` less the shift, how many of the others are below it, equal ones half. Both are sorted.
@@ -254,18 +238,6 @@ std::vector<Placed> rising(Values values) {
   return order;
 }
 
-Ranks midranks(Values values) {
-  const std::vector<Placed> order = rising(values);
-  Ranks result{.ranks = std::vector<double>(values.size())};
-  for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
-    while (end < order.size() && order[end].first == order[first].first) ++end;
-    for (std::size_t i = first; i < end; ++i) result.ranks[order[i].second] = number(first + 1 + end) / 2;
-    const double ties = number(end - first);
-    result.tie_sum += ties * ties * ties - ties;
-  }
-  return result;
-}
-
 double smallest_p_unpaired(std::size_t m, std::size_t n) {
   if (m > n) std::swap(m, n);  // to the same bits
   double p = 2;
@@ -285,14 +257,17 @@ double brunner_munzel(Values first, Values second, double shift) {
 }
 
 double mann_whitney(Values first, Values second) {
-  if (first.size() > second.size()) return mann_whitney(second, first);
-  const Ranks all = ranks_of_both(first, second);
-  return two_sided<sum_of_some>(all, first.size(), rank_sum(all, first.size()));
+  if (first.size() > second.size()) std::swap(first, second);
+  std::vector<double> both(first.begin(), first.end());
+  both.insert(both.end(), second.begin(), second.end());
+  const Ranks all = midranks(both);
+  const auto end = all.ranks.begin() + std::ssize(first);
+  return two_sided(all, first.size(), std::accumulate(all.ranks.begin(), end, 0.0));
 }
 
 Outcome rank_test(Values first, Values second, double alpha) {
   const std::size_t few = std::min(first.size(), second.size());
-  const RankSum& sum = without_ties<sum_of_some>(first.size() + second.size(), few);
+  const RankSum& sum = without_ties(first.size() + second.size(), few);
   const std::vector<double> first_rising = sorted(first), second_rising = sorted(second);
   std::vector<double> negative;
   for (const double value : second_rising) negative.push_back(-value);
@@ -327,7 +302,7 @@ Outcome signed_rank_test(Values differences, double alpha) {
     if (difference != 0) sizes.push_back(std::abs(difference));
     difference /= 2;
   }
-  Outcome outcome = of_sums(half, half, true, without_ties<sum_of_any>(half.size(), 0).critical(0, alpha));
+  Outcome outcome = of_sums(half, half, true, without_ties(half.size(), 0).critical(0, alpha));
   const Ranks ranks = midranks(sizes);
   const double total = std::accumulate(ranks.ranks.begin(), ranks.ranks.end(), 0.0);
   double above = 0;
@@ -335,7 +310,7 @@ Outcome signed_rank_test(Values differences, double alpha) {
   for (const double difference : differences)
     if (difference != 0) above += difference > 0 ? *rank : 0, ++rank;
   outcome.direction = sign_of(above - total / 2);
-  outcome.p = two_sided<sum_of_any>(ranks, 0, std::min(above, total - above));
+  outcome.p = two_sided(ranks, 0, std::min(above, total - above));
   return outcome;
 }
 

@@ -36,13 +36,6 @@ Summary summarise(Values values);
 using Placed = std::pair<double, std::size_t>;
 std::vector<Placed> rising(Values values);
 
-// Equal values share the mean of their ranks; 1 is the smallest.
-struct Ranks {
-  std::vector<double> ranks;  // in the order of the values
-  double tie_sum = 0;         // sum of t^3 - t over the ties
-};
-Ranks midranks(Values values);
-
 // The smallest p that ranks and McNemar's test can give.
 double smallest_p_unpaired(std::size_t m, std::size_t n);  // 2 / C(m + n, m)
 double smallest_p_paired(std::size_t n);                   // 2^(1 - n)
