@@ -394,22 +394,4 @@ bool is_worse_than_margin(const Observations& observed, const Plan& plan, double
   return loss > std::max(observed.absolute_margin, relative) + observed.rounding;
 }
 
-Headline headline(const Observations& observed, const std::vector<Finding>& findings) {
-  const std::set<std::string> losers = losers_of(findings);
-  const std::size_t best = observed.groups.size() - losers.size();
-  if (losers.empty() || best == 0) return {};
-  std::size_t known = 0;  // pairs of two unbeaten ones that were tested, and of one that beats a loser
-  for (const Finding& finding : findings) {
-    const bool is_first_best = !losers.contains(finding.first), is_second_best = !losers.contains(finding.second);
-    const Verdict verdict = verdict_of(finding);
-    if (is_first_best && is_second_best) known += verdict != Verdict::not_tested;
-    if (is_first_best != is_second_best) known += is_difference(verdict);
-  }
-  if (known < best * losers.size() + best * (best - 1) / 2) return {};
-  Headline said;
-  for (const Group& group : observed.groups)
-    if (!losers.contains(group.name)) said.best.push_back(group.name);
-  return said;
-}
-
 }  // namespace ikbench::judge

@@ -1,5 +1,5 @@
-// Which of two is better: a finding for each pair of groups, and those that are best. When a number decides between
-// groups, it is judged here, whatever it is of: studies, files, gates, claims and readings have no other rule.
+// Which of two is better: a finding for each pair of groups. When a number decides between groups, it is judged here,
+// whatever it is of: studies, files, gates, claims and readings have no other rule.
 #pragma once
 
 #include <optional>
@@ -100,11 +100,5 @@ bool is_worse_than_margin(const Observations& observed, const Plan& plan, double
 // The same pair, told with its better one first, or if none is with its second where that is ahead; or else with the
 // control second.
 Finding better_first(Finding finding, std::string_view control, bool is_second_ahead = false);
-
-// Of one metric.
-struct Headline {
-  std::vector<std::string> best = {};  // nobody is better, and each is better than all who are not among them
-};
-Headline headline(const Observations& observed, const std::vector<Finding>& findings);
 
 }  // namespace ikbench::judge

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -27,12 +28,13 @@ void add_doubt(JudgedMetric& judged) {
 void add_doubt_of_ranks(JudgedMetric& judged) {
   const Observations& observed = judged.observations;
   if (observed.is_of_solved || observed.fewest > 0 || judged.plan.test == Plan::Test::means) return;
+  const std::set<std::string> losers = losers_of(judged.findings);
   for (const Finding& finding : judged.findings) {
     if (!std::holds_alternative<Tested>(finding.what) || !is_difference(verdict_of(finding))) continue;
     const Finding its = better_first(finding, "");
     const Description &one = judged.described[place_of(observed, its.first)],
                       &two = judged.described[place_of(observed, its.second)];
-    const bool is_best = std::ranges::count(judged.headline.best, its.first) > 0;  // and its median stands beside it
+    const bool is_best = !losers.contains(its.first);  // and its median stands beside it
     const bool is_median_worse = is_best && one.median != two.median
                                      ? (one.median > two.median) == (observed.better == Better::smaller)
                                      : is_worse_than_margin(observed, judged.plan, one.median, two.median);
@@ -64,7 +66,6 @@ JudgedMetric judge(Observations observations, const Plan& plan, std::size_t metr
                                                  : its);
   }
   judged.findings = compare(observed, plan, metrics);
-  judged.headline = headline(observed, judged.findings);
   add_doubt(judged);
   add_doubt_of_ranks(judged);
   return judged;
@@ -87,14 +88,19 @@ std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vecto
     const double value = group == evaluations->described.size() ? unknown : average_of(*evaluations, group);
     return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
   };
+  const std::set<std::string> losers = losers_of(judged.findings);
+  std::set<std::string> best;
+  for (const Finding& finding : judged.findings) {
+    const std::string& ahead = verdict_of(finding) == Verdict::better ? finding.first : finding.second;
+    if (is_difference(verdict_of(finding)) && !losers.contains(ahead)) best.insert(ahead);
+  }
   std::vector<std::size_t> order(judged.described.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {
     const double value = average_of(judged, i);
     const Group& group = judged.observations.groups[i];
-    const bool is_best = std::ranges::count(judged.headline.best, group.name) > 0;
     const double place = judged.observations.better == Better::larger ? -value : value;
-    const int rank = lost_in(group) > 0 ? 2 : is_best ? 0 : 1;
+    const int rank = lost_in(group) > 0 ? 2 : best.contains(group.name) ? 0 : 1;
     return std::isnan(value) ? std::tuple(3, 0.0, 0.0) : std::tuple(rank, place, cost(group.name));
   });
   return order;

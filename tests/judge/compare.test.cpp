@@ -298,7 +298,6 @@ TEST_CASE("published summaries are judged by Welch's t, of differences", "[compa
     CHECK(*findings[0].estimate == Approx(-1.683));
     CHECK_FALSE(findings[0].effect);
     CHECK(*findings[5].p == 6 * welch({20, 0.3653, 0.2929}, {20, 0.2318, 0.0722}, 0.05).p);
-    CHECK(headline(of, findings).best == Names{"IK-BA"});
   }
 }
 
@@ -440,13 +439,11 @@ TEST_CASE("verdicts may form a circle", "[compare]") {
   Observations of = groups_of({dice({2, 4, 9}), dice({1, 6, 8}), dice({3, 5, 7})}, Scale::difference);
   const std::vector<Seen> findings = compared(of, by_ranks);
   CHECK(verdicts(findings) == "AB worse; AC better; BC worse; ");
-  CHECK(headline(of, findings).best.empty());
 }
 
 TEST_CASE("a winner by ranks whose mean or median lies the other way is warned of", "[compare]") {
   const auto warned_of = [](const Observations& of, const Plan& plan = {}) {
     const JudgedMetric all = judge(of, plan);
-    CHECK(all.headline.best == Names{"A"});
     return all.observations.doubts.empty() ? "" : all.observations.doubts.front().what;
   };
   // A usually has 0.0001, and once in ten 0.3; B always has 0.0005.

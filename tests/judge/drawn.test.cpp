@@ -454,9 +454,10 @@ std::string untruth_in(const std::string& text, const Table& table, const show::
     all_pairs(some, others, "by less", [&](auto& one, auto& other) { return of(one, other).is_small; });
     all_pairs(some, others, "by less beside numbers", look_alike);
   };
-  const Names& best = judged.headline.best;
-  Names others = answer.solvers();
-  std::erase_if(others, [&](const std::string& name) { return std::ranges::count(best, name) > 0; });
+  const std::set<std::string> losers = losers_of(judged.findings);
+  const Names others(losers.begin(), losers.end());
+  Names best = answer.solvers();
+  std::erase_if(best, [&](const std::string& name) { return losers.contains(name); });
   const std::string plain = std::regex_replace(text, std::regex("[(][^)]*[)]"), "");
   const std::regex clauses("([^;:.]|[.][0-9])+");
   for (std::sregex_iterator at(plain.begin(), plain.end(), clauses), end; at != end; ++at) {

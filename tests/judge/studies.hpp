@@ -64,9 +64,6 @@ inline std::vector<Seen> compared(const Observations& observed, const Plan& plan
 inline Seen better_first(const Seen& all, std::string_view control) {
   return seen(judge::better_first(static_cast<const Finding&>(all), control));
 }
-inline Headline headline(const Observations& observed, const std::vector<Seen>& all) {
-  return judge::headline(observed, std::vector<Finding>(all.begin(), all.end()));
-}
 inline Measured& measured(Group& group) { return std::get<Measured>(group.sample); }
 inline std::vector<double>& values_in(Group& group) { return std::get<Measured>(group.sample).values; }
 inline std::vector<double> list_of(const Group& group) { return {values_of(group).begin(), values_of(group).end()}; }

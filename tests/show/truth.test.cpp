@@ -65,7 +65,6 @@ Answer answer_with(const std::vector<double>& numbers, const std::vector<What>& 
       judged.findings.push_back({.first = first, .second = second, .scale = Scale::ratio, .what = kinds[pair++]});
     }
   }
-  judged.headline = headline(judged.observations, judged.findings);
   return answer_of({std::move(judged)});
 }
 
