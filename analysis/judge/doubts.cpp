@@ -22,10 +22,8 @@ using namespace results;
 namespace {
 
 std::string names_of(const std::vector<std::string>& who) {
-  constexpr std::size_t most = 4;
-  const std::size_t told = who.size() > most ? 3 : who.size();
-  const auto end = who.begin() + static_cast<std::ptrdiff_t>(told);
-  const std::string names = fmt::format("{}", fmt::join(who.begin(), end, separator_of(who)));
+  const std::size_t told = who.size() > 4 ? 3 : who.size();
+  const std::string names = fmt::format("{}", fmt::join(std::span(who).first(told), separator_of(who)));
   return told < who.size() ? fmt::format("{} and {} more", names, who.size() - told) : names;
 }
 
@@ -222,10 +220,8 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
 
 std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
   Doubts doubts;
-  for (const auto& [by, what] : {std::pair(CountedBy::nobody, "evaluations are not counted, so not compared"),
-                                 {CountedBy::solver, "evaluations are by its own count, so not compared"}})
-    add(doubts, study, {.kind = DoubtKind::counted_otherwise, .what = what},
-        [counter = by](const Solve& solve) { return !is_without_answer(solve.status) && solve.counted_by == counter; });
+  add(doubts, study, {.kind = DoubtKind::counted_otherwise},
+      [](const Solve& solve) { return !is_without_answer(solve.status) && solve.counted_by != CountedBy::suite; });
   return doubts;
 }
 
@@ -235,7 +231,8 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
   add_counts(doubts, study, missing, [&](const std::string& solver) {
     return std::pair(study.definition.runs - std::ssize(complete_runs_of(study, solver)), study.definition.runs);
   });
-  add(doubts, study, {.kind = DoubtKind::without_answer}, [](const Solve& solve) { return !gave_answer(solve); });
+  add(doubts, study, {.kind = DoubtKind::without_answer, .what = "solves gave no answer"},
+      [](const Solve& solve) { return !gave_answer(solve); });
   add(doubts, study, {.kind = DoubtKind::claimed_but_wrong},
       [](const Solve& solve) { return solve.status == Status::claimed_but_wrong; });
   add(doubts, study, {.kind = DoubtKind::outside_limits}, &Solve::is_outside_limits);
@@ -261,9 +258,9 @@ std::string words_of(const Doubt& doubt) {
       "{share} solves claimed an error that is wrong, and do not count as solved ({who})",
       "{who} {was} stopped by the time limit, and not compared: {what} ({share} solves){to_do}",
       "{what} ({who})",
-      "{what} ({who})",
+      "evaluations are not counted by ikbench, so not compared ({who})",
       "{share} answers outside the joint limits ({who})",
-      "no answer in {share} {what}{of_whom}",
+      "{share} {what}{of_whom}",
       "times{of_who} are not compared: {what}{to_do}",
       "sessions in which the machine was busy are left out of the tests of time ({who})",
       "{share} targets of a run out of reach, so no solver can solve them",
@@ -272,8 +269,6 @@ std::string words_of(const Doubt& doubt) {
       "few values decide the {what} of {who}; such pairs are left open",
       "{first} is better than {last} by ranks, though its {what} is worse"};
   std::string_view sentence = sentences[static_cast<std::size_t>(doubt.kind)];
-  if (doubt.kind == DoubtKind::without_answer && doubt.what.empty())
-    sentence = "{share} solves gave no answer{of_whom}";
   if (doubt.kind == DoubtKind::repeats_itself && doubt.what.empty())
     sentence = "{who} gave the same answers in all {count} runs, which count as one";
   const std::string who = names_of(doubt.who), share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
