@@ -53,7 +53,7 @@ TEST_CASE("a plan has every combination of the alternatives that go together, ea
   const MultiversePlan plan =
       plan_multiverse("slim2023", {bounds, search, bounds_of_de, branch}, {.seeds = 1, .overrides = tiny});
   REQUIRE(plan.solvers.size() == 6);
-  CHECK(plan.studies.size() == 3 * (4 + 2));
+  CHECK(plan.studies.size() == 3 * (4 + 1));
   const auto de = static_cast<std::size_t>(std::ranges::find(plan.solvers, "DE") - plan.solvers.begin());
   std::int64_t series = 0;
   std::set<std::size_t> used;
