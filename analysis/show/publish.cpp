@@ -184,14 +184,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
     if (file != "references.bib" || !report.keys.empty()) files.push_back("article/" + file);
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
   std::vector<std::string> earlier = claim(folder, files);
-  // The readings of claims are those of a command of their own, unless this report judges the claims.
-  const bool judges_claims = std::ranges::count(names, "claims") > 0;
-  const auto is_earlier = [&](const fs::path& file) {
-    return may_be_of_report(file) && (judges_claims || file.stem() != "multiverse");
-  };
-  const auto of_others = std::ranges::partition(earlier, is_earlier).begin();
-  std::set<std::string> listed(of_others, earlier.end());  // what is not a report's to remove
-  earlier.erase(of_others, earlier.end());
+  std::erase_if(earlier, [](const std::string& file) { return !may_be_of_report(file); });
   for (const std::string& file : earlier) base::refuse_input(folder / file);
   written.warnings = figures::write_figures(figures, folder / "figures", options);
   for (const Table* table : tables) write_table(*table, for_article(*table, report), folder / "tables", program);
@@ -204,8 +197,7 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   std::ranges::sort(files);
   remove_earlier(folder, earlier, files);
   Json json = to_json(report.answer);
-  listed.insert(files.begin(), files.end());
-  json["files"] = listed;
+  json["files"] = files;
   base::write_file(folder / own_files[2], base::text_of(json, 1) + '\n');
   leave_out_undrawn(sections, folder, written.warnings);
   written.warnings.insert(written.warnings.end(), unused.begin(), unused.end());

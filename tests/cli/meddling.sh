@@ -59,12 +59,6 @@ for file in solves.csv article/main.tex tables/results.csv tables/studies.csv; d
   for into in "$stores" theirs/store.sqlite "$stores"; do succeeds report $into --out own; done
   rm -r own
 done
-# What other commands wrote stays, and stays listed.
-for round in 1 2; do
-  succeeds report theirs/store.sqlite twice/store.sqlite --out both
-  succeeds report theirs/store.sqlite --out both
-  [ -e both/tables/studies.csv ] || fail "report removed the table of studies"
-done
 succeeds report theirs/store.sqlite
 install -D thief.py own/report.md
 ln -s ../theirs/results.json own/results.json
