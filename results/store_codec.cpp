@@ -8,6 +8,7 @@
 #include <system_error>
 #include <type_traits>
 
+#include "base/names.hpp"
 #include "base/number.hpp"
 
 namespace ikbench::results {
@@ -122,8 +123,7 @@ std::string listed(Format&& format) {
 
 std::string excerpt(std::string_view text) {
   constexpr std::size_t longest = 40;
-  text = text.substr(0, text.find('\0'));
-  return text.size() <= longest ? fmt::format("'{}'", text) : fmt::format("'{}...'", text.substr(0, longest));
+  return fmt::format("'{}{}'", base::one_line(base::front(text, longest)), text.size() <= longest ? "" : "...");
 }
 
 std::string solve_columns() {

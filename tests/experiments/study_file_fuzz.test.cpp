@@ -103,6 +103,7 @@ TEST_CASE("studies of a store with random changes are read with all their solves
   };
   read_with("studies", "definition", 400);
   read_with("series", "options", 100);
+  for (const char* list : {"answer_rad", "reached_position_m", "improved_to_cm"}) read_with("solves", list, 100);
 }
 
 TEST_CASE("a results.json with random changes is one of ikbench, or another's", "[fuzz]") {
