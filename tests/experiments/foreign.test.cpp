@@ -37,6 +37,25 @@ TEST_CASE("the clock of a program's solve runs before the program does", "[forei
   }
 }
 
+TEST_CASE("one solve of an entry with batches is a batch of one, with the same answer", "[foreign]") {
+  const ScratchFolder folder;
+  const auto solved = [&](const std::string& batch) {
+    write_text(
+        folder.path / "study.toml",
+        fmt::format("robot = \"kuka_iiwa14\"\nsearch = \"all_joints\"\nstart = \"middle\"\npath.kind = \"helix\"\n"
+                    "[[solvers]]\nprocess = [\"python3\", \"{}\"]\n{}",
+                    std::filesystem::absolute("tests/cli/programs/faulty.py").string(), batch));
+    const Study study = load_study((folder.path / "study.toml").string());
+    return solve_once(study, study.solvers.front(), targets(study, 1).front());
+  };
+  const SolveRecord alone = solved(""), of_batch = solved("batch = 5");
+  CHECK(is_in_order(alone.status));
+  CHECK(of_batch.status == alone.status);
+  CHECK(same(of_batch.answer_rad, alone.answer_rad));
+  CHECK(of_batch.timing == Timing::batch);
+  CHECK(of_batch.repeats == 1);
+}
+
 TEST_CASE("candidates are numbers as JSON writes them", "[foreign]") {
   const auto is_read = [](const std::string& number) {
     try {
