@@ -96,6 +96,7 @@ TEST_CASE("A solver whose runs repeat each other bit for bit has one observation
   const auto as_one = [](SolveRecord& solve) {
     if (solve.label != "A") return;
     solve.answer_rad[1] = 0;
+    solve.evaluations = 100 + solve.run;
     solve.seconds = solve.cpu_seconds = 0.001 * solve.run;
   };
   const StudyResults of = study(chained, as_one);
@@ -105,6 +106,7 @@ TEST_CASE("A solver whose runs repeat each other bit for bit has one observation
   CHECK_FALSE(repeats_itself(group(observed(of), "B")));
   CHECK(list_of(group(observed(of), "B")).size() == 5);
   CHECK(list_of(group(observed(of, "seconds"), "A")).size() == 5);  // sessions
+  CHECK(list_of(group(observed(of, "evaluations"), "A")).size() == 5);
   const auto doubt = doubt_of(of, DoubtKind::repeats_itself);
   REQUIRE(doubt);
   CHECK(doubt->who == std::vector<std::string>{"A"});
@@ -204,6 +206,10 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   CHECK(apart(five).empty());
   REQUIRE(list_of(group(five, "A")).size() == 5);
   CHECK(list_of(group(five, "A")).front() == Approx(std::log(0.0025)));  // the median of four
+  const auto none = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = 0; };
+  CHECK(list_of(group(times(study(chained, none)), "A")).front() == Approx(std::log(1e-9)));
+  const auto one_slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = solve.run == 1 ? 9 : 1; };
+  CHECK(compared(times(study(chained, one_slow)), {}).front().why == Why::tested);  // though other logarithms are 0
   for (const Timing timing : {Timing::parallel, Timing::debug_build}) {
     const Observations all = times(study(chained, [&](SolveRecord& solve) {
       if (solve.label == "A") solve.timing = timing;
@@ -337,7 +343,7 @@ TEST_CASE("Solved in time is a share of the solves that are compared, over sessi
   const auto late = [](SolveRecord& solve) {
     solve.status = solve.point == 20 ? Status::tolerance_missed : Status::ok;
     const bool is_late = solve.label == "B" && solve.point <= 8 + solve.run % 2;
-    solve.seconds = solve.cpu_seconds = is_late ? 0.003 : 0.001;
+    solve.seconds = solve.cpu_seconds = is_late ? 0.003 : 0.002;
   };
   const JudgedStudy judged = judge::judge(study(asked, late));
   const JudgedMetric* const in_time = judged_of(judged, "solved_in_time");
@@ -350,6 +356,9 @@ TEST_CASE("Solved in time is a share of the solves that are compared, over sessi
   CHECK(found.n == 6);
   CHECK(found.test == "paired t");
   CHECK(judged_of(judge::judge(study({}, as_made)), "solved_in_time") == nullptr);
+  Asked of_a_loop = asked;
+  of_a_loop.rest = R"(, "loop": {"period_ms": 2})";
+  CHECK(judged_of(judge::judge(study(of_a_loop, late)), "solved_in_time")->described[0].mean == Approx(19 / 20.0));
   const auto late_when_busy = [](SolveRecord& solve) { solve.seconds = solve.run == 1 ? 0.003 : 0.001; };
   const JudgedStudy quiet = judge::judge(study(asked, late_when_busy));
   CHECK(judged_of(quiet, "solved_in_time")->described[0].n == 100);
@@ -422,6 +431,17 @@ TEST_CASE("Budgets differ where equal iterations are half as many evaluations ag
   CHECK_FALSE(evaluated(1.4, R"({"iterations": 9})"));
   CHECK(evaluated(1.6, R"({"iterations": 9, "evaluations": 300})"));
   CHECK_FALSE(evaluated(3, R"({"iterations": 9})", StopReason::tolerance));
+  CHECK_FALSE(evaluated(3, R"({"iterations": 9, "seconds": 1})"));
+}
+
+TEST_CASE("A number of the study's check has no name of a metric, in whatever letters, and no absolute margin") {
+  StudyResults of = study({.rest = R"(, "analysis": {"margin_cm": 2})"}, as_made);
+  for (const char* name : {"position_error_cm", "Joint-move", "joint motion", "answered"}) {
+    of.definition.check.larger = {name};
+    CHECK_THROWS_WITH(metrics_of(of.definition), ContainsSubstring("a metric already"));
+  }
+  CHECK(observed(of).absolute_margin == 2);
+  CHECK(observed(of, "variation_deg").absolute_margin == 0);
 }
 
 TEST_CASE("Targets out of reach and a plan that was changed after the data are told") {

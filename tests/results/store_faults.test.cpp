@@ -162,6 +162,8 @@ TEST_CASE_METHOD(StoreFile, "a value that ikbench does not write is damage, and 
            {"answer_rad = '1,2'", "answer_rad: '1,2' is not a list"},
            {"answer_rad = '[1,,2]'", "'' in a list"},
            {"status = 'fine' || char(0) || 'x'", "status: 'fine x'; in the solve"},
+           {"answer_rad = '[1,]'", "an empty place in a list"},
+           {"answer_rad = '[1x2]'", "'1x2' in a list"},
            {"answer_rad = '[1,x]' WHERE run = 2",
             "(answer_rad: 'x' in a list of numbers; in the solve of run 2, point 1 of series 'key-a')"},
            {"position_error_cm = -1", "position_error_cm is below 0"},
