@@ -89,18 +89,18 @@ std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vecto
     return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
   };
   const std::set<std::string> losers = losers_of(judged.findings);
-  std::set<std::string> best;
-  for (const Finding& finding : judged.findings) {
-    const std::string& ahead = verdict_of(finding) == Verdict::better ? finding.first : finding.second;
-    if (is_difference(verdict_of(finding)) && !losers.contains(ahead)) best.insert(ahead);
-  }
+  const bool are_clear = std::ranges::all_of(judged.findings, [&](const Finding& finding) {
+    const bool is_beaten = losers.contains(finding.first), is_other = losers.contains(finding.second);
+    return (is_beaten && is_other) ||
+           (is_beaten != is_other ? is_difference(verdict_of(finding)) : verdict_of(finding) != Verdict::not_tested);
+  });
   std::vector<std::size_t> order(judged.described.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {
     const double value = average_of(judged, i);
     const Group& group = judged.observations.groups[i];
     const double place = judged.observations.better == Better::larger ? -value : value;
-    const int rank = lost_in(group) > 0 ? 2 : best.contains(group.name) ? 0 : 1;
+    const int rank = lost_in(group) > 0 ? 2 : are_clear && !losers.contains(group.name) ? 0 : 1;
     return std::isnan(value) ? std::tuple(3, 0.0, 0.0) : std::tuple(rank, place, cost(group.name));
   });
   return order;

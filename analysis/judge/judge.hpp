@@ -24,8 +24,8 @@ JudgedMetric judge(Observations observed, const Plan& plan, std::size_t metrics 
 // What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
 // median; NaN where values are lost.
 double average_of(const JudgedMetric& judged, std::size_t group);
-// Groups: those that beat another and are not beaten, the others by value, of equal ones that with fewer evaluations (a
-// metric of `all`), those that lost values.
+// Groups: those whom nobody beats, if each of them beats all others, the others by value, of equal ones that with fewer
+// evaluations (a metric of `all`), those that lost values.
 std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vector<JudgedMetric>& all);
 
 struct JudgedStudy {
