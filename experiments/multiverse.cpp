@@ -1,15 +1,11 @@
 #include "experiments/multiverse.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <mutex>
-#include <stdexcept>
 #include <utility>
 
 #include "base/embedded_file.hpp"
-#include "base/names.hpp"
 #include "base/toml_table.hpp"
 #include "base/units.hpp"
 #include "experiments/study_writer.hpp"
