@@ -159,6 +159,9 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
     const std::string& name = items.groups[i];
     std::vector<double>& values = measured[i].values;
     const auto lacking = static_cast<int>((layout.block ? items.units : all[i]) - values.size());
+    // Such as time-outs have no end that anybody knows, so they repeat nothing.
+    measured[i].may_be_copies = values.size() > 1 && std::isfinite(values.front()) &&
+                                std::ranges::count(values, values.front()) == std::ssize(values);
     add(lost, name, lacking, all[i]);
     add(without, name, std::ranges::count_if(values, [](double value) { return std::isinf(value); }), values.size());
     Group& group = observed.groups.emplace_back(Group{.name = name});

@@ -19,15 +19,19 @@ struct Method {
   By by;
   bool is_by_difference;  // of pairs, or of values and the one of a solver that repeats itself
   Outcome (*test)(const Prepared& its, double alpha);
+  bool is_by_values_too = false;
 
   // That data of these sizes can give.
   double smallest_p(std::size_t m, std::size_t n) const {
     // Of two values the larger is more than half of their sum.
     if (by == By::means && (m == n || !is_by_difference)) return std::min(m, n) < 3 ? 1 : 0;
-    if (is_by_difference) return smallest_p_paired(std::max(m, n));
+    const double by_differences = is_by_difference ? smallest_p_paired(std::max(m, n)) : 0;
+    if (is_by_difference && !is_by_values_too) return by_differences;
     // The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other,
     // or the other way round.
-    return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n) / (by == By::shares && m != n ? 2 : 1);
+    return std::min(m, n) < 2
+               ? 1
+               : std::max(by_differences, smallest_p_unpaired(m, n) / (by == By::shares && m != n ? 2 : 1));
   }
 };
 
@@ -39,6 +43,13 @@ constexpr Method signed_ranks{"Wilcoxon's signed ranks", By::ranks, true,
                               [](auto& its, double alpha) { return signed_rank_test(its.differences, alpha); }};
 constexpr Method signs{"sign test", By::ranks, true,
                        [](auto& its, double alpha) { return sign_test(its.differences, alpha); }};
+constexpr Method signs_and_ranks{"sign test and Mann-Whitney", By::ranks, true,
+                                 [](auto& its, double alpha) {
+                                   Outcome outcome = sign_test(its.differences, alpha);
+                                   outcome.p = std::max(outcome.p, mann_whitney(its.first, its.second));
+                                   return outcome;
+                                 },
+                                 true};
 constexpr Method paired_t{"paired t", By::means, true,
                           [](auto& its, double alpha) { return t_test(its.differences, alpha, its.worth); }};
 constexpr Method unpaired_t{"Welch's t", By::means, false, [](auto& its, double alpha) {
@@ -54,7 +65,7 @@ constexpr const Method* methods[][3]{{&unpaired_ranks, &signed_ranks, &signs},
                                      {&unpaired_t, &paired_t, &paired_t},
                                      {&unpaired_shares, &paired_shares, &paired_t}};
 
-// What design and plan choose, never the values.
+// What design and plan choose, never the values, unless a file's may be copies.
 const Method& method_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
   const bool is_printed = std::holds_alternative<Summary>(a.sample) || std::holds_alternative<Summary>(b.sample);
   const bool is_one = repeats_itself(a) || repeats_itself(b), is_share = observed.scale == Scale::share;
@@ -62,6 +73,7 @@ const Method& method_of(const Observations& observed, const Plan& plan, const Gr
   const By by = is_share && observed.trials == 1 && observed.fewest == 0 && !is_printed ? By::shares
                 : by_means                                                              ? By::means
                                                                                         : By::ranks;
+  if (by == By::ranks && !observed.is_paired && !is_one && may_be_copies(a) != may_be_copies(b)) return signs_and_ranks;
   return *methods[static_cast<std::size_t>(by)][is_printed ? 0 : is_one ? 2 : observed.is_paired];
 }
 

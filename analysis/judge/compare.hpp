@@ -81,6 +81,7 @@ bool are_equal(const Finding& finding);  // no value differs
 //   shares of several; logarithms; where the plan says    Welch's t                        paired t
 //   means; of printed summaries (never paired)
 //   other numbers, ratios by their logarithms             Brunner-Munzel and Mann-Whitney  signed ranks
+//   the same with a file's equal values, perhaps copies   sign test and Mann-Whitney       signed ranks
 //   runs with the value of a solver that repeats itself   sign test; shares and logarithms: one-sample t
 //
 // A pair is decided at the significance divided by the number of pairs that data of these sizes can decide at all. So

@@ -27,6 +27,7 @@ struct Measured {
   std::vector<double> values = {};  // infinite: no answer, worse than any
   std::vector<int> blocks = {};     // where paired: of each value, rising; none: those of all groups are the same
   bool repeats_itself = false;      // the one value stands for all runs
+  bool may_be_copies = false;       // all values are one, and nobody knows whether the solver repeats itself
   double worth = 0;                 // of logarithms of costs: how many equal ones would tell as much
   double solved = 0;                // of the same: the targets solved
 };
@@ -67,6 +68,10 @@ inline const Untold* untold(const Group& group) { return std::get_if<Untold>(&gr
 inline bool repeats_itself(const Group& group) {
   const auto* const measured = std::get_if<Measured>(&group.sample);
   return measured && measured->repeats_itself;
+}
+inline bool may_be_copies(const Group& group) {
+  const auto* const measured = std::get_if<Measured>(&group.sample);
+  return measured && measured->may_be_copies;
 }
 // Observations without a value.
 inline int lost_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }

@@ -1,6 +1,7 @@
 #include "analysis/judge/prepare.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "analysis/judge/tests_of_two.hpp"
 
@@ -38,11 +39,15 @@ Summary summary_of(const Group& group, const std::vector<double>& values) {
   return summarise(values);
 }
 
-// One value is held against all of the other group.
+// A value that is all of a group is held against each of the other.
 std::vector<double> differences_of(const std::vector<double>& first, const std::vector<double>& second, bool are_logs) {
   std::vector<double> differences, sizes, roundings;
-  for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i) {
-    const double x = first[first.size() == 1 ? 0 : i], y = second[second.size() == 1 ? 0 : i];
+  const auto is_one = [](const auto& values) {
+    return std::ranges::adjacent_find(values, std::not_equal_to()) == values.end();
+  };
+  const bool is_first_one = is_one(first), is_second_one = is_one(second);
+  for (std::size_t i = 0; i < (is_first_one ? second : first).size(); ++i) {
+    const double x = first[is_first_one ? 0 : i], y = second[is_second_one ? 0 : i];
     // By the size of these two: a huge pair hides no difference of the others, nor does its 0 equal them.
     const double rounding = rounding_of_doubles * std::max({are_logs ? 1.0 : 0.0, std::abs(x), std::abs(y)});
     const bool are_equal = std::abs(x - y) <= rounding;

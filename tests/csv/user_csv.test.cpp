@@ -61,6 +61,16 @@ TEST_CASE("values near -5 are the same within 1, on differences") {
   CHECK_THROWS_AS(finding(text, {}, "5%"), std::invalid_argument);
 }
 
+TEST_CASE("equal values of a file are tested as copies and as observations") {
+  const Quantities read = csv::read(text_in("tests/data/csv/const2.csv"), "const2.csv", smaller({}));
+  const Observations& observed = read.observed.front();
+  CHECK(list_of(observed.groups.front()) == std::vector(20, 0.01));
+  CHECK(judge::may_be_copies(observed.groups.front()));
+  const Seen found = judge::compared(observed, {}).front();
+  CHECK(found.verdict == Verdict::better);
+  CHECK(found.test == "sign test and Mann-Whitney");
+}
+
 TEST_CASE("a zero in a third group changes no verdict on the two others") {
   const Seen with = finding(text_in("tests/data/csv/zero.csv"));
   const Seen zero = finding(text_in("tests/data/csv/zero0.csv"));

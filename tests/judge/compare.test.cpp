@@ -427,6 +427,26 @@ TEST_CASE("as many more observations as it says would about decide what is not d
 
 // p, interval and verdict.
 
+TEST_CASE("of equal values that may be copies the larger p of two readings decides", "[compare]") {
+  const auto found_of = [](std::vector<double> equal, std::vector<double> others) {
+    const bool are_both_equal = std::ranges::count(others, others.front()) == std::ssize(others);
+    Observations of = groups_of({std::move(equal), std::move(others)});
+    measured(of.groups[0]).may_be_copies = true;
+    measured(of.groups[1]).may_be_copies = are_both_equal;
+    return only(compared(of, by_ranks));
+  };
+  std::vector<double> most_equal(94, 0.01);
+  for (int i = 1; i <= 6; ++i) most_equal.push_back(0.01 + 0.01 * i);
+  const Seen few_against_many = found_of(std::vector(6, 0.01), most_equal);
+  CHECK(*few_against_many.p == Approx(0.550).epsilon(0.001));  // Mann-Whitney; the sign test alone says 0.031
+  CHECK(few_against_many.verdict == Verdict::undecided);
+  std::vector<double> spread;
+  for (int i = 0; i < 20; ++i) spread.push_back(1.5 + 0.1 * i);
+  CHECK(*found_of(std::vector(20, 1.0), spread).p == Approx(1.91e-6).epsilon(0.002));  // the sign test
+  CHECK(*found_of(std::vector(10, 1.0), std::vector(10, 2.0)).p == Approx(1.08e-5).epsilon(0.003));
+  CHECK(found_of(std::vector(3, 1.0), std::vector(3, 2.0)).why == Why::too_few);
+}
+
 TEST_CASE("verdicts may form a circle", "[compare]") {
   // A third of the values of each is far below, between or above those of the next: P = 5 / 9 all round (Efron's dice).
   const auto dice = [](std::vector<double> faces) {
