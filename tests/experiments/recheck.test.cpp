@@ -99,6 +99,18 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"(counted by nobody) in ", [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; }},
       {" iterations and stops by ", [&](SolveRecord& solve) { solve.iterations = study.stop.iterations + 1; }},
       {" and stops by iterations", [](SolveRecord& solve) { --solve.iterations; }},
+      {" and stops by ",
+       [&](SolveRecord& solve) {
+         solve.stop_reason = StopReason::tolerance;
+         solve.iterations = study.stop.iterations + 1;
+       }},
+      {"has no such solve", [](SolveRecord& solve) { solve.run = 0; }},
+      {"has no such solve", [&](SolveRecord& solve) { solve.point = study.path->points() + 1; }},
+      {"variation_deg", [](SolveRecord& solve) { solve.variation_deg *= 1.0001; }},
+      {"variation_m", [](SolveRecord& solve) { solve.variation_m += 1e-6; }},
+      {"limit_violation_deg", [](SolveRecord& solve) { solve.limit_violation_deg += 1; }},
+      {"limit_violation_m", [](SolveRecord& solve) { solve.limit_violation_m += 1; }},
+      {"study's check", [](SolveRecord& solve) { solve.status = Status::invalid; }},
       {"seconds is below 0", [](SolveRecord& solve) { solve.seconds = -1; }},
       {"status is not_finite, but ", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
@@ -127,6 +139,25 @@ TEST_CASE("a solve of a program that kept its budget has not spent 1.5 times as 
   CHECK(refused_row(entry, {solve}) == "");
   solve.evaluations = 1501;
   CHECK_THAT(refused_row(entry, {solve}), ContainsSubstring(": it has 1501 evaluations (counted by solver) in "));
+}
+
+TEST_CASE("an answer that reached has the numbers of the study's check, and an invalid one a fault", "[recheck]") {
+  const Study study = study_with("stanford");
+  StoredStudy entry = entry_of(study);
+  entry.definition.check.process = {"./check"};
+  entry.definition.check.larger = {"free"};
+  SolveRecord solve = solves_of(study).front();
+  const std::string number = fmt::format("{}free", check_extra), fault = fmt::format("{}near", invalid_extra);
+  const auto is_refused = [&](Status status, const std::map<std::string, double>& extras) {
+    solve.status = status, solve.extras = extras;
+    return contains(refused_row(entry, {solve}), "study's check");
+  };
+  CHECK_FALSE(is_refused(Status::ok, {{number, 1}}));
+  CHECK_FALSE(is_refused(Status::invalid, {{number, 1}, {fault, 1}}));
+  CHECK(is_refused(Status::ok, {}));
+  CHECK(is_refused(Status::ok, {{number, NAN}}));
+  CHECK(is_refused(Status::ok, {{number, 1}, {fault, 1}}));
+  CHECK(is_refused(Status::invalid, {{number, 1}}));
 }
 
 TEST_CASE("an arm that cannot be read is refused", "[recheck]") {
