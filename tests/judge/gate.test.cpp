@@ -101,6 +101,22 @@ TEST_CASE("drawn targets are paired; another task or number of solves is refused
     CHECK_THROWS_AS(gate_of(version(1), other), std::invalid_argument);
     CHECK_THROWS_AS(gate_of(other, version(1)), std::invalid_argument);
   }
+  const std::pair<const char*, std::function<void(results::Definition&)>> changes[]{
+      {"arms", [](auto& its) { its.robot = "another"; }},
+      {"arms", [](auto& its) { its.arm = "another"; }},
+      {"targets", [](auto& its) { its.path = "another"; }},
+      {"searches", [](auto& its) { its.search = results::Search::axis; }},
+      {"paths, starts", [](auto& its) { its.task = "another"; }},
+      {"paths, starts", [](auto& its) { its.near = 1; }},
+      {"paths, starts", [](auto& its) { its.rotation_weight = 2; }},
+      {"treatments of", [](auto& its) { its.limits = results::Limits::enforced; }},
+      {"checks", [](auto& its) { its.check.process = {"./check"}; }},
+      {"tolerances", [](auto& its) { its.stop.angle_tolerance = 1; }}};
+  for (const auto& [what, change] : changes) {
+    StudyResults other = version(1);
+    change(other.definition);
+    CHECK_THROWS_WITH(gate_of(version(1), other), ContainsSubstring(fmt::format("has other {}", what)));
+  }
   CHECK_THROWS_WITH(gate_of(version(1), part),
                     StartsWith("not compared: mine has 23 solves, before 100; complete both"));
 }
