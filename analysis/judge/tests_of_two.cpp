@@ -112,13 +112,16 @@ RankSum sum_of(const Ranks& ranks, std::size_t chosen) {
   if (chosen > 0) sum = {m * (n + 1) / 2, m * (n - m) / 12 * (n + 1 - ranks.tie_sum / (n * (n - 1)))};
   if (ranks.ranks.size() > (chosen > 0 ? exact_unpaired : exact_paired)) return sum;
   sum.times = ranks.tie_sum > 0 ? 2 : 1;
+  // Of any, sums above the mean mirror those below.
+  const auto most = static_cast<std::size_t>(sum.times * (chosen > 0 ? n * n : sum.mean));
   std::vector<std::vector<double>> ways(chosen + 1);  // by the number chosen, and the sum
   ways[0] = {1};
   for (const double rank : sorted(ranks.ranks)) {
     const auto more = static_cast<std::size_t>(std::lround(sum.times * rank));
+    if (more > most) continue;
     for (std::size_t k = std::max<std::size_t>(chosen, 1); k-- > 0;) {
       std::vector<double>&from = ways[k], &to = ways[chosen > 0 ? k + 1 : 0];
-      const std::size_t reached = from.size();
+      const std::size_t reached = std::min(from.size(), most + 1 - more);
       if (reached == 0) continue;
       to.resize(std::max(to.size(), reached + more));
       for (std::size_t i = reached; i-- > 0;) to[i + more] += from[i];
