@@ -219,7 +219,7 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
 }
 
 std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
-  Doubts doubts;
+  Doubts doubts = doubts_of_clock(study);
   add(doubts, study, {.kind = DoubtKind::counted_otherwise},
       [](const Solve& solve) { return !is_without_answer(solve.status) && solve.counted_by != CountedBy::suite; });
   return doubts;

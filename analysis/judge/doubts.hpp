@@ -47,6 +47,7 @@ std::vector<Doubt> doubts_of(const StudyResults& study);
 std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& sessions);
 // What solvers reach in seconds depends on the load.
 std::vector<Doubt> doubts_of_clock(const StudyResults& study);
+// The same, and whose evaluations are not ours to compare.
 std::vector<Doubt> doubts_of_evaluations(const StudyResults& study);
 
 }  // namespace ikbench::judge

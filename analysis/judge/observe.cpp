@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -288,9 +287,7 @@ Observations observations_of(const Metric& metric) {
 Observations observe(const StudyResults& study, const Metric& metric) {
   if (is_of_times(metric)) return observe_times(study, metric);
   Observations observed = observe_solves(study, metric);
-  observed.doubts = doubts_of_clock(study);
-  if (metric.measures == Measure::evaluations)
-    std::ranges::move(doubts_of_evaluations(study), std::back_inserter(observed.doubts));
+  observed.doubts = metric.measures == Measure::evaluations ? doubts_of_evaluations(study) : doubts_of_clock(study);
   set_apart(observed);
   return observed;
 }
