@@ -53,6 +53,11 @@ struct Work {
     while (point <= part.last && has(solver, part.run, point)) ++point;
     return point;
   }
+  // Where the next solve of a run in a row begins.
+  Configuration left_by(std::size_t solver, int run) const {
+    const auto stored_chain = left_arm.find({solver, run});
+    return stored_chain != left_arm.end() ? stored_chain->second : study.initial;
+  }
   int turns() const {
     return shard.count > 1 ? 1 : static_cast<int>(std::min<std::int64_t>(study.turns, parts_of(study)));
   }
@@ -218,9 +223,7 @@ void solve_alike(const Work& work, const std::vector<std::size_t>& solvers, cons
     if ((is_hot || batch > 0) && !undisturbed(pauses, is_over, heated)) return;
     if (batch > 0) solve_runner.count_failure(solver);
     for (auto part = first; part != end; ++part) {
-      const auto stored_chain = work.left_arm.find({s, part->run});
-      Configuration left_arm = work.study.initial;
-      if (stored_chain != work.left_arm.end()) left_arm = stored_chain->second;
+      Configuration left_arm = work.left_by(s, part->run);
       for (int point = work.next_point(s, *part); point <= part->last && !is_cut(); ++point) {
         const Call call = bench.call_at(work, part->run, point, left_arm);
         std::optional<SolveRecord> record =
