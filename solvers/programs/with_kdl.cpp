@@ -1,5 +1,5 @@
 // flags = -lorocos-kdl
-// KDL as with_kdl.py asks it: LMA from random starts until an answer, turned by whole turns, is inside the limits, which
+// KDL as kdl.py asks it: LMA from random starts until an answer, turned by whole turns, is inside the limits, which
 // it does not know; or Newton, clipped at the limits.
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainiksolverpos_lma.hpp>

@@ -107,9 +107,9 @@ fi
 kdl=
 for python in python3 /usr/bin/python3; do
   $python -c 'import PyKDL' 2>/dev/null || continue
-  cp "$root/solvers/programs/with_kdl.py" .
-  succeeds check-solver --patience 20 -- $python with_kdl.py
-  study library "$(printf '[[solvers]]\nlabel = "KDL"\nprocess = ["%s", "with_kdl.py"]\n' "$python")"
+  cp "$root/solvers/programs/kdl.py" .
+  succeeds check-solver --patience 20 -- $python kdl.py
+  study library "$(printf '[[solvers]]\nlabel = "KDL"\nprocess = ["%s", "kdl.py"]\n' "$python")"
   library=(run library.toml --no-report --set robot=ur5e.urdf --set search=pose --set start=near --set stop.iterations=100
     --set stop.tolerance_cm=0.01 --set stop.tolerance_deg=0.1)
   succeeds "${library[@]}" --out library

@@ -15,7 +15,7 @@ export PATH=$work/bin:$PATH
 
 for page in README.md docs/{tutorial,which-solver,compare,figures,your-own-csv,many-machines}.md; do
   mkdir -p "$work/$page" && cd "$work/$page" || fail "$page: no folder"
-  ln -s "$root/docs" "$root/cli" .
+  ln -s "$root"/{docs,cli,solvers} .
   block="" is_left_out="" count=0
   while IFS= read -r line; do
     if [[ $line == "<!-- not run: "* ]]; then
