@@ -82,7 +82,7 @@ grep -q '^A & .*1.3.* & 11.3 ' names/tables/results.tex || fail "no numbers: $(c
 mkdir in && cp comma.csv in/report.md
 refused "in/report.md" stats in/report.md --better smaller --out in
 cmp comma.csv in/report.md || fail "an input was replaced"
-# Nor is a file that nobody but the user can have written replaced (meddling.sh); of a study before it is solved.
+# Nor is a file that nobody but the user can have written replaced (meddling.sh).
 mkdir notes && echo mine >notes/report.md
 refused "notes/report.md" run slim2023 "${small[@]}" --out notes
 equal "a file that is no report's" "$(<notes/report.md)" mine
