@@ -1,6 +1,4 @@
 // ikbench report: tables and figures from any store, without solving.
-#include "analysis/show/report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -10,7 +10,6 @@
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/papers/claims.hpp"
-#include "analysis/show/publish.hpp"
 #include "analysis/show/words.hpp"
 #include "analysis/slim2023/slim2023.hpp"
 #include "base/inputs.hpp"

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "analysis/judge/beside.hpp"
-#include "analysis/show/publish.hpp"
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"

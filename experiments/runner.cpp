@@ -56,7 +56,8 @@ struct Work {
   // Where the next solve of a run in a row begins.
   Configuration left_by(std::size_t solver, int run) const {
     const auto stored_chain = left_arm.find({solver, run});
-    return stored_chain != left_arm.end() ? stored_chain->second : study.initial;
+    if (stored_chain == left_arm.end()) return study.initial;
+    return stored_chain->second;
   }
   int turns() const {
     return shard.count > 1 ? 1 : static_cast<int>(std::min<std::int64_t>(study.turns, parts_of(study)));

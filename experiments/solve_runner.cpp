@@ -9,12 +9,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
-#include "base/inputs.hpp"
 #include "base/names.hpp"
 #include "base/units.hpp"
 #include "experiments/environment.hpp"

@@ -226,8 +226,6 @@ Study read_study(const toml::table& table, std::string_view source) {
     throw reader.mistake("repeats",
                          "no solve is timed several times any more: each is one call, and times are compared over "
                          "sessions; expected no repeats, and turns for more sessions");
-  if (reader.find("tables") != nullptr)
-    throw reader.mistake("tables", "tables show what is tested, medians or means; expected no [tables]");
   study.path = read_path(PathReader(reader.part("path")));
   if (reader.find("urdf") != nullptr && !is_urdf_file(study.robot))
     throw reader.mistake("urdf", fmt::format("[urdf] is about a URDF file, but robot is \"{}\"; expected one such as "

@@ -7,14 +7,12 @@
 #include <cmath>
 #include <map>
 #include <ranges>
-#include <set>
 #include <string_view>
 #include <utility>
 
 #include "analysis/figures/rows.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
-#include "base/names.hpp"
 
 namespace ikbench::show {
 
@@ -183,7 +181,7 @@ Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
 Answer answer_of(const JudgedStudy& judged) {
   Answer all = answer_of(judged.metrics, judged.deciding);
   all.doubts = judged.doubts;
-  if (all.decisive().observations.metric == "solved") all.then = judged.study.definition.plan.then;
+  if (all.decisive().observations.measures == Measure::solved) all.then = judged.study.definition.plan.then;
   const std::string solved = what_is_solved(judged.study), &name = judged.study.name;
   all.studied = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
                             stops_of(judged.study));

@@ -49,7 +49,7 @@ Shown shown(const judge::JudgedMetric& judged, std::size_t group, double value);
 Shown shown_average(const judge::JudgedMetric& judged, std::size_t group);  // by which it is tested
 std::vector<double> ends_of_shares(const judge::JudgedMetric& judged);      // 99.97 % is not 100; of others none
 
-// What observations of a metric are: "targets", of time perhaps "turns".
+// What observations of a metric are: "targets", of time "sessions".
 std::string noun_of(const Answer& answer, const judge::JudgedMetric& judged);
 bool has_failed(const judge::StudyResults& study, const judge::Solve& solve);  // without a tolerance: to answer
 std::string reference_of(const Answer& answer);  // the control, else the first of the table of results

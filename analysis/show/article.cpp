@@ -6,19 +6,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <set>
 
-#include "analysis/show/answer_tables.hpp"
 #include "analysis/show/page.hpp"
 #include "analysis/show/publish.hpp"
 #include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "base/files.hpp"
-#include "base/json.hpp"
 #include "base/names.hpp"
 
 namespace ikbench::show {

@@ -31,14 +31,10 @@ Json rounded(const std::vector<double>& values) {
   return list;
 }
 
-judge::Solves first_solves(const StudyResults& study, const std::string& solver) {
-  return study.of(solver).first(study.first_run_of(solver).size());
-}
-
 // The places in a first run that the page shows: all, or of a long one evenly.
 std::set<std::size_t> shown_places(const StudyResults& study, const std::vector<std::string>& order) {
   std::size_t n = 0;
-  for (const std::string& solver : order) n = std::max(n, first_solves(study, solver).size());
+  for (const std::string& solver : order) n = std::max(n, study.first_run_of(solver).size());
   const std::size_t shown = std::min(n, most_points);
   std::set<std::size_t> places;
   for (std::size_t k = 0; k < shown; ++k) places.insert(shown < 2 ? k : k * (n - 1) / (shown - 1));

@@ -1,13 +1,11 @@
 // Tables: cells and columns that know what they are, and the writers of tables.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>

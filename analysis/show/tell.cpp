@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 #include <string_view>
 
@@ -25,7 +24,7 @@ namespace {
 
 bool has(const Names& names, const std::string& name) { return std::ranges::count(names, name) > 0; }
 
-bool is_solved(const JudgedMetric& judged) { return judged.observations.metric == "solved"; }
+bool is_solved(const JudgedMetric& judged) { return judged.observations.measures == Measure::solved; }
 
 // The findings among some, by pair.
 class Pairs {

@@ -11,7 +11,7 @@
 namespace ikbench::show {
 
 constexpr std::size_t most_named = 4;  // solvers of a list in a sentence
-constexpr std::size_t most_pairs = 6;  // that a screen lists; of more the headline says that all are found
+constexpr std::size_t most_pairs = 6;  // that a screen or paragraph lists
 
 // "A, B and C", "A, B, C and 5 more"
 std::string names_of(const std::vector<std::string>& names, std::string_view last = " and ");

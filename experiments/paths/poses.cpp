@@ -28,8 +28,8 @@ using namespace robots;
 namespace {
 
 constexpr std::string_view expected_columns =
-    "x, y and z with _m, _cm or _mm, such as x_cm; qw, qx, qy, qz, or roll, pitch and yaw with _deg or _rad; or 12 or 16 "
-    "columns for the rows of a 4 x 4 matrix";
+    "x, y and z with _m, _cm or _mm, such as x_cm; qw, qx, qy, qz, or roll, pitch and yaw with _deg or _rad; or, "
+    "without a header, 12 or 16 columns for the rows of a 4 x 4 matrix";
 constexpr std::size_t most_rows = 100'000;
 
 using Group = std::vector<std::size_t>;  // columns
@@ -224,7 +224,7 @@ class CsvPath final : public Poses {
     io.text(
         "file", file_,
         "beside the study, or a full path. Columns: x, y, z in _m, _cm or _mm; then qw, qx, qy, qz, or roll, pitch, yaw in _deg or "
-        "_rad; without these the tool points straight down. Or the 12 or 16 numbers of a matrix",
+        "_rad; without these the tool points straight down. Or, without a header, the 12 or 16 numbers of a matrix",
         InKey::no);
     io.texts("columns", columns_,
              "names in place of the header's, \"\" for what is no part of a pose: [\"\", \"x\", \"y\", \"z\"]",

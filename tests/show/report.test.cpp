@@ -282,7 +282,7 @@ TEST_CASE("a table says no more below it than it has", "[show]") {
   CHECK(results_table(of_shares).notes.front() == "* worse than A (p < 0.05). Intervals: 95 %.");  // no medians
   CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.size() == 1);
   const Answer of_errors = of(numbers("error", "error", "mm", {{"A", solved(20)}, {"B", solved(20)}}));
-  CHECK(results_table(of_errors).columns.size() == 2);  // median and mean of the headline's
+  CHECK(results_table(of_errors).columns.size() == 2);  // the solver and its median
   CHECK(results_table(of_errors).notes == std::vector<std::string>{"Medians (quartiles)."});
   const Answer of_few = of(numbers("error", "error", "mm", {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}}));
   CHECK(pairs_table(of_few).notes.empty());
@@ -301,7 +301,7 @@ TEST_CASE("a pair has one effect size, named by its standardiser", "[show]") {
        {std::tuple(true, Test::ranks, "A12"), {true, Test::means, "g_av"}, {false, Test::means, "Hedges' g"}}) {
     of.is_paired = is_paired;
     const Answer answer = answer_of({judged(of, {.test = test})});
-    const std::string table = to_csv(pairs_table(answer)), article = results_of(answer)[1];
+    const std::string article = results_of(answer)[1];
     for (const char* const other : {"A12", "g_av", "Hedges' g"}) {
       CHECK(contains(article, fmt::format("{} = ", other)) == (other == std::string(name)));
     }
