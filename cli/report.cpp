@@ -43,7 +43,10 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   };
   const std::array ways{names, arms, folders, files};
   const auto& told = *std::find_if(ways.begin(), std::prev(ways.end()), tell_apart);
-  const show::Table table = show::studies_table(studies, told);
+  show::Table table = show::studies_table(studies, told);
+  const auto unit = &show::Column::unit;
+  if (files.size() > 6 && std::ranges::count(table.columns, table.columns.back().unit, unit) == std::ssize(files))
+    table = show::with_a_row_a_study(table);
   const std::filesystem::path folder = out;
   show::claim(folder, show::files_of({table.name}, {}));
   show::write_table(table, table, folder / "tables", program_name());

@@ -186,6 +186,10 @@ bool write_and_announce(const Store& store, const StoredStudy& study, const std:
   const figures::Look look = figures::look_of(judged, style);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
   if (beside) {
+    const auto is_of_pairs = [](const figures::Figure& its) {
+      return its.name == "ranks" || its.name == "differences";
+    };
+    std::erase_if(pictures, is_of_pairs);  // which are judged anew, with others
     judge::put_beside(judged.study, *beside);
     judged = judge::judge(std::move(judged.study));
   }

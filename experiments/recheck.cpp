@@ -235,7 +235,7 @@ namespace {
 void check_name(const StoredStudy& study, const Series& series) {
   std::vector<std::string> names;
   for (const solvers::SolverInfo& info : solvers::all_solvers())
-    if (info.library.empty() && series.key.ends_with(source_key({.solver = info.name}, study.definition.check)))
+    if (info.library.empty() && series.key.find(source_key({.solver = info.name})) != std::string::npos)
       names.push_back(info.name);
   if (names.empty() || std::ranges::count(names, series.algorithm) > 0) return;
   throw std::invalid_argument(fmt::format("study {}, {}: its solves are by {}, not by {}; the name was changed since",
@@ -256,7 +256,7 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
     std::optional<SolverEntry> entry = built_in(series);
     if (!entry)
       found.foreign.push_back(series.label);
-    else if (!series.key.ends_with(source_key(*entry, study.check)))
+    else if (series.key.find(source_key(*entry)) == std::string::npos)
       found.of_other_source.push_back(series.label);
     else if (study.stop.seconds == 0)
       runners.try_emplace(series.label, study, entries[series.label] = *entry, series.key, *study.robot_of_file);

@@ -365,15 +365,16 @@ std::string source_digest_of(const SolverEntry& entry) {
 
 std::string library_of(const SolverEntry& entry) { return entry.program ? "" : info_of(entry).library; }
 
-std::string source_key(const SolverEntry& entry, const Check& check) {
+std::string source_key(const SolverEntry& entry) {
   Key source = Key(0).with(shared_source_digest()).with(source_digest_of(entry));
   if (const std::string library = library_of(entry); !library.empty()) source = source.with(library);
-  if (!check.digest.empty()) source = source.with("check").with(check.digest);
   return fmt::format("{}{:016x}", before_source, source.value());
 }
 
 std::string series_key(const Study& study, const SolverEntry& entry) {
-  return configuration_key(study, entry) + source_key(entry, study.check);
+  const std::string& check = study.check.digest;
+  return configuration_key(study, entry) + source_key(entry) +
+         (check.empty() ? "" : fmt::format("{:016x}", Key(0).with(check).value()));
 }
 
 std::vector<Series> series_of(const Study& study) {

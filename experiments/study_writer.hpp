@@ -28,10 +28,10 @@ std::string configuration_key(const Study& study, const SolverEntry& entry);
 std::string source_digest_of(const SolverEntry& entry);
 // The library of a peer, with its version; empty for other solvers.
 std::string library_of(const SolverEntry& entry);
-// The end of its keys, made of the source (and of a peer's library), and of the digest of the study's check.
-std::string source_key(const SolverEntry& entry, const results::Check& check);
-// configuration_key with a hash of the source that makes the numbers, and of a peer's library. Equal keys mean equal
-// numbers on one machine, unless a solve ends by its wall time.
+// The part of its keys that is made of the source, and of a peer's library.
+std::string source_key(const SolverEntry& entry);
+// configuration_key and source_key, and a hash of the study's check. Equal keys mean equal numbers on one machine,
+// unless a solve ends by its wall time.
 std::string series_key(const Study& study, const SolverEntry& entry);
 
 // The solvers' parts of the study, and all of it, as the store keeps them. A key is a hash of all targets, so a run

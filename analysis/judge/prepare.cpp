@@ -1,7 +1,6 @@
 #include "analysis/judge/prepare.hpp"
 
 #include <algorithm>
-#include <functional>
 
 #include "analysis/judge/tests_of_two.hpp"
 
@@ -39,15 +38,16 @@ Summary summary_of(const Group& group, const std::vector<double>& values) {
   return summarise(values);
 }
 
-// A value that is all of a group is held against each of the other.
-std::vector<double> differences_of(const std::vector<double>& first, const std::vector<double>& second, bool are_logs) {
+bool is_one_value(const Group& group) {
+  return values_of(group).size() == 1 || repeats_itself(group) || may_be_copies(group);
+}
+
+// One value is held against all of the other group.
+std::vector<double> differences_of(const Group& first, const Group& second, const Prepared& numbers, bool are_logs) {
   std::vector<double> differences, sizes, roundings;
-  const auto is_one = [](const auto& values) {
-    return std::ranges::adjacent_find(values, std::not_equal_to()) == values.end();
-  };
-  const bool is_first_one = is_one(first), is_second_one = is_one(second);
-  for (std::size_t i = 0; i < (is_first_one ? second : first).size(); ++i) {
-    const double x = first[is_first_one ? 0 : i], y = second[is_second_one ? 0 : i];
+  const bool is_first_one = is_one_value(first), is_second_one = is_one_value(second);
+  for (std::size_t i = 0; i < (is_first_one ? numbers.second : numbers.first).size(); ++i) {
+    const double x = numbers.first[is_first_one ? 0 : i], y = numbers.second[is_second_one ? 0 : i];
     // By the size of these two: a huge pair hides no difference of the others, nor does its 0 equal them.
     const double rounding = rounding_of_doubles * std::max({are_logs ? 1.0 : 0.0, std::abs(x), std::abs(y)});
     const bool are_equal = std::abs(x - y) <= rounding;
@@ -95,7 +95,7 @@ Prepared prepared(const Group& first, const Group& second, const Observations& o
     numbers.solved = std::min(numbers.solved, measured->solved);
   }
   if (is_by_difference) {
-    numbers.differences = differences_of(numbers.first, numbers.second, takes_logs);
+    numbers.differences = differences_of(first, second, numbers, takes_logs);
     numbers.are_all_equal = std::ranges::count(numbers.differences, 0.0) == std::ssize(numbers.differences);
   } else {
     numbers.are_all_equal = !all.empty() && std::ranges::count(all, all.front()) == std::ssize(all);

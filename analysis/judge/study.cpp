@@ -88,7 +88,8 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   const double seconds = is_told ? record.claimed_seconds : record.seconds;
   const bool is_single = record.timing != Timing::batch;
   if (!is_single) study.in_batches[record.label].first.insert(record.repeats);
-  if (!is_single && std::isfinite(seconds)) study.in_batches[record.label].second.push_back(seconds);
+  if (!is_single && std::isfinite(seconds) && !is_without_answer(record.status))
+    study.in_batches[record.label].second.push_back(seconds);
   const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;
   const bool is_alone = record.timing == Timing::clean || (record.timing == Timing::process && is_told);
   const double period = study.definition.loop.period;

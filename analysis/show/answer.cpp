@@ -121,6 +121,7 @@ Table batches_table(const StudyResults& study) {
               .caption = "The time of a pose in a batch, solved or not, not tested",
               .columns = {{"solver"}, {"in batches of"}, {"median", "ms"}, {"95 %", "ms"}}};
   for (const auto& [solver, its] : study.in_batches) {
+    if (its.second.empty()) continue;
     const Description all = described(its.second);
     table.rows.push_back(
         {solver, fmt::format("{}", fmt::join(its.first, ", ")), 1000 * all.median, 1000 * all.quantile_95});

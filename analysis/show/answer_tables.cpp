@@ -319,6 +319,16 @@ std::string found_in_studies(const std::vector<Answer>& studies, const std::vect
   return fmt::format("{}.", fmt::join(verdicts.told("{1}: {0}"), ".\n"));
 }
 
+Table with_a_row_a_study(const Table& studies) {
+  Table turned{.name = studies.name, .caption = studies.caption, .columns = {{"study"}}, .notes = studies.notes};
+  for (std::size_t c = 1; c < studies.columns.size(); ++c) turned.rows.push_back({studies.columns[c].name});
+  for (const auto& row : studies.rows) {
+    turned.columns.push_back({.name = std::get<std::string>(row[0]), .unit = studies.columns[1].unit});
+    for (std::size_t c = 1; c < row.size(); ++c) turned.rows[c - 1].push_back(row[c]);
+  }
+  return turned;
+}
+
 // A pair, complete: readers see what stands up to the verdict.
 Table pairs_table(const Answer& answer) {
   Table table{.name = "pairs", .caption = "The first against the second", .columns = columns_of_pairs()};

@@ -18,7 +18,8 @@ Table results_table(const Answer& answer, bool is_brief = false);
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names);
 // "a and b: DLS is best.\nc: Not decided." What the headline of each begins with.
 std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names);
-Table pairs_table(const Answer& answer);  // a row a pair; first those of the headline, which are told
+Table with_a_row_a_study(const Table& studies);  // of one unit: of so many that they do not stand across
+Table pairs_table(const Answer& answer);         // a row a pair; first those of the headline, which are told
 Table descriptives_table(const Answer& answer);
 Table anova_table(const Answer& answer);
 

@@ -43,7 +43,8 @@ Json results_of(const fs::path& folder) {
   const fs::path file = folder / own_files[2];
   const auto text = fs::is_symlink(file, none) ? std::nullopt : base::read_file(file);
   const Json json = text ? base::parsed_ordered_json(*text) : Json();
-  return json.is_object() ? json : Json::object();
+  const bool is_ours = json.is_object() && (json.contains("headline") || (json.size() == 1 && json.contains("files")));
+  return is_ours ? json : Json::object();
 }
 
 template <class Kind>

@@ -63,9 +63,13 @@ class PoseColumns {
     quaternion_ = the_only({"w", "x", "y", "z"}, "");
     rpy_ = the_only({"roll", "pitch", "yaw"}, "deg rad");
     position_ = the_only({"x", "y", "z"}, "m cm mm");
-    is_matrix_ = titles.front() == "1" && titles.back() == std::to_string(titles.size()) &&
-                 (titles.size() == 12 || titles.size() == 16);  // there is no header
-    if (is_matrix_) position_ = {3, 7, 11};
+    for (std::size_t column = 0; column < titles.size(); ++column)  // without a header, or so said
+      if (titles[column] == std::to_string(matrix_.size() + 1)) matrix_.push_back(column);
+    const std::ptrdiff_t left_out = std::ranges::count(titles, "");
+    if ((matrix_.size() != 12 && matrix_.size() != 16) || std::ssize(matrix_) + left_out != std::ssize(titles))
+      matrix_.clear();
+    else
+      position_ = {matrix_[3], matrix_[7], matrix_[11]};
     check_names();
   }
 
@@ -81,7 +85,7 @@ class PoseColumns {
   bool are_said_;
   std::vector<ColumnName> names_;
   Group position_, quaternion_, rpy_;
-  bool is_matrix_ = false;  // each row is one
+  Group matrix_;  // each row is one
 
   double number(std::size_t row, std::size_t column) {
     const double value = sheet_.number(row, column);
@@ -111,7 +115,7 @@ class PoseColumns {
   }
 
   Eigen::Matrix3d rotation_in(std::size_t row) {
-    if (is_matrix_) return rotation_of_matrix(row);
+    if (!matrix_.empty()) return rotation_of_matrix(row);
     if (!rpy_.empty()) return rotation_from_rpy({angle(row, rpy_[0]), angle(row, rpy_[1]), angle(row, rpy_[2])});
     if (quaternion_.empty()) return rotation(Tool::down);
     Eigen::Vector4d q;
@@ -127,11 +131,11 @@ class PoseColumns {
   // Without a last line that of poses is meant.
   Eigen::Matrix3d rotation_of_matrix(std::size_t row) {
     Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
-    for (std::size_t i = 0; i < names_.size(); ++i)
-      T(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = number(row, i);
+    for (std::size_t i = 0; i < matrix_.size(); ++i)
+      T(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = number(row, matrix_[i]);
     const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
     if (!R.isUnitary(0.01) || R.determinant() < 0 || T.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-      sheet_.refuse(row, 0,
+      sheet_.refuse(row, matrix_.front(),
                     "begins a matrix that is no pose; expected the rows of a rotation, each with its part of the "
                     "position behind it, then 0 0 0 1 or nothing");
     return Eigen::Quaterniond(R).normalized().toRotationMatrix();
@@ -172,7 +176,7 @@ class PoseColumns {
 
   // Of other columns stamps are left out, and those that `columns` names otherwise.
   void check_names() {
-    for (std::size_t column = 0; column < names_.size() && !is_matrix_; ++column) {
+    for (std::size_t column = 0; column < names_.size() && matrix_.empty(); ++column) {
       const bool is_used = std::ranges::any_of(std::array{&position_, &quaternion_, &rpy_}, [&](const Group* group) {
         return std::ranges::count(*group, column) > 0;
       });

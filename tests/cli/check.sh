@@ -36,6 +36,8 @@ mv checking.py away.py
 succeeds merge merged shard-1 shard-2
 same_fingerprint mine/store.sqlite merged/store.sqlite
 succeeds verify merged/store.sqlite
+has "$out" "made again"
+has_no "$out" "in this version"
 succeeds report merged/store.sqlite --json --figures none
 json 'of["direction"]["lean"] == "smaller" and any(finding["metric"] == "lean" for finding in of["findings"])'
 succeeds compare mine/store.sqlite merged/store.sqlite

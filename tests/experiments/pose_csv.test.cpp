@@ -93,6 +93,12 @@ TEST_CASE("every mistake is told with its line, its column and what was expected
     CHECK_THAT(refusal(text), ContainsSubstring("is no part of a position"));
   CHECK_THAT(refusal("r11,r21,r31,x,r12,r22,r32,y,r13,r23,r33,z\n1,0,0,0,0,1,0,0,0,0,1,0.3\n"),
              ContainsSubstring("'r11' is no part of a position"));
+  // Columns beside a matrix are left out by name.
+  std::vector<std::string> names{""};
+  for (int i = 1; i <= 12; ++i) names.push_back(std::to_string(i));
+  const std::vector<Pose> stamped =
+      poses_from_csv("7 1 0 0 .4 0 1 0 .1 0 0 1 .3\n8 1 0 0 .4 0 1 0 .1 0 0 1 .3\n", "path.csv", names);
+  CHECK(stamped.at(1).translation() == Eigen::Vector3d(0.4, 0.1, 0.3));
   // A row that was taken out is no header, also after a byte-order mark.
   CHECK(poses_in("\xEF\xBB\xBF# 1 0 0 .9 0 1 0 0 0 0 1 .9\n1 0 0 .4 0 1 0 0 0 0 1 .3\n").at(0).translation().x() ==
         0.4);

@@ -359,6 +359,27 @@ TEST_CASE("two solvers that repeat themselves differ by a fact", "[compare]") {
   CHECK(only(compared(of, by_ranks)).verdict == Verdict::same);
 }
 
+TEST_CASE("which group stands first changes no p", "[compare]") {
+  constexpr double no_answer = std::numeric_limits<double>::infinity();
+  const auto p_of = [](const Group& first, const Group& second, Scale scale) {
+    Observations of = groups_of({{}, {}}, scale);
+    of.groups = {first, second};
+    of.trials = 5;
+    return *only(compared(of, by_ranks)).p;
+  };
+  const Group one{.name = "A", .sample = Measured{.values = {1}, .repeats_itself = true}},
+      equal{.name = "B", .sample = Measured{.values = std::vector(12, 2.0)}},
+      no_share{.name = "B", .sample = Measured{.values = std::vector(12, 0.0)}},
+      copies{.name = "A", .sample = Measured{.values = std::vector(20, 1.5), .may_be_copies = true}},
+      without{.name = "B", .sample = Measured{.values = std::vector(5, no_answer)}};
+  CHECK(p_of(one, equal, Scale::ratio) == 2 / 4096.0);
+  CHECK(p_of(equal, one, Scale::ratio) == 2 / 4096.0);
+  CHECK(p_of(one, no_share, Scale::share) < 0.001);
+  CHECK(p_of(no_share, one, Scale::share) == p_of(one, no_share, Scale::share));
+  CHECK(p_of(copies, without, Scale::ratio) == 2 / 32.0);
+  CHECK(p_of(without, copies, Scale::ratio) == 2 / 32.0);
+}
+
 TEST_CASE("runs are compared with the value of a solver that repeats itself by their signs", "[compare]") {
   Observations of = groups_of({{1}, {2, 3, 4, 5, 6, 7}});
   of.groups[0].sample = Measured{.values = {values_of(of.groups[0]).front()}, .repeats_itself = true};

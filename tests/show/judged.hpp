@@ -42,6 +42,7 @@ inline std::vector<double> solved(int count, int n = 20) {
 inline judge::Observations shares(std::vector<std::pair<std::string, std::vector<double>>> groups) {
   judge::Observations of{.metric = "solved",
                          .quantity = "solved",
+                         .measures = judge::Measure::solved,
                          .better = judge::Better::larger,
                          .scale = judge::Scale::share,
                          .is_paired = true};

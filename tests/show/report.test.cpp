@@ -233,6 +233,10 @@ TEST_CASE("only files that a report has written are replaced or removed", "[show
     base::write_file(out / file, "");
   base::write_file(out / "results.json", R"({"files": ["results.json", "tables/table-8.csv", "tables/results.xlsx",
       "store.sqlite", "../precious.csv", "tables/../../precious.csv", 7]})");
+  const std::string list = text_in(out / "results.json");
+  write_text(out / "results.json", R"({"experiment": 7, )" + list.substr(1));  // somebody else's
+  CHECK_THROWS_AS(publish(report_of(), out, {.only = {"none"}}), std::invalid_argument);
+  write_text(out / "results.json", list);
   publish(report_of(), out, {.only = {"none"}});
   CHECK_FALSE(fs::exists(out / "tables" / "table-8.csv"));
   for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious.csv"})
