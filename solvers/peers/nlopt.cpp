@@ -68,6 +68,8 @@ class NloptSolver final : public NloptSearch {
     nlopt_set_xtol_rel(opt.get(), 0);
     nlopt_set_xtol_abs1(opt.get(), options_.small_move);
     nlopt_set_population(opt.get(), static_cast<unsigned>(problem_.population));
+    // Of L-BFGS: else it clears room for as many steps as evaluations are allowed, which takes a millisecond.
+    nlopt_set_vector_storage(opt.get(), 100);
     nlopt_set_maxeval(opt.get(), static_cast<int>(std::min<std::int64_t>(evaluations.left(), 1'000'000'000)));
     double reached = 0;
     nlopt_optimize(opt.get(), q.data(), &reached);
