@@ -88,8 +88,8 @@ int jobs_of(const Arguments& arguments) {
 papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper& paper) {
   const std::vector<Dimension> all = dimensions(paper.name);
   if (arguments.seeds == 0 || all.empty()) return {};
-  const papers::SolvedMultiverse solved = solved_multiverse(
-      paper.name, all, {.seeds = arguments.seeds, .overrides = overridden_runs(arguments)}, jobs_of(arguments));
+  const papers::SolvedMultiverse solved =
+      solved_multiverse(paper.name, all, arguments.seeds, overridden_runs(arguments), jobs_of(arguments));
   return papers::judged(paper, solved, load_study(paper.name).plan);
 }
 
@@ -101,8 +101,7 @@ std::vector<papers::SeedCounts> counts_of(const Arguments& arguments, const pape
     if (repeated.paper.means.empty()) break;
     counts.push_back(papers::counts_by_seed(
         repeated.paper,
-        solved_multiverse(reading.study().study.name, {}, {.seeds = seeds, .overrides = overridden_runs(arguments)},
-                          jobs_of(arguments))));
+        solved_multiverse(reading.study().study.name, {}, seeds, overridden_runs(arguments), jobs_of(arguments))));
     counts.back().reading = reading.reading();
   }
   return counts;

@@ -111,16 +111,15 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
                      progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
 }
 
-papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::vector<Dimension>& varied,
-                                           MultiverseRequest request, int jobs) {
+papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::vector<Dimension>& varied, int seeds,
+                                           const Overrides& overrides, int jobs) {
   CancelOnSignal signals;
-  request.cancelled = &signals.requested();
-  const MultiversePlan plan = plan_multiverse(study, varied, request);
+  const MultiversePlan plan = plan_multiverse(study, varied, seeds, overrides);
   std::optional<ProgressBar> bar("readings");
   const std::vector<PartMeans> means =
       solve_parts(plan.parts, {.jobs = jobs,
                                .progress = [&](const Progress& progress) { bar->show(progress); },
-                               .cancelled = request.cancelled});
+                               .cancelled = &signals.requested()});
   bar.reset();  // leaves its line to the next words
   if (signals.end()) {
     say("Stopped. Readings are judged together, so none is kept; the same command solves them anew.");

@@ -30,7 +30,7 @@ std::string run_study(const experiments::Study& study, const results::StoredStud
 // Solves all combinations of what a paper leaves open, with progress. After Ctrl-C it says so, and
 // throws Cancelled: shares need all readings.
 papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::vector<results::Dimension>& varied,
-                                           experiments::MultiverseRequest request, int jobs);
+                                           int seeds, const experiments::Overrides& overrides, int jobs);
 
 // Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
 void check_plan(const experiments::Study& study);

@@ -2,7 +2,6 @@
 // them.
 #pragma once
 
-#include <atomic>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,19 +16,14 @@ namespace ikbench::experiments {
 std::vector<results::Dimension> dimensions(std::string_view study);
 
 struct MultiversePlan : results::Multiverse {
-  // One solver and one seed each, each series once, in the order of first need. Choices that do not change its key
+  // One solver and one seed each, each series once, in the order of first need. Settings that do not change its key
   // share a part.
   std::vector<Study> parts;
 };
 
-struct MultiverseRequest {
-  int seeds = 1;                                 // seeds 1, 2, ...
-  Overrides overrides = {};                      // apply in every reading
-  const std::atomic<bool>* cancelled = nullptr;  // set: the plan is incomplete and of no use
-};
-
-MultiversePlan plan_multiverse(const std::string& study, const std::vector<results::Dimension>& dimensions,
-                               const MultiverseRequest& request = {});
+// With seeds 1, 2, ...; the overrides apply in every reading.
+MultiversePlan plan_multiverse(const std::string& study, const std::vector<results::Dimension>& dimensions, int seeds,
+                               const Overrides& overrides);
 
 // One value per run, the mean over its points; not finite if an answer is not.
 struct PartMeans {

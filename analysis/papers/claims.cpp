@@ -29,7 +29,7 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
                     .is_of_study = false};
   table.columns.back().role = show::Role::remark;
   const auto in_readings = [&](const InReadings& of) {
-    if (of.all() > 0) return fmt::format("{:.0f} hold, {:.0f} fail, {:.0f} open", of.hold, of.fail, of.open);
+    if (of.all() > 0) return fmt::format("{} hold, {} fail, {} open", of.hold, of.fail, of.open);
     return std::string(std::ranges::any_of(claims, is_counted) ? "not counted" : "");
   };
   for (const JudgedClaim& claim : claims) {
@@ -99,7 +99,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
   text += fmt::format("\n{}\n{}\n", table.caption, show::to_text(table));
   std::vector<std::vector<std::string>> rows;
   if (const auto one = std::ranges::find_if(claims, is_counted); one != claims.end())
-    rows.push_back({"", "", fmt::format("ours ({:.0f} readings: hold, fail, open)", one->in_readings.all())});
+    rows.push_back({"", "", fmt::format("ours ({} readings: hold, fail, open)", one->in_readings.all())});
   std::vector<std::string> not_tested;  // sentences
   for (const JudgedClaim& claim : grouped(claims, false)) {
     if (claim.holds == Holds::not_tested) {
@@ -109,9 +109,8 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
     const std::string verdict(name_of(claim.holds));
     const bool is_new = std::exchange(last, verdict) != verdict;
     const InReadings& of = claim.in_readings;
-    rows.push_back(
-        {is_new ? fmt::format("{:13}", verdict) : "", show::shortened(claim.sentence, 46),
-         claim.number + (of.all() == 0 ? "" : fmt::format(" ({:.0f}, {:.0f}, {:.0f})", of.hold, of.fail, of.open))});
+    rows.push_back({is_new ? fmt::format("{:13}", verdict) : "", show::shortened(claim.sentence, 46),
+                    claim.number + (of.all() == 0 ? "" : fmt::format(" ({}, {}, {})", of.hold, of.fail, of.open))});
   }
   text += show::in_columns(rows, 2);
   if (!not_tested.empty())

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "analysis/papers/published.hpp"
@@ -13,14 +14,10 @@
 namespace ikbench::papers {
 
 using namespace judge;
-using results::Choice;
-using results::Chosen;
 using results::Dimension;
 
 namespace {
 
-using ChosenSolver = SolvedMultiverse::ChosenSolver;
-using OfStudy = SolvedMultiverse::OfStudy;
 using Names = std::vector<std::string>;
 
 bool contains(const auto& all, const auto& one) { return std::ranges::find(all, one) != all.end(); }
@@ -41,30 +38,8 @@ Verdict verdict_of(const Group& own, const Group& theirs, const Claim& claim, co
   return judge::verdict_of(judge::compare(claim.of == Of::spread ? deviations(observed) : observed, plan).front());
 }
 
-// How the claim's solvers, by one choice of the study and of each of them, do against each choice of each rival.
-struct Against {
-  const Chosen* chosen;
-  Holds holds;
-};
-struct Part {
-  Chosen chosen;
-  std::vector<std::vector<Against>> rivals;
-  double others;  // choices of solvers that the claim is not about
-};
-
-// One of the combinations of the choices of these solvers: by solver, its choice; none after the last.
-using OwnChoices = std::map<std::size_t, std::size_t>;
-OwnChoices combination(const OfStudy& study, const std::vector<std::size_t>& solvers, std::size_t number) {
-  OwnChoices chosen;
-  for (const std::size_t solver : solvers) {
-    chosen[solver] = number % study.solvers[solver].size();
-    number /= study.solvers[solver].size();
-  }
-  return number == 0 ? chosen : OwnChoices();
-}
-
 // None if a solver of the claim is missing.
-std::vector<Part> parts_of(const SolvedMultiverse& multiverse, const Claim& claim, const results::Plan& plan) {
+InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, const results::Plan& plan) {
   const Names& solvers = multiverse.solvers;
   const std::size_t k = solvers.size(), metric = claim.metrics.front()->column == metrics_of_readings[0] ? 0 : 1;
   std::vector<std::size_t> own, rivals;
@@ -76,74 +51,35 @@ std::vector<Part> parts_of(const SolvedMultiverse& multiverse, const Claim& clai
   const Plan of_pair{.test = Plan::Test::means,
                      .significance = plan.significance / (static_cast<double>(k * (k - 1)) / 2),
                      .margin = plan.margin};
-  std::vector<Part> parts;
-  for (const OfStudy& study : multiverse.studies) {
-    for (std::size_t seed = 0; seed < study.solvers[0][0].parts.size(); ++seed) {
-      const auto verdict = [&](const ChosenSolver& one, const ChosenSolver& other) {
-        return verdict_of(multiverse.means[one.parts[seed]][metric], multiverse.means[other.parts[seed]][metric], claim,
-                          of_pair);
-      };
-      OwnChoices chosen;
-      for (std::size_t number = 0; !(chosen = combination(study, own, number)).empty(); ++number) {
-        Part& part = parts.emplace_back(Part{study.chosen, {}, study.readings()});
-        for (const auto& [solver, choice] : chosen) {
-          const Chosen& more = study.solvers[solver][choice].chosen;
-          part.chosen.insert(part.chosen.end(), more.begin(), more.end());
-          part.others /= static_cast<double>(study.solvers[solver].size());
-        }
-        for (const std::size_t rival : rivals) {
-          part.others /= static_cast<double>(study.solvers[rival].size());
-          std::vector<Against>& against = part.rivals.emplace_back();
-          for (const ChosenSolver& theirs : study.solvers[rival]) {
-            Tally tally;
-            for (const auto& [solver, choice] : chosen) tally.add(verdict(study.solvers[solver][choice], theirs));
-            against.push_back({&theirs.chosen, holds_of(tally)});
-          }
-        }
-      }
+  std::map<std::pair<std::size_t, std::size_t>, Verdict> known;  // many readings share a pair
+  const auto verdict = [&](std::size_t one, std::size_t other) {
+    const auto [place, is_new] = known.try_emplace({one, other});
+    if (is_new)
+      place->second = verdict_of(multiverse.means[one][metric], multiverse.means[other][metric], claim, of_pair);
+    return place->second;
+  };
+  InReadings counts;
+  std::map<std::string, std::int64_t> failing;  // readings, by setting
+  for (const auto& [settings, parts] : multiverse.readings) {
+    for (std::size_t seed = 0; seed < parts[0].size(); ++seed) {
+      Tally tally;
+      for (const std::size_t solver : own)
+        for (const std::size_t rival : rivals) tally.add(verdict(parts[solver][seed], parts[rival][seed]));
+      const Holds holds = holds_of(tally);
+      ++(holds == Holds::holds ? counts.hold : holds == Holds::fails ? counts.fail : counts.open);
+      if (holds == Holds::fails)
+        for (const std::string& setting : settings) ++failing[setting];
     }
   }
-  return parts;
-}
-
-// Of a part, those that have another answer than this one.
-InReadings count(const Part& part, const Choice* without = nullptr) {
-  if (without != nullptr && contains(part.chosen, *without)) return {};
-  double all = part.others, hold = all, fail_not = all;
-  for (const std::vector<Against>& rival : part.rivals) {
-    double options = 0, better = 0, worse = 0;
-    for (const auto& [chosen, holds] : rival) {
-      if (without != nullptr && contains(*chosen, *without)) continue;
-      ++options;
-      better += holds == Holds::holds;
-      worse += holds == Holds::fails;
-    }
-    all *= options;
-    hold *= better;
-    fail_not *= options - worse;
-  }
-  return {hold, all - fail_not, fail_not - hold};
-}
-
-InReadings in_readings(const SolvedMultiverse& multiverse, const std::vector<Part>& parts) {
-  InReadings of_all;
-  for (const Part& part : parts) {
-    const InReadings counts = count(part);
-    of_all.hold += counts.hold, of_all.fail += counts.fail, of_all.open += counts.open;
-  }
-  double fewest = of_all.fail;  // without one answer, other than a default
-  for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
-    for (std::size_t a = 1; a < multiverse.dimensions[d].alternatives.size(); ++a) {
-      const Choice answer{d, a};
-      double without = 0;
-      for (const Part& part : parts) without += count(part, &answer).fail;
-      if (without >= fewest) continue;
-      fewest = without;
-      const results::Alternative& its = multiverse.dimensions[d].alternatives[a];
-      of_all.most_fail = fmt::format("{:.0f} with {} ({})", of_all.fail - without, its.set, its.where);
+  std::int64_t most = 0;
+  for (const Dimension& dimension : multiverse.dimensions) {
+    for (const results::Alternative& its : std::span(dimension).subspan(1)) {
+      if (failing[its.set] <= most) continue;
+      most = failing[its.set];
+      counts.most_fail = fmt::format("{} with {} ({})", most, its.set, its.where);
     }
   }
-  return of_all;
+  return counts;
 }
 
 }  // namespace
@@ -163,21 +99,19 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
                                     .is_of_study = false}};
   for (const Claim& claim : paper.claims) {
     if (!hangs_on_reading(claim)) continue;
-    const std::vector<Part> parts = parts_of(multiverse, claim, plan);
-    if (parts.empty()) continue;
-    const InReadings& counts = result.in_readings[claim.id] = in_readings(multiverse, parts);
-    const auto number = [](double count) { return static_cast<std::int64_t>(count); };
-    result.table.rows.push_back({claim.sentence, number(counts.hold), number(counts.fail), number(counts.open),
-                                 counts.most_fail.empty() ? "none" : counts.most_fail});
+    const InReadings counts = in_readings(multiverse, claim, plan);
+    if (counts.all() == 0) continue;
+    result.in_readings[claim.id] = counts;
+    result.table.rows.push_back(
+        {claim.sentence, counts.hold, counts.fail, counts.open, counts.most_fail.empty() ? "none" : counts.most_fail});
   }
-  const std::size_t seeds = multiverse.studies[0].solvers[0][0].parts.size();
+  const std::size_t readings = multiverse.readings.size(), seeds = multiverse.readings[0].parts[0].size();
   const std::int64_t solvers = std::ssize(multiverse.solvers), pairs = solvers * (solvers - 1) / 2;
   result.table.notes = {
       fmt::format(
-          "{:.0f} readings{}. A claim holds where its solvers are better than each rival, and fails where a rival is "
+          "{} readings{}. A claim holds where its solvers are better than each rival, and fails where a rival is "
           "better, by Welch's t (spreads: of distances from the median) at {:g} / {} ({} of solvers).",
-          static_cast<double>(seeds) * multiverse.readings(),
-          seeds > 1 ? fmt::format(": {:.0f}, each with seeds 1 to {}", multiverse.readings(), seeds) : "",
+          seeds * readings, seeds > 1 ? fmt::format(": {}, each with seeds 1 to {}", readings, seeds) : "",
           plan.significance, pairs, base::counted(pairs, "pairs")),
       fmt::format("A reading answers {} of the questions that the paper leaves open. Counts depend on the answers "
                   "listed: they are no chances.",
@@ -187,7 +121,8 @@ JudgedMultiverse judged(const Paper& paper, const SolvedMultiverse& multiverse, 
 
 SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse) {
   SeedCounts counts;
-  const std::size_t seeds = multiverse.studies.front().solvers[0][0].parts.size();
+  const auto& parts = multiverse.readings.front().parts;
+  const std::size_t seeds = parts[0].size();
   std::map<std::pair<std::size_t, std::size_t>, int> alike;  // numbers of the second seed in ranges of the first
   counts.all.resize(seeds);
   for (std::size_t m = 0; m < metrics_of_readings.size(); ++m) {
@@ -197,7 +132,7 @@ SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse
       std::vector<Description> ours;
       std::vector<std::optional<Ranges>> ranges;
       std::vector<double> together;
-      for (const std::size_t part : multiverse.studies.front().solvers[solver][0].parts) {
+      for (const std::size_t part : parts[solver]) {
         const Group& group = multiverse.means[part][m];
         const std::vector<double> values(values_of(group).begin(), values_of(group).end());
         ranges.push_back(lost_in(group) > 0 ? std::nullopt : predicted_ranges(values, row.numbers.n));

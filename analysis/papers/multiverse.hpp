@@ -1,6 +1,6 @@
 // A paper's claims in every reading of what it leaves open (Steegen et al., Perspectives on Psychological Science 11
-// (2016) 702): in how many one fails. A reading is a choice for the study and one for each solver. Given the
-// study's, the solvers are independent, and pairs are judged alone, so products count all readings exactly.
+// (2016) 702): in how many one fails. A pair of solvers is judged alone, and once for all readings that share its
+// solves.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ struct JudgedMultiverse {
   show::Table table;                              // "multiverse"; readings, each seed of one by itself
 };
 
-// How many printed numbers of the table of means repeat, by the seed of a study (a multiverse without choices).
+// How many printed numbers of the table of means repeat, by the seed of a study (a multiverse of one reading).
 struct SeedCounts {
   std::string reading = {};                      // of the study: Repeated::reading
   std::map<std::string, std::vector<int>> rows;  // by solver and seed

@@ -1,6 +1,7 @@
 // The rules that judge claims: each finds a verdict, a number and why.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,10 +21,10 @@ std::string_view name_of(Holds holds);
 
 // In how many readings of what a paper leaves open.
 struct InReadings {
-  double hold = 0, fail = 0, open = 0;
+  std::int64_t hold = 0, fail = 0, open = 0;
   std::string most_fail = {};  // those of one answer, other than a default: "118 with a=1 (its reason)"
 
-  double all() const { return hold + fail + open; }
+  std::int64_t all() const { return hold + fail + open; }
 };
 
 struct JudgedClaim : Claim {

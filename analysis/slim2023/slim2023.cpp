@@ -309,8 +309,8 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
   words = fmt::format("\"{}\" {}{} in the default reading ({})", accurate->sentence,
                       accurate->holds >= Holds::undecided ? "is " : "", name_of(accurate->holds), accurate->number);
   if (const InReadings& of = accurate->in_readings; of.all() > 0)
-    words += fmt::format(". It holds in {:.0f} of {:.0f} readings, is open in {:.0f} and fails in {:.0f}{}", of.hold,
-                         of.all(), of.open, of.fail, of.most_fail.empty() ? "" : ", of these " + of.most_fail);
+    words += fmt::format(". It holds in {} of {} readings, is open in {} and fails in {}{}", of.hold, of.all(), of.open,
+                         of.fail, of.most_fail.empty() ? "" : ", of these " + of.most_fail);
   all.push_back(words + '.');
   if (classical != nullptr && classical->holds == Holds::fails)
     all.push_back(fmt::format("More accurate, and not in the paper: {} cm.", classical->rival));

@@ -4,23 +4,19 @@ namespace {
 
 const Overrides tiny{"runs=2", "path.points=2", "stop.iterations=2", "population=6"};
 
-// Each answer contradicts the settings in `except`.
-Dimension dimension(const std::string& name, const std::vector<std::string>& answers, const std::string& label = "",
-                    const std::vector<std::string>& except = {}) {
-  Dimension one{.name = name, .label = label, .alternatives = {}};
+// Each answer but the first contradicts the setting `except`.
+Dimension dimension(const std::string& name, const std::vector<std::string>& answers, const std::string& except = "") {
+  Dimension one;
   for (const std::string& answer : answers)
-    one.alternatives.push_back({.set = name + '=' + answer,
-                                .where = "",
-                                .except = answer == answers.front() ? std::vector<std::string>() : except});
+    one.push_back({.set = name + '=' + answer, .where = "", .except = one.empty() ? "" : except});
   return one;
 }
 
 const Dimension bounds = dimension("bounds", {"per_solver", "initial", "clamp"}),
                 search = dimension("search", {"wrist", "all_joints"}),
-                bounds_of_de = dimension("DE.bounds", {"clamp", "reflect", "resample", "initial"}, "DE",
-                                         {"bounds=initial", "bounds=clamp"}),
-                branch =
-                    dimension("wrist_branch", {"nearest", "positive", "negative", "inside"}, "", {"search=all_joints"});
+                of_bats = dimension("IK-BA.bounds", {"initial", "clamp"}),
+                of_de = dimension("DE.bounds", {"clamp", "reflect", "resample", "initial"}),
+                branch = dimension("wrist_branch", {"nearest", "positive", "negative", "inside"}, "search=all_joints");
 
 }  // namespace
 
@@ -33,15 +29,17 @@ TEST_CASE("the first alternative of every dimension is the default, and every ot
   };
   std::set<std::string> names, earlier;  // settings of the dimensions before
   for (const Dimension& dimension : dimensions("slim2023")) {
-    CHECK(names.insert(dimension.name).second);
+    const std::string& first = dimension.front().set;
+    const std::string name = first.substr(0, first.find('=') + 1);
+    CHECK(names.insert(name).second);
     std::set<std::string> own;
-    for (const Alternative& each : dimension.alternatives) {
+    for (const Alternative& each : dimension) {
       CAPTURE(each.set);
-      CHECK(each.set.starts_with(dimension.name + "="));
+      CHECK(each.set.starts_with(name));
       CHECK(own.insert(each.set).second);
       CHECK(!each.where.empty());
-      for (const std::string& excepted : each.except) CHECK(earlier.contains(excepted));
-      const bool is_default = &each == &dimension.alternatives.front();
+      CHECK((each.except.empty() || earlier.contains(each.except)));
+      const bool is_default = &each == &dimension.front();
       CHECK((keys_of(load_study("slim2023", {each.set})) == keys_of(usual)) == is_default);
     }
     earlier.merge(own);
@@ -49,26 +47,22 @@ TEST_CASE("the first alternative of every dimension is the default, and every ot
 }
 
 TEST_CASE("a plan has every combination of the alternatives that go together, each series once", "[multiverse]") {
-  // wrist_branch has no effect if all joints are searched; DE.bounds contradicts a choice for all solvers.
-  const MultiversePlan plan =
-      plan_multiverse("slim2023", {bounds, search, bounds_of_de, branch}, {.seeds = 1, .overrides = tiny});
+  const MultiversePlan plan = plan_multiverse("slim2023", {bounds, search, of_de, branch}, 2, tiny);
   REQUIRE(plan.solvers.size() == 6);
-  CHECK(plan.studies.size() == 3 * (4 + 1));
-  const auto de = static_cast<std::size_t>(std::ranges::find(plan.solvers, "DE") - plan.solvers.begin());
-  std::int64_t series = 0;
+  CHECK(plan.readings.size() == 3 * 4 * (4 + 1));  // wrist_branch has no effect if all joints are searched
+  CHECK(plan.readings.front().settings ==
+        Overrides{"bounds=per_solver", "search=wrist", "DE.bounds=clamp", "wrist_branch=nearest"});
+  std::set<Overrides> readings;
   std::set<std::size_t> used;
-  for (const MultiversePlan::OfStudy& study : plan.studies) {
-    const auto has = [&](const std::string& set) {
-      return std::ranges::any_of(study.chosen, [&](const results::Choice& each) {
-        return plan.dimensions[each.dimension].alternatives[each.alternative].set == set;
-      });
-    };
-    const bool has_wrist = has("search=wrist");
-    CHECK(study.chosen.size() == (has_wrist ? 3 : 2));
-    CHECK(study.solvers[de].size() == (has("bounds=per_solver") ? 4 : 1));
-    for (const auto& of_solver : study.solvers) {
-      series += static_cast<std::int64_t>(of_solver.size());
-      for (const auto& own : of_solver) used.insert(own.parts.begin(), own.parts.end());
+  for (const auto& [settings, parts] : plan.readings) {
+    CHECK(readings.insert(settings).second);
+    for (std::size_t s = 0; s < parts.size(); ++s) {
+      REQUIRE(parts[s].size() == 2);
+      for (const std::size_t part : parts[s]) {
+        used.insert(part);
+        CHECK(plan.parts[part].seed == (part == parts[s][0] ? 1 : 2));
+        CHECK(plan.parts[part].solvers.front().label == plan.solvers[s]);
+      }
     }
   }
   CHECK(used.size() == plan.parts.size());
@@ -77,35 +71,28 @@ TEST_CASE("a plan has every combination of the alternatives that go together, ea
     REQUIRE(part.solvers.size() == 1);
     CHECK(keys.insert(series_key(part, part.solvers.front())).second);
   }
-  CHECK(series > static_cast<std::int64_t>(plan.parts.size()));
-  CHECK(plan.studies.front().chosen == Chosen{{0, 0}, {1, 0}, {3, 0}});
 }
 
-TEST_CASE("the series of a universe are solved with what its choices say, defaults too", "[multiverse]") {
+TEST_CASE("the series of a reading are solved with what its settings say, defaults too", "[multiverse]") {
   Overrides unclamped = tiny;
   unclamped.emplace_back("bounds=initial");
-  const Dimension of_bats = dimension("IK-BA.bounds", {"initial", "clamp"}, "IK-BA"),
-                  of_de = dimension("DE.bounds", {"clamp", "reflect", "resample", "initial"}, "DE");
-  const MultiversePlan plan = plan_multiverse("slim2023", {of_bats, of_de}, {.seeds = 1, .overrides = unclamped});
-  int checked = 0;
-  for (const auto& of_solver : plan.studies.front().solvers) {
-    for (const MultiversePlan::ChosenSolver& own : of_solver) {
-      const Study& part = plan.parts[own.parts.front()];
-      if (own.chosen.empty()) continue;
-      const results::Choice& choice = own.chosen.front();
-      CHECK(plan.dimensions[choice.dimension].alternatives[choice.alternative].set.ends_with(
-          "bounds=" + text_of(effective_options(part, part.solvers.front()).at("bounds"))));
-      ++checked;
+  const MultiversePlan plan = plan_multiverse("slim2023", {of_bats, of_de}, 1, unclamped);
+  CHECK(plan.readings.size() == 2 * 4);
+  for (const auto& [settings, parts] : plan.readings) {
+    for (const std::string& setting : settings) {
+      const std::string solver = setting.substr(0, setting.find('.'));
+      const auto s = std::ranges::find(plan.solvers, solver) - plan.solvers.begin();
+      const Study& part = plan.parts[parts[static_cast<std::size_t>(s)].front()];
+      CHECK(setting.ends_with("bounds=" + text_of(effective_options(part, part.solvers.front()).at("bounds"))));
     }
   }
-  CHECK(checked == 2 + 4);
 }
 
 TEST_CASE("the parts of a plan have the means of their runs, by any number of jobs; cancelled, none", "[multiverse]") {
   // One search stands for several wrists only where no limit and no wrap changes where the next one starts.
   const std::string set = GENERATE("limits=recorded", "limits=enforced", "wrap=into_limits");
   const Overrides few{set, "runs=3", "path.points=3", "stop.iterations=6", "population=6"};
-  const auto parts = plan_multiverse("slim2023", {branch}, {.seeds = 1, .overrides = few}).parts;
+  const auto parts = plan_multiverse("slim2023", {branch}, 1, few).parts;
   const std::vector<PartMeans> means = solve_parts(parts, {.jobs = 1}), again = solve_parts(parts, {.jobs = 3});
   REQUIRE(means.size() == parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
