@@ -49,10 +49,10 @@ Path path_through(std::vector<Pose> poses);
 // units: x, y and z in m, cm or mm, of one thing ("pose.position.x", "x [mm]"), without a unit m; and w, x, y, z of
 // another (of length 1 to 1 %, then made exact); or roll, pitch, yaw in deg or rad (Rz(yaw) Ry(pitch) Rx(roll)); or
 // nothing for a tool that points straight down. Stamps and all of a message's header are left out, by their names.
-// Without a header rows may also be 12 or 16 numbers of a matrix, whose names are "1" to "16". `columns` are the names in place of the header's, of
-// which those that are no part of a pose are left out. Anything else, a number that is not finite, lengths and angles
-// that seem to be in another unit, no row, or more than 100000 rows throws std::invalid_argument with file, line and
-// column.
+// Without a header rows may also be 12 or 16 numbers of a matrix, whose names are "1" to "16". `columns` are the names
+// in place of the header's, of which those that are no part of a pose are left out. Anything else, a number that is not
+// finite, lengths and angles that seem to be in another unit, no row, or more than 100000 rows throws
+// std::invalid_argument with file, line and column.
 std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file,
                                  const std::vector<std::string>& columns = {});
 
