@@ -21,11 +21,11 @@ struct Method {
   Outcome (*test)(const Prepared& its, double alpha);
   bool is_by_values_too = false;
 
-  // That data of these sizes can give.
+  // That data of these sizes can give; of values that may be copies m is theirs, and n that of the differences.
   double smallest_p(std::size_t m, std::size_t n) const {
     // Of two values the larger is more than half of their sum.
     if (by == By::means && (m == n || !is_by_difference)) return std::min(m, n) < 3 ? 1 : 0;
-    const double by_differences = is_by_difference ? smallest_p_paired(std::max(m, n)) : 0;
+    const double by_differences = is_by_difference ? smallest_p_paired(is_by_values_too ? n : std::max(m, n)) : 0;
     if (is_by_difference && !is_by_values_too) return by_differences;
     // The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other,
     // or the other way round.
@@ -264,7 +264,9 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
       if (const auto why = why_not(*pair.method, *a, *b)) pair.open = Open{.why = *why, .n = pair.n};
       if (!pair.open && observed.fewest > 0 && pair.n < observed.fewest)
         pair.open = Open{.why = Open::Why::too_few, .n = pair.n, .needed = observed.fewest};
-      pair.smallest_p = pair.n == 0 ? 1 : pair.method->smallest_p(m, n);
+      pair.smallest_p = pair.n == 0         ? 1
+                        : may_be_copies(*b) ? pair.method->smallest_p(n, m)
+                                            : pair.method->smallest_p(m, n);
     }
   }
   return pairs;

@@ -371,13 +371,20 @@ TEST_CASE("which group stands first changes no p", "[compare]") {
       equal{.name = "B", .sample = Measured{.values = std::vector(12, 2.0)}},
       no_share{.name = "B", .sample = Measured{.values = std::vector(12, 0.0)}},
       copies{.name = "A", .sample = Measured{.values = std::vector(20, 1.5), .may_be_copies = true}},
-      without{.name = "B", .sample = Measured{.values = std::vector(5, no_answer)}};
+      without{.name = "B", .sample = Measured{.values = std::vector(8, no_answer)}};
   CHECK(p_of(one, equal, Scale::ratio) == 2 / 4096.0);
   CHECK(p_of(equal, one, Scale::ratio) == 2 / 4096.0);
   CHECK(p_of(one, no_share, Scale::share) < 0.001);
   CHECK(p_of(no_share, one, Scale::share) == p_of(one, no_share, Scale::share));
-  CHECK(p_of(copies, without, Scale::ratio) == 2 / 32.0);
-  CHECK(p_of(without, copies, Scale::ratio) == 2 / 32.0);
+  CHECK(p_of(copies, without, Scale::ratio) == 2 / 256.0);
+  CHECK(p_of(without, copies, Scale::ratio) == 2 / 256.0);
+  // Three signs decide nothing, however many copies they stand against.
+  for (const bool are_first : {true, false}) {
+    const std::vector<double> copied(45, 1), others{2, 3, 4};
+    Observations of = groups_of({are_first ? copied : others, are_first ? others : copied});
+    measured(of.groups[are_first ? 0 : 1]).may_be_copies = true;
+    CHECK(only(compared(of, by_ranks)).why == Why::too_few);
+  }
 }
 
 TEST_CASE("runs are compared with the value of a solver that repeats itself by their signs", "[compare]") {
