@@ -28,8 +28,7 @@ struct Plan {
   std::vector<std::string> then = all_thens;  // of those whom solved does not tell apart; empty: nothing
   std::string control = {};                   // compares with this group alone; empty: all pairs
   double significance = 0.05;
-  double margin = 0.05;  // that matters: relative, 1 / 1.05 to 1.05; of shares points
-  double margin_cm = 0;  // the same of errors; within either, a difference does not matter
+  double margin = 0.05;  // that matters: relative, 1 / 1.05 to 1.05; of shares points; a smaller one does not
   double deadline = 0;   // [s] of a solve, what is solved within it is a metric; 0: the loop's period, if there is one
 
   bool operator==(const Plan&) const = default;
@@ -57,8 +56,6 @@ inline void list_fields(base::Fields& io, Plan& plan) {
             "significance level of the tests of a metric together");
   io.number("margin_percent", plan.margin, percent, margins_percent,
             "smallest relative difference that matters (of shares in points); within it two solvers count as the same");
-  io.number("margin_cm", plan.margin_cm, 1, {0, 1000},
-            "the same of errors in cm; a difference within either does not matter");
   io.number("deadline_ms", plan.deadline, 0.001, {0, 1e6},
             "tells what is solved within this time; 0: within loop.period_ms, if there is one");
 }

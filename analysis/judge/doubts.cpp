@@ -113,7 +113,7 @@ void add_of_plan(Doubts& doubts, const StudyResults& study) {
     if (recorded == session.environment.end()) continue;
     const base::Json then = base::parsed_json(recorded->second);
     for (const auto& [field, value] : then.items())
-      if (!plan.contains(field) || plan[field] != value) others.insert(session.id), fields.insert(field);
+      if (plan.value(field, value) != value) others.insert(session.id), fields.insert(field);  // a field may be gone
   }
   add(doubts, study, {.kind = DoubtKind::plan_changed, .what = fmt::format("{}", fmt::join(fields, ", "))},
       [&](const Solve& solve) { return others.contains(solve.session); });

@@ -296,7 +296,6 @@ Observations observe_solves(const StudyResults& study, const Metric& metric) {
   const Definition& definition = study.definition;
   const bool of_runs = are_runs(study, metric);
   Observations observed = observations_of(metric);
-  observed.absolute_margin = metric.measures == Measure::position ? definition.plan.margin_cm : 0;
   observed.is_paired = definition.draws_targets || !of_runs;
   observed.is_of_solved = is_of_solved(study, metric);
   observed.are_logs = metric.kind == Kind::spent;

@@ -61,8 +61,7 @@ TEST_CASE("The plan's test, level, margin and control reach the comparison") {
   CHECK(judged(R"({"control": "B"})").findings.size() == 2);
   CHECK(seen(judged(R"({"significance": 0.0001})").findings.front()).why == Why::too_few);
   CHECK_FALSE(seen(judged(R"({})").findings.front()).is_within_margin);
-  CHECK(seen(judged(R"({"margin_cm": 0.6})").findings.front()).is_within_margin);
-  CHECK(seen(judged(R"({"margin_cm": 0.6})").findings.back()).verdict == Verdict::same);
+  CHECK(seen(judged(R"({"margin_percent": 99})").findings.front()).is_within_margin);
 }
 
 TEST_CASE("Means that few values decide are told") {

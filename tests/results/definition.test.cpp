@@ -30,7 +30,7 @@ TEST_CASE("A definition is read into plain data") {
   CHECK(of.out_of_reach == 3);
   CHECK(of.steps == std::vector<std::pair<double, bool>>{{45 * degree, true}, {1, false}});  // rad, and m
   CHECK(of.arm.starts_with("{\"links\""));
-  CHECK(of.plan == Plan{.test = Plan::Test::means, .control = "A", .margin = 0.1, .margin_cm = 0.2});
+  CHECK(of.plan == Plan{.test = Plan::Test::means, .control = "A", .margin = 0.1});
   CHECK(of.figures ==
         FigureStyle{.width_cm = 9, .palette = {"#ff0000"}, .solvers = {"B", "A"}, .colours = {{"A", "#8D1804"}}});
 }
