@@ -58,7 +58,7 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
   if (metric == judged.metrics.end()) return judged.study.labels;
   const auto is_doubted = [&](const Group& group) {  // of several reasons a group has the first
     return std::ranges::any_of(metric->observations.doubts, [&](const Doubt& doubt) {
-      return doubt.kind != DoubtKind::few_decide_mean && doubt.kind != DoubtKind::sessions_left_out &&
+      return doubt.kind != DoubtKind::few_decide_mean &&
              (doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0);
     });
   };

@@ -56,8 +56,10 @@ void add(Doubts& doubts, const StudyResults& study, Doubt doubt, Is is_so) {
   });
 }
 
-auto is_timed(Timing how) {
-  return [how](const Solve& solve) { return solve.timing == how; };
+// How solves were timed, if not as one alone of an optimised build.
+std::string odd_timing_of(const StudyResults& study) {
+  const auto is_any = [&](Timing how) { return std::ranges::count(study.solves, how, &Solve::timing) > 0; };
+  return is_any(Timing::parallel) ? "solved in parallel" : is_any(Timing::debug_build) ? "a debug build" : "";
 }
 
 // Those that have fewer sessions than a test takes in common with most, who made the same ones.
@@ -121,100 +123,72 @@ void add_of_plan(Doubts& doubts, const StudyResults& study) {
 
 void add_of_repeats(Doubts& doubts, const StudyResults& study) {
   if (study.definition.draws_targets || !study.definition.compares_runs()) return;  // paired
-  std::map<std::size_t, std::vector<std::string>> repeating;                        // solvers, by their number of runs
-  for (const std::string& solver : study.labels)
-    if (repeats_itself(study, solver)) repeating[complete_runs_of(study, solver).size()].push_back(solver);
-  for (const auto& [runs, who] : repeating)
-    doubts.push_back({.kind = DoubtKind::repeats_itself, .who = who, .count = static_cast<double>(runs)});
-}
-
-// Of targets that are the same in all runs: those that stay unsolved.
-void add_of_targets(Doubts& doubts, const StudyResults& study) {
-  const Definition& definition = study.definition;
-  if (definition.draws_targets || !definition.has_tolerance()) return;
-  std::map<int, bool> is_solved;  // by point
-  for (const Solve& solve : study.solves) is_solved[solve.point] |= solve.status == Status::ok;
-  std::vector<std::string> never;
-  for (const auto& [point, is_so] : is_solved)
-    if (!is_so) never.push_back(std::to_string(point));
-  if (!never.empty() && never.size() < is_solved.size())
-    doubts.push_back({.kind = DoubtKind::solved_by_nobody,
-                      .count = static_cast<double>(never.size()),
-                      .of = static_cast<double>(is_solved.size()),
-                      .what = names_of(never)});
+  Doubt repeating{.kind = DoubtKind::repeats_itself};
+  std::ranges::copy_if(study.labels, std::back_inserter(repeating.who),
+                       [&](const std::string& solver) { return repeats_itself(study, solver); });
+  add(doubts, std::move(repeating));
 }
 
 }  // namespace
 
-std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& sessions) {
-  const auto doubt_of = [](std::string what) {
-    return Doubt{.kind = DoubtKind::times_not_comparable, .what = std::move(what)};
-  };
+std::vector<Doubt> doubts_of_times(const StudyResults& study) {
+  const Sessions sessions = sessions_of(study);
   const bool are_alone = study.in_batches.empty() || facts_of(study, "jobs") == std::set<std::string>{"1"};
-  if (!are_alone || std::ranges::any_of(study.solves, is_timed(Timing::parallel)))
-    return {doubt_of("solved in parallel")};
-  if (std::ranges::any_of(study.solves, is_timed(Timing::debug_build))) return {doubt_of("a debug build")};
-  if (std::ranges::none_of(study.sessions, is_of_this_clock)) return {doubt_of("of the clock of a former version")};
   const auto compared = std::ssize(sessions.compared);
-  if (compared < fewest_sessions)
-    return {doubt_of(fmt::format("{}, and {} are the fewest", base::counted(compared, "sessions"), fewest_sessions))};
+  std::string of_all = are_alone ? odd_timing_of(study) : "solved in parallel";
+  if (of_all.empty() && std::ranges::none_of(study.sessions, is_of_this_clock))
+    of_all = "of the clock of a former version";
+  else if (of_all.empty() && compared < fewest_sessions)
+    of_all = fmt::format("{}, and {} are the fewest", base::counted(compared, "sessions"), fewest_sessions);
+  if (!of_all.empty()) return {{.kind = DoubtKind::times_not_comparable, .what = of_all}};
   Doubts doubts;
-  const auto add_of = [&](std::vector<std::string> who, const char* what,  // one reason is enough
-                          DoubtKind kind = DoubtKind::times_not_comparable) {
-    for (const Doubt& told : doubts)
-      std::erase_if(who, [&](const std::string& solver) { return std::ranges::count(told.who, solver) > 0; });
-    add(doubts, {.kind = kind, .who = std::move(who), .what = what});
+  std::set<std::string> told;  // one reason is enough
+  const auto add_of = [&](std::vector<std::string> who, const std::string& what) {
+    std::erase_if(who, [&](const std::string& solver) { return !told.insert(solver).second; });
+    add(doubts, {.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = what});
   };
-  add_of(study.beside.labels, study.beside.of.c_str());
+  add_of(study.beside.labels, study.beside.of);
   const auto in_batches = study.in_batches | std::views::keys;
   add_of({in_batches.begin(), in_batches.end()}, "asked in batches");
-  std::vector<std::string> silent, busy;
-  for (std::size_t place = 0; place < study.labels.size(); ++place) {
-    const std::string& solver = study.labels[place];
+  std::vector<std::string> silent;
+  for (const std::string& solver : study.labels) {
     const Solves all = study.of(solver);
     const auto tells_none = [](const Solve& solve) {
       return solve.timing == Timing::process && !solve.is_told && gave_answer(solve);
     };
     if (10 * std::ranges::count_if(all, tells_none) > std::ssize(all)) silent.push_back(solver);
-    if (sessions.told[place] != sessions.made[place]) busy.push_back(solver);
   }
   if (silent.size() < study.labels.size())
     add_of(std::move(silent), "they include its messages");  // however often solved
   add_of(measured_apart(study, sessions.made),
          "too few sessions in common with the others; solve all again: --out NEW");
   add_of(measured_apart(study, sessions.told), "the machine was busy");
-  add_of(std::move(busy), "", DoubtKind::sessions_left_out);
   return doubts;
 }
 
 std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
   const double limit = study.definition.stop.seconds;
   if (limit == 0) return {};
-  const auto are_some = [&](Timing how) { return std::ranges::any_of(study.solves, is_timed(how)); };
   // Machines differ if their processors do, or both name and start: one that starts again keeps its name, and
   // containers on it have their own.
   const auto differ = [&](const char* fact) { return facts_of(study, fact).size() > 1; };
   const std::vector<std::set<int>> sessions = sessions_of(study).all;
   std::set<std::set<int>> different(sessions.begin(), sessions.end());
   different.erase(std::set<int>());  // of who has no solves
-  Doubt doubt{.kind = DoubtKind::seconds_decide,
-              .what = are_some(Timing::parallel)                            ? "solved in parallel"
-                      : are_some(Timing::debug_build)                       ? "a debug build"
-                      : differ("cpu") || (differ("host") && differ("boot")) ? "several machines"
-                      : different.size() > 1                                ? "measured in different sessions"
-                                                                            : "the machine was busy"};
-  const bool is_of_all = doubt.what != "the machine was busy";
-  const auto count_of = [&](const std::string& solver, bool is_beside) {
-    const Solves all = study.of(solver);
-    const auto ended = std::ranges::count_if(all, [=](auto&its) { return its.seconds >= 0.9 * limit; }),
-               disturbed = std::ranges::count_if(all, &Solve::was_disturbed);
-    const bool decides = is_beside || is_of_all || (disturbed > 1 && 10 * disturbed > std::ssize(all));
-    return std::pair(decides && study.beside.has(solver) == is_beside ? ended : 0, std::ssize(all));
-  };  // programs stop before the limit
+  std::string of_all = odd_timing_of(study);
+  if (of_all.empty() && (differ("cpu") || (differ("host") && differ("boot")))) of_all = "several machines";
+  if (of_all.empty() && different.size() > 1) of_all = "measured in different sessions";
   Doubts doubts;
-  add_counts(doubts, study, std::move(doubt), [&](const std::string& solver) { return count_of(solver, false); });
-  add_counts(doubts, study, {.kind = DoubtKind::seconds_decide, .what = study.beside.of},
-             [&](const std::string& solver) { return count_of(solver, true); });
+  for (const bool is_beside : {false, true}) {
+    const std::string what = is_beside ? study.beside.of : of_all.empty() ? "the machine was busy" : of_all;
+    add_counts(doubts, study, {.kind = DoubtKind::seconds_decide, .what = what}, [&](const std::string& solver) {
+      const Solves all = study.of(solver);
+      const auto ended = std::ranges::count_if(all, [=](auto&its) { return its.seconds >= 0.9 * limit; }),
+                 disturbed = std::ranges::count_if(all, &Solve::was_disturbed);  // programs stop before the limit
+      const bool decides = is_beside || !of_all.empty() || (disturbed > 1 && 10 * disturbed > std::ssize(all));
+      return std::pair(decides && study.beside.has(solver) == is_beside ? ended : 0, std::ssize(all));
+    });
+  }
   return doubts;
 }
 
@@ -241,7 +215,6 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
     doubts.push_back({.kind = DoubtKind::out_of_reach,
                       .count = static_cast<double>(count),
                       .of = static_cast<double>(study.definition.points)});
-  add_of_targets(doubts, study);
   add_of_plan(doubts, study);
   add_of_repeats(doubts, study);
   add(doubts, study.other_version);
@@ -262,15 +235,13 @@ std::string words_of(const Doubt& doubt) {
       "{share} answers outside the joint limits ({who})",
       "{share} {what}{of_whom}",
       "times{of_who} are not compared: {what}{to_do}",
-      "sessions in which the machine was busy are left out of the tests of time ({who})",
       "{share} targets of a run out of reach, so no solver can solve them",
-      "{share} targets were solved by nobody in any run (points {what})",
       "{who} gave the same {what} {count} times, or its spread was rounded away: not tested",
       "few values decide the {what} of {who}; such pairs are left open",
       "{first} is better than {last} by ranks, though its {what} is worse"};
   std::string_view sentence = sentences[static_cast<std::size_t>(doubt.kind)];
   if (doubt.kind == DoubtKind::repeats_itself && doubt.what.empty())
-    sentence = "{who} gave the same answers in all {count} runs, which count as one";
+    sentence = "{who} gave the same answers in every run, which count as one";
   const std::string who = names_of(doubt.who), share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
   const auto if_any = [&](const char* before, const char* after) { return who.empty() ? "" : before + who + after; };
   return fmt::format(

@@ -7,7 +7,6 @@
 
 namespace ikbench::judge {
 
-struct Sessions;
 struct StudyResults;
 
 // In the order of what they change.
@@ -23,9 +22,7 @@ enum class DoubtKind {
   outside_limits,        // answers
   without_answer,        // solves, or infinite values of a file
   times_not_comparable,  // measured in parallel, in too few sessions or apart, or on a busy machine
-  sessions_left_out,     // of times: busy ones, where enough others compare
   out_of_reach,          // targets
-  solved_by_nobody,      // targets, in any run
   repeats_itself,        // every run gave the same, so they count as one
   few_decide_mean,       // one value is most of a sum
   ranks_disagree,        // better by ranks, worse by its median or mean
@@ -44,7 +41,7 @@ std::string words_of(const Doubt& doubt);
 // Of all that concerns more than one metric.
 std::vector<Doubt> doubts_of(const StudyResults& study);
 // Of one: whom these name is not compared in it; all, if none is named.
-std::vector<Doubt> doubts_of_times(const StudyResults& study, const Sessions& sessions);
+std::vector<Doubt> doubts_of_times(const StudyResults& study);
 // What solvers reach in seconds depends on the load.
 std::vector<Doubt> doubts_of_clock(const StudyResults& study);
 // The same, and whose evaluations are not ours to compare.

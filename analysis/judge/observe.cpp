@@ -213,19 +213,6 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
   return group;
 }
 
-// Who is in doubt is described, and not compared.
-void set_apart(Observations& observed) {
-  for (const Doubt& doubt : observed.doubts) {
-    if (doubt.kind == DoubtKind::sessions_left_out) continue;
-    for (Group& group : observed.groups) {
-      const bool is_apart = doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0;
-      if (!is_apart || untold(group)) continue;  // a group that lost values stays so: the stronger reason
-      const std::span<const double> values = judge::values_of(group);
-      group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
-    }
-  }
-}
-
 Observations observe_times(const StudyResults& study, const Metric& metric) {
   Observations observed = observations_of(metric);
   observed.is_paired = true;
@@ -236,8 +223,6 @@ Observations observe_times(const StudyResults& study, const Metric& metric) {
     observed.groups.push_back(study.beside.has(study.labels[i]) || study.in_batches.contains(study.labels[i])
                                   ? Group{.name = study.labels[i], .sample = Untold{.why = Untold::Why::apart}}
                                   : group_of_times(study, metric, study.labels[i], sessions.told[i]));
-  observed.doubts = doubts_of_times(study, sessions);
-  set_apart(observed);
   return observed;
 }
 
@@ -285,10 +270,18 @@ Observations observations_of(const Metric& metric) {
 }
 
 Observations observe(const StudyResults& study, const Metric& metric) {
-  if (is_of_times(metric)) return observe_times(study, metric);
-  Observations observed = observe_solves(study, metric);
-  observed.doubts = metric.measures == Measure::evaluations ? doubts_of_evaluations(study) : doubts_of_clock(study);
-  set_apart(observed);
+  Observations observed = is_of_times(metric) ? observe_times(study, metric) : observe_solves(study, metric);
+  observed.doubts = is_of_times(metric)                       ? doubts_of_times(study)
+                    : metric.measures == Measure::evaluations ? doubts_of_evaluations(study)
+                                                              : doubts_of_clock(study);
+  for (const Doubt& doubt : observed.doubts) {  // who is in doubt is described, and not compared
+    for (Group& group : observed.groups) {
+      const bool is_apart = doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0;
+      if (!is_apart || untold(group)) continue;  // a group that lost values stays so: the stronger reason
+      const std::span<const double> values = judge::values_of(group);
+      group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
+    }
+  }
   return observed;
 }
 

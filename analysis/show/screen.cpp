@@ -83,7 +83,7 @@ std::string screen(const Answer& answer, const std::string& page) {
     const bool is_told = !page.empty() && std::any_of(doubts.data(), &doubt,
                                                       [&](const Doubt& other) { return other.kind == doubt.kind; });
     const auto alike = std::ranges::count(doubts, doubt.kind, &Doubt::kind);
-    if (doubt.kind == DoubtKind::sessions_left_out || is_told) continue;  // on the page
+    if (is_told) continue;  // on the page
     text += paragraph("! " + with_short_names(words_of(doubt)) +
                           (page.empty() || alike == 1 ? "" : fmt::format("; {} more on the page", alike - 1)),
                       "  ");
