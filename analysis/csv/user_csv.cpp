@@ -149,7 +149,7 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
              .what = layout.block ? "blocks incomplete"
                      : layout.run ? "runs incomplete"
                                   : "values missing"};
-  Doubt without{.kind = DoubtKind::without_answer, .what = "values are no answers, and count as largest"};
+  Doubt without{.kind = DoubtKind::without_answer, .what = "values are no answers"};
   const auto add = [](Doubt& doubt, const std::string& group, auto count, std::size_t total) {
     if (count == 0) return;
     doubt.who.push_back(group);
