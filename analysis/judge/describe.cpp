@@ -1,7 +1,6 @@
 #include "analysis/judge/describe.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <iterator>
@@ -122,15 +121,6 @@ Description describe(const Group& group) {
   Description its = described({values.begin(), values.end()});
   if (group.at_most > 0) its.sd = unknown;
   return its;
-}
-
-std::optional<Interval> interval_of_quantile(const std::vector<double>& sorted, double share) {
-  const auto n = static_cast<double>(sorted.size());
-  const boost::math::binomial below(n, share);  // how many values are; quantiles are rounded outwards
-  const double low = boost::math::quantile(below, 0.025),
-               high = boost::math::quantile(boost::math::complement(below, 0.025));
-  if (high >= n || boost::math::cdf(below, low) > 0.025) return {};
-  return Interval{sorted[static_cast<std::size_t>(low)], sorted[static_cast<std::size_t>(high)]};
 }
 
 std::optional<double> hedges_g(const Summary& first, const Summary& second) {

@@ -28,8 +28,6 @@ Description describe(const Group& group);
 Description described(const std::vector<double>& values);
 // Of values that rise, which are not none.
 double quantile(const std::vector<double>& sorted, double share);
-// By order statistics, at 95 %, whatever the values are of; none if there are too few (of the 95 % quantile 72).
-std::optional<Interval> interval_of_quantile(const std::vector<double>& sorted, double share);
 
 // The difference of two means in pooled standard deviations, without bias (Hedges, J. Educational Statistics 6 (1981)
 // 107); of paired values that is g_av, by the spreads of both and not by that of their differences (Cumming,

@@ -250,6 +250,14 @@ double smallest_p_unpaired(std::size_t m, std::size_t n) {
 
 double smallest_p_paired(std::size_t n) { return std::min(1.0, std::exp2(1 - number(n))); }
 
+std::optional<Interval> interval_of_quantile(Values sorted, double share, double alpha) {
+  const double n = number(sorted.size());
+  const bm::binomial below(n, share);  // how many values are; quantiles are rounded outwards
+  const double low = bm::quantile(below, alpha / 2), high = bm::quantile(bm::complement(below, alpha / 2));
+  if (high >= n || bm::cdf(below, low) > alpha / 2) return {};
+  return Interval{sorted[static_cast<std::size_t>(low)], sorted[static_cast<std::size_t>(high)]};
+}
+
 double brunner_munzel(Values first, Values second, double shift) {
   const Summary of_first = placements(first, second, shift), of_second = placements(second, first, -shift);
   const double m = of_first.n, n = of_second.n;
@@ -329,13 +337,10 @@ Outcome sign_test(Values differences, double alpha) {
   const std::size_t n = order.size();
   const double above = number(std::ranges::count_if(order, [](double each) { return each > 0; }));
   const double below = number(std::ranges::count_if(order, [](double each) { return each < 0; }));
-  std::size_t rank = 0;
-  while (rank < n / 2 && bm::cdf(bm::binomial(number(n), 0.5), number(rank)) <= alpha / 2) ++rank;
-  Outcome outcome{.estimate = order[(n - 1) / 2] / 2 + order[n / 2] / 2,
-                  .p = two_sided_binomial(above, above + below),
-                  .direction = sign_of(above - below)};
-  if (rank > 0) outcome.interval = Interval{order[rank - 1], order[n - rank]};
-  return outcome;
+  return {.estimate = order[(n - 1) / 2] / 2 + order[n / 2] / 2,
+          .p = two_sided_binomial(above, above + below),
+          .direction = sign_of(above - below),
+          .interval = interval_of_quantile(order, 0.5, alpha)};
 }
 
 Interval wilson(double share, double n, double alpha) {

@@ -40,6 +40,10 @@ std::vector<Placed> rising(Values values);
 double smallest_p_unpaired(std::size_t m, std::size_t n);  // 2 / C(m + n, m)
 double smallest_p_paired(std::size_t n);                   // 2^(1 - n)
 
+// By order statistics of values that rise, whatever they are of; none if there are too few (of the 95 % quantile, at
+// 95 %, 72).
+std::optional<Interval> interval_of_quantile(Values sorted, double share, double alpha = 0.05);
+
 // Numbers, unpaired.
 
 // Of sorted values, the first less a shift, by Student's t (Biometrical J. 42 (2000) 17). Without variance the groups
