@@ -303,7 +303,7 @@ std::optional<Figure> ranks_of(const JudgedMetric& metric, const std::vector<std
     const auto* const fact = std::get_if<Fact>(&each.what);
     const auto* const tested = std::get_if<Tested>(&each.what);
     if (!fact && !(tested && tested->effect)) continue;
-    const double larger = fact ? fact->amount.value - (each.scale == Scale::ratio) : 0;
+    const double larger = fact ? each.amount->value - amount_of_equal(each.scale) : 0;
     const double of_fact = larger == 0 ? 0.5 : (larger > 0) == (observed.better == Better::larger) ? 1 : 0;
     const double ahead = tested ? tested->effect->a12() : of_fact;
     pairs[{each.first, each.second}] = {&each, 1 - ahead}, pairs[{each.second, each.first}] = {&each, ahead};

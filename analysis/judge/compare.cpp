@@ -21,17 +21,17 @@ struct Method {
   Outcome (*test)(const Prepared& its, double alpha);
   bool is_by_values_too = false;
 
-  // That data of these sizes can give; of values that may be copies m is theirs, and n that of the differences.
-  double smallest_p(std::size_t m, std::size_t n) const {
+  // That groups of these sizes, and so many differences, can give.
+  double smallest_p(std::size_t m, std::size_t n, std::size_t differences) const {
+    const std::size_t few = std::min(m, n);
     // Of two values the larger is more than half of their sum.
-    if (by == By::means && (m == n || !is_by_difference)) return std::min(m, n) < 3 ? 1 : 0;
-    const double by_differences = is_by_difference ? smallest_p_paired(is_by_values_too ? n : std::max(m, n)) : 0;
+    if (by == By::means && (m == n || !is_by_difference)) return few < 3 ? 1 : 0;
+    const double by_differences = is_by_difference ? smallest_p_paired(differences) : 0;
     if (is_by_difference && !is_by_values_too) return by_differences;
     // The rarest table of Fisher's test is one, or of groups of one size two: all of one solved and none of the other,
     // or the other way round.
-    return std::min(m, n) < 2
-               ? 1
-               : std::max(by_differences, smallest_p_unpaired(m, n) / (by == By::shares && m != n ? 2 : 1));
+    const double by_values = few < 2 ? 1 : smallest_p_unpaired(m, n) / (by == By::shares && m != n ? 2 : 1);
+    return std::max(by_differences, by_values);
   }
 };
 
@@ -85,12 +85,13 @@ std::size_t size_of(const Group& group) {
 struct Pair {
   Group a, b;  // of the blocks that both have
   const Method* method;
-  bool takes_logs = false;  // ranks of a ratio are of logarithms
-  bool are_ratios = false;  // amounts are, since numbers are logarithms
-  bool is_fact = false;
+  Scale scale = Scale::difference;  // of the amount
   double smallest_p = 1;
   int n = 0;
   std::optional<Open> open = {};
+
+  bool has_one() const { return repeats_itself(a) || repeats_itself(b); }  // one value for all runs
+  bool is_fact() const { return repeats_itself(a) && repeats_itself(b); }
 };
 
 // A pair on one scale: its numbers, what the test says of them, and whether a difference lies within the margin there.
@@ -121,7 +122,6 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
   const double relative = numbers.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(one), std::abs(other));
   const double margin = observed.scale == Scale::share    ? plan.margin
                         : takes_logs || observed.are_logs ? std::log1p(plan.margin)
-                        : pair.takes_logs                 ? observed.absolute_margin
                                                           : std::max(observed.absolute_margin, relative);
   const auto lies_within = [&](const Outcome& outcome) {  // values without spread have their difference alone
     const Interval held = outcome.interval.value_or(Interval{outcome.estimate, outcome.estimate});
@@ -143,53 +143,74 @@ Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair,
   return trial;
 }
 
-double share_larger(const std::vector<double>& first, std::vector<double> second) {
-  std::ranges::sort(second);
-  double pairs = 0;
-  for (const double value : first)
-    pairs += static_cast<double>(std::ranges::lower_bound(second, value) - second.begin());
-  return pairs / (static_cast<double>(first.size()) * static_cast<double>(second.size()));
-}
-
 std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, const Prepared& numbers) {
-  if (observed.are_logs) return {};
   const bool has_differences = pair.method->is_by_difference;
-  const std::vector<double> zero{0}, &first = has_differences ? numbers.differences : numbers.first,
-                                     &second = has_differences ? zero : numbers.second;
-  if (first.empty() || second.empty()) return {};
-  const double larger = share_larger(first, second), smaller = share_larger(second, first);
-  return observed.better == Better::larger ? Effect{larger, smaller} : Effect{smaller, larger};
+  const std::vector<double>& first = has_differences ? numbers.differences : numbers.first;
+  std::vector<double> second = has_differences ? std::vector{0.0} : numbers.second;
+  if (observed.are_logs || first.empty() || second.empty()) return {};
+  std::ranges::sort(second);
+  double larger = 0, smaller = 0;
+  for (const double value : first) {
+    const auto equal = std::ranges::equal_range(second, value);
+    larger += static_cast<double>(equal.begin() - second.begin());
+    smaller += static_cast<double>(second.end() - equal.end());
+  }
+  const double pairs = static_cast<double>(first.size()) * static_cast<double>(second.size());
+  return observed.better == Better::larger ? Effect{larger / pairs, smaller / pairs}
+                                           : Effect{smaller / pairs, larger / pairs};
 }
 
 // The verdict of p, with an amount that cannot refute it.
-std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan& plan, const Pair& pair,
-                                        double tests) {
-  const double alpha = plan.significance / tests;
-  const Trial trial = trial_of(observed, plan, pair, pair.takes_logs, alpha);
-  const bool is_same = trial.is_same || (pair.takes_logs && observed.absolute_margin > 0 &&
+Finding judged(const Observations& observed, const Plan& plan, const Pair& pair, double tests) {
+  Finding finding{.first = pair.a.name, .second = pair.b.name, .scale = pair.scale};
+  if (pair.open) {
+    finding.what = *pair.open;
+    return finding;
+  }
+  const bool is_ratio = pair.scale == Scale::ratio, takes_logs = is_ratio && !observed.are_logs;
+  const bool are_means = pair.method->by == By::means && observed.scale != Scale::share;
+  const double alpha = plan.significance / tests, none = amount_of_equal(pair.scale);
+  const Trial trial = trial_of(observed, plan, pair, takes_logs, alpha);
+  const bool is_same = trial.is_same || (takes_logs && observed.absolute_margin > 0 &&
                                          trial_of(observed, plan, pair, false, alpha).is_same);
   const Outcome& outcome = trial.outcome;
-  const auto shown = [&](double value) { return pair.are_ratios ? std::exp(value) : value; };
-  const double none = pair.are_ratios ? 1 : 0;
+  const auto shown = [&](double value) { return is_ratio ? std::exp(value) : value; };
+  if (std::isfinite(outcome.estimate)) finding.amount = Amount{shown(outcome.estimate)};
+  if (pair.is_fact()) {
+    const auto of = [&](const Group& group) {
+      const double value = values_of(group).front();
+      return observed.are_logs ? std::exp(value) : value;
+    };
+    const double one = of(pair.a), other = of(pair.b);
+    finding.what = Fact{is_worse_than_margin(observed, plan, one, other)   ? Verdict::worse
+                        : is_worse_than_margin(observed, plan, other, one) ? Verdict::better
+                                                                           : Verdict::same};
+    return finding;
+  }
   Tested tested{.p = std::min(1.0, outcome.p * tests),
                 .effect = effect_of(observed, pair, trial.numbers),
                 .test = pair.method->name,
                 .n = pair.n};
-  if (pair.method->by == By::means && observed.scale != Scale::share && !observed.are_logs)
-    tested.g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
+  const bool is_decided = tested.p < plan.significance;
+  if (are_means && !observed.are_logs) tested.g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
+  // Of logarithms p itself would be that of few.
+  if (are_means && (observed.are_logs || is_same || is_decided) &&
+      (does_one_value_decide(pair.a) || does_one_value_decide(pair.b))) {
+    finding.what = Open{.why = Open::Why::few_decide, .n = pair.n};
+    return finding;
+  }
   constexpr double enough_solved = 20;  // of fewer, an interval of costs with heavy tails misses too often
   std::optional<Interval> interval;
-  if (std::isfinite(outcome.estimate)) {
-    tested.amount.emplace().value = shown(outcome.estimate);
-    if (outcome.interval && trial.numbers.solved >= enough_solved)
-      interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
-  }
-  // Of logarithms p itself would be that of few.
-  if (pair.method->by == By::means && observed.scale != Scale::share &&
-      (observed.are_logs || is_same || tested.p < plan.significance) &&
-      (does_one_value_decide(pair.a) || does_one_value_decide(pair.b)))
-    return Open{.why = Open::Why::few_decide, .n = pair.n, .amount = tested.amount};
-  if (tested.p >= plan.significance) {
+  if (outcome.interval && trial.numbers.solved >= enough_solved)
+    interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
+  if (is_decided) {
+    const int direction = outcome.direction;
+    tested.verdict = (direction > 0) == (observed.better == Better::larger) ? Verdict::better : Verdict::worse;
+    tested.is_small = is_same;
+    if (finding.amount && (finding.amount->value - none) * direction <= 0) finding.amount.reset();
+    if (interval && direction > 0 && interval->low <= none) interval->low = none, interval->excludes_low = true;
+    if (interval && direction < 0 && interval->high >= none) interval->high = none, interval->excludes_high = true;
+  } else {
     tested.verdict = is_same ? Verdict::same : Verdict::undecided;
     if (interval) interval = Interval{std::min(none, interval->low), std::max(none, interval->high)};
     if (!is_same && interval && interval->low >= interval->high) interval.reset();  // most are equal, but not all
@@ -198,52 +219,23 @@ std::variant<Tested, Fact, Open> judged(const Observations& observed, const Plan
     const double enough =
         std::ceil(pair.n * std::pow((critical_z(alpha) + critical_z(0.4)) / critical_z(outcome.p), 2));
     if (!is_same && tested.p < 0.5 && enough > pair.n && enough < 1e6) tested.enough = static_cast<int>(enough);
-    if (tested.amount) tested.amount->interval = interval;
-    return tested;
   }
-  const int direction = outcome.direction;
-  tested.verdict = (direction > 0) == (observed.better == Better::larger) ? Verdict::better : Verdict::worse;
-  if (tested.amount && (tested.amount->value - none) * direction <= 0) tested.amount.reset();
-  tested.is_small = is_same;
-  if (!interval || !tested.amount) return tested;
-  if (direction > 0 && interval->low <= none) interval->low = none, interval->excludes_low = true;
-  if (direction < 0 && interval->high >= none) interval->high = none, interval->excludes_high = true;
-  tested.amount->interval = interval;
-  return tested;
-}
-
-Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair) {
-  const double estimate = trial_of(observed, plan, pair, pair.takes_logs, plan.significance).outcome.estimate;
-  const auto of = [&](const Group& group) {
-    const double value = values_of(group).front();
-    return observed.are_logs ? std::exp(value) : value;
-  };
-  const double one = of(pair.a), other = of(pair.b);
-  return {.verdict = is_worse_than_margin(observed, plan, one, other)   ? Verdict::worse
-                     : is_worse_than_margin(observed, plan, other, one) ? Verdict::better
-                                                                        : Verdict::same,
-          .amount = {.value = pair.are_ratios ? std::exp(estimate) : estimate}};
-}
-
-// Keeps the values of blocks that both have.
-void keep_common_blocks(Group& one, Group& other) {
-  auto *const a = std::get_if<Measured>(&one.sample), *const b = std::get_if<Measured>(&other.sample);
-  if (a == nullptr || b == nullptr || a->blocks == b->blocks) return;
-  a->values = values_in(b->blocks, *a);
-  b->values = values_in(a->blocks, *b);
+  if (finding.amount) finding.amount->interval = interval;
+  finding.what = tested;
+  return finding;
 }
 
 std::optional<Open::Why> why_not(const Method& method, const Group& a, const Group& b) {
   const auto is_none = [](double value) { return std::isinf(value); };
+  const auto has_none = [&](const Group& group) {  // no answer at all
+    return !values_of(group).empty() && std::ranges::all_of(values_of(group), is_none);
+  };
   std::set<Open::Why> all;
+  if (has_none(a) && has_none(b)) all.insert(Open::Why::no_answer);
   for (const Group* const group : {&a, &b}) {
     if (method.by == By::means && std::ranges::any_of(values_of(*group), is_none)) all.insert(Open::Why::infinite);
     if (const Untold* const its = untold(*group)) all.insert(its->why);
   }
-  const auto has_none = [&](const Group& group) {  // no answer at all
-    return !values_of(group).empty() && std::ranges::all_of(values_of(group), is_none);
-  };
-  if (all.empty() && has_none(a) && has_none(b)) return Open::Why::no_answer;
   return all.empty() ? std::nullopt : std::optional(*all.begin());
 }
 
@@ -254,19 +246,17 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
     for (auto b = a + 1; b != observed.groups.end(); ++b) {
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
       Pair& pair = pairs.emplace_back(Pair{.a = *a, .b = *b, .method = &method_of(observed, plan, *a, *b)});
-      keep_common_blocks(pair.a, pair.b);
-      pair.takes_logs = observed.scale == Scale::ratio && pair.method->by == By::ranks;
-      pair.are_ratios = pair.takes_logs || observed.are_logs;
-      const std::size_t m = size_of(pair.a), n = size_of(pair.b);
-      const bool is_one = repeats_itself(*a), is_other = repeats_itself(*b);
-      pair.is_fact = is_one && is_other;
-      pair.n = static_cast<int>(std::min(m, n) > 0 && (is_one || is_other) ? std::max(m, n) : std::min(m, n));
-      if (const auto why = why_not(*pair.method, *a, *b)) pair.open = Open{.why = *why, .n = pair.n};
-      if (!pair.open && observed.fewest > 0 && pair.n < observed.fewest)
+      keep_common_blocks({&pair.a, &pair.b});
+      const bool has_differences = observed.scale == Scale::ratio && pair.method->by != By::ranks && !observed.are_logs;
+      pair.scale = has_differences ? Scale::difference : observed.scale;
+      const std::size_t m = size_of(pair.a), n = size_of(pair.b), few = std::min(m, n), many = std::max(m, n);
+      pair.n = static_cast<int>(few > 0 && pair.has_one() ? many : few);
+      if (const auto why = why_not(*pair.method, *a, *b))
+        pair.open = Open{.why = *why, .n = pair.n};
+      else if (pair.n < observed.fewest)
         pair.open = Open{.why = Open::Why::too_few, .n = pair.n, .needed = observed.fewest};
-      pair.smallest_p = pair.n == 0         ? 1
-                        : may_be_copies(*b) ? pair.method->smallest_p(n, m)
-                                            : pair.method->smallest_p(m, n);
+      const std::size_t differences = may_be_copies(*a) ? n : may_be_copies(*b) ? m : many;
+      pair.smallest_p = pair.n == 0 ? 1 : pair.method->smallest_p(m, n, differences);
     }
   }
   return pairs;
@@ -276,7 +266,7 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
 std::size_t testable(std::vector<Pair>& pairs, double significance) {
   std::vector<Pair*> family;
   for (Pair& pair : pairs)
-    if (!pair.open && !pair.is_fact) family.push_back(&pair);
+    if (!pair.open && !pair.is_fact()) family.push_back(&pair);
   while (!family.empty()) {
     const double level = significance / static_cast<double>(family.size());
     const double worst = (*std::ranges::max_element(family, {}, &Pair::smallest_p))->smallest_p;
@@ -284,20 +274,12 @@ std::size_t testable(std::vector<Pair>& pairs, double significance) {
     std::erase_if(family, [&](Pair* pair) {
       if (pair->smallest_p < worst) return false;
       std::size_t n = 2;
-      const bool has_one = repeats_itself(pair->a) || repeats_itself(pair->b);
-      while (pair->method->smallest_p(has_one ? 1 : n, n) >= level) ++n;
+      while (pair->method->smallest_p(pair->has_one() ? 1 : n, n, n) >= level) ++n;
       pair->open = Open{.why = Open::Why::too_few, .n = pair->n, .needed = static_cast<int>(n)};
       return true;
     });
   }
   return family.size();
-}
-
-auto* amount_in(auto& finding) {
-  if (auto* const fact = std::get_if<Fact>(&finding.what)) return &fact->amount;
-  auto* const tested = std::get_if<Tested>(&finding.what);
-  auto& amount = tested ? tested->amount : std::get<Open>(finding.what).amount;
-  return amount ? &*amount : nullptr;
 }
 
 }  // namespace
@@ -313,9 +295,6 @@ Verdict verdict_of(const Finding& finding) {
   return is_open(finding, Open::Why::few_decide) ? Verdict::undecided : Verdict::not_tested;
 }
 
-const Amount* amount_of(const Finding& finding) { return amount_in(finding); }
-Amount* amount_of(Finding& finding) { return amount_in(finding); }
-
 std::optional<double> p_of(const Finding& finding) {
   const auto* const tested = std::get_if<Tested>(&finding.what);
   return tested ? std::optional(tested->p) : std::nullopt;
@@ -327,8 +306,7 @@ bool is_open(const Finding& finding, Open::Why why) {
 }
 
 bool are_equal(const Finding& finding) {
-  if (const auto* const fact = std::get_if<Fact>(&finding.what))
-    return fact->amount.value == (finding.scale == Scale::ratio ? 1 : 0);
+  if (std::holds_alternative<Fact>(finding.what)) return finding.amount->value == amount_of_equal(finding.scale);
   const auto* const tested = std::get_if<Tested>(&finding.what);
   return tested != nullptr && tested->effect && tested->effect->ahead == 0 && tested->effect->behind == 0;
 }
@@ -345,8 +323,7 @@ bool does_one_value_decide(const Group& group) {
 bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }
 
 Verdict turned(Verdict verdict) {
-  if (!is_difference(verdict)) return verdict;
-  return verdict == Verdict::better ? Verdict::worse : Verdict::better;
+  return verdict == Verdict::better ? Verdict::worse : verdict == Verdict::worse ? Verdict::better : verdict;
 }
 
 std::set<std::string> losers_of(const std::vector<Finding>& findings) {
@@ -366,18 +343,7 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan, std
   const double tests =
       shares * static_cast<double>(std::max<std::size_t>(1, testable(pairs, plan.significance / shares)));
   std::vector<Finding> findings;
-  for (const Pair& pair : pairs) {
-    Finding& finding = findings.emplace_back(
-        Finding{.first = pair.a.name,
-                .second = pair.b.name,
-                .scale = observed.scale == Scale::ratio && !pair.are_ratios ? Scale::difference : observed.scale});
-    if (pair.open)
-      finding.what = *pair.open;
-    else if (pair.is_fact)
-      finding.what = fact_of(observed, plan, pair);
-    else
-      finding.what = judged(observed, plan, pair, tests);
-  }
+  for (const Pair& pair : pairs) findings.push_back(judged(observed, plan, pair, tests));
   return findings;
 }
 
@@ -386,7 +352,7 @@ Finding better_first(Finding finding, std::string_view control, bool is_second_a
   const bool is_behind = is_difference(verdict) ? verdict == Verdict::worse : is_second_ahead;
   if (control.empty() ? !is_behind : finding.first != control) return finding;
   std::swap(finding.first, finding.second);
-  if (Amount* const amount = amount_of(finding)) {
+  if (auto& amount = finding.amount) {
     const auto end = [&](double value) { return finding.scale == Scale::ratio ? 1 / value : 0 - value; };
     amount->value = end(amount->value);
     if (const auto ends = amount->interval)

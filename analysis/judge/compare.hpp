@@ -37,7 +37,6 @@ struct Tested {
   Verdict verdict = Verdict::undecided;
   bool is_small = false;              // a difference within the margin
   double p = 1;                       // times the tested pairs; below the significance it decides
-  std::optional<Amount> amount = {};  // none if it would refute the verdict
   std::optional<Effect> effect = {};  // none of summaries and of logarithms
   std::optional<double> g = {};       // Hedges', of paired values g_av, where means decide (describe.hpp)
   std::string_view test = {};
@@ -49,27 +48,26 @@ struct Tested {
 // Both solvers repeat themselves: no chance is in the difference.
 struct Fact {
   Verdict verdict = Verdict::same;  // better and worse by more than the margin
-  Amount amount = {};
 };
 
 struct Open {
   using Why = Untold::Why;
   Why why = Why::too_few;
-  int n = 0;                          // observations of the smaller group, or common blocks
-  int needed = 0;                     // if too few: how many, in each group, could decide
-  std::optional<Amount> amount = {};  // of few that decide
+  int n = 0;       // observations of the smaller group, or common blocks
+  int needed = 0;  // if too few: how many, in each group, could decide
 };
 
 struct Finding {
   std::string first = {}, second = {};
-  Scale scale = Scale::difference;  // of the amount; means have differences
+  Scale scale = Scale::difference;    // of the amount; means have differences
+  std::optional<Amount> amount = {};  // of what is tested, if it does not refute the verdict; of facts, and of few
   std::variant<Tested, Fact, Open> what = Open();
 };
 
 // What every finding has in common.
-Verdict verdict_of(const Finding& finding);       // few that decide leave it undecided
-const Amount* amount_of(const Finding& finding);  // null if there is none
-Amount* amount_of(Finding& finding);
+Verdict verdict_of(const Finding& finding);  // few that decide leave it undecided
+inline const Amount* amount_of(const Finding& finding) { return finding.amount ? &*finding.amount : nullptr; }
+constexpr double amount_of_equal(Scale scale) { return scale == Scale::ratio ? 1 : 0; }
 std::optional<double> p_of(const Finding& finding);
 bool is_open(const Finding& finding, Open::Why why);
 bool are_equal(const Finding& finding);  // no value differs

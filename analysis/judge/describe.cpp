@@ -16,30 +16,30 @@ bool has_chance(const Group& group) {  // in its values
          (!untold(group) && !repeats_itself(group) && !values_of(group).empty());
 }
 
-double p_of(const TestOfAll& test) {
-  return boost::math::cdf(boost::math::complement(boost::math::fisher_f(test.df, test.df_within), test.statistic));
-}
-
-// None without spread but of rounding, or where squares of the largest numbers have no place in a double.
-std::optional<TestOfAll> with_f(TestOfAll test) {
-  if (!(test.df_within >= 1) || !(test.ss_within > 1e-26 * test.ss_between) || test.ss_within == 0 ||
-      !(test.ss_between + test.ss_within < std::numeric_limits<double>::infinity()))
-    return {};
-  test.statistic = test.ss_between / test.df / (test.ss_within / test.df_within);
-  test.p = p_of(test);
+TestOfAll with_p(TestOfAll test) {
+  const boost::math::fisher_f distribution(test.df, test.df_within);
+  test.p = boost::math::cdf(boost::math::complement(distribution, test.statistic));
   return test;
 }
 
+// None without spread but of rounding, or where squares of the largest numbers have no place in a double.
+bool has_f(const TestOfAll& test) {
+  return test.df_within >= 1 && test.ss_within > 1e-26 * test.ss_between && test.ss_within != 0 &&
+         test.ss_between + test.ss_within < std::numeric_limits<double>::infinity();
+}
+
+TestOfAll with_f(TestOfAll test) {
+  test.statistic = test.ss_between / test.df / (test.ss_within / test.df_within);
+  return with_p(test);
+}
+
 // Of the blocks that all groups have.
-std::optional<TestOfAll> anova_of_blocks(const Observations& observed) {
-  std::vector<int> common = std::get<Measured>(observed.groups.front().sample).blocks;
-  for (const Group& group : observed.groups) {
-    std::vector<int> both;
-    std::ranges::set_intersection(common, std::get<Measured>(group.sample).blocks, std::back_inserter(both));
-    common = std::move(both);
-  }
+std::vector<TestOfAll> anova_of_blocks(std::vector<Group> groups) {
+  std::vector<Group*> all;
+  for (Group& group : groups) all.push_back(&group);
+  keep_common_blocks(all);
   std::vector<std::vector<double>> columns;
-  for (const Group& group : observed.groups) columns.push_back(values_in(common, std::get<Measured>(group.sample)));
+  for (Group& group : groups) columns.push_back(std::get<Measured>(group.sample).values);
   const std::size_t k = columns.size(), n = columns.front().size();
   if (n < 2) return {};
   const double shift = columns.front().front();
@@ -69,21 +69,55 @@ std::optional<TestOfAll> anova_of_blocks(const Observations& observed) {
     for (const auto& other : columns)
       squares += std::pow(std::inner_product(one.begin(), one.end(), other.begin(), 0.0) / test.ss_within, 2);
   test.epsilon = 1 / (test.df * squares);
-  return with_f(test);
+  if (!has_f(test)) return {};
+  test = with_f(test);
+  if (test.df < 2) return {test};
+  return {test, with_p({.name = "Greenhouse-Geisser",
+                        .statistic = test.statistic,
+                        .df = test.df * test.epsilon,
+                        .df_within = test.df_within * test.epsilon,
+                        .epsilon = test.epsilon})};
 }
 
 // The groups' own, or printed, less a common value, which keeps the digits that many equal leading ones would cost.
-std::vector<Summary> summaries_of(const Observations& observed) {
-  const std::span<const double> of_first = values_of(observed.groups.front());
+std::vector<Summary> summaries_of(const std::vector<Group>& groups) {
+  const std::span<const double> of_first = values_of(groups.front());
   const double shift = of_first.empty() ? 0 : of_first.front();
   std::vector<Summary> summaries;
-  for (const Group& group : observed.groups) {
+  for (const Group& group : groups) {
     std::vector<double> shifted(values_of(group).begin(), values_of(group).end());
     for (double& value : shifted) value -= shift;
     const auto* const printed = std::get_if<Summary>(&group.sample);
     summaries.push_back(printed ? *printed : summarise(shifted));
   }
   return summaries;
+}
+
+std::vector<TestOfAll> anova_of_groups(const std::vector<Summary>& groups) {
+  const auto k = static_cast<double>(groups.size());
+  double n = 0, sum = 0;
+  for (const Summary& group : groups) n += group.n, sum += group.n * group.mean;
+  TestOfAll test{.name = "ANOVA", .df = k - 1, .df_within = n - k, .ss_between = 0, .ss_within = 0};
+  for (const Summary& group : groups) {
+    test.ss_between += group.n * (group.mean - sum / n) * (group.mean - sum / n);
+    test.ss_within += (group.n - 1) * group.sd * group.sd;
+  }
+  if (!has_f(test)) return {};
+  TestOfAll welch{.name = "Welch's ANOVA", .statistic = 0, .df = k - 1};
+  double weights = 0, mean = 0, lost = 0;
+  const auto weight = [](const Summary& group) { return group.n / (group.sd * group.sd); };
+  for (const Summary& group : groups) {
+    if (group.n < 2 || !(group.sd > 0)) return {with_f(test)};
+    weights += weight(group), mean += weight(group) * group.mean;
+  }
+  mean /= weights;
+  for (const Summary& group : groups) {
+    lost += std::pow(1 - weight(group) / weights, 2) / (group.n - 1);
+    welch.statistic += weight(group) * std::pow(group.mean - mean, 2) / welch.df;
+  }
+  welch.statistic /= 1 + 2 * (k - 2) / (k * k - 1) * lost;
+  welch.df_within = (k * k - 1) / (3 * lost);
+  return {with_f(test), with_p(welch)};
 }
 
 }  // namespace
@@ -131,51 +165,9 @@ std::optional<double> hedges_g(const Summary& first, const Summary& second) {
   return unbiased * (first.mean - second.mean) / std::sqrt(squares / df);
 }
 
-std::optional<TestOfAll> anova(const Observations& observed) {
+std::vector<TestOfAll> anova(const Observations& observed) {
   if (observed.groups.size() < 2 || !std::ranges::all_of(observed.groups, has_chance)) return {};
-  if (observed.is_paired) return anova_of_blocks(observed);
-  const std::vector<Summary> groups = summaries_of(observed);
-  double n = 0, sum = 0;
-  for (const Summary& group : groups) n += group.n, sum += group.n * group.mean;
-  TestOfAll test{.name = "ANOVA",
-                 .df = static_cast<double>(groups.size()) - 1,
-                 .df_within = n - static_cast<double>(groups.size()),
-                 .ss_between = 0,
-                 .ss_within = 0};
-  for (const Summary& group : groups) {
-    test.ss_between += group.n * (group.mean - sum / n) * (group.mean - sum / n);
-    test.ss_within += (group.n - 1) * group.sd * group.sd;
-  }
-  return with_f(test);
-}
-
-std::optional<TestOfAll> anova_of_unequal(const Observations& observed, const std::optional<TestOfAll>& plain) {
-  if (!plain || (observed.is_paired && plain->df < 2)) return {};
-  TestOfAll test{.name = "Greenhouse-Geisser",
-                 .statistic = plain->statistic,
-                 .df = plain->df * plain->epsilon,
-                 .df_within = plain->df_within * plain->epsilon,
-                 .epsilon = plain->epsilon};
-  if (!observed.is_paired) {
-    const double k = plain->df + 1;
-    double weights = 0, mean = 0, lost = 0;
-    const std::vector<Summary> groups = summaries_of(observed);
-    const auto weight = [](const Summary& group) { return group.n / (group.sd * group.sd); };
-    for (const Summary& group : groups) {
-      if (group.n < 2 || !(group.sd > 0)) return {};
-      weights += weight(group), mean += weight(group) * group.mean;
-    }
-    mean /= weights;
-    test = {.name = "Welch's ANOVA", .statistic = 0, .df = plain->df};
-    for (const Summary& group : groups) {
-      lost += std::pow(1 - weight(group) / weights, 2) / (group.n - 1);
-      test.statistic += weight(group) * std::pow(group.mean - mean, 2) / test.df;
-    }
-    test.statistic /= 1 + 2 * (k - 2) / (k * k - 1) * lost;
-    test.df_within = (k * k - 1) / (3 * lost);
-  }
-  test.p = p_of(test);
-  return test;
+  return observed.is_paired ? anova_of_blocks(observed.groups) : anova_of_groups(summaries_of(observed.groups));
 }
 
 double critical_difference(std::size_t groups, std::size_t blocks) {
@@ -194,9 +186,7 @@ TestsOfAll tests_of_all(Observations observed) {
     if (!has_chance(group)) all.without.push_back(group.name);
     return !has_chance(group);
   });
-  const std::optional<TestOfAll> plain = anova(observed);
-  for (const auto& test : {plain, anova_of_unequal(observed, plain)})
-    if (test) all.tests.push_back(*test);
+  all.tests = anova(observed);
   return all;
 }
 

@@ -47,16 +47,14 @@ struct TestOfAll {
 };
 
 // One-way, of paired groups that of repeated measures (Fisher 1925), which assume equal spreads. None for fewer than
-// two groups, copies, lost or infinite values, or groups without spread.
-std::optional<TestOfAll> anova(const Observations& observed);
-// The same without that, from the plain one: one-way Welch's F (Biometrika 38 (1951) 330), none where a group has no
-// spread; of more than two paired groups with the degrees of freedom of Greenhouse and Geisser (Psychometrika 24 (1959)
-// 95).
-std::optional<TestOfAll> anova_of_unequal(const Observations& observed, const std::optional<TestOfAll>& plain);
+// two groups, copies, lost or infinite values, or groups without spread. Then the same without that: one-way Welch's F
+// (Biometrika 38 (1951) 330), not where a group has no spread; of more than two paired groups with the degrees of
+// freedom of Greenhouse and Geisser (Psychometrika 24 (1959) 95).
+std::vector<TestOfAll> anova(const Observations& observed);
 // Nemenyi's, of mean ranks of so many groups at 0.05 (Demsar, J. Machine Learning Research 7 (2006) 1). NaN for fewer
 // than 2 and more than 20 groups.
 double critical_difference(std::size_t groups, std::size_t blocks);
-// Both tests, of the groups with chance in their values, and the names of the others; none of shares and of
+// These, of the groups with chance in their values, and the names of the others; none of shares and of
 // logarithms.
 struct TestsOfAll {
   std::vector<TestOfAll> tests = {};

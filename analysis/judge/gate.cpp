@@ -185,7 +185,7 @@ void decide(std::vector<Gate>& gates) {
       const Observations& observed = judged.observations;
       Finding& finding = judged.findings.front();
       if (gate.are_same && !is_time(judged) && std::holds_alternative<Tested>(finding.what))
-        finding.what = Fact{.amount = {finding.scale == Scale::ratio ? 1.0 : 0.0}};
+        finding.what = Fact(), finding.amount = Amount{amount_of_equal(finding.scale)};
       if (is_time(judged) && !gate.do_times_decide) continue;
       if (const int missing = newly_missing(judged); missing > 0) {
         gate.newly_missing = missing;

@@ -62,12 +62,20 @@ std::vector<double> differences_of(const Group& first, const Group& second, cons
 
 }  // namespace
 
-std::vector<double> values_in(const std::vector<int>& blocks, const Measured& group) {
-  if (group.blocks.empty()) return group.values;
-  std::vector<double> values;
-  for (std::size_t i = 0; i < group.blocks.size(); ++i)
-    if (std::ranges::binary_search(blocks, group.blocks[i])) values.push_back(group.values[i]);
-  return values;
+void keep_common_blocks(const std::vector<Group*>& groups) {
+  std::vector<Measured*> all;
+  for (Group* const group : groups)
+    if (auto* const measured = std::get_if<Measured>(&group->sample)) all.push_back(measured);
+  const auto has_same = [&](const Measured* its) { return its->blocks == all.front()->blocks; };
+  if (std::ranges::all_of(all, has_same)) return;
+  std::vector<int> common = all.front()->blocks;
+  for (const Measured* const its : all)
+    std::erase_if(common, [&](int block) { return !std::ranges::binary_search(its->blocks, block); });
+  for (Measured* const its : all) {
+    auto block = its->blocks.begin();
+    std::erase_if(its->values, [&](double) { return !std::ranges::binary_search(common, *block++); });
+    its->blocks = common;
+  }
 }
 
 Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,

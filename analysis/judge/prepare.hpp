@@ -28,8 +28,8 @@ struct Prepared {
   }
 };
 
-// Values of the blocks that are among these, which rise; all where the group has no blocks.
-std::vector<double> values_in(const std::vector<int>& blocks, const Measured& group);
+// Leaves the values of blocks that all measured ones of these have.
+void keep_common_blocks(const std::vector<Group*>& groups);
 
 // Values below the floor count as it where logarithms are taken; those that differ by no more than the rounding are
 // equal. Paired values without blocks belong together by their places.

@@ -200,8 +200,8 @@ JudgedClaims differ(const Claim& claim, const Repeated& repeated) {
   for (const Metric* metric : claim.metrics) {
     const std::optional<JudgedMetric> ours = judged_here(claim, repeated, *metric);
     if (!ours) return {};
-    const auto test = anova(ours->observations);
-    here.push_back(!test ? Holds::not_tested : test->p < significance ? Holds::holds : Holds::undecided);
+    const auto all = anova(ours->observations);
+    here.push_back(all.empty() ? Holds::not_tested : all[0].p < significance ? Holds::holds : Holds::undecided);
   }
   JudgedClaim result{claim};
   result.holds = holds_of(here);

@@ -40,7 +40,7 @@ JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
     scale(factor, its.mean, its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest,
           its.largest);
   for (Finding& finding : judged.findings) {
-    Amount* const amount = amount_of(finding);
+    auto& amount = finding.amount;
     if (!amount || finding.scale == Scale::ratio) continue;
     scale(factor, amount->value);
     if (amount->interval) scale(factor, amount->interval->low, amount->interval->high);

@@ -28,8 +28,7 @@ using show::Table;
 namespace {
 
 // The rows of an ANOVA: between, within, total; sum of squares, degrees of freedom, mean square, F, p.
-std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& anova) {
-  const TestOfAll test = anova.value_or(TestOfAll{});
+std::array<std::array<double, 5>, 3> rows_of(const TestOfAll& test) {
   const double between = test.ss_between, within = test.ss_within;
   return {{{between, test.df, between / test.df, test.statistic, test.p},
            {within, test.df_within, within / test.df_within, unknown, unknown},
@@ -224,9 +223,9 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
                                                          with(repeated.reading()), name, metric_named(column).unit),
                                   .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
     const CsvTable printed = results::published::table(repeated.paper.name, number);
-    const std::optional<TestOfAll> ours_of_all = judge::anova(judged->observations);
-    if (!ours_of_all) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
-    const auto ours = rows_of(ours_of_all);
+    const std::vector<TestOfAll> tests = judge::anova(judged->observations);
+    if (tests.empty()) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
+    const auto ours = rows_of(tests.empty() ? TestOfAll() : tests.front());
     for (std::size_t r = 0; r < ours.size(); ++r) {
       auto& row = table.rows.emplace_back(std::vector<Cell>{std::string(printed.cell(r, 0))});
       for (std::size_t c = 0; c < ours[r].size(); ++c) row.push_back(beside(ours[r][c], printed.cell(r, c + 1)));

@@ -6,49 +6,49 @@ using namespace ikbench::judge;
 
 namespace {
 
-using What = std::variant<Tested, Fact, Open>;
-
-Tested tested(Verdict verdict, bool is_small = false) {
+Finding tested(Verdict verdict, bool is_small = false) {
   const bool is_better = verdict == Verdict::better, is_worse = verdict == Verdict::worse;
   Tested of{
       .verdict = verdict, .is_small = is_small, .p = is_better || is_worse ? 0.001 : 0.6, .test = "a test", .n = 20};
   of.effect = is_better ? Effect{0.8, 0.1} : is_worse ? Effect{0.1, 0.8} : Effect{0, 0};
   if (verdict == Verdict::undecided || verdict == Verdict::same) of.effect = Effect{0.5, 0.4};
-  of.amount = Amount{is_better ? 0.5 : is_worse ? 2.0 : 1.0};
-  return of;
+  return {.amount = Amount{is_better ? 0.5 : is_worse ? 2.0 : 1.0}, .what = of};
 }
 
-Tested without_amount(Tested of) {  // its estimate would refute it
+Finding without_amount(Finding of) {  // its estimate would refute it
   of.amount.reset();
   return of;
 }
 
-Tested all_equal() {
-  Tested of = tested(Verdict::undecided);
-  of.p = 1, of.effect = Effect{0, 0};
+Finding all_equal() {
+  Finding of = tested(Verdict::undecided);
+  auto& its = std::get<Tested>(of.what);
+  its.p = 1, its.effect = Effect{0, 0};
   return of;
 }
 
-const std::vector<What>& all_kinds() {
-  static const std::vector<What> kinds{tested(Verdict::better),
-                                       tested(Verdict::better, true),
-                                       without_amount(tested(Verdict::better)),
-                                       tested(Verdict::worse),
-                                       tested(Verdict::same),
-                                       tested(Verdict::undecided),
-                                       all_equal(),
-                                       Fact{Verdict::better, {0.5}},
-                                       Fact{Verdict::worse, {2}},
-                                       Fact{Verdict::same, {1.01}},
-                                       Open{.why = Open::Why::too_few, .n = 3, .needed = 4},
-                                       Open{.why = Open::Why::lost},
-                                       Open{.why = Open::Why::apart},
-                                       Open{.why = Open::Why::few_decide, .n = 20}};
+Finding fact(Verdict verdict, double amount) { return {.amount = Amount{amount}, .what = Fact{verdict}}; }
+
+const std::vector<Finding>& all_kinds() {
+  static const std::vector<Finding> kinds{tested(Verdict::better),
+                                          tested(Verdict::better, true),
+                                          without_amount(tested(Verdict::better)),
+                                          tested(Verdict::worse),
+                                          tested(Verdict::same),
+                                          tested(Verdict::undecided),
+                                          all_equal(),
+                                          fact(Verdict::better, 0.5),
+                                          fact(Verdict::worse, 2),
+                                          fact(Verdict::same, 1.01),
+                                          {.what = Open{.why = Open::Why::too_few, .n = 3, .needed = 4}},
+                                          {.what = Open{.why = Open::Why::lost}},
+                                          {.what = Open{.why = Open::Why::apart}},
+                                          {.what = Open{.why = Open::Why::few_decide, .n = 20}}};
   return kinds;
 }
 
 // Solvers A, B, ... with these numbers, and a kind of finding for each pair.
-Answer answer_with(const std::vector<double>& numbers, const std::vector<What>& kinds,
+Answer answer_with(const std::vector<double>& numbers, const std::vector<Finding>& kinds,
                    const std::string& control = "") {
   JudgedMetric judged{.observations = {.metric = "error", .quantity = "error", .unit = "mm"}, .plan = {}};
   judged.plan.control = control;
@@ -62,7 +62,8 @@ Answer answer_with(const std::vector<double>& numbers, const std::vector<What>& 
     for (std::size_t j = i + 1; j < numbers.size(); ++j) {
       const std::string first(1, static_cast<char>('A' + i)), second(1, static_cast<char>('A' + j));
       if (!control.empty() && first != control && second != control) continue;
-      judged.findings.push_back({.first = first, .second = second, .scale = Scale::ratio, .what = kinds[pair++]});
+      Finding& finding = judged.findings.emplace_back(kinds[pair++]);
+      finding.first = first, finding.second = second, finding.scale = Scale::ratio;
     }
   }
   return answer_of({std::move(judged)});
@@ -163,7 +164,7 @@ std::string wrong_in_tables(const Answer& answer) {
 
 int checked = 0;
 
-void check(const std::vector<double>& numbers, const std::vector<What>& kinds, const std::string& control = "") {
+void check(const std::vector<double>& numbers, const std::vector<Finding>& kinds, const std::string& control = "") {
   const Answer answer = answer_with(numbers, kinds, control);
   const std::string said = too_much(answer), shown = wrong_in_tables(answer), told = wrong_in_results(answer);
   ++checked;
@@ -178,16 +179,16 @@ void check(const std::vector<double>& numbers, const std::vector<What>& kinds, c
 }  // namespace
 
 TEST_CASE("no sentence says more than its findings, of two and three solvers", "[show]") {
-  for (const What& kind : all_kinds()) {
+  for (const Finding& kind : all_kinds()) {
     for (const std::vector<double>& numbers : std::vector<std::vector<double>>{{1, 2}, {2, 1}, {1, 1}}) {
       check(numbers, {kind});
       check(numbers, {kind}, "A");
     }
   }
-  for (const What& ab : all_kinds()) {
-    for (const What& ac : all_kinds()) {
+  for (const Finding& ab : all_kinds()) {
+    for (const Finding& ac : all_kinds()) {
       check({1, 2, 3}, {ab, ac}, "A");
-      for (const What& bc : all_kinds()) {
+      for (const Finding& bc : all_kinds()) {
         for (const std::vector<double>& numbers : std::vector<std::vector<double>>{
                  {1, 2, 3}, {1, 3, 2}, {2, 1, 3}, {3, 1, 2}, {2, 3, 1}, {3, 2, 1}, {1, 1, 1}})
           check(numbers, {ab, ac, bc});
@@ -201,7 +202,7 @@ TEST_CASE("no sentence says more than its findings, of ten solvers", "[show]") {
   std::mt19937_64 engine(5);
   for (int set = 0; set < 300; ++set) {
     std::vector<double> numbers;
-    std::vector<What> kinds;
+    std::vector<Finding> kinds;
     const std::size_t most = 1 + engine() % all_kinds().size();  // few kinds agree more often
     for (int i = 0; i < 10; ++i) numbers.push_back(1 + static_cast<double>(engine() % 20));
     for (int i = 0; i < 45; ++i) kinds.push_back(all_kinds()[engine() % most]);
