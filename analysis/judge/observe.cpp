@@ -84,8 +84,7 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, st
   // Where the arm stayed is no error of a solver that never moved it.
   const bool is_unknown = metric.kind == Kind::error && std::ranges::none_of(study.of(solver), gave_answer);
   std::vector<Value> values;
-  for (const Solves run : runs_of(study.of(solver))) {
-    if (of_runs && !is_complete(study, run)) continue;
+  for (const Solves run : of_runs ? complete_runs_of(study, solver) : runs_of(study.of(solver))) {
     if (metric.kind == Kind::run) {
       values.push_back({run.front().run, metric.value(run.back(), study)});
       continue;
@@ -172,20 +171,19 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
     double sum = 0, solved = 0;
   };
   const bool is_share = metric.kind == Kind::share, is_spent = metric.kind == Kind::spent;
+  Group group{.name = solver};
   std::map<int, Session> all;
-  double all_spent = 0, all_solved = 0, solved_here = 0;
+  bool is_any_solved = false;
   for (const Solve& solve : study.of(solver)) {
     Session& its = all[solve.session];
     const bool is_solved = solve.status == Status::ok;
     its.values.push_back(is_of_solved(study, metric) && !is_solved ? unknown : metric.value(solve, study));
-    its.sum += its.values.back(), its.solved += is_solved, all_solved += is_solved;
+    its.sum += its.values.back(), its.solved += is_solved, is_any_solved |= is_solved;
   }
   std::erase_if(all, [](const auto& each) { return !std::isfinite(each.second.sum); });
-  for (const auto& [session, its] : all) all_spent += its.sum;
   const auto is_apart = [&](const auto& each) { return !compared.contains(each.first); };
   const bool are_apart = std::ranges::all_of(all, is_apart);
   if (!are_apart) std::erase_if(all, is_apart);
-  Group group{.name = solver};
   Measured measured;
   std::vector<Value> spent, solved;
   for (const auto& [session, its] : all) {
@@ -194,22 +192,20 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
     measured.blocks.push_back(session);
     spent.push_back({session, its.sum}), solved.push_back({session, its.solved});
     if (is_share) group.all += static_cast<int>(n), group.share += its.sum;
-    solved_here += its.solved;
   }
   group.share /= std::max(1, group.all);
+  const bool is_solved_here = std::ranges::any_of(solved, [](const Value& each) { return each.value > 0; });
   measured.worth = static_cast<double>(all.size());  // each is of a session, so none decides
-  if (is_spent && solved_here > 0) {
-    spent = spent_by_solved(std::move(spent), solved, measured);
-    for (std::size_t i = 0; i < spent.size(); ++i) measured.values[i] = spent[i].value;
-  }
+  if (is_spent) measured.values.clear();
+  if (is_spent && is_solved_here)
+    for (const Value& each : spent_by_solved(std::move(spent), solved, measured)) measured.values.push_back(each.value);
   measured.solved = std::numeric_limits<double>::infinity();  // a session has a sum of its own
-  if (!are_apart && (!is_spent || solved_here > 0))
+  if (!are_apart && (!is_spent || is_solved_here))
     group.sample = std::move(measured);
-  else if (all_solved == 0 && !is_share && (is_spent || study.definition.has_tolerance()))
+  else if (!is_any_solved && !is_share && (is_spent || study.definition.has_tolerance()))
     group.sample = Untold{.why = Untold::Why::none};
   else
-    group.sample = Untold{.why = Untold::Why::apart,
-                          .values = is_spent ? std::vector{std::log(all_spent / all_solved)} : measured.values};
+    group.sample = Untold{.why = Untold::Why::apart, .values = std::move(measured.values)};
   return group;
 }
 

@@ -246,11 +246,9 @@ std::vector<Solves> runs_of(Solves rest) {
   return runs;
 }
 
-bool is_complete(const StudyResults& study, Solves run) { return std::ssize(run) == study.definition.points; }
-
 std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view solver) {
   std::vector<Solves> runs = runs_of(study.of(solver));
-  std::erase_if(runs, [&](Solves run) { return !is_complete(study, run); });
+  std::erase_if(runs, [&](Solves run) { return std::ssize(run) != study.definition.points; });
   return runs;
 }
 

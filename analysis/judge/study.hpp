@@ -79,8 +79,7 @@ std::vector<double> times_of(const StudyResults& study, std::string_view solver)
 bool have_same_solves(Solves solves, Solves others);
 
 std::vector<Solves> runs_of(Solves solves);
-bool is_complete(const StudyResults& study, Solves run);  // it has all targets
-std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view solver);
+std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view solver);  // with all targets
 // The same targets and answers in every run, bit for bit. Such runs are copies where a run is an observation.
 bool repeats_itself(const StudyResults& study, std::string_view solver);
 
