@@ -22,7 +22,7 @@ class NewtonSlsqp final : public NloptSearch {
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
     NloptSearch::start(problem, objective, random);
-    newton_->start(problem, objective, random);
+    if (problem.stop.evaluations != 1) newton_->start(problem, objective, random);  // which evaluates, too
     steps_ = 0;
   }
 

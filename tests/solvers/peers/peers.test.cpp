@@ -39,6 +39,12 @@ Solution solved(const PeerTask& task, const std::string& name, const Settings& s
 
 }  // namespace
 
+TEST_CASE("the start of both searches takes no more than the budget", "[peers]") {
+  if (is_missing("newton_slsqp")) return;
+  for (const std::int64_t most : {1, 2, 3})
+    CHECK(solved(near_pose("ur5e"), "newton_slsqp", {}, {.iterations = 500, .evaluations = most}).evaluations == most);
+}
+
 TEST_CASE("a peer says with which version of its library it was built", "[peers]") {
   for (const SolverInfo& info : all_solvers()) {
     if (info.library.empty()) continue;
