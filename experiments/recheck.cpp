@@ -127,8 +127,8 @@ void refuse_wrong_check(const Definition& study, const SolveRecord& solve) {
 }
 
 void check(const Definition& study, const Robot& arm, Kind kind, const SolveRecord& solve) {
-  if (const std::string_view column = negative_column(solve); !column.empty())
-    refuse(solve, fmt::format("{} is below 0", column));
+  if (const std::string_view column = wrong_column(solve); !column.empty())
+    refuse(solve, fmt::format("{} is below 0 or infinite", column));
   if (solve.run < 1 || solve.point < 1 || solve.point > study.points)
     refuse(solve, fmt::format("a study of {} has no such solve", counted(study.points, "targets")));
   const auto joints = static_cast<std::size_t>(arm.joints());
@@ -161,6 +161,8 @@ void check(const Definition& study, const Robot& arm, Kind kind, const SolveReco
   refuse_wrong_check(study, solve);
   if (!is_in_order(solve.status) && solve.status != Status::invalid && solve.status != Status::limit_violated)
     return;  // what was answered is not stored: the arm stayed, or the claim decided
+  if (kind != Kind::program)  // which may round, or know the arm from its own file
+    expect("claimed_error_cm", solve, solve.claimed_error_cm, computed.position_error / centimetre, 2e-7);
   const auto status = [&](double rounding) {
     constexpr double least = std::numeric_limits<double>::min();  // 0 would be no tolerance
     const auto about = [&](double tolerance) { return tolerance > 0 ? std::max(tolerance + rounding, least) : 0; };

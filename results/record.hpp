@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -93,12 +94,16 @@ constexpr void for_each_column(Visit&& visit) {
 #undef COLUMN
 }
 
-// The name of the first column that has a number below 0, which only claims may have; empty: none. None is stored.
-inline std::string_view negative_column(const SolveRecord& solve) {
+// The name of the first column whose number no solve has; empty: none. Only an error that is claimed may be below 0,
+// and no time is infinite: where there is none it is NaN.
+inline std::string_view wrong_column(const SolveRecord& solve) {
   std::string_view found;
   for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
-    if constexpr (std::is_arithmetic_v<Value>)
-      if (found.empty() && solve.*member < 0 && !name.starts_with("claimed_")) found = name;
+    if constexpr (std::is_arithmetic_v<Value>) {
+      const auto value = static_cast<double>(solve.*member);
+      const bool is_wrong = value < 0 ? name != "claimed_error_cm" : std::isinf(value) && name.ends_with("seconds");
+      if (found.empty() && is_wrong) found = name;
+    }
   });
   return found;
 }

@@ -158,8 +158,8 @@ void read_solve(SQLite::Statement& row, SolveRecord& record) {
       throw Damage(fmt::format("{}: {}", name, error.what()));
     }
   });
-  if (const std::string_view column = negative_column(record); !column.empty())
-    throw Damage(fmt::format("{} is below 0", column));
+  if (const std::string_view column = wrong_column(record); !column.empty())
+    throw Damage(fmt::format("{} is below 0 or infinite", column));
 }
 
 }  // namespace ikbench::results

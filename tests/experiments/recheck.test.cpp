@@ -112,6 +112,10 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"limit_violation_m", [](SolveRecord& solve) { solve.limit_violation_m += 1; }},
       {"study's check", [](SolveRecord& solve) { solve.status = Status::invalid; }},
       {"seconds is below 0", [](SolveRecord& solve) { solve.seconds = -1; }},
+      {"seconds is below 0 or infinite", [](SolveRecord& solve) { solve.cpu_seconds = INFINITY; }},
+      {"claimed_seconds is below 0", [](SolveRecord& solve) { solve.claimed_seconds = -1; }},
+      {"claimed_error_cm", [](SolveRecord& solve) { solve.claimed_error_cm += 1e-6; }},
+      {"claimed_error_cm is nan, but ", [](SolveRecord& solve) { solve.claimed_error_cm = nan; }},
       {"status is not_finite, but ", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.target_rotation.clear(); }}};
