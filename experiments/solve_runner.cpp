@@ -178,8 +178,12 @@ SolveRecord SolveRunner::solve(Solver& solver, const Call& call) const {
   const Verification as_answered = verified(made.answer);
   const Status status = status_of(made, as_answered, call.target);
   constexpr int one_in = 10;
-  if ((conversations_ || entry_.own) && !is_without_answer(status) && (call.run + call.point) % one_in == 0)
-    if (const Timed again = timed(solver, call); !again.account || !again.account->failure)
+  const auto ended_itself = [&](const Timed& its) {  // else the clock may have chosen its answer
+    return study_.stop.seconds == 0 || its.seconds < study_.stop.seconds;
+  };
+  const bool may_repeat = (conversations_ || entry_.own) && !is_without_answer(status) && ended_itself(made);
+  if (may_repeat && (call.run + call.point) % one_in == 0)
+    if (const Timed again = timed(solver, call); ended_itself(again) && !(again.account && again.account->failure))
       ++asked_again_, differed_ += !same_bits(again.answer, made.answer);
   if (stays(status))  // the arm stays, and that is recorded
     return record_of(call, made, status, call.start, verified(call.start));

@@ -156,4 +156,7 @@ TEST_CASE("a class that remembers is told of", "[clock]") {
   Recorded<'a'>::shift = 0;
   REQUIRE(progress.notes.size() == 1);
   CHECK(progress.notes.front() == "a: it answers otherwise when it is asked again, 2 of 2 times");
+  study.stop.seconds = 1e-9;  // what the clock ends says nothing of it
+  ScratchStore another;
+  CHECK(run(study, another, {}).notes.empty());
 }
