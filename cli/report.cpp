@@ -29,9 +29,13 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
     throw std::invalid_argument("several stores make one table: without --json, --figures, --style and --beside");
   std::vector<show::Answer> studies;
   std::vector<std::string> names, arms, folders;
+  std::set<std::string> keys;  // of all series
   for (const std::string& file : files) {
     const Store store(file, Store::Mode::read);
     const StoredStudy entry = store.study(study);
+    for (const results::Series& series : entry.series)
+      if (!keys.insert(series.key).second)
+        throw std::invalid_argument(file + ": an earlier store has the same " + series.label + "; leave it out");
     const judge::JudgedStudy judged = judge::judge(checked_study(store, entry));
     names.push_back(entry.name);
     arms.push_back(judged.study.definition.robot);

@@ -43,9 +43,10 @@ ln -s ../theirs/store.sqlite linked/store.sqlite
 refused "link" "${study[@]}" --out linked
 for folder in article tables figures; do
   ln -s ../theirs linked/$folder
-  refused "linked/$folder' is a link" report theirs/store.sqlite theirs/store.sqlite --out linked
+  refused "linked/$folder' is a link" report theirs/store.sqlite twice/store.sqlite --out linked
   rm linked/$folder
 done
+refused "an earlier store has the same" report theirs/store.sqlite theirs/store.sqlite --out both
 # Nothing is written where somebody else's file or link has a name of ours, and thrice where none has.
 for file in solves.csv article/main.tex tables/results.csv tables/studies.csv; do
   install -D thief.py "own/$file"
