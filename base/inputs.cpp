@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -29,7 +28,7 @@ std::string text_of_file(const std::filesystem::path& file, std::uintmax_t large
   std::error_code none;
   if (!text && std::filesystem::exists(file, none))
     throw std::invalid_argument(fmt::format("{} is no regular file", file.string()));
-  if (!text) refuse_place("read", file, ENOENT);
+  if (!text) throw std::invalid_argument(fmt::format("there is no file {}", file.string()));
   if (text->size() > largest)
     throw std::invalid_argument(
         fmt::format("{}: expected a file of at most {:g} MB", file.string(), static_cast<double>(largest) / 1e6));

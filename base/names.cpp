@@ -72,10 +72,7 @@ std::string one_line(std::string_view text) {
   return result;
 }
 
-void replace_marks(std::string& text, std::initializer_list<std::pair<std::string_view, std::string_view>> marks) {
-  for (const auto& [mark, seen] : marks)
-    for (std::size_t at = 0; (at = text.find(mark)) != std::string::npos;) text.replace(at, mark.size(), seen);
-}
+std::string in_quotes(std::string_view text) { return fmt::format("'{}'", one_line(front(text, 60))); }
 
 std::size_t first_broken(std::string_view text) {
   for (std::size_t at = 0, length = 0; at < text.size(); at += length) {

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -32,9 +31,6 @@ std::string_view front(std::string_view text, std::size_t most);
 std::string_view trimmed(std::string_view text);  // without blanks and tabs at its ends
 std::string lower_case(std::string_view text);    // ASCII letters
 
-// Replaces each mark by what stands beside it, until none is left.
-void replace_marks(std::string& text, std::initializer_list<std::pair<std::string_view, std::string_view>> marks);
-
 // True for a text that is safe in a message, a table or a file's name.
 bool is_plain(std::string_view text);
 constexpr std::string_view plain_text = "a text of at most 200 bytes without control characters";
@@ -59,6 +55,7 @@ const auto& find_named(std::string_view kind, std::string_view name, const All& 
 
 // One line of valid UTF-8: control characters become blanks, bytes that are none U+FFFD.
 std::string one_line(std::string_view text);
+std::string in_quotes(std::string_view text);  // one line, cut, for messages
 // The first byte that is of no character; npos: all are.
 std::size_t first_broken(std::string_view text);
 std::size_t character_count(std::string_view utf8);

@@ -1,6 +1,7 @@
 // Numbers as text and back, by std::to_chars and std::from_chars, which know no locale.
 #include "base/number.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -20,13 +21,12 @@
 namespace ikbench::base {
 
 void append(std::string& text, double value) {
+  if (!std::isfinite(value)) return void(text += std::isnan(value) ? "NaN" : value > 0 ? "Inf" : "-Inf");
   std::array<char, 32> buffer;  // the longest is -2.2250738585072014e-308: 24
   text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
 }
 
 std::string text_of(double value) {
-  if (std::isnan(value)) return "NaN";
-  if (std::isinf(value)) return value > 0 ? "Inf" : "-Inf";
   std::string text;
   append(text, value);
   return text;
@@ -57,6 +57,14 @@ std::optional<double> number_from(std::string_view text) {
   const auto [end, error] = read_number(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+double last_digit(std::string_view number) {
+  const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
+  const std::size_t point = std::min(number.find('.'), exponent - 1);
+  const double power = exponent < number.size() ? number_from(number.substr(exponent + 1)).value_or(0) : 0;
+  const double places = power - static_cast<double>(exponent - 1 - point);
+  return number_from("1e" + std::to_string(static_cast<int>(places))).value_or(0);
 }
 
 double in_unit(double value, double unit) {

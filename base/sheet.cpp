@@ -9,7 +9,6 @@
 #include <span>
 #include <stdexcept>
 
-#include "base/names.hpp"
 #include "base/number.hpp"
 
 namespace ikbench::base {
@@ -36,24 +35,10 @@ constexpr char of_truth = 't';  // in place of a mark of decimals
 
 bool has_mark(std::string_view text) { return text.find_first_of(".,") != std::string_view::npos; }
 
-// Of a text with this mark of decimals; the other one marks thousands, as do ' and blanks: 1'234.5. A minus may be as
-// it is printed, and an exponent as in Fortran: 1D-01.
+// Of a text with this mark of decimals; the other one marks thousands. A minus may be as it is printed.
 std::optional<double> parsed(std::string_view text, char decimal) {
-  if (text.find_first_of("' \xE2\xC2") != std::string_view::npos) {
-    std::string plain(text);
-    replace_marks(plain, {{"\u2212", "-"}});
-    for (const char* of_thousands : {"\u2019", "\u00a0", "\u2007", "\u2009", "\u202f", " "})
-      replace_marks(plain, {{of_thousands, "'"}});
-    if (plain.find('\'') != std::string::npos &&
-        !is_grouped(std::string_view(plain).substr(0, plain.find(decimal)), '\''))
-      return std::nullopt;
-    std::erase(plain, '\'');
-    if (plain != text) return parsed(plain, decimal);  // else it has another letter of these bytes
-  }
-  if (const std::size_t at = text.find_first_of("dD"); at != std::string_view::npos && at + 1 < text.size()) {
-    const bool is_exponent = (text[at + 1] == '-' || text[at + 1] == '+') && has_mark(text.substr(0, at));  // no "2D-1"
-    return is_exponent ? parsed(std::string(text).replace(at, 1, "e"), decimal) : std::nullopt;
-  }
+  constexpr std::string_view minus = "\u2212";
+  if (text.starts_with(minus)) return parsed("-" + std::string(text.substr(minus.size())), decimal);
   if (!has_mark(text)) return number_from(text);
   const char thousand = decimal == '.' ? ',' : '.';
   std::string plain(text);
@@ -132,8 +117,6 @@ std::size_t take_comments(std::string_view& text) {
 bool is_one_of(std::string_view text, const Words& words) {
   return std::ranges::find(words, lower_case(text)) != words.end();
 }
-
-std::string in_quotes(std::string_view text) { return fmt::format("'{}'", one_line(front(text, 60))); }
 
 std::string listed(const std::vector<std::string>& titles) {
   return std::string(front(fmt::format("{}", fmt::join(titles, ", ")), 300));

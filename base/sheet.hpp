@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/csv.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::base {
 
@@ -19,7 +20,6 @@ constexpr std::ptrdiff_t most_lines = 10'000'000;  // of solves a study may have
 
 using Words = std::initializer_list<std::string_view>;
 bool is_one_of(std::string_view text, const Words& words);  // in any case
-std::string in_quotes(std::string_view text);               // one line, cut, for messages
 std::string listed(const std::vector<std::string>& titles);
 std::string unnamed(std::size_t column);  // the title of one that has none
 

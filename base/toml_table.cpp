@@ -19,9 +19,7 @@ namespace {
 std::string shown(const toml::node& node) {
   std::ostringstream out;
   out << toml::toml_formatter(node, toml::format_flags::none);
-  std::string text = out.str();
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text.size() <= 80 ? text : text.substr(0, 77) + "...";
+  return shortened(out.str(), 80);
 }
 
 toml::array list_of(const Json& list);

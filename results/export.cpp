@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <stdexcept>
 #include <type_traits>
 
@@ -35,10 +34,8 @@ void append(std::string& text, const Value& value) {
     text += name_of(value);
   } else if constexpr (std::is_integral_v<Value>) {
     text += std::to_string(value);
-  } else if (std::isfinite(value)) {
-    base::append(text, value);
   } else {
-    text += text_of(value);
+    base::append(text, value);
   }
 }
 

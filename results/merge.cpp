@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/json.hpp"
+#include "base/names.hpp"
 #include "results/fingerprint.hpp"
 #include "results/store_codec.hpp"
 
@@ -104,11 +105,11 @@ void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs:
                           "WHERE others <> '' LIMIT 1",
                           fmt::join(differ, " || ")));
   if (!query.executeStep()) return;
-  throw std::invalid_argument(
-      fmt::format("the solve of run {}, point {} by {} has other bits in {} than in {} ({}); it was not merged; find "
-                  "out which machine, compiler or edit changed them (ikbench export --format fingerprint)",
-                  query.getColumn(0).getInt64(), query.getColumn(1).getInt64(), excerpt(query.getColumn(2).getString()),
-                  quoted(theirs), quoted(ours), query.getColumn(3).getString().substr(1)));
+  throw std::invalid_argument(fmt::format(
+      "the solve of run {}, point {} by {} has other bits in {} than in {} ({}); it was not merged; find "
+      "out which machine, compiler or edit changed them (ikbench export --format fingerprint)",
+      query.getColumn(0).getInt64(), query.getColumn(1).getInt64(), base::in_quotes(query.getColumn(2).getString()),
+      quoted(theirs), quoted(ours), query.getColumn(3).getString().substr(1)));
 }
 
 // Copies from the database `source` what `main` lacks, sessions of new solves under new numbers. Of two numbers of runs

@@ -194,7 +194,7 @@ void execute(SQLite::Statement& statement, const Values&... values) {
 
 std::string name_of_extra(const SQLite::Column& column) {
   const std::string name = column.getString();
-  if (!base::is_plain(name)) throw Damage(fmt::format("{} as the name of an extra", excerpt(name)));
+  if (!base::is_plain(name)) throw Damage(fmt::format("{} as the name of an extra", base::in_quotes(name)));
   return name;
 }
 
@@ -349,7 +349,7 @@ struct Store::Database {
       } catch (const Damage& error) {
         throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(),
                                  query.getColumn("run").getString(), query.getColumn("point").getString(),
-                                 excerpt(query.getColumn("series").getString())));
+                                 base::in_quotes(query.getColumn("series").getString())));
       }
       take(solve);
     }
@@ -394,7 +394,7 @@ std::vector<StoredStudy> Store::studies(const std::string& name) const {
     std::vector<StoredStudy> list;
     const auto object = [](SQLite::Column column) {
       if (!base::parsed_json(column.getString()).is_object())
-        throw Damage(fmt::format("{} {} is no JSON object", column.getName(), excerpt(column.getString())));
+        throw Damage(fmt::format("{} {} is no JSON object", column.getName(), base::in_quotes(column.getString())));
       return column.getString();
     };
     for (query.bind(1, name); query.executeStep();) {
@@ -411,7 +411,7 @@ std::vector<StoredStudy> Store::studies(const std::string& name) const {
                                 .options = object(of_study.getColumn(3))});
       of_study.reset();
       if (study.series.size() > most_solvers)
-        throw Damage(fmt::format("study {} has more than {} solvers", excerpt(study.name), most_solvers));
+        throw Damage(fmt::format("study {} has more than {} solvers", base::in_quotes(study.name), most_solvers));
       list.push_back(std::move(study));
     }
     return list;
@@ -564,7 +564,7 @@ void Store::each_of_study(const StoredStudy& study, const Take& take) const {
       SQLite::bind(query, series.key, study.definition.runs, study.definition.points);
       database_->read_solves(query, [&](SolveRecord& record) {
         if (record.label != series.label)
-          throw Damage(fmt::format("the label of {} is another in its solves", excerpt(series.label)));
+          throw Damage(fmt::format("the label of {} is another in its solves", base::in_quotes(series.label)));
         record.study = study.name;  // also if another study's name solved it first
         take(record);
       });

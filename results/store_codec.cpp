@@ -40,12 +40,12 @@ double json_number(std::string_view text) {
   if (text == json_infinity) return std::numeric_limits<double>::infinity();
   if (text == json_minus_infinity) return -std::numeric_limits<double>::infinity();
   if (const auto number = base::number_from(text)) return *number;
-  throw Damage(fmt::format("{} in a list of numbers", excerpt(text)));
+  throw Damage(fmt::format("{} in a list of numbers", in_quotes(text)));
 }
 
 void read_numbers(std::string_view array, std::vector<double>& numbers) {
   if (array.size() < 2 || array.front() != '[' || array.back() != ']')
-    throw Damage(fmt::format("{} is not a list of numbers", excerpt(array)));
+    throw Damage(fmt::format("{} is not a list of numbers", in_quotes(array)));
   numbers.clear();
   const char *at = array.data() + 1, *const end = array.data() + array.size() - 1;
   for (const char* next = at; at < end; at = next + 1) {
@@ -99,7 +99,7 @@ void read(const SQLite::Column& column, Value& value) {
   } else if constexpr (std::is_enum_v<Value>) {
     const auto& names = names_of(value);
     const auto found = std::find(names.begin(), names.end(), text_in(column));
-    if (found == names.end()) throw Damage(excerpt(text_in(column)));
+    if (found == names.end()) throw Damage(in_quotes(text_in(column)));
     value = static_cast<Value>(found - names.begin());
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
     read_numbers(text_in(column), value);
@@ -120,11 +120,6 @@ std::string listed(Format&& format) {
 }
 
 }  // namespace
-
-std::string excerpt(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  return fmt::format("'{}{}'", base::one_line(base::front(text, longest)), text.size() <= longest ? "" : "...");
-}
 
 std::string solve_columns() {
   return listed([](std::string_view name, std::string_view) { return name; });

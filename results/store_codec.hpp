@@ -18,9 +18,6 @@ struct Damage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Text of the file for a sentence: in quotes, on one line, cut if it is long.
-std::string excerpt(std::string_view text);
-
 constexpr std::int64_t store_version = 3;
 
 // The names of the columns, and of those columns with their SQL types, separated by commas.

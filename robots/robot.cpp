@@ -73,17 +73,15 @@ void make_standard(std::vector<DhLink>& links, Frame& base) {
 
 Robot read_robot(TomlReader reader, std::string name, Bounds lengths) {
   std::vector<DhLink> links;
-  JointLimits limits;
+  std::vector<double> lower, upper;
   double widest = 0;  // [rad]
   for (const toml::table* link :
        reader.tables("links", most_joints,
                      fmt::format("a list of 1 to {} links such as {{ d_m = 0.36, alpha_deg = -90 }}", most_joints))) {
     const LimitedLink one = read_link(reader.nested(*link, "links."), lengths);
     links.push_back(one.link);
-    limits.lower.conservativeResize(std::ssize(links));
-    limits.upper.conservativeResize(std::ssize(links));
-    limits.lower.tail<1>()[0] = one.limits[0];
-    limits.upper.tail<1>()[0] = one.limits[1];
+    lower.push_back(one.limits[0]);
+    upper.push_back(one.limits[1]);
     widest = std::max(widest, one.limits.cwiseAbs().maxCoeff());
   }
   const bool all_turn = std::ranges::count(links, Joint::turns, &DhLink::joint) == std::ssize(links);
@@ -100,6 +98,8 @@ Robot read_robot(TomlReader reader, std::string name, Bounds lengths) {
       throw reader.mistake("dh", "a modified table has no coupled joints; expected dh = \"standard\"");
     make_standard(links, base);
   }
+  const auto joints = std::ssize(links);
+  JointLimits limits{Configuration::Map(lower.data(), joints), Configuration::Map(upper.data(), joints)};
   Robot arm{std::move(name), "", "", Chain(std::move(links), base, tool), std::move(limits)};
   list_fields(reader, arm);
   if (const auto n = arm.velocity.size(); n > 0 && (n != arm.joints() || !(arm.velocity.minCoeff() >= 0)))
@@ -158,13 +158,7 @@ Robot robot(std::string_view name) {
   if (const EmbeddedFile* const file = find_embedded(arm_files, name)) return parse_robot(file->text, file->name);
   std::vector<std::string> names;
   for (const EmbeddedFile& file : arm_files) names.emplace_back(file.stem());
-  std::error_code error;
-  if (name.find_first_of("./") != std::string_view::npos || std::filesystem::exists(name, error))
-    throw std::invalid_argument(fmt::format(
-        "\"{}\" is no arm{}; expected a file that ends in .urdf or .toml (a mesh has no joints), or a name of: ikbench "
-        "list robots",
-        front(name, 100), did_you_mean(name, names)));
-  throw std::invalid_argument(unknown_name("robot", name, names));
+  throw std::invalid_argument(unknown_name("robot", name, names) + "; or name a file that ends in .urdf or .toml");
 }
 
 bool is_arm_file(std::string_view name) { return name.ends_with(".toml") || is_urdf_file(name); }
@@ -184,13 +178,8 @@ Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice) {
 }
 
 std::string text_of_arm_file(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    throw std::invalid_argument(fmt::format("{} is a folder; expected the .urdf or .toml file in it", file.string()));
-  if (!std::filesystem::exists(file, error))
-    throw std::invalid_argument(fmt::format("there is no file {}", file.string()));
-  constexpr std::uintmax_t largest_urdf = 16'000'000;
-  return is_urdf_file(file.string()) ? text_of_file(file, largest_urdf) : text_of_file(file);
+  constexpr std::uintmax_t largest = 16'000'000;
+  return text_of_file(file, largest);
 }
 
 std::optional<Robot> stored_arm(std::string_view json) {

@@ -30,16 +30,6 @@ namespace {
 
 using Motion = DescribedJoint::Motion;
 
-// What the last printed digit of a number stands for; 0 of a whole number, which is exact.
-double last_digit(std::string_view number, double value) {
-  if (value == std::round(value)) return 0;
-  const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
-  const std::size_t point = std::min(number.find('.'), exponent - 1);
-  const double power = exponent < number.size() ? number_from(number.substr(exponent + 1)).value_or(0) : 0;
-  const double places = power - static_cast<double>(exponent - 1 - point);
-  return number_from(fmt::format("1e{:.0f}", places)).value_or(0);
-}
-
 bool is_joint(const XMLElement& element) { return std::string_view(element.Name()) == "joint"; }
 
 // A file, for messages about places in it.
@@ -88,7 +78,17 @@ class Place {
     }
   }
 
-  // Numbers, and what their last digits stand for.
+  // Refuses attributes that are none of these; of an element that may have others, those that are almost one.
+  void refuse_unknown(const XMLElement& at, const std::vector<std::string>& known, bool may_have_others) const {
+    for (const XMLAttribute* each = at.FirstAttribute(); each != nullptr; each = each->Next()) {
+      const bool is_other = may_have_others && nearest_name(lower_case(each->Name()), known).empty();
+      if (is_other || std::ranges::count(known, each->Name()) > 0) continue;
+      fail(at, fmt::format("<{}> has the unknown attribute \"{}\"; expected {}", at.Name(), shown(each->Name()),
+                           fmt::join(known, ", ")));
+    }
+  }
+
+  // Numbers, and what their last digits stand for; 0 of a whole number, which is exact.
   struct Printed {
     Eigen::Vector4d values = Eigen::Vector4d::Zero(), digits = Eigen::Vector4d::Zero();
   };
@@ -105,7 +105,7 @@ class Place {
       const std::optional<double> value = number_from(number);
       if (found == count || !value || !(std::abs(*value) <= most)) break;
       printed.values[found] = *value;
-      printed.digits[found] = last_digit(number, *value);
+      printed.digits[found] = *value == std::round(*value) ? 0 : last_digit(number);
     }
     if (found != count || words)
       fail(at, fmt::format("{} of <{}> is \"{}\"; expected {}", attribute, at.Name(), shown(text),
@@ -402,12 +402,7 @@ Motion motion_of(const XMLElement& joint, const Place& place) {
 
 void read_origin(const XMLElement& origin, const Place& place, DescribedJoint& joint) {
   const auto has = [&](std::string_view attribute) { return origin.Attribute(attribute.data()) != nullptr; };
-  for (const XMLAttribute* each = origin.FirstAttribute(); each != nullptr; each = each->Next()) {
-    const std::string_view name = each->Name();
-    if (name != "xyz" && name != "rpy" && name != "quat_xyzw")
-      place.fail(origin, fmt::format("<origin> has the unknown attribute \"{}\"; expected xyz, rpy, quat_xyzw",
-                                     Place::shown(name)));
-  }
+  place.refuse_unknown(origin, {"xyz", "rpy", "quat_xyzw"}, false);
   if (has("rpy") && has("quat_xyzw")) place.fail(origin, "<origin> has rpy and quat_xyzw; expected one");
   if (has("rpy")) {
     const auto [values, digits] = place.numbers(origin, "rpy", 3);
@@ -450,12 +445,7 @@ Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoic
                                          : "if it turns without end, its type is continuous";
   const XMLElement* const limit = joint.FirstChildElement("limit");
   if (limit == nullptr) place.fail(joint, fmt::format("it is {} and has no <limit>; {}", type_of(joint), advice));
-  for (const XMLAttribute* each = limit->FirstAttribute(); each != nullptr; each = each->Next()) {
-    const std::string_view name = each->Name();
-    if (const std::string meant = nearest_name(lower_case(name), {"lower", "upper"}); !meant.empty() && meant != name)
-      place.fail(*limit,
-                 fmt::format("<limit> has the unknown attribute \"{}\"; did you mean {}?", Place::shown(name), meant));
-  }
+  place.refuse_unknown(*limit, {"lower", "upper"}, true);
   const bool has_some = limit->Attribute("lower") != nullptr || limit->Attribute("upper") != nullptr;
   const double missing = has_some ? 0 : none;  // what the format says of one
   Eigen::Vector2d limits(place.limit(*limit, "lower", missing), place.limit(*limit, "upper", missing));
@@ -559,7 +549,7 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
 
   Description printed;
   std::vector<double> lower, upper, velocity;
-  int unlimited = 0, wide = 0;  // joints whose limits do not count, or are more than a turn
+  int wide = 0;  // joints whose limits are more than a turn
   for (const XMLElement* const joint : tree.path(base, tip)) {
     printed.push_back(described(*joint, place));
     if (printed.back().motion == Motion::none) continue;
@@ -570,8 +560,6 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     const XMLElement* const limit = joint->FirstChildElement("limit");
     const double fastest = limit == nullptr ? 0 : place.limit(*limit, "velocity", 0);
     velocity.push_back(fastest > 0 && fastest < 1000 ? fastest : 0);  // 1000, as we write, or a million stands for none
-    const bool has_some = limit != nullptr && (limit->Attribute("lower") || limit->Attribute("upper"));
-    if (has_some && !limits.allFinite()) ++unlimited;
     if (printed.back().motion == Motion::turns && limits.allFinite() &&
         limits.cwiseAbs().maxCoeff() > 1.01 * whole_turn)
       ++wide;
@@ -594,8 +582,6 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     if (std::ranges::max(velocity) > 0) arm.velocity = Configuration::Map(velocity.data(), arm.joints());
     if (end.other != tip) arm.other_tip = end.other;
     if (wide > 0) arm.notes.push_back(fmt::format("{} may turn by more than a turn each way", counted(wide, "joints")));
-    if (unlimited > 0)
-      arm.notes.push_back(fmt::format("the file's limits of {} without end are ignored", counted(unlimited, "joints")));
     if (!changed.empty()) {
       changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
       arm.snapped = moved_by_snapping(printed, snapped, arm.limits);

@@ -1,11 +1,8 @@
 #include "analysis/papers/published.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 
 #include "base/csv.hpp"
 #include "base/number.hpp"
@@ -16,11 +13,6 @@ namespace ikbench::papers {
 using base::CsvTable;
 
 namespace {
-
-double parsed(std::string_view text) {
-  if (const auto number = base::number_from(text)) return *number;
-  throw std::invalid_argument(fmt::format("'{}' is no number", text));
-}
 
 // From (0, 1), the same on every machine.
 double open_uniform(std::mt19937_64& engine) { return (static_cast<double>(engine() >> 32) + 0.5) * 0x1p-32; }
@@ -36,18 +28,9 @@ double tail_slope(const std::vector<double>& outwards) {
 
 }  // namespace
 
-double half_unit(std::string_view printed) {
-  parsed(printed);
-  const std::size_t e = std::min(printed.find_first_of("eE"), printed.size());
-  const std::string_view mantissa = printed.substr(0, e);
-  const std::size_t point = mantissa.find('.');
-  const std::size_t decimals = point == std::string_view::npos ? 0 : mantissa.size() - point - 1;
-  return parsed(fmt::format("0.5e-{}", decimals)) * parsed(fmt::format("1{}", printed.substr(e)));
-}
-
 bool can_be(const judge::Interval& interval, std::string_view printed) {
   constexpr double room = 1 + 1e-9;  // 2.5 printed as 2 is half a unit off, and doubles are not exact
-  const double number = parsed(printed), half = half_unit(printed) * room;
+  const double number = base::number_from(printed).value(), half = base::last_digit(printed) / 2 * room;
   return interval.low <= number + half && number - half <= interval.high;
 }
 

@@ -12,8 +12,6 @@
 
 namespace ikbench::papers {
 
-// These throw std::invalid_argument for a text that is no number.
-double half_unit(std::string_view printed);                              // of the last digit: 5e-9 of "1.7824e-4"
 bool agrees(double ours, std::string_view printed);                      // our number rounds to the printed digits
 bool can_be(const judge::Interval& interval, std::string_view printed);  // a number in it does
 

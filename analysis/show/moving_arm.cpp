@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <boost/algorithm/string/replace.hpp>
 #include <set>
 
 #include "analysis/figures/rows.hpp"
@@ -109,7 +109,7 @@ std::optional<std::string> moving_arm(const StudyResults& study, const std::vect
       are_all ? "" : fmt::format(" Shown are {} of {} targets, evenly.", places.size(), *places.rbegin() + 1);
   std::string text = base::text_of(
       Json{{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"which", which}, {"solvers", std::move(solvers)}});
-  base::replace_marks(text, {{"<", "\\u003c"}});  // no text ends the element
+  boost::replace_all(text, "<", "\\u003c");  // no text ends the element
   return text;
 }
 

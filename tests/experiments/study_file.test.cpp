@@ -245,7 +245,7 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
   CHECK(contains(said_of(planar + solver_entry, {"robot=slider.toml"}), "--set robot: there is no file slider.toml"));
   CHECK(said_of("robot = \"none.toml\"\n" + solver_entry)
             .starts_with("my.toml:1:9: there is no file none.toml; expected"));
-  CHECK(said_of("robot = \"/\"\n" + solver_entry).starts_with("my.toml:1:9: \"/\" is no arm"));
+  CHECK(said_of("robot = \"/\"\n" + solver_entry).starts_with("my.toml:1:9: unknown robot \"/\""));
   CHECK(said_of("search = \"wrist\"\n" + solver_entry, {"robot=" + other}).find("has no spherical wrist") !=
         std::string::npos);
 

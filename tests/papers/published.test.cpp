@@ -4,14 +4,13 @@
 #include "tests/papers/studies.hpp"
 
 TEST_CASE("a printed number stands for all that round to its digits, and ours beside it", "[papers]") {
-  CHECK(half_unit("1.7824e-4") == Approx(5e-9));
-  CHECK(half_unit("12") == 0.5);
+  CHECK(base::last_digit("1.7824e-4") == Approx(1e-8));
+  CHECK(base::last_digit("12") == 1);
   CHECK(agrees(34.84, "34.8"));
   CHECK(agrees(2.5, "2"));
   CHECK_FALSE(agrees(34.86, "34.8"));
   CHECK(can_be({0.1, 0.19996}, "0.2"));
   CHECK_FALSE(can_be({0.1, 0.14}, "0.2"));
-  CHECK_THROWS_AS(agrees(1, "one"), std::invalid_argument);
   CHECK(std::get<show::Printed>(beside(0.1, "0.2")).printed == "0.2");
   CHECK(std::get<double>(beside(0.1, "")) == 0.1);  // alone
 }

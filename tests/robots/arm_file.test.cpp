@@ -67,14 +67,14 @@ TEST_CASE("a mistake in an arm file is told with file, line, column, value and w
   CHECK(said_of_arm(many + "]").size() < 400);
 }
 
-TEST_CASE("an arm file is a file of at most 10 MB, with a plain name", "[arm][mistakes]") {
+TEST_CASE("an arm file is a file of at most 16 MB, with a plain name", "[arm][mistakes]") {
   CHECK_THROWS_WITH(load_robot("none.toml"), "there is no file none.toml");
   CHECK_THROWS_WITH(load_robot("/dev/zero"), "/dev/zero is no regular file");
   CHECK_THROWS_AS(parse_robot("links = [{}]", "a\nb.toml"), std::invalid_argument);
   CHECK_THROWS_AS(parse_robot("links = [{}]", std::string(300, 'a') + ".toml"), std::invalid_argument);
   const ScratchFolder folder;
   const auto file = folder.path / "large-arm.toml";
-  std::ofstream(file) << scara << "# " << std::string(10'000'000, 'x');
+  std::ofstream(file) << scara << "# " << std::string(16'000'000, 'x');
   CHECK_THROWS_AS(load_robot(file), std::invalid_argument);
   std::ofstream(file) << scara;
   CHECK(load_robot(file).name == "large-arm");
