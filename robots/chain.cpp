@@ -185,7 +185,7 @@ void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& targe
                             Eigen::Ref<Eigen::VectorXd> errors) const {
   check_sizes(q, errors);
   const Eigen::Vector3d seen = has_base_ ? T_first_base_ * target : target;
-  kernels().position_errors(kernel_chain(), seen.data(), q.data(), q.outerStride(), q.cols(), errors.data());
+  kernels().position_errors(kernel_chain(), {seen.data()}, q.data(), q.outerStride(), q.cols(), errors.data());
 }
 
 void Chain::pose_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,

@@ -11,10 +11,6 @@ using namespace numerics;
 // Chains whose joints all turn, and all other chains.
 enum class Kind { all_turn, any };
 
-struct KernelPoint {
-  const double* target;
-};
-
 template <class Goal>
 constexpr bool is_pose = false;
 template <>
@@ -141,15 +137,10 @@ void errors(const KernelChain& chain, const Goal& goal, const double* q, ptrdiff
   errors_of<Kind::any>(chain, goal, q, row, count, out);
 }
 
-void position_errors(const KernelChain& chain, const double* target, const double* q, ptrdiff_t row, ptrdiff_t count,
-                     double* out) {
-  errors(chain, KernelPoint{target}, q, row, count, out);
-}
-
 }  // namespace
 
 namespace IKBENCH_KERNELS {
-Kernels kernels() { return {&position_errors, &errors<KernelPose>}; }
+Kernels kernels() { return {&errors<KernelPoint>, &errors<KernelPose>}; }
 }  // namespace IKBENCH_KERNELS
 
 }  // namespace ikbench::robots

@@ -40,20 +40,24 @@ struct KernelAxes {
   double x[3], y[3];
 };
 
-// A pose to reach, in the frame of the first link, and the tool's axes in the frame of the last.
+// A point to reach, in the frame of the first link; or a pose, with the tool's axes in the frame of the last.
+struct KernelPoint {
+  const double* target;
+};
 struct KernelPose {
   double target[3];
   KernelAxes target_axes, tool_axes;
 };
 
+// Distances of `count` candidates to the goal, of a pose the root mean square of those of the tool's point and the ends
+// of its two axes; joint j of candidate i is q[j * row + i]. Not finite if an angle is infinite, NaN or 2^51 quarter
+// turns or more.
+template <class Goal>
+using KernelErrors = void (*)(const KernelChain& chain, const Goal& goal, const double* q, ptrdiff_t row,
+                              ptrdiff_t count, double* errors);
 struct Kernels {
-  // Distances of `count` candidates to the target; joint j of candidate i is q[j * row + i]. Not finite if an angle is
-  // infinite, NaN or 2^51 quarter turns or more.
-  void (*position_errors)(const KernelChain& chain, const double* target, const double* q, ptrdiff_t row,
-                          ptrdiff_t count, double* errors);
-  // The same for poses: the root mean square of the distances of the tool's point and the ends of its two axes.
-  void (*pose_errors)(const KernelChain& chain, const KernelPose& goal, const double* q, ptrdiff_t row, ptrdiff_t count,
-                      double* errors);
+  KernelErrors<KernelPoint> position_errors;
+  KernelErrors<KernelPose> pose_errors;
 };
 
 IKBENCH_DECLARE_KERNELS

@@ -83,7 +83,7 @@ void check_errors(const Arm& arm, Dice& dice, ptrdiff_t count, ptrdiff_t row, pt
   const KernelPose goal = random_pose(dice);
   const KernelChain chain = arm.chain();
   const auto position_errors = [&](InstructionSet set, double* errors) {
-    robots::kernels(set).position_errors(chain, goal.target, q.data() + from, row, count, errors);
+    robots::kernels(set).position_errors(chain, {goal.target}, q.data() + from, row, count, errors);
   };
   const auto pose_errors = [&](InstructionSet set, double* errors) {
     robots::kernels(set).pose_errors(chain, goal, q.data() + from, row, count, errors);
@@ -155,10 +155,10 @@ TEST_CASE("an angle that is none spoils its own candidate, in whatever joint, an
         for (Eigen::Index i = 0; i < q.size(); ++i) q.data()[i] = dice.between(-2, 2);
         const Eigen::Vector3d target = random_target(dice);
         std::vector<double> good(count), errors(count);
-        robots::kernels(set).position_errors(arm.chain(), target.data(), q.data(), count, count, good.data());
+        robots::kernels(set).position_errors(arm.chain(), {target.data()}, q.data(), count, count, good.data());
         const auto victim = static_cast<std::size_t>(dice.below(count));
         q(joint, static_cast<Eigen::Index>(victim)) = bad;
-        robots::kernels(set).position_errors(arm.chain(), target.data(), q.data(), count, count, errors.data());
+        robots::kernels(set).position_errors(arm.chain(), {target.data()}, q.data(), count, count, errors.data());
         CHECK_FALSE(std::isfinite(errors[victim]));
         errors[victim] = good[victim];
         CHECK(errors == good);
@@ -181,7 +181,7 @@ TEST_CASE("a target that is none, or a link beyond all squares, gives no finite 
       const Eigen::Vector3d at(0.1, 0.2, 0.3);
       const auto check = [&](const Arm& its, const Eigen::Vector3d& target) {
         std::vector<double> errors(11);
-        robots::kernels(set).position_errors(its.chain(), target.data(), q.data(), 11, 11, errors.data());
+        robots::kernels(set).position_errors(its.chain(), {target.data()}, q.data(), 11, 11, errors.data());
         for (const double error : errors) CHECK_FALSE(std::isfinite(error));
       };
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
