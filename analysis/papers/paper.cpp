@@ -1,7 +1,5 @@
 #include "analysis/papers/paper.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -120,12 +118,8 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
     paper.rates = read_rates(reader.nested(*rates, "rates."));
   const std::vector<const toml::table*> claims = reader.tables("claims", 1000, "1 to 1000 tables [[claims]]");
   reader.refuse_unknown_keys();
-  for (const toml::table* const entry : claims) {
-    Claim claim = read_claim(reader.nested(*entry, "claims."), paper.solver);
-    if (std::ranges::find(paper.claims, claim.id, &Claim::id) != paper.claims.end())
-      throw reader.mistake("claims", fmt::format("the claim {} is there twice; expected it once", claim.id));
-    paper.claims.push_back(std::move(claim));
-  }
+  for (const toml::table* const entry : claims)
+    paper.claims.push_back(read_claim(reader.nested(*entry, "claims."), paper.solver));
   return paper;
 }
 

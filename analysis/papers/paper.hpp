@@ -67,7 +67,7 @@ struct Paper {
 const std::vector<Paper>& papers();  // by name; those with a table of means first
 // Throws std::invalid_argument, which lists all, if there is none.
 const Paper& paper_named(std::string_view name);
-// Throws std::invalid_argument with `source` and line for what is missing, unknown or repeated.
+// Throws std::invalid_argument with `source` and line for what is missing or unknown.
 Paper read_paper(std::string_view name, std::string_view toml, std::string_view source);
 
 }  // namespace ikbench::papers
