@@ -25,7 +25,8 @@ std::vector<std::vector<std::string>> described(const Sheet& sheet, const Column
     std::unordered_set<std::string_view> texts;
     bool are_whole = true;
     for (const std::uint32_t row : std::span(sheet.rows()).first(rows)) {
-      const std::string_view text = *texts.insert(sheet.cell(row, column)).first;
+      const std::string_view text = sheet.cell(row, column);
+      if (!text.empty()) texts.insert(text);
       are_whole = are_whole && text.find_first_of(".,eEnN") == std::string_view::npos;
     }
     const bool has_numbers = sheet.has_numbers(column);
@@ -87,16 +88,12 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   if (!is_each_row && !request.run.empty()) others.push_back(request.run), layout.run = sheet.column(request.run);
   for (const std::string& title : others) named.push_back(sheet.column(title));
   if (!is_wide && !request.label.empty()) layout.label = sheet.joined(request.label);
-  if (!is_wide && request.block == std::vector<std::string>{"row"} && !has_title("row"))
-    sheet.refuse("a block of one row has one label alone; say --run row, or --label columns");
   if (!request.block.empty()) layout.block = sheet.joined(request.block);
   for (const std::size_t column : columns)
     if (!has(named, column)) (sheet.has_numbers(column) ? numbers : texts).push_back(column);
   const bool has_no_other = request.are_summaries || numbers.size() == (layout.values.empty() ? 1 : 0);
   if (request.label.empty() && texts.size() == 1 && has_no_other) layout.label = texts.front(), texts.clear();
   if (layout.values.empty() && (is_wide || (layout.label && numbers.size() == 1))) layout.values.swap(numbers);
-  if (is_wide && layout.values.size() == 1)
-    sheet.refuse("--label columns compares columns of numbers, and there is only one");
   if ((!is_wide && !layout.label) || layout.values.empty())
     ask(sheet, request, columns, "which columns are what?", false);
   for (const std::size_t value : is_wide ? layout.values : Columns()) {

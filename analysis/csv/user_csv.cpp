@@ -30,8 +30,8 @@ struct Value {
 };
 
 struct Mean {
-  Index group, unit, rows = 0;
-  long double sum = 0;  // by which the same rows in another order have the same mean
+  Index group, unit, first, rows = 0;  // first: of its rows
+  long double sum = 0;                 // by which the same rows in another order have the same mean
 };
 
 struct Items {
@@ -70,27 +70,31 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
                               .value = sheet.number(row, column)});
     }
   }
-  if (items.unlabelled > items.values.size())
-    sheet.refuse(fmt::format("{} is empty in {} of {} rows; write it in each, also where cells are merged",
-                             in_quotes(sheet.titles()[*layout.label]), items.unlabelled, sheet.rows().size()));
   std::set<std::string> shown;
   for (const std::string& name : items.groups)
     if (!shown.emplace(base::trimmed(base::one_line(name))).second)
       sheet.refuse(fmt::format("two groups look alike, both as {}; rename one", in_quotes(name)));
   if (layout.label && items.groups.size() == items.values.size() && items.values.size() > 2)  // two may be a sketch
-    sheet.refuse(fmt::format("{} names each row, so no group has two values; did you mean --block?",
+    sheet.refuse(fmt::format("{} names each row, so no group has two; did you mean --block, or are cells merged?",
                              in_quotes(sheet.titles()[*layout.label])));
   items.units = static_cast<Index>(units.size());
+  Columns texts = layout.unused;
+  std::erase_if(texts, [&](std::size_t column) { return sheet.has_numbers(column); });
   std::ranges::sort(items.values, {}, [](const Value& item) { return std::tuple(item.group, item.unit, item.row); });
   items.means.reserve(items.values.size());
   for (const Value& item : items.values) {
     if (items.means.empty() || items.means.back().group != item.group || items.means.back().unit != item.unit)
-      items.means.push_back({.group = item.group, .unit = item.unit});
+      items.means.push_back({.group = item.group, .unit = item.unit, .first = item.row});
     else if (layout.block && request.run.empty())
       sheet.refuse(item.row, *layout.block,
                    fmt::format("is a second row of {}; --run says which are its runs (--run row: each row is one)",
                                in_quotes(items.groups[item.group])));
     items.means.back().sum += item.value, ++items.means.back().rows;
+    for (const std::size_t column : texts)  // which may name quantities
+      if (const auto first = sheet.cell(items.means.back().first, column); first != sheet.cell(item.row, column))
+        sheet.refuse(item.row, column,
+                     fmt::format("is not {}, as in the same mean; name it in --label, --block, --run or --where",
+                                 in_quotes(first)));
   }
   return items;
 }

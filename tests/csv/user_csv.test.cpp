@@ -102,9 +102,34 @@ TEST_CASE("rows of several metrics are asked about, and --where takes one") {
   CHECK(finding("solver,metric,value\nA,e,1\nA,e,2\nA,t,9\nB,e,3\nB,e,4\nB,t,9\n", {.where = {"metric = e"}}).first ==
         "A");
   CHECK(contains(said_of(text, {.where = {"metric=speed"}}), "'metric=error'"));
-  // What nobody named is told.
-  CHECK(contains(csv::read(text, "d.csv", smaller({.values = {"value"}, .label = {"solver"}, .run = "seed"})).notes[0],
-                 "not used: 'metric'"));
+  // A mean is of one metric: of a text that nobody named its rows have one.
+  CHECK(
+      contains(said_of(text, {.values = {"value"}, .label = {"solver"}, .run = "seed"}), "in column 'metric' is not"));
+  CHECK(contains(said_of("s,p,metric,v\nA,x,e,1\nA,x,t,2\nB,x,e,3\nB,x,t,4\n",
+                         {.values = {"v"}, .label = {"s"}, .block = {"p"}, .run = "row"}),
+                 "data.csv:3:3: 't' in column 'metric' is not 'e'"));
+}
+
+TEST_CASE("a text that nobody named may differ between labels, blocks and runs, and is told") {
+  for (const std::string text : {"s,p,t,n,v\nA,x,one,1,1\nA,x,one,2,2\nB,x,one,1,3\nB,x,one,2,4\n",
+                                 "s,p,t,n,v\nA,x,one,1,1\nA,x,one,2,2\nB,x,two,1,3\nB,x,two,2,4\n",
+                                 "s,p,t,n,v\nA,x,one,1,1\nA,y,two,2,2\nB,x,one,1,3\nB,y,two,2,4\n"}) {
+    const Request request{.values = {"v"}, .label = {"s"}, .block = {"p"}, .run = "n"};
+    CHECK(contains(csv::read(text, "d.csv", smaller(request)).notes[0], "not used: 't'"));
+  }
+  CHECK(list_of(observations("s,t,n,v\nA,one,1,1\nA,two,2,2\nB,one,1,3\nB,two,2,4\n",
+                             {.values = {"v"}, .label = {"s"}, .run = "n"})
+                    .groups[0])
+            .size() == 2);
+}
+
+TEST_CASE("a question counts no blank as a value") {
+  try {
+    csv::read("s,note,v\nA,,1\nA,x,2\nB,,3\nB,,4\n", "d.csv", {});
+    FAIL("no question");
+  } catch (const csv::Question& question) {
+    CHECK(question.columns[1][2] == "1 different");
+  }
 }
 
 TEST_CASE("separators and decimal marks are found, or given") {
