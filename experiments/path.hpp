@@ -42,8 +42,6 @@ using Path = std::shared_ptr<PathKind>;
 
 // A new path of each kind, with its defaults, in the order of paths.inc.
 std::vector<Path> paths();
-// The path of the kind `poses`.
-Path path_through(std::vector<Pose> poses);
 
 // Poses from a table of any origin (base/sheet.hpp). The header names the columns, in any order and case, with their
 // units: x, y and z in m, cm or mm, of one thing ("pose.position.x", "x [mm]"), without a unit m; and w, x, y, z of

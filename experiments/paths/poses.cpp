@@ -8,8 +8,6 @@
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
-#include <system_error>
-#include <utility>
 
 #include "base/inputs.hpp"
 #include "base/names.hpp"
@@ -203,7 +201,6 @@ class PoseColumns {
 
 class Poses : public PathKind {
  public:
-  explicit Poses(std::vector<Pose> poses = {}) : poses_(std::move(poses)) {}
   std::string_view name() const override { return "poses"; }
   std::string_view summary() const override {
     return "a list of poses: { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] }";
@@ -250,11 +247,8 @@ class CsvPath final : public Poses {
 
   void load(const std::filesystem::path& folder) override {
     const std::filesystem::path file = folder / file_;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) {
-      throw std::invalid_argument(
-          fmt::format("there is no file {}; expected a CSV file of poses in the study's folder", file.string()));
-    }
+    constexpr std::uintmax_t most_bytes = 16'000'000;
+    const std::string text = text_of_file(file, most_bytes);
     const std::filesystem::path home = std::filesystem::canonical(folder.empty() ? "." : folder),
                                 meant = std::filesystem::canonical(file);
     if (std::filesystem::path(file_).is_relative() &&
@@ -262,8 +256,7 @@ class CsvPath final : public Poses {
       throw std::invalid_argument(fmt::format(
           "path.file is \"{}\", which is outside the study's folder; write its full path, {}", file_, meant.string()));
     }
-    constexpr std::uintmax_t most_bytes = 16'000'000;
-    poses_ = poses_from_csv(text_of_file(file, most_bytes), file.string(), columns_);
+    poses_ = poses_from_csv(text, file.string(), columns_);
   }
 
  private:
@@ -284,7 +277,5 @@ std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file, c
 
 std::unique_ptr<PathKind> poses_path() { return std::make_unique<Poses>(); }
 std::unique_ptr<PathKind> csv_path() { return std::make_unique<CsvPath>(); }
-
-Path path_through(std::vector<Pose> poses) { return std::make_shared<Poses>(std::move(poses)); }
 
 }  // namespace ikbench::experiments

@@ -56,6 +56,23 @@ inline experiments::Path path_of(const std::vector<std::string>& settings) {
   return experiments::parse_study(entry, "a path", completed(entry, overrides)).path;
 }
 
+// A path of these poses, of any numbers.
+class PathThrough final : public experiments::PathKind {
+ public:
+  explicit PathThrough(std::vector<robots::Pose> poses) : poses_(std::move(poses)) {}
+  std::string_view name() const override { return "poses"; }
+  std::string_view summary() const override { return ""; }
+  void list_fields(base::Fields& io) override { io.poses("poses", poses_); }
+  int points() const override { return static_cast<int>(poses_.size()); }
+  std::vector<robots::Pose> poses(const robots::Robot&, numerics::Random&) const override { return poses_; }
+
+ private:
+  std::vector<robots::Pose> poses_;
+};
+inline experiments::Path path_through(std::vector<robots::Pose> poses) {
+  return std::make_shared<PathThrough>(std::move(poses));
+}
+
 // Its poses in the first run with seed 1, with the paper's arm.
 inline std::vector<robots::Pose> poses_of(const experiments::Path& path) {
   experiments::Study study;
