@@ -55,11 +55,7 @@ struct Source {
     results::StoredStudy part = entry;
     part.series.clear();
     for (const std::string& label : chosen) {
-      auto series = std::ranges::find(entry.series, label, &results::Series::label);
-      if (series == entry.series.end()) {  // as a screen shows it
-        const auto shown = base::short_names(labels(), show::longest_name);
-        series = std::ranges::find_if(entry.series, [&](const auto& its) { return shown.at(its.label) == label; });
-      }
+      const auto series = std::ranges::find(entry.series, label, &results::Series::label);
       if (series == entry.series.end()) throw std::invalid_argument(base::unknown_name("label", label, labels()));
       part.series.push_back(*series);
     }

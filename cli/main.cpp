@@ -63,11 +63,8 @@ int exit_code_of(const CLI::App& app, const CLI::ParseError& error, const std::s
   const auto option = std::ranges::find_if(rest, [](const std::string& word) { return word.starts_with('-'); });
   if (option != rest.end() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     for (const CLI::Option* each : command.get_options())
-      for (const std::string& name : each->get_lnames()) names.push_back(name);
-    const std::string name = option->substr(0, option->find('='));
-    const std::string nearest = nearest_name(name.substr(std::min<std::size_t>(2, name.size())), names);
-    cli::say_mistake(fmt::format("{} has no option {}; {}see --help", command.get_name(), front(name, 100),
-                                 nearest.empty() ? "" : fmt::format("did you mean --{}? Or ", nearest)));
+      for (const std::string& name : each->get_lnames()) names.push_back("--" + name);
+    cli::say_mistake(unknown_name("option of " + command.get_name(), option->substr(0, option->find('=')), names));
     return 1;
   }
   if (app.exit(error) != 0) return 1;

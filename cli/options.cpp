@@ -1,11 +1,9 @@
 #include "cli/options.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cstring>
 
-#include "analysis/papers/paper.hpp"
 #include "base/number.hpp"
 
 namespace ikbench::cli {
@@ -68,14 +66,6 @@ void show_json(const base::OrderedJson& json) { fmt::print("{}\n", base::text_of
 
 void add_study_option(CLI::App& command, std::string& study) {
   command.add_option("--study", study, "name of the study; default: the first in the store");
-}
-
-void add_paper_option(CLI::App& command, std::string& paper) {
-  std::vector<std::string> names;
-  for (const papers::Paper& known : papers::papers())
-    names.push_back(fmt::format("{} ({})", known.name, known.in_short));
-  paper = papers::papers().front().name;
-  add_with_default(command, "PAPER", paper, fmt::format("one of: {}", fmt::join(names, ", ")));
 }
 
 }  // namespace ikbench::cli

@@ -60,7 +60,5 @@ void show_json(const base::OrderedJson& json);
 
 // Adds --study, the name of one of a store.
 void add_study_option(CLI::App& command, std::string& study);
-// Adds PAPER, the name of a paper; the first by default.
-void add_paper_option(CLI::App& command, std::string& paper);
 
 }  // namespace ikbench::cli

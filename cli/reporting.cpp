@@ -114,10 +114,6 @@ FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, co
   return style;
 }
 
-FigureStyle styled(const StoredStudy& entry, const ReportArguments& arguments) {
-  return styled(entry.definition.figures, labels_of(entry), arguments);
-}
-
 std::vector<std::string> labels_of(const StoredStudy& stored) {
   std::vector<std::string> labels;
   for (const Series& series : stored.series) labels.push_back(series.label);
@@ -175,7 +171,8 @@ void announce(show::Report reported, const std::filesystem::path& folder, const 
 
 bool write_and_announce(const Store& store, const StoredStudy& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments, const std::optional<judge::StudyResults>& beside) {
-  const FigureStyle style = styled(study, arguments);  // refuses before the study is read
+  const FigureStyle style =
+      styled(study.definition.figures, labels_of(study), arguments);  // refuses before the study is read
   judge::JudgedStudy judged = judge::judge(exported_study(store, study, folder));
   const std::vector<std::string> silent = never_answering(judged.study);
   if (!silent.empty()) {

@@ -28,8 +28,6 @@ void add_report_options(CLI::App& command, ReportArguments& arguments, bool is_o
 // drawn. Call it before anything is solved.
 results::FigureStyle styled(results::FigureStyle style, const std::vector<std::string>& labels,
                             const ReportArguments& arguments);
-// The same of a stored study.
-results::FigureStyle styled(const results::StoredStudy& entry, const ReportArguments& arguments);
 std::vector<std::string> labels_of(const results::StoredStudy& stored);
 
 // The keys of docs/references.bib whose keywords name a solver, an arm or a paper.

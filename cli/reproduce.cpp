@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -16,6 +17,7 @@
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "cli/running.hpp"
+#include "experiments/multiverse.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "results/fingerprint.hpp"
@@ -85,12 +87,33 @@ int jobs_of(const Arguments& arguments) {
   return std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
 }
 
+// Solves all combinations of what a paper leaves open, with progress. After Ctrl-C it says so, and throws Cancelled:
+// shares need all readings.
+papers::SolvedMultiverse solved_multiverse(const Arguments& arguments, const std::string& study,
+                                           const std::vector<Dimension>& varied, int seeds) {
+  CancelOnSignal signals;
+  const MultiversePlan plan = plan_multiverse(study, varied, seeds, overridden_runs(arguments));
+  std::optional<ProgressBar> bar("readings");
+  const std::vector<PartMeans> means =
+      solve_parts(plan.parts, {.jobs = jobs_of(arguments),
+                               .progress = [&](const Progress& progress) { bar->show(progress); },
+                               .cancelled = &signals.requested()});
+  bar.reset();  // leaves its line to the next words
+  if (signals.end()) {
+    say("Stopped. Readings are judged together, so none is kept; the same command solves them anew.");
+    throw Cancelled();
+  }
+  papers::SolvedMultiverse multiverse{plan, {}};
+  for (const PartMeans& part : means)
+    multiverse.means.push_back({papers::group_of(part.error_cm), papers::group_of(part.variation_deg)});
+  return multiverse;
+}
+
 papers::JudgedMultiverse judged_readings(const Arguments& arguments, const Paper& paper) {
   const std::vector<Dimension> all = dimensions(paper.name);
   if (arguments.seeds == 0 || all.empty()) return {};
-  const papers::SolvedMultiverse solved =
-      solved_multiverse(paper.name, all, arguments.seeds, overridden_runs(arguments), jobs_of(arguments));
-  return papers::judged(paper, solved, load_study(paper.name).plan);
+  return papers::judged(paper, solved_multiverse(arguments, paper.name, all, arguments.seeds),
+                        load_study(paper.name).plan);
 }
 
 // Of each reading of the table of means, the paper's own first.
@@ -99,9 +122,8 @@ std::vector<papers::SeedCounts> counts_of(const Arguments& arguments, const pape
   std::vector<papers::SeedCounts> counts;
   for (const papers::Repeated& reading : repeated.readings()) {
     if (repeated.paper.means.empty()) break;
-    counts.push_back(papers::counts_by_seed(
-        repeated.paper,
-        solved_multiverse(reading.study().study.name, {}, seeds, overridden_runs(arguments), jobs_of(arguments))));
+    counts.push_back(
+        papers::counts_by_seed(repeated.paper, solved_multiverse(arguments, reading.study().study.name, {}, seeds)));
     counts.back().reading = reading.reading();
   }
   return counts;
@@ -156,7 +178,8 @@ void add_slim2023(show::Report& reported, const papers::Repeated& repeated, cons
 // The first of the studies is the paper's own.
 void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, const Arguments& arguments,
             const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
-  const FigureStyle style = styled(all.front().study, arguments.report);
+  const judge::StudyResults& own = all.front().study;
+  const FigureStyle style = styled(own.definition.figures, labels_of(own), arguments.report);
   std::string text;
   const CsvTable programs = programs_of(paper, folder, text);
   const papers::Repeated repeated{.paper = paper, .studies = all, .programs = &programs};
@@ -199,7 +222,10 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("reproduce", "Repeat a paper's experiments and report beside the printed results");
-  add_paper_option(*command, arguments->paper);
+  std::vector<std::string> names;
+  for (const Paper& paper : papers::papers()) names.push_back(fmt::format("{} ({})", paper.name, paper.in_short));
+  arguments->paper = papers::papers().front().name;
+  add_with_default(*command, "PAPER", arguments->paper, fmt::format("one of: {}", fmt::join(names, ", ")));
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "seed of the studies; default: their own")
       ->check(whole_number({0, largest_whole}));

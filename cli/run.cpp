@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "analysis/judge/beside.hpp"
+#include "analysis/judge/observe.hpp"
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
@@ -70,7 +71,7 @@ Study study_of(const StudyToRun& arguments) {
   }
   // A mistake in it shows before hours are spent.
   static_cast<void>(styled({study.figures}, labels_of(study), arguments.report));
-  check_plan(study);
+  if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, judge::metrics_of(study)));
   return study;
 }
 

@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <optional>
 #include <thread>
 
-#include "analysis/judge/observe.hpp"
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
@@ -46,11 +44,6 @@ void tell_of(const Study& study) {
 void add_run_options(CLI::App& command, RunArguments& arguments) {
   add_out_option(command, arguments.out, "folder for the results; default: out/<study>");
   add_number(command, "--jobs", arguments.jobs, {1, 1024}, "number of solves at once; times are compared only with 1");
-}
-
-void check_plan(const Study& study) {
-  const std::vector<judge::Metric> all = judge::metrics_of(study);
-  if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, all));
 }
 
 std::filesystem::path store_in(const std::filesystem::path& folder) { return folder / "store.sqlite"; }
@@ -109,26 +102,6 @@ std::string run_study(const Study& study, const StoredStudy& stored, const std::
                      request.shard.count == 1 ? "" : fmt::format(", shard {}", request.shard.text()),
                      counted(progress.total, "solves"), store_in(folder).string(),
                      progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
-}
-
-papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::vector<Dimension>& varied, int seeds,
-                                           const Overrides& overrides, int jobs) {
-  CancelOnSignal signals;
-  const MultiversePlan plan = plan_multiverse(study, varied, seeds, overrides);
-  std::optional<ProgressBar> bar("readings");
-  const std::vector<PartMeans> means =
-      solve_parts(plan.parts, {.jobs = jobs,
-                               .progress = [&](const Progress& progress) { bar->show(progress); },
-                               .cancelled = &signals.requested()});
-  bar.reset();  // leaves its line to the next words
-  if (signals.end()) {
-    say("Stopped. Readings are judged together, so none is kept; the same command solves them anew.");
-    throw Cancelled();
-  }
-  papers::SolvedMultiverse multiverse{plan, {}};
-  for (const PartMeans& part : means)
-    multiverse.means.push_back({papers::group_of(part.error_cm), papers::group_of(part.variation_deg)});
-  return multiverse;
 }
 
 }  // namespace ikbench::cli

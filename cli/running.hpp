@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/papers/multiverse.hpp"
 #include "cli/options.hpp"
-#include "experiments/multiverse.hpp"
 #include "experiments/runner.hpp"
 #include "results/store.hpp"
 
@@ -27,13 +25,6 @@ std::string run_study(const experiments::Study& study, const results::StoredStud
                       const std::filesystem::path& folder, experiments::RunRequest request,
                       results::Store::Mode mode = results::Store::Mode::write);
 
-// Solves all combinations of what a paper leaves open, with progress. After Ctrl-C it says so, and
-// throws Cancelled: shares need all readings.
-papers::SolvedMultiverse solved_multiverse(const std::string& study, const std::vector<results::Dimension>& varied,
-                                           int seeds, const experiments::Overrides& overrides, int jobs);
-
-// Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
-void check_plan(const experiments::Study& study);
 std::filesystem::path store_in(const std::filesystem::path& folder);
 
 }  // namespace ikbench::cli
