@@ -10,7 +10,6 @@
 #include <future>
 #include <map>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -152,17 +151,15 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
   for (const auto& [file, text] : scripts) write_file(folder / sources / file, text);
   const TemporaryFolder workshop(folder);
   for (const auto& [file, text] : scripts) write_file(workshop.path() / sources / file, text);
-  std::vector<std::size_t> order(figures.size());  // the longest first, so that no processor waits for the last
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return -std::ssize(figures[i].data); });
   std::atomic<std::size_t> next = 0;
   std::mutex one_at_a_time;
   std::int64_t done = 0;
   std::vector<std::string> told(figures.size());
   const auto work = [&] {
-    for (std::size_t turn = next++; turn < order.size(); turn = next++) {
-      const Figure& figure = figures[order[turn]];
-      std::string& of_figure = told[order[turn]];
+    for (std::size_t turn = next++; turn < figures.size(); turn = next++) {
+      const std::size_t i = figures.size() - 1 - turn;  // the longest is the last; no processor waits for it
+      const Figure& figure = figures[i];
+      std::string& of_figure = told[i];
       try {
         const std::string warning = draw(figure, workshop.path(), options);
         remove_pictures(figure, folder, options.style.formats);

@@ -160,16 +160,22 @@ std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& 
 
 const JudgedMetric& deciding(const JudgedStudy& judged) { return judged.metrics[judged.deciding]; }
 
+// Without solvers of another machine, whose targets and angles are not here.
+Look of_this_machine(const StudyResults& study, Look look) {
+  std::erase_if(look.style.solvers, [&](const std::string& solver) { return study.beside.has(solver); });
+  return look;
+}
+
 std::optional<Figure> path(const JudgedStudy& judged, const Look& look) {
   if (!is_path(judged.study)) return std::nullopt;
-  return path_of(judged.study, look, 1, "." + first_points(judged.study));
+  return path_of(judged.study, of_this_machine(judged.study, look), 1, "." + first_points(judged.study));
 }
 
 std::optional<Figure> joints(const JudgedStudy& judged, const Look& look) {
   const StudyResults& study = judged.study;
   if (!is_path(study)) return std::nullopt;
   return joints({"", "Joint angles along the path, first run of each solver. Dashed: limits." + first_points(study)},
-                joint_rows(study, look));
+                joint_rows(study, of_this_machine(study, look)));
 }
 
 // In the order of the report.
@@ -248,20 +254,20 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
   for (Finding& finding : findings)
     finding = better_first(finding, metric.plan.control, place(finding.second) < place(finding.first));
   const auto is_shared = [&](std::string Finding::*name) {
-    return findings.size() > 1 && std::ranges::all_of(findings, [&](const Finding& finding) {
-             return finding.*name == findings.front().*name;
-           });
+    return findings.size() > 1 && std::ranges::count(findings, findings.front().*name, name) == std::ssize(findings);
   };
   const bool is_first = is_shared(&Finding::first), is_second = is_shared(&Finding::second);
-  const auto names = is_first || is_second ? look.names : short_names(shown, 15);  // or two in a row
   std::vector<IntervalRow> rows;
   bool are_ratios = false;
   for (const Finding& finding : findings) {
     are_ratios = finding.scale == Scale::ratio;
     const double factor = are_ratios ? 1 : finding.scale == Scale::share ? 100 : unit.factor;
     IntervalRow& row = rows.emplace_back();
-    const std::string first = names.at(finding.first), second = names.at(finding.second);
-    row.label = is_first ? second : is_second ? first : fmt::format("{} {} {}", first, are_ratios ? "/" : "-", second);
+    const std::string first = look.names.at(finding.first), second = look.names.at(finding.second);
+    const char joint = character_count(first + second) > 30 ? '\n' : ' ';
+    row.label = is_first    ? second
+                : is_second ? first
+                            : fmt::format("{} {}{}{}", first, are_ratios ? "/" : "-", joint, second);
     const Verdict verdict = verdict_of(finding);
     if (const Amount* const amount = amount_of(finding)) {
       row.estimate = factor * amount->value;
@@ -273,8 +279,8 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
   if (std::ranges::all_of(findings, are_equal)) return std::nullopt;
   if (is_first || is_second)
     rows.insert(rows.begin(),
-                {.label = fmt::format("{} {} {}", is_first ? names.at(findings[0].first) : "…", are_ratios ? "/" : "-",
-                                      is_second ? names.at(findings[0].second) : "…"),
+                {.label = fmt::format("{} {} {}", is_first ? look.names.at(findings[0].first) : "…",
+                                      are_ratios ? "/" : "-", is_second ? look.names.at(findings[0].second) : "…"),
                  .verdict = is_first ? "the first:" : ""});
   const std::string quantity = observed.measures == Measure::solved ? "share solved" : observed.quantity;
   const std::string what = are_ratios ? "ratio" : "difference";

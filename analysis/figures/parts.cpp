@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <boost/algorithm/string.hpp>
 #include <cctype>
 #include <cmath>
 #include <iterator>
@@ -203,22 +204,20 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
   if (has_edge)
     settings += fmt::format("set {}tics add ('{}' {})\n", letter,
                             about.floor > 0 ? "≤ " + tick(about.floor, is_power) : "0", text_of(edge));
-  if (has_edge && edge > about.floor) {  // the axis is broken between them
-    const std::string middle = text_of(std::sqrt(edge * start));
-    settings += fmt::format("set label '//' at {} center front tc rgb ink\n",
-                            letter == 'x' ? "first " + middle + ", graph 0" : "graph 0, first " + middle);
-  }
   return {settings + titled(letter, title) + placed(letter, edge, high), low, high, true};
 }
 
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm) {
-  std::vector<std::string> ticks;
+  std::vector<std::string> ticks, lines;
   double widest_cm = 0;
   for (const std::string& label : labels) {
-    std::string format;  // gnuplot takes a label as one: %% is %
-    for (const char c : one_line(label)) format.append(c == '%' ? 2 : 1, c);
-    widest_cm = std::max(widest_cm, width_cm_of(label));
-    ticks.push_back(fmt::format("{} {}", gnuplot_text(format), ticks.size() + 1));
+    boost::split(lines, label, [](char c) { return c == '\n'; });
+    for (std::string& line : lines) {
+      widest_cm = std::max(widest_cm, width_cm_of(line));
+      line = gnuplot_text(boost::replace_all_copy(one_line(line), "%", "%%"));  // a form, for gnuplot
+    }
+    row_cm = std::max(row_cm, 0.37 * static_cast<double>(lines.size()));
+    ticks.push_back(fmt::format("{} {}", fmt::join(lines, ".\"\\n\"."), ticks.size() + 1));
   }
   figure.sides_cm = widest_cm + 0.95;
   add_margins(figure);

@@ -45,7 +45,7 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
 Axis linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins);
 Axis logarithmic_axis(char letter, double smallest, double largest, const std::string& title);
 
-// Rows 1, 2, ... from the top with their labels at the left. Sets the figure's size.
+// Rows 1, 2, ... from the top with their labels, of a line or more, at the left. Sets the figure's size.
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm);
 // Names with their markers: at the right of the plot, each joined to its mark, or below, in two columns or one, where
 // they would take too much of the width. None for a single one. Sets the margins.

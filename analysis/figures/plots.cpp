@@ -34,8 +34,7 @@ std::span<const Row> drawn_of(const std::vector<Row>& all, std::size_t most, Fig
   if (!others.empty()) {
     figure.caption += fmt::format(" Without {}: only the first {} are drawn.", fmt::join(others, ", "), most);
     figure.settings += fmt::format(
-        "set label 'first {} of {}' at screen 1 - margin(0.15), screen up(legend_rows_cm + 0.3) right tc rgb ink\n",
-        most, all.size());
+        "set label 'first {} of {}' at screen margin(0.15), screen 1 - up(0.15) left tc rgb ink\n", most, all.size());
   }
   return std::span(all).first(all.size() - others.size());
 }

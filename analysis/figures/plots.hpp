@@ -66,7 +66,7 @@ std::optional<Figure> ranks(const About& about, const std::vector<RankRow>& rows
 // Intervals, a row each: differences, or ratios on a logarithmic axis. At the right of a row who is better, or what
 // else is known.
 struct IntervalRow {
-  std::string label;  // "BA - DE"
+  std::string label;  // "BA -\nDE"
   double estimate = nowhere, low = nowhere, high = nowhere;
   std::string verdict = {};
   int style = 0;  // of the better one; 0: grey

@@ -187,6 +187,7 @@ TEST_CASE("differences have their intervals, also open ones", "[plots]") {
   const Figure figure = *differences(error_in("d"), {{"A - B", 1, -2, INFINITY, "not decided"}, {"A - C"}}, false);
   CHECK(contains(figure.plot, "with vectors head "));  // beyond the axis
   CHECK(contains(differences(error_in("r"), {{"A / B", 0.3, 0, 0.5}}, true)->plot, "with vectors backhead "));
+  CHECK(contains(differences(error_in("r"), {{"A /\nB", 0.3, 0, 0.5}}, true)->settings, R"(('A /'."\n".'B' 1))"));
   CHECK(figure.data == "# row, difference, low, high\n# A - B\n1 1 -2 1e+300\n# A - C\n2 NaN NaN NaN\n");
 }
 
