@@ -173,23 +173,17 @@ bool write_and_announce(const Store& store, const StoredStudy& study, const std:
                         const ReportArguments& arguments, const std::optional<judge::StudyResults>& beside) {
   const FigureStyle style =
       styled(study.definition.figures, labels_of(study), arguments);  // refuses before the study is read
-  judge::JudgedStudy judged = judge::judge(exported_study(store, study, folder));
-  const std::vector<std::string> silent = never_answering(judged.study);
+  judge::StudyResults solved = exported_study(store, study, folder);
+  const std::vector<std::string> silent = never_answering(solved);
   if (!silent.empty()) {
     const std::string text = fmt::format("{} gave no answer in any solve (crash, time-out or protocol).",
                                          fmt::join(silent, separator_of(silent)));
     arguments.is_json ? say(text) : fmt::print("{}\n", wrapped(text));
   }
+  if (beside) judge::put_beside(solved, *beside);
+  judge::JudgedStudy judged = judge::judge(std::move(solved));
   const figures::Look look = figures::look_of(judged, style);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
-  if (beside) {
-    const auto is_of_pairs = [](const figures::Figure& its) {
-      return its.name == "ranks" || its.name == "differences";
-    };
-    std::erase_if(pictures, is_of_pairs);  // which are judged anew, with others
-    judge::put_beside(judged.study, *beside);
-    judged = judge::judge(std::move(judged.study));
-  }
   announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, look.style);
   return !silent.empty();
 }
