@@ -158,7 +158,7 @@ Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> t
     if (!other.empty()) metric.observations.doubts.push_back({.kind = DoubtKind::times_not_comparable, .what = other});
   }
   const auto budget_of = [](const numerics::StopRule& stop) {
-    return fmt::format("{} iterations, {} evaluations, {} s", stop.iterations, stop.evaluations, stop.seconds);
+    return fmt::format("{} iterations, {} evaluations, {:g} ms", stop.iterations, stop.evaluations, 1e3 * stop.seconds);
   };
   const std::string ours = budget_of(both.judged.study.definition.stop), theirs = budget_of(baseline.definition.stop);
   if (ours == theirs) return both;
