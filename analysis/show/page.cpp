@@ -34,12 +34,6 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-std::string menu(const std::vector<std::pair<std::string, std::string>>& files) {
-  std::string text = "<details class=\"menu\"><summary>Download</summary><div>";
-  for (const auto& [name, file] : files) text += fmt::format("<a href=\"{}\" download>{}</a>", html_text(file), name);
-  return text + "</div></details>\n";
-}
-
 Table told_of(Table table) {
   if (table.told < table.rows.size()) table.rows.resize(table.told);
   return table;
@@ -70,26 +64,20 @@ struct PageWriter {
                           rows(rest));
     }
     for (const std::string& note : table.notes) text += fmt::format("<p class=\"note\">{}</p>\n", html_text(note));
-    const std::string file = "tables/" + table.name;
-    if (!id.empty()) text += menu({{"CSV", file + ".csv"}, {"LaTeX", file + ".tex"}});
     return text + "</div>\n";
   }
   std::string operator()(const figures::Figure& figure) const {
-    constexpr std::size_t largest = 1'000'000;  // of a picture in the page [bytes]; a larger one can be downloaded
+    constexpr std::size_t largest = 1'000'000;  // of a picture in the page [bytes]; a larger one stands in its folder
     const std::string caption = html_text(figure.caption);
     std::string picture;
     for (const auto& [type, media] : {std::pair("svg", "svg+xml"), std::pair("png", "png")}) {
-      const std::string file = fmt::format("{}.{}", figure.name, type);
-      const auto drawn = base::read_file(folder / "figures" / file);
+      const auto drawn = base::read_file(folder / "figures" / fmt::format("{}.{}", figure.name, type));
       if (!drawn || drawn->size() > largest || !picture.empty()) continue;
       picture = fmt::format("<div class=\"scroll\"><img alt=\"{}\" src=\"data:image/{};base64,{}\"></div>\n", caption,
                             media, base64(*drawn));
     }
-    std::vector<std::pair<std::string, std::string>> files;
-    for (const std::string& type : types_of(figure, folder))
-      files.emplace_back(type, fmt::format("figures/{}.{}", figure.name, type));
-    return fmt::format("<figure id=\"figure-{}\"{}>\n{}<figcaption>{}</figcaption>\n{}</figure>\n", id_of(figure.name),
-                       figure.width_cm > 12 ? " class=\"wide\"" : "", picture, caption, menu(files));
+    return fmt::format("<figure id=\"figure-{}\"{}>\n{}<figcaption>{}</figcaption>\n</figure>\n", id_of(figure.name),
+                       figure.width_cm > 12 ? " class=\"wide\"" : "", picture, caption);
   }
 };
 
@@ -175,11 +163,11 @@ std::string to_page(const std::string& title, const std::vector<Blocks>& section
                     const std::string& program) {
   const PageWriter write{folder};
   const auto script = [](std::string_view code) { return fmt::format("<script>{}</script>\n", code); };
-  std::string scripts = script(template_named("page.js"));
+  std::string scripts;
   if (arm)
-    scripts += std::string(template_named("licence.html")) + script(drawing_library()) +
-               fmt::format("<script type=\"application/json\" id=\"motion-data\">{}</script>\n", *arm) +
-               script(template_named("moving_arm.js"));
+    scripts = std::string(template_named("licence.html")) + script(drawing_library()) +
+              fmt::format("<script type=\"application/json\" id=\"motion-data\">{}</script>\n", *arm) +
+              script(template_named("moving_arm.js"));
   const std::span rest(sections.begin() + 1, sections.end());
   std::string text = answer(title, sections.front(), write, contents_of(rest),
                             arm ? template_named("stage.html") : std::string_view());

@@ -70,31 +70,17 @@ void remove_earlier(const fs::path& folder, const std::vector<std::string>& earl
   }
 }
 
-// Figures that were not drawn leave the page; the reasons stand where the first is missing.
+// Figures that were not drawn leave the page; the reasons stand where the first are missing.
 void leave_out_undrawn(std::vector<Blocks>& sections, const fs::path& folder, std::vector<std::string> reasons) {
   const auto is_not_drawn = [&](const Block& block) {
     const auto* const figure = std::get_if<figures::Figure>(&block);
     return figure != nullptr && types_of(*figure, folder).empty();
   };
   for (Blocks& blocks : sections) {
-    const auto first = std::ranges::find_if(blocks, is_not_drawn);
-    if (first == blocks.end()) continue;
-    for (std::string& reason : reasons) reason = fmt::format("Warning: {}.", reason);
-    blocks.insert(first, reasons.begin(), reasons.end());
-    reasons.clear();
-    std::erase_if(blocks, is_not_drawn);
+    if (std::erase_if(blocks, is_not_drawn) == 0) continue;
+    for (const std::string& reason : std::exchange(reasons, {})) blocks.push_back(fmt::format("Warning: {}.", reason));
   }
   std::erase_if(sections, [](const Blocks& blocks) { return blocks.size() < 2; });  // that had nothing else
-}
-
-void write_page(const Report& report, const std::vector<Blocks>& sections, const fs::path& folder,
-                const std::string& program, Written& written) {
-  std::optional<std::string> arm = moving_arm(report.study, report.answer.solvers());
-  if (arm && drawing_library().empty()) {
-    written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
-    arm.reset();
-  }
-  base::write_file(written.page, to_page(title_of(report.study), sections, arm, folder, program));
 }
 
 }  // namespace
@@ -123,15 +109,15 @@ void write_table(const Table& table, const Table& article, const fs::path& folde
   base::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
 }
 
-std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<std::string>& figures) {
+std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<figures::Figure>& figures) {
   std::vector<std::string> files;
   for (const std::string& table : tables)
     for (const char* type : {"csv", "tex"}) files.push_back(fmt::format("tables/{}.{}", table, type));
   if (!figures.empty()) files.emplace_back("figures/source/style.gp");
-  for (const std::string& figure : figures) {
-    files.push_back(fmt::format("figures/source/{}.gp", figure));
+  for (const figures::Figure& figure : figures) {
+    files.push_back(fmt::format("figures/source/{}.gp", figure.name));
     for (const std::string& type : results::picture_formats)
-      files.push_back(fmt::format("figures/{}.{}", figure, type));
+      files.push_back(fmt::format("figures/{}.{}", figure.name, type));
   }
   return files;
 }
@@ -173,14 +159,11 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   std::vector<Table*> tables = all_in<Table>(sections);
   std::erase_if(tables, [](const Table* table) { return table->name.empty(); });
   std::vector<figures::Figure> figures;
-  std::vector<std::string> names, names_of_figures;
+  std::vector<std::string> names;
   for (const Table* table : tables) names.push_back(table->name);
-  for (const figures::Figure* figure : all_in<figures::Figure>(sections)) {
-    figures.push_back(*figure);
-    names_of_figures.push_back(figure->name);
-  }
+  for (const figures::Figure* figure : all_in<figures::Figure>(sections)) figures.push_back(*figure);
   Written written{.page = folder / own_files[0]};
-  std::vector<std::string>& files = written.files = files_of(names, names_of_figures);
+  std::vector<std::string>& files = written.files = files_of(names, figures);
   for (const std::string file : article_files)
     if (file != "references.bib" || !report.keys.empty()) files.push_back("article/" + file);
   files.insert(files.end(), own_files.begin(), own_files.end() - 1);
@@ -203,7 +186,12 @@ Written publish(const Report& report, const fs::path& folder, const figures::Ren
   leave_out_undrawn(sections, folder, written.warnings);
   written.warnings.insert(written.warnings.end(), unused.begin(), unused.end());
   base::write_file(folder / "report.md", to_markdown(sections, folder));
-  write_page(report, sections, folder, program, written);
+  std::optional<std::string> arm = moving_arm(report.study, report.answer.solvers());
+  if (arm && drawing_library().empty()) {
+    written.warnings.emplace_back("the page has no moving arm: this ikbench was built without three.js");
+    arm.reset();
+  }
+  base::write_file(written.page, to_page(title_of(report.study), sections, arm, folder, program));
   return written;
 }
 

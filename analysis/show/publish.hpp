@@ -25,8 +25,8 @@ struct Written {
   std::vector<std::string> files;     // all, from the folder
   std::vector<std::string> warnings;  // figures that were not drawn
 };
-// Those of tables and figures of these names.
-std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<std::string>& figures);
+// Those of tables of these names, and of figures.
+std::vector<std::string> files_of(const std::vector<std::string>& tables, const std::vector<figures::Figure>& figures);
 // Before these files are written: refuses those that results.json does not list, and lists them there, so that after a
 // kill they are known. Returns what it listed before.
 std::vector<std::string> claim(const std::filesystem::path& folder, std::vector<std::string> files);
