@@ -54,8 +54,7 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
   const std::filesystem::path folder = out;
   show::claim(folder, show::files_of({table.name}, {}));
   show::write_table(table, table, folder / "tables", program_name());
-  fmt::print("{}\n\n{}Table: {}.*\n", printable(wrapped(show::found_in_studies(studies, told))),
-             printable(show::to_text(table)), printable((folder / "tables" / table.name).string()));
+  fmt::print("{}Table: {}.*\n", printable(show::to_text(table)), printable((folder / "tables" / table.name).string()));
 }
 
 }  // namespace

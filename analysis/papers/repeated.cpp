@@ -271,7 +271,7 @@ show::Table rates_table(const Repeated& repeated, const std::string& name) {
                               is_of_arms ? " an arm" : "", is_of_arms ? " by " + plan.tables.at(table.name) : "");
   std::set<std::string_view> signs;
   for (const auto& [column, rates] : rates_of(repeated, name)) {
-    table.columns.push_back({column, is_of_arms ? "%" : ""});
+    table.columns.push_back({.name = column, .unit = is_of_arms ? "%" : "", .ends = {0, 100}});
     table.rows.resize(rates.size());  // arms, in each solver's order
     for (std::size_t i = 0; i < rates.size(); ++i) {
       const Rate& rate = rates[i];

@@ -141,17 +141,16 @@ std::vector<Doubt> Answer::all_doubts() const {
   std::vector<Doubt> all = doubts;
   for (const JudgedMetric& judged : metrics) {
     for (const Doubt& doubt : judged.observations.doubts) {
-      const bool names_metric = doubt.kind == DoubtKind::few_decide_mean || doubt.kind == DoubtKind::ranks_disagree,
-                 is_of_clock = doubt.kind == DoubtKind::seconds_decide;  // of shares it names fewer
       const auto known = std::ranges::find_if(all, [&](const Doubt& other) {
-        const bool is_one = other.who == doubt.who && other.count == doubt.count && other.of == doubt.of;
-        return other.kind == doubt.kind && (is_one || is_of_clock) && (names_metric || other.what == doubt.what);
+        const bool is_one = other.who == doubt.who && other.count == doubt.count && other.of == doubt.of,
+                   is_of_clock = doubt.kind == DoubtKind::seconds_decide && other.what == doubt.what;
+        return other.kind == doubt.kind && (is_one || is_of_clock);
       });
       if (known == all.end())
         all.push_back(doubt);
-      else if (names_metric)
+      else if (known->what != doubt.what)
         known->what += ", " + doubt.what;
-      else if (known->who.size() < doubt.who.size())
+      else if (known->who.size() < doubt.who.size())  // of shares the clock names fewer
         *known = doubt;
     }
   }

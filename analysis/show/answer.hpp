@@ -37,8 +37,6 @@ struct Answer {
 Answer answer_of(std::vector<judge::JudgedMetric> metrics, std::size_t deciding = 0);
 Answer answer_of(const judge::JudgedStudy& judged);
 
-constexpr std::size_t longest_name = 32;  // of a solver on a screen (base::short_names)
-
 bool is_share(const judge::JudgedMetric& judged);
 // A group's average as readers see it: at most the tolerance, or the floor that ratios know nothing below.
 struct Shown {

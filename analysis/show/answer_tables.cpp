@@ -78,16 +78,19 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   const Verdict verdict = pair ? verdict_of(finding) : Verdict::undecided;
   const auto* const tested = std::get_if<Tested>(&finding.what);
   const bool is_deciding = &judged == &answer.decisive(), is_of_all = is_deciding && judged.plan.control.empty();
+  const auto is_told = [&](const std::string& name) {
+    return untold(groups[place_of(judged.observations, name)]) == nullptr;
+  };
   const bool is_untested =
-      untold(group) != nullptr || (is_of_all && !judged.findings.empty() ? std::ranges::count(apart, solver) > 0
-                                                                         : pair && verdict == Verdict::not_tested);
+      !is_told(solver) || (is_of_all && !judged.findings.empty()
+                               ? std::ranges::count(apart, solver) > 0
+                               : pair && verdict == Verdict::not_tested && is_told(reference));  // else it has the mark
   // Within the margin only what a headline tells is marked, so not of other metrics, nor in a gate what is no loss.
   const bool matters = !tested || !tested->is_small || (answer.verdict.empty() && is_deciding);
   const bool is_worse = is_of_all ? losers.contains(solver) : matters && verdict == Verdict::worse;
   const bool is_better = matters && verdict == Verdict::better;
   Marked cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
-  cell.is_best = is_of_all && !losers.empty() && !is_worse && !is_untested && std::ranges::count(apart, reference) == 0;
-  if (are_ratios(judged, reference) && solver != reference && !untold(group)) {
+  if (are_ratios(judged, reference) && solver != reference && is_told(solver)) {
     if (is_untested) return Absent{std::string(words_of(std::get<Open>(finding.what).why).of_solver)};
     if (const Amount* const amount = amount_of(finding)) cell.value = amount->value, cell.to_reference = finding.scale;
     return tested || cell.to_reference ? Cell(cell) : Absent{"too few to compare"};
@@ -183,13 +186,20 @@ std::vector<std::string> explained(const Answer& answer, const Occurring& occurr
       occurring.reasons.all.empty() ? "" : fmt::format("-: {}", fmt::join(occurring.reasons.told("{} ({})"), "; "))};
 }
 
-// Of the table of pairs, as row_of fills them.
-std::vector<Column> columns_of_pairs() {
-  std::vector<Column> columns =
-      columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "verdict", "A12", "ahead", "behind",
-                  "g", "g_av", "test", "n", "n that could decide", "size", "reason"});
-  columns[4].role = Role::interval;
-  return columns;
+// The table of pairs, which row_of fills.
+Table without_pairs(const Answer& answer) {
+  Table table{
+      .name = "pairs",
+      .caption = "The first against the second",
+      .columns = columns_of({"metric", "first", "second", "estimate", "interval", "unit", "p", "verdict", "A12",
+                             "ahead", "behind", "g", "g_av", "test", "n", "n that could decide", "size", "reason"})};
+  std::set<double> ends;
+  for (const JudgedMetric& judged : answer.metrics)
+    for (const Finding& finding : judged.findings) ends.merge(ends_of(finding, judged));
+  table.columns[4].role = Role::interval, table.columns[4].ends = {ends.begin(), ends.end()};
+  table.columns[6].role = Role::p, table.columns[6].ends = {answer.decisive().plan.significance};
+  for (Column& column : std::span(table.columns).subspan(8)) column.role = Role::remark;
+  return table;
 }
 
 std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
@@ -199,11 +209,11 @@ std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
   const auto* const effect = tested && tested->effect ? &*tested->effect : nullptr;
   const Verdict verdict = verdict_of(finding);
   const VerdictWords& words = words_of(verdict);
-  const std::string how_often = amount ? "" : amount_words(finding, judged);
+  const std::string how_often = amount ? "" : effect_words(finding);
   const int enough = tested ? tested->enough : open ? open->needed : 0;
   const auto number = [](const auto* of, auto value) { return of ? Cell(value(*of)) : Cell(); };
   const auto text = [](std::string_view its) { return text_cell(std::string(its)); };
-  const EffectSize size = effect_size(finding, judged);
+  const bool are_means = tested && tested->g;  // by which of them a size is told
   std::vector<Cell> row{judged.observations.quantity,
                         finding.first,
                         finding.second,
@@ -213,11 +223,11 @@ std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
                         number(tested, [](const Tested& its) { return its.p; }),
                         Judgement{verdict_words(finding, judged) + (how_often.empty() ? "" : ", " + how_often),
                                   words.tone, std::string(words.key)}};
-  row.push_back(size.name == "A12" ? Cell(size.value) : Cell());
+  row.push_back(effect && !are_means ? Cell(effect->a12()) : Cell());
   row.push_back(number(effect, [](const Effect& its) { return its.ahead; }));
   row.push_back(number(effect, [](const Effect& its) { return its.behind; }));
-  for (const std::string_view name : {"Hedges' g", "g_av"})
-    row.push_back(size.name == name ? Cell(size.value) : Cell());
+  for (const bool of_pairs : {false, true})
+    row.push_back(are_means && judged.observations.is_paired == of_pairs ? Cell(*tested->g) : Cell());
   row.push_back(text(tested ? tested->test : ""));
   row.push_back(tested ? Cell(std::int64_t{tested->n})
                        : number(open, [](const Open& its) { return std::int64_t{its.n}; }));
@@ -269,10 +279,9 @@ Table results_table(const Answer& answer, bool is_brief) {
 }
 
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
-  Table table{.name = "studies", .columns = {{"solver"}}, .is_of_study = false};
+  Table table{.name = "studies", .caption = "What decides each study", .columns = {{"solver"}}, .is_of_study = false};
   ByWord quantities, references;  // studies by them
-  std::set<std::string> all_marks, reasons;
-  constexpr std::size_t most_with_intervals = 3;
+  std::set<std::string> all_marks;
   for (std::size_t s = 0; s < studies.size(); ++s) {
     Table of_study = results_table(studies[s]);
     std::set<std::string> marks;
@@ -285,7 +294,7 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
       row->resize(s + 1, Absent{"not in the study"});
       if (auto* const marked = std::get_if<Marked>(&of_solver[1])) {
         marks.insert(marked->mark);
-        if (studies.size() > most_with_intervals) marked->interval.reset();
+        marked->interval.reset(), marked->sd.reset();
       }
       row->push_back(of_solver[1]);
     }
@@ -295,28 +304,13 @@ Table studies_table(const std::vector<Answer>& studies, const std::vector<std::s
                      names[s]);
     all_marks.merge(marks);
   }
-  for (auto& row : table.rows) {
-    row.resize(table.columns.size(), Absent{"not in the study"});
-    for (const Cell& cell : row)
-      if (const auto* const absent = std::get_if<Absent>(&cell)) reasons.insert(absent->why);
-  }
-  const bool are_shares =
-      std::ranges::all_of(studies, [](const Answer& answer) { return is_share(answer.decisive()); });
-  table.caption = are_shares ? "Share of targets solved" : "What decides each study";
-  std::vector<std::string> sentences{are_shares ? "" : "Shown: " + listed(quantities.told("{} ({})")),
+  for (auto& row : table.rows) row.resize(table.columns.size(), Absent{"not in the study"});
+  std::vector<std::string> sentences{"Shown: " + listed(quantities.told("{} ({})")),
                                      meaning_of(all_marks, listed(references.told("{} ({})"), " or ")),
-                                     reasons.empty() ? "" : fmt::format("-: {}", fmt::join(reasons, " or ")),
                                      "Each study is judged alone"};
   std::erase(sentences, "");
-  if (studies.size() <= most_with_intervals) sentences.emplace_back("Brackets: intervals of shares, else quartiles");
   table.notes = {fmt::format("{}.", fmt::join(sentences, ". "))};
   return table;
-}
-
-std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names) {
-  ByWord verdicts;
-  for (std::size_t s = 0; s < studies.size(); ++s) verdicts.add(headline(studies[s], false), names[s]);
-  return fmt::format("{}.", fmt::join(verdicts.told("{1}: {0}"), ".\n"));
 }
 
 Table with_a_row_a_study(const Table& studies) {
@@ -331,10 +325,9 @@ Table with_a_row_a_study(const Table& studies) {
 
 // A pair, complete: readers see what stands up to the verdict.
 Table pairs_table(const Answer& answer) {
-  Table table{.name = "pairs", .caption = "The first against the second", .columns = columns_of_pairs()};
+  Table table = without_pairs(answer);
   const std::string reference = reference_of(answer);
   const std::vector<Question> questions = questions_of(answer);
-  std::set<double> ends;
   std::vector<std::vector<Cell>> others;
   std::size_t left_out = 0;
   bool has_p = false;
@@ -349,15 +342,10 @@ Table pairs_table(const Answer& answer) {
       }
       (is_told ? table.rows : others).push_back(row_of(finding, judged));
       has_p |= p_of(finding).has_value();
-      for (const double end : ends_of(finding, judged)) ends.insert(end);
     }
   }
   table.told = table.rows.size();
   std::ranges::move(others, std::back_inserter(table.rows));
-  table.columns[4].ends = {ends.begin(), ends.end()};
-  table.columns[6].role = Role::p;
-  table.columns[6].ends = {answer.decisive().plan.significance};
-  for (Column& column : std::span(table.columns).subspan(8)) column.role = Role::remark;
   const std::string decides = what_decides(answer);
   std::vector<std::string> notes{
       decides.empty() ? "" : decides + "; other metrics are exploratory.",
@@ -370,16 +358,24 @@ Table pairs_table(const Answer& answer) {
   return table;
 }
 
+Table tested_pairs(const Answer& answer) {
+  Table table = without_pairs(answer);
+  const std::size_t metrics = answer.decisive().described.size() > 2 ? 1 : answer.metrics.size();
+  for (const JudgedMetric& judged : std::span(answer.metrics).first(metrics))
+    for (const Finding& finding : judged.findings)
+      if (verdict_of(finding) != Verdict::not_tested) table.rows.push_back(row_of(finding, judged));
+  return table;
+}
+
 Table descriptives_table(const Answer& answer) {
   Table table{
       .name = "descriptives",
       .caption = "By metric and solver",
       .columns = columns_of({"metric", "solver", "n", "mean", "sd", "median", "lower quartile", "upper quartile",
                              "95 % quantile", "smallest", "largest", "interval", "unit", "missing"})};
-  bool is_any_lost = false, is_any_share = false, is_any_cost = false;
+  bool is_any_lost = false, is_any_share = false;
   for (const JudgedMetric& judged : answer.metrics) {
     const Observations& observed = judged.observations;
-    is_any_cost |= observed.is_of_solved || observed.is_spent || observed.fewest > 0;
     for (const std::string& solver : answer.solvers()) {
       const std::size_t i = place_of(observed, solver);
       if (i == observed.groups.size()) continue;
@@ -399,9 +395,10 @@ Table descriptives_table(const Answer& answer) {
     }
   }
   table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun,
-                             is_any_cost ? "; of costs those that a solver solved, of costs per solved all, of times "
-                                           "sessions, with their geometric mean"
-                                         : "",
+                             answer.direction.empty()
+                                 ? "; of costs those that a solver solved, of costs per solved all, of times "
+                                   "sessions, with their geometric mean"
+                                 : "",
                              is_any_share ? " Interval: Wilson's." : "")};
   if (is_any_lost) table.notes.emplace_back("missing: without a value; such a solver is not tested.");
   return table;

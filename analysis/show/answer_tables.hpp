@@ -13,13 +13,11 @@ namespace ikbench::show {
 
 // A row a solver; brief: with what its marks and numbers are alone.
 Table results_table(const Answer& answer, bool is_brief = false);
-// Solvers by studies: of each study its deciding column, in the order of the first; of up to three with intervals. Each
-// study is judged alone.
+// Solvers by studies: of each study its deciding column, in the order of the first. Each study is judged alone.
 Table studies_table(const std::vector<Answer>& studies, const std::vector<std::string>& names);
-// "a and b: DLS is best.\nc: Not decided." What the headline of each begins with.
-std::string found_in_studies(const std::vector<Answer>& studies, const std::vector<std::string>& names);
 Table with_a_row_a_study(const Table& studies);  // of one unit: of so many that they do not stand across
 Table pairs_table(const Answer& answer);         // a row a pair; first those of the headline, which are told
+Table tested_pairs(const Answer& answer);        // of the deciding metric; of two groups of all
 Table descriptives_table(const Answer& answer);
 Table anova_table(const Answer& answer);
 

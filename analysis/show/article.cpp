@@ -23,41 +23,25 @@ using namespace judge;
 
 namespace {
 
-// "better, 35 points (5.45 to 61.1), p = 0.0469"
-std::string told(const Finding& finding, const JudgedMetric& judged) {
-  std::vector<std::string> parts{verdict_words(finding, judged), amount_words(finding, judged)};
-  if (const auto [name, value] = effect_size(finding, judged); !name.empty() && !is_share(judged))
-    parts.push_back(fmt::format("{} = {}", name, number_text(value)));
-  if (p_of(finding)) parts.push_back(p_sentence(*p_of(finding), {judged.plan.significance}));
-  std::erase(parts, "");
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-// The pairs of a metric: those of which all is alike together; of many how many are decided.
+// How many pairs of a metric have each verdict, and by which tests.
 std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
-  ByWord pairs;
   std::map<std::string_view, int> counts;
   std::set<std::string> tests;
   std::set<int> sizes;
   for (const Finding& its : judged.findings) {
     const Verdict verdict = verdict_of(its);
-    if (judged.findings.size() <= most_pairs)
-      pairs.add(told(its, judged), fmt::format("{} against {}", its.first, its.second));
     ++counts[is_difference(verdict) ? "decided" : judge::name_of(verdict)];
     if (const auto* const tested = std::get_if<Tested>(&its.what))
       tests.insert(std::string(tested->test)), sizes.insert(tested->n);
   }
   std::vector<std::string> parts;
-  for (const auto& [words, names] : pairs.all) parts.push_back(fmt::format("{}: {}", listed(names), words));
-  if (judged.findings.size() > most_pairs) {
-    for (const auto& [verdict, count] : counts) parts.push_back(fmt::format("{} {}", count, verdict));
-    parts = {fmt::format("{} pairs ({})", judged.findings.size(), listed(parts))};
-  }
+  for (const auto& [verdict, count] : counts) parts.push_back(fmt::format("{} {}", count, verdict));
   const std::string by = sizes.empty() ? ""
                                        : fmt::format(", by {} (n = {}{})", listed({tests.begin(), tests.end()}),
                                                      sizes.size() == 1 ? "" : fmt::format("{} to ", *sizes.begin()),
                                                      base::counted(*sizes.rbegin(), noun_of(answer, judged)));
-  const std::string text = fmt::format("{}{}: {}.", judged.observations.quantity, by, fmt::join(parts, "; "));
+  const std::string text = fmt::format("{}{}: {} ({}).", judged.observations.quantity, by,
+                                       base::counted(std::ssize(judged.findings), "pairs"), listed(parts));
   return answer.direction.empty() ? as_sentence(text) : text;  // else its name is the user's
 }
 

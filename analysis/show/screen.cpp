@@ -16,25 +16,8 @@ namespace ikbench::show {
 
 using namespace judge;
 
-namespace {
-
-// Where no page has them: the pairs of the deciding metric that were tested; of two groups those of all metrics.
-Table pairs_on_screen(const Answer& answer) {
-  const JudgedMetric& first = answer.decisive();
-  if (first.findings.empty() || first.findings.size() > most_pairs) return {};
-  Table pairs = pairs_table(answer);
-  if (first.described.size() > 2) pairs.rows.resize(pairs.told);
-  const auto is_none = [](const Cell& cell) { return std::holds_alternative<std::monostate>(cell); };
-  std::erase_if(pairs.rows, [&](const auto& row) { return is_none(row[3]) && is_none(row[6]); });
-  pairs.notes.clear();
-  return pairs;
-}
-
-}  // namespace
-
 std::string screen(const Answer& answer, const std::string& page) {
   constexpr std::size_t most_rows = 20;
-  const bool is_of_file = !answer.direction.empty();
   const auto short_of = base::short_names(answer.solvers(), longest_name);
   const auto with_short_names = [&](std::string text) {
     for (const auto& [name, its] : short_of)
@@ -42,7 +25,7 @@ std::string screen(const Answer& answer, const std::string& page) {
         text.replace(at, name.size(), its);
     return text;
   };
-  Table table = results_table(answer, !is_of_file);
+  Table table = results_table(answer, answer.direction.empty());
   table.columns[0].name = "";
   const auto cut = [&](Table& its) {  // to the first, with the reference; how many are left out
     const std::size_t all = its.rows.size();
@@ -76,8 +59,8 @@ std::string screen(const Answer& answer, const std::string& page) {
     add(more);
     text += left_out + '\n';
   }
-  if (page.empty())
-    if (Table pairs = pairs_on_screen(answer); !pairs.rows.empty()) add(std::move(pairs));
+  if (page.empty() && answer.decisive().findings.size() <= most_pairs)
+    if (Table pairs = tested_pairs(answer); !pairs.rows.empty()) add(std::move(pairs));
   const std::vector<Doubt> doubts = answer.all_doubts();  // in the order of their kinds
   for (const Doubt& doubt : doubts) {
     const bool is_told = !page.empty() && std::any_of(doubts.data(), &doubt,

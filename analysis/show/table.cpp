@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "analysis/show/text.hpp"
 #include "base/csv.hpp"
 #include "base/json.hpp"
-#include "base/number.hpp"
 
 namespace ikbench::show {
 
@@ -21,8 +21,17 @@ namespace {
 using Rows = std::vector<std::vector<std::string>>;
 using Escape = std::string (*)(std::string_view);
 
-// A cell for readers.
-struct Readable {
+// How a format has texts, and what stands around a number: forms of fmt.
+struct Format {
+  Escape escape;
+  const char *at_most = "≤ {}", *dash = "-", *plus_minus = "± ", *spread = " {}", *mark = " {}";
+};
+constexpr Format of_screen{one_line}, of_markdown{markdown_text},
+    of_html{.escape = html_text, .mark = "<i>{}</i>"},  // digits align without the mark
+    of_latex{latex_text, "$\\le$ {}", "--", "$\\pm$ ", " & {{\\scriptsize {}}}", "\\rlap{{\\,\\scriptsize {}}}"};
+
+// A cell for readers, without what stands around its number.
+struct Plain {
   const Column& column;
   std::string unit = column.unit_of_cells.empty() ? "" : ' ' + column.unit_of_cells;
 
@@ -31,35 +40,41 @@ struct Readable {
   std::string operator()(const Judgement& judgement) const { return judgement.words; }
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(std::int64_t count) const { return fmt::to_string(count) + unit; }
-  std::string operator()(double value) const {
-    const std::string text = column.role == Role::p ? p_text(value, column.ends) : number_beside(value, column.ends);
-    return text == "-" ? text : text + unit;
-  }
+  std::string operator()(double value) const { return number(value, 3); }
   std::string operator()(const judge::Interval& interval) const { return interval_text(interval, column.ends) + unit; }
   std::string operator()(const Printed& printed) const {
     return printed.printed + (printed.sign.empty() ? "" : ' ' + printed.sign);
   }
   std::string operator()(const Marked& marked) const {
-    const std::string around = spread(marked, "-", "± ");
-    return (marked.is_bound ? "≤ " : "") + plain(marked) + (around.empty() ? "" : ' ' + around) +
-           (marked.mark.empty() ? "" : ' ' + marked.mark);
+    if (marked.to_reference == judge::Scale::ratio) return times(marked.value);
+    return (marked.to_reference && marked.value > 0 ? "+" : "") + number(marked.value, marked.digits);
   }
-  // Without what stands around it.
-  std::string plain(const Marked& marked) const {
-    if (marked.to_reference == judge::Scale::ratio)
-      return number_text(marked.value, std::abs(marked.value - 1) < 0.1 ? 3 : 2) + " times";
-    return (marked.to_reference && marked.value > 0 ? "+" : "") + (*this)(marked.value);
-  }
-  // "(98-100)" or "± 0.2".
-  static std::string spread(const Marked& marked, std::string_view dash, std::string_view plus_minus) {
-    if (marked.sd) return fmt::format("{}{}", plus_minus, number_text(*marked.sd, 2));
-    if (!marked.interval) return "";
-    const judge::Interval& its = *marked.interval;
-    const int wide = std::abs(its.high - its.low) < 3 ? 3 : 2;
-    return fmt::format("({}{}{})", number_text(its.low, wide), its.low < 0 ? " to " : dash,
-                       number_text(its.high, wide));
+  std::string number(double value, int digits) const {
+    const std::string text =
+        column.role == Role::p ? p_text(value, column.ends) : number_beside(value, column.ends, digits);
+    return text == "-" ? text : text + unit;
   }
 };
+
+// "(98-100)" or "± 0.2".
+std::string spread_of(const Marked& marked, const Format& format) {
+  if (marked.sd) return format.plus_minus + number_text(*marked.sd, 2);
+  if (!marked.interval) return "";
+  const double low = marked.interval->low, high = marked.interval->high;
+  const int digits = std::abs(high - low) < 3 ? 3 : 2;
+  return fmt::format("({}{}{})", number_text(low, digits), low < 0 ? " to " : format.dash, number_text(high, digits));
+}
+
+std::string written(const Cell& cell, const Column& column, const Format& format) {
+  std::string text = format.escape(std::visit(Plain{column}, cell));
+  if (const auto* const marked = std::get_if<Marked>(&cell)) {
+    if (marked->is_bound) text = fmt::format(fmt::runtime(format.at_most), text);
+    if (const std::string spread = spread_of(*marked, format); !spread.empty())
+      text += fmt::format(fmt::runtime(format.spread), spread);
+    if (!marked->mark.empty()) text += fmt::format(fmt::runtime(format.mark), format.escape(marked->mark));
+  }
+  return text;
+}
 
 // Whether a cell of a column is so.
 bool has(const Table& table, std::size_t column, auto is_so) {
@@ -77,7 +92,14 @@ const Marked& marked_of(const Cell& cell) {
   return marked ? *marked : none;
 }
 bool is_ratio(const Cell& cell) { return marked_of(cell).to_reference == judge::Scale::ratio; }
-bool is_best(const Cell& cell) { return marked_of(cell).is_best; }
+// As readers see it.
+Marked ours_of(const Printed& cell) {
+  const std::size_t point = std::min(cell.printed.find('.') + 1, cell.printed.size());
+  const double size = std::isfinite(cell.ours) ? std::max(1e-9, std::abs(cell.ours)) : 1;
+  const double digits =
+      std::floor(std::log10(size)) + 1 + static_cast<double>(point > 0 ? cell.printed.size() - point : 0);
+  return {.value = cell.ours, .digits = std::max(3, static_cast<int>(digits))};
+}
 
 std::string head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
@@ -92,9 +114,10 @@ Table for_readers(Table table) {
       const auto next = static_cast<std::ptrdiff_t>(c + 1);
       table.columns.insert(table.columns.begin() + next, {"printed"});
       for (auto& row : table.rows) {
-        const Cell ours = is_printed(row[c]) ? Cell(std::get<Printed>(row[c]).ours) : row[c];
-        row.insert(row.begin() + next, is_printed(row[c]) ? row[c] : Cell());
-        row[c] = ours;
+        const auto* const its = std::get_if<Printed>(&row[c]);
+        Cell printed = its ? Cell(*its) : Cell();
+        if (its) row[c] = ours_of(*its);
+        row.insert(row.begin() + next, std::move(printed));
       }
     }
     const auto is_empty = [=](const auto& row) {
@@ -112,13 +135,12 @@ Table for_readers(Table table) {
 }
 
 // The table as texts; the first row is the head.
-Rows readable(const Table& table, Escape escape) {
+Rows readable(const Table& table, const Format& format) {
   Rows rows(1);
-  for (const Column& column : table.columns) rows[0].push_back(escape(head(column)));
+  for (const Column& column : table.columns) rows[0].push_back(format.escape(head(column)));
   for (const auto& cells : table.rows) {
     auto& row = rows.emplace_back();
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      row.push_back(escape(std::visit(Readable{table.columns[c]}, cells[c])));
+    for (std::size_t c = 0; c < cells.size(); ++c) row.push_back(written(cells[c], table.columns[c], format));
   }
   return rows;
 }
@@ -178,18 +200,6 @@ std::vector<Flat> flat(const Table& table) {
   return all;
 }
 
-std::string latex_cell(const Cell& cell, const Column& column) {
-  const Readable read{column};
-  const auto* const marked = std::get_if<Marked>(&cell);
-  if (marked == nullptr) return latex_text(std::visit(read, cell));
-  std::string text = (marked->is_bound ? "$\\le$ " : "") + latex_text(read.plain(*marked));
-  if (marked->is_best) text = fmt::format("{{\\boldmath\\textbf{{{}}}}}", text);
-  if (const std::string around = Readable::spread(*marked, "--", "$\\pm$ "); !around.empty())
-    text += fmt::format(" & {{\\scriptsize {}}}", around);
-  if (!marked->mark.empty()) text += fmt::format("\\rlap{{\\,\\scriptsize {}}}", latex_text(marked->mark));
-  return text;  // digits align
-}
-
 }  // namespace
 
 std::vector<Column> columns_of(const std::vector<std::string>& names) {
@@ -235,7 +245,7 @@ Json to_json(const Table& table) {
 std::string to_markdown(const Table& whole) {
   const Table table = for_readers(whole);
   std::string text;
-  const Rows rows = readable(table, markdown_text);
+  const Rows rows = readable(table, of_markdown);
   for (const auto& row : rows) {
     text += fmt::format("| {} |\n", fmt::join(row, " | "));
     if (&row != &rows.front()) continue;
@@ -247,92 +257,61 @@ std::string to_markdown(const Table& whole) {
 }
 
 std::string to_latex(const Table& whole) {
-  Table table = for_readers(whole);
-  std::string letters;
-  std::vector<std::string> heads;
+  const Table table = for_readers(whole);
   const auto is_long = [](const Cell& cell) { return is_text(cell) && character_count(*text_of(cell)) > 60; };
   const auto has_spread = [](const Cell& cell) { return marked_of(cell).interval || marked_of(cell).sd; };
-  std::vector<bool> are_long, have_spreads;  // which have a column of their own, so that the numbers align
-  bool is_any_best = false;
+  const auto has_mark = [](const Cell& cell) { return !marked_of(cell).mark.empty(); };
+  Rows rows = readable(table, of_latex);
+  std::string letters, lines;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    are_long.push_back(has(table, c, is_long)), have_spreads.push_back(has(table, c, has_spread));
-    is_any_best |= has(table, c, is_best);
-    letters += are_long[c] ? "p{5cm}" : has(table, c, is_text) ? "l" : have_spreads[c] ? "r@{ }l" : "r";
-    const bool has_mark = has(table, c, [](const Cell& cell) { return !marked_of(cell).mark.empty(); });
-    const std::string room = has_mark ? "@{\\hspace{14pt}}" : "";  // for them
-    const std::string name = latex_text(head(table.columns[c]));
+    const bool are_long = has(table, c, is_long), have_spreads = has(table, c, has_spread);
+    letters += are_long ? "p{5cm}" : has(table, c, is_text) ? "l" : have_spreads ? "r@{ }l" : "r";
+    const std::string room = has(table, c, has_mark) ? "@{\\hspace{14pt}}" : "";  // for them
     letters += room;
-    heads.push_back(have_spreads[c] ? fmt::format("\\multicolumn{{2}}{{c{}}}{{{}}}", room, name) : name);
-  }
-  const std::string head_row = fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
-  constexpr std::size_t most_rows = 50;  // on a page
-  const std::size_t parts = std::max<std::size_t>(1, (table.rows.size() + most_rows - 1) / most_rows);
-  std::vector<std::string> rows(parts);
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    const auto& row = table.rows[r];
-    std::vector<std::string> cells;
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      cells.push_back(latex_cell(row[c], table.columns[c]));
-      if (are_long[c]) cells.back() = "\\raggedright\\let\\\\\\tabularnewline " + cells.back();
-      if (have_spreads[c] && cells.back().find(" & ") == std::string::npos) cells.back() += " &";
+    for (std::size_t r = 1; r < rows.size(); ++r) {
+      if (are_long) rows[r][c].insert(0, "\\raggedright\\let\\\\\\tabularnewline ");
+      if (have_spreads && !has_spread(table.rows[r - 1][c])) rows[r][c] += " &";  // so that the numbers align
     }
-    rows[r * parts / table.rows.size()] += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
+    if (have_spreads) rows[0][c] = fmt::format("\\multicolumn{{2}}{{c{}}}{{{}}}", room, rows[0][c]);
   }
-  if (is_any_best) table.notes.emplace_back("Bold: none is shown to be better.");
+  for (const auto& row : rows)
+    lines += fmt::format("{} \\\\\n{}", fmt::join(row, " & "), &row == &rows.front() ? "\\midrule\n" : "");
   const std::string notes = latex_text(fmt::format("{}", fmt::join(table.notes, " ")));
-  // No journal's capitals change names in a caption. A table shrinks to fit a column, to four fifths at the most; else
-  // it takes both, and shrinks down to the size of \\scriptsize.
-  std::string text = "% Needs \\usepackage{booktabs,graphicx}\n";
-  for (std::size_t part = 0; part < parts; ++part)
-    text += fmt::format(
-        "\\begingroup\\tabcolsep5pt{}\n"
-        "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"
-        "\\edef\\wide{{\\ifdim.8\\wd0>\\columnwidth*\\fi}}%\n"
-        "\\csname table\\wide\\endcsname\n\\centering\n{}\\smallskip\n"
-        "\\ifdim.7\\wd0>\\linewidth\\scalebox{{.7}}{{\\usebox0}}\\else\n"
-        "\\ifdim\\wd0>\\linewidth\\resizebox{{\\linewidth}}{{!}}{{\\usebox0}}\\else\\usebox0\\fi\\fi\n{}\n"
-        "\\csname endtable\\wide\\endcsname\n\\endgroup\n",
-        table.rows.size() > 45   ? "\\scriptsize"
-        : table.rows.size() > 30 ? "\\footnotesize"
-                                 : "",
-        letters, head_row + rows[part],
-        part == 0
-            ? fmt::format("\\caption{{\\textnormal{{{}}}}}\\label{{tab:{}}}", latex_text(table.caption), table.name)
-            : "\\addtocounter{table}{-1}\\caption{\\textnormal{Continued.}}",
-        notes.empty() || part + 1 < parts ? "" : "\\par\\smallskip\\footnotesize " + notes);
-  return text;
+  // No journal's capitals change names in a caption. A table shrinks to fit a page, and a column to four fifths at the
+  // most; else it takes both, and shrinks down to the size of \\scriptsize.
+  return fmt::format(
+      "% Needs \\usepackage{{booktabs,graphicx}}\n\\begingroup\\tabcolsep5pt\n"
+      "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"
+      "\\ifdim\\dimexpr\\ht0+\\dp0>.85\\textheight\\sbox0{{\\resizebox*{{!}}{{.85\\textheight}}{{\\usebox0}}}}\\fi\n"
+      "\\edef\\wide{{\\ifdim.8\\wd0>\\columnwidth*\\fi}}%\n"
+      "\\csname table\\wide\\endcsname\n\\centering\n"
+      "\\caption{{\\textnormal{{{}}}}}\\label{{tab:{}}}\\smallskip\n"
+      "\\ifdim.7\\wd0>\\linewidth\\scalebox{{.7}}{{\\usebox0}}\\else\n"
+      "\\ifdim\\wd0>\\linewidth\\resizebox{{\\linewidth}}{{!}}{{\\usebox0}}\\else\\usebox0\\fi\\fi\n{}\n"
+      "\\csname endtable\\wide\\endcsname\n\\endgroup\n",
+      letters, lines, latex_text(table.caption), table.name,
+      notes.empty() ? "" : "\\par\\smallskip\\footnotesize " + notes);
 }
 
 std::string to_html(const Table& whole) {
   constexpr std::size_t long_text = 28;                                         // breaks anywhere
   constexpr std::array<const char*, 3> pills{"pill", "pill good", "pill bad"};  // by tone
   const Table table = for_readers(whole);
-  const Rows rows = readable(table, html_text);
-  const auto cell_of = [&](std::size_t r, std::size_t c) {  // digits align, without the mark
-    const Cell* const cell = r == 0 ? nullptr : &table.rows[r - 1][c];
-    std::string text = rows[r][c];
-    if (const auto* const judgement = std::get_if<Judgement>(cell))
-      return fmt::format("<span class=\"{}\">{}</span>", pills[static_cast<std::size_t>(judgement->tone)], text);
-    const auto* const marked = std::get_if<Marked>(cell);
-    if (marked && !marked->mark.empty())
-      text.replace(text.size() - marked->mark.size() - 1, std::string::npos,
-                   fmt::format("<i>{}</i>", html_text(marked->mark)));
-    if (c == 0)  // a long name may break after these
-      for (std::size_t at = 0; (at = text.find('_', at)) != std::string::npos;) text.insert(++at, "<wbr>");
-    return text;
-  };
+  const Rows rows = readable(table, of_html);
   std::vector<std::string> classes;
   for (std::size_t c = 0; c < table.columns.size(); ++c)
     classes.emplace_back(has(table, c, is_printed) ? "number printed" : has(table, c, is_text) ? "" : "number");
   const auto line = [&](std::size_t r, std::string_view tag) {
-    const std::vector<std::string>& row = rows[r];
     std::string text;
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const bool is_judgement = r > 0 && std::holds_alternative<Judgement>(table.rows[r - 1][c]),
-                 is_long = classes[c].empty() && !is_judgement && character_count(row[c]) > long_text;
-      const std::string its = is_long ? std::string("long") : classes[c];
-      text += fmt::format("<{}{}>{}</{}>", tag, its.empty() ? "" : fmt::format(" class=\"{}\"", its), cell_of(r, c),
-                          tag.substr(0, tag.find(' ')));
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      const auto* const judgement = r == 0 ? nullptr : std::get_if<Judgement>(&table.rows[r - 1][c]);
+      const bool is_long = classes[c].empty() && !judgement && character_count(rows[r][c]) > long_text;
+      const std::string its = is_long ? "long" : classes[c];
+      text += fmt::format("<{}{}>", tag, its.empty() ? "" : fmt::format(" class=\"{}\"", its));
+      text += judgement ? fmt::format("<span class=\"{}\">{}</span>", pills[static_cast<std::size_t>(judgement->tone)],
+                                      rows[r][c])
+                        : rows[r][c];
+      text += fmt::format("</{}>", tag.substr(0, tag.find(' ')));
     }
     return fmt::format("<tr>{}</tr>\n", text);
   };
@@ -349,10 +328,13 @@ std::string to_text(const Table& whole) {
     column.name = shortened(column.name, longest);
     if (!column.unit.empty()) column.unit_of_cells = std::exchange(column.unit, "");
   }
-  for (auto& row : table.rows) {
-    if (auto* const name = std::get_if<std::string>(&row[0])) *name = shortened(*name, longest);
-  }
-  std::string text = in_columns(readable(table, one_line));
+  std::set<std::string> names;
+  for (const auto& row : table.rows)
+    if (is_text(row[0])) names.insert(*text_of(row[0]));
+  const auto short_of = base::short_names({names.begin(), names.end()}, longest_name);
+  for (auto& row : table.rows)
+    if (is_text(row[0])) row[0] = short_of.at(*text_of(row[0]));
+  std::string text = in_columns(readable(table, of_screen));
   for (const std::string& note : table.notes) text += paragraph(note, "");
   return text;
 }

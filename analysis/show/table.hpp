@@ -15,7 +15,7 @@
 
 namespace ikbench::show {
 
-// Our number beside a printed one, with the paper's digits; a column of such cells is two for readers.
+// Our number beside a printed one, with as many decimals or three digits; a column of such cells is two for readers.
 struct Printed {
   double ours;
   std::string printed;
@@ -31,7 +31,7 @@ struct Marked {
   std::optional<judge::Interval> interval = {};
   std::optional<double> sd = {};
   std::optional<judge::Scale> to_reference = {};
-  bool is_best = false;  // bold in LaTeX
+  int digits = 3;
 };
 // Why a number is not known: "too few to compare".
 struct Absent {

@@ -33,7 +33,7 @@ class Pairs {
     const std::set<std::string_view> among(names.begin(), names.end());
     for (const Finding& finding : judged.findings) {
       if (!among.contains(finding.first) || !among.contains(finding.second)) continue;
-      all_.emplace(std::pair(std::string_view(finding.first), std::string_view(finding.second)), &finding);
+      all_[{finding.first, finding.second}] = all_[{finding.second, finding.first}] = &finding;
       for (const std::string* const name : {&finding.first, &finding.second})
         tested_[*name] += verdict_of(finding) != Verdict::not_tested;
       if (is_difference(verdict_of(finding))) losers_.merge(losers_of({finding}));
@@ -45,8 +45,7 @@ class Pairs {
   int tested(const std::string& name) const { return tested_.contains(name) ? tested_.at(name) : 0; }
   const Finding* finding(std::string_view one, std::string_view other) const {
     const auto found = all_.find({one, other});
-    const auto turned = found == all_.end() ? all_.find({other, one}) : found;
-    return turned == all_.end() ? nullptr : turned->second;
+    return found == all_.end() ? nullptr : found->second;
   }
   Verdict of(std::string_view one, std::string_view other) const {
     const Finding* const its = finding(one, other);
@@ -111,8 +110,8 @@ const JudgedMetric* metric_of(const Answer& answer, const Words& words) {
   return found == answer.metrics.end() || &*found == &answer.decisive() ? nullptr : &*found;
 }
 
-// Why pairs of these are not tested, if all have one reason: "8 runs are too few, 10 are needed", "the machine was
-// busy".
+// Why pairs of these are not tested, if all have one reason: " (8 runs are too few, 10 are needed)", " (the machine was
+// busy)".
 std::string why_not(const Answer& answer, const JudgedMetric& judged, const Names& who) {
   std::set<std::string> reasons;
   for (const Finding& finding : judged.findings) {
@@ -126,7 +125,7 @@ std::string why_not(const Answer& answer, const JudgedMetric& judged, const Name
     }
     reasons.insert(std::move(reason));
   }
-  return reasons.size() == 1 ? *reasons.begin() : "";
+  return reasons.size() == 1 ? fmt::format(" ({})", *reasons.begin()) : "";
 }
 
 std::string is_or_are(const Names& who) { return who.size() == 1 ? "is" : "are"; }
@@ -134,8 +133,7 @@ std::string is_or_are(const Names& who) { return who.size() == 1 ? "is" : "are";
 // The sentence of the deciding metric.
 class First {
  public:
-  First(const Answer& answer, bool has_numbers)
-      : answer_(answer), judged_(answer.decisive()), has_numbers_(has_numbers) {}
+  explicit First(const Answer& answer) : answer_(answer), judged_(answer.decisive()) {}
 
   std::string told(const std::vector<Said>& said) {
     std::string text = is_nothing_solved() ? "No target was solved. " : "";
@@ -151,7 +149,6 @@ class First {
  private:
   const Answer& answer_;
   const JudgedMetric& judged_;
-  bool has_numbers_;
   std::string first_ = {};  // whose number was told first, with its unit
 
   bool is_nothing_solved() const {
@@ -164,14 +161,10 @@ class First {
     return judged_.described[place_of(judged_.observations, name)];
   }
   std::string little(const Said& fact) const { return fact.is_little ? ", by less than " + margin_words(judged_) : ""; }
-  std::string since(const Names& who) const {
-    const std::string why = why_not(answer_, judged_, who);
-    return why.empty() ? "" : fmt::format(" ({})", why);
-  }
 
   // "88", "0.42"; of the first also what it is, the whole or the unit: "solved 100 of 100 targets".
   std::string number(const std::string& name) {
-    const bool is_first = first_.empty(), is_mean = judged_.plan.test == results::Plan::Test::means;
+    const bool is_first = first_.empty();
     if (is_first) first_ = name;
     const Observations& observed = judged_.observations;
     const auto [value, is_bound] = shown_average(judged_, place_of(observed, name));
@@ -184,13 +177,16 @@ class First {
         text += fmt::format(" of {}", is_first ? base::counted(n, answer_.noun) : fmt::to_string(n));
     }
     if (std::isnan(value)) text = "not known";
-    const char* const of = is_share(judged_) || observed.are_logs ? "" : is_mean ? "mean " : "median ";
-    return is_first ? fmt::format("{}{} {}", of, observed.quantity, text) : text;
+    return is_first ? fmt::format("{} {}", quantity(), text) : text;
+  }
+  std::string quantity() const {
+    const bool is_mean = judged_.plan.test == results::Plan::Test::means;
+    const char* const of = is_share(judged_) || judged_.observations.are_logs ? "" : is_mean ? "mean " : "median ";
+    return of + judged_.observations.quantity;
   }
   // "DLS (solved 100 of 100 targets)", and after it "PSO (88)".
   std::string with_numbers(Names names) {
-    for (std::string& name : names)
-      if (has_numbers_) name += fmt::format(" ({})", number(name));
+    for (std::string& name : names) name += fmt::format(" ({})", number(name));
     return names_of(names);
   }
 
@@ -198,7 +194,7 @@ class First {
     return fact.what == What::better       ? "better"
            : fact.what == What::worse      ? "worse"
            : fact.what == What::same       ? "the same within " + margin_words(judged_)
-           : fact.what == What::not_tested ? "not tested" + since(fact.who)
+           : fact.what == What::not_tested ? "not tested" + why_not(answer_, judged_, fact.who)
                                            : "not decided";
   }
 
@@ -206,31 +202,25 @@ class First {
     const auto& who = fact.who;
     const bool is_begin = first_.empty();
     const bool are_many = who.size() > 1, is_nearest = judged_.plan.metric.empty() && is_nothing_solved();
-    if (has_numbers_ && is_solved(judged_) && fact.against.empty() && fact.what <= What::unbeaten) return counted(fact);
+    if (is_solved(judged_) && fact.against.empty() && fact.what <= What::unbeaten) return counted(fact);
     switch (fact.what) {
-      case What::numbers:
-        return with_numbers(who);
+      case What::numbers: {
+        const std::string its = number(who.front());
+        return fmt::format("The {} of {} is{}", quantity(), who.front(), its.substr(quantity().size()));
+      }
       case What::best: {
-        const bool is_of_two = answer_.order.size() == 2;
-        std::string text = has_numbers_ && is_solved(judged_) && are_many ? counted(fact)
-                           : is_of_two
-                               ? with_numbers(who) + " is better than "
-                               : with_numbers(who) + (is_nearest ? (are_many ? " come nearest" : " comes nearest")
-                                                      : are_many ? " are best"
-                                                                 : " is best");
-        if (!is_of_two)
-          return text + little(fact) +
-                 (has_numbers_ ? fmt::format("; {} {} worse", with_numbers(fact.against), is_or_are(fact.against))
-                               : "");
-        text += with_numbers(fact.against) + little(fact);
-        const auto value = [&](const Names& of) {
-          return shown_average(judged_, place_of(judged_.observations, of[0])).value;
-        };
-        const double its = value(who), theirs = value(fact.against);
-        const bool is_behind = judged_.observations.better == Better::smaller ? its > theirs : its < theirs;
-        const bool is_told = has_numbers_ && is_behind;  // else the numbers would refute it
-        return text +
-               (is_told ? ": " + effect_words(better_first(*finding_of(judged_, who[0], fact.against[0]), "")) : "");
+        const std::string best = is_solved(judged_) && are_many ? counted(fact) : with_numbers(who);
+        const bool is_odd =
+            std::ranges::count(judged_.observations.doubts, DoubtKind::ranks_disagree, &Doubt::kind) > 0;
+        if (answer_.order.size() == 2)
+          return fmt::format("{} is better than {}{}{}", best, with_numbers(fact.against), is_odd ? " by ranks" : "",
+                             little(fact));
+        const char* const is = is_solved(judged_) && are_many ? ""
+                               : is_nearest                   ? (are_many ? " come nearest" : " comes nearest")
+                               : are_many                     ? " are best"
+                                                              : " is best";
+        return fmt::format("{}{}{}; {} {} worse", best, is, little(fact), with_numbers(fact.against),
+                           is_or_are(fact.against));
       }
       case What::same:
         return fmt::format("{} are the same within {}", with_numbers(who), margin_words(judged_));
@@ -243,13 +233,12 @@ class First {
         return "No solver is best, since each is worse than another: " + with_numbers(who);
       case What::not_tested:
         return fmt::format("{}ot tested{}{}: {}", is_begin ? 'N' : 'n',
-                           fact.against.empty() ? "" : " against " + fact.against.front(), since(who),
-                           with_numbers(who));
+                           fact.against.empty() ? "" : " against " + fact.against.front(),
+                           why_not(answer_, judged_, who), with_numbers(who));
       default:
-        return fmt::format(
-            "{} {} worse{}{}", with_numbers(who), is_or_are(who),
-            is_solved(judged_) && has_numbers_ && fact.against.front() == first_ ? "" : " than " + fact.against.front(),
-            little(fact));
+        return fmt::format("{} {} worse{}{}", with_numbers(who), is_or_are(who),
+                           is_solved(judged_) && fact.against.front() == first_ ? "" : " than " + fact.against.front(),
+                           little(fact));
     }
   }
   bool who_are_equal(const Names& who) const {
@@ -337,9 +326,8 @@ std::string then_told(const Answer& answer, const Question& question) {
     text += ratios_told(ratios, words, is_clear && best.size() > 1 ? " as " + first : "");
   }
   if (untested.empty()) return text + '.';
-  const std::string why = why_not(answer, judged, untested);
   return fmt::format("{}; {} {} not judged{}.", text, names_of(untested), is_or_are(untested),
-                     why.empty() ? "" : fmt::format(" ({})", why));
+                     why_not(answer, judged, untested));
 }
 
 }  // namespace
@@ -418,9 +406,8 @@ std::vector<Question> questions_of(const Answer& answer) {
       all.push_back({.of = judged, .said = std::move(said), .before = before});
       break;
     }
-    const std::string why = why_not(answer, *judged, rest);
-    before += fmt::format("{} is not judged{}. ", as_sentence(judged->observations.quantity),
-                          why.empty() ? "" : fmt::format(" ({})", why));
+    before +=
+        fmt::format("{} is not judged{}. ", as_sentence(judged->observations.quantity), why_not(answer, *judged, rest));
   }
   return all;
 }
@@ -430,12 +417,11 @@ std::string second_sentence(const Answer& answer) {
   return questions.size() < 2 ? "" : then_told(answer, questions.back());
 }
 
-std::string headline(const Answer& answer, bool has_numbers) {
+std::string headline(const Answer& answer) {
   if (!answer.verdict.empty()) return answer.verdict;
   const std::vector<Question> questions = questions_of(answer);
-  const std::string text = First(answer, has_numbers).told(questions.front().said);
-  if (!has_numbers) return text;
-  return text + '.' + (questions.size() < 2 ? "" : ' ' + then_told(answer, questions.back()));
+  const std::string then = questions.size() < 2 ? "" : ' ' + then_told(answer, questions.back());
+  return First(answer).told(questions.front().said) + '.' + then;
 }
 
 std::string what_decides(const Answer& answer) {

@@ -39,9 +39,8 @@ struct Question {
 std::vector<Question> questions_of(const Answer& answer);
 
 // "DLS (solved 100 of 100 targets) is best; PSO (88) is worse." "LM and DLS solved all 100 targets, SLSQP 99 (not
-// decided); Newton (77) is worse. LM is the fastest; DLS takes 1.2 times as long." Without numbers only the first
-// sentence, without its point, which studies may have in common.
-std::string headline(const Answer& answer, bool has_numbers = true);
+// decided); Newton (77) is worse. LM is the fastest; DLS takes 1.2 times as long."
+std::string headline(const Answer& answer);
 std::string second_sentence(const Answer& answer);  // of it alone; empty if there is none
 std::string what_decides(const Answer& answer);     // "Judged by solved, then time"; empty if nothing else is won
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 #include <regex>
 #include <span>
 #include <utility>
@@ -45,12 +46,10 @@ void narrow(std::vector<std::size_t>& widths, const Rows& rows, std::size_t gap,
     }
   }
   const std::size_t gaps = gap * (widths.size() - std::min<std::size_t>(widths.size(), 1));
+  const auto spare = [&](std::size_t c) { return widths[c] > least[c] ? widths[c] : 0; };
   for (std::size_t all = std::accumulate(widths.begin(), widths.end(), gaps); all > width; --all) {
-    std::size_t widest = widths.size();
-    for (std::size_t c = 0; c < widths.size(); ++c) {
-      if (widths[c] > least[c] && (widest == widths.size() || widths[c] > widths[widest])) widest = c;
-    }
-    if (widest == widths.size()) return;
+    const auto widest = std::ranges::max(std::views::iota(std::size_t{0}, widths.size()), {}, spare);
+    if (spare(widest) == 0) return;
     --widths[widest];
   }
 }
@@ -112,6 +111,8 @@ std::string number_text(double value, int digits) {
   return is_long ? fmt::format("{:.0f}", value) : text;
 }
 
+std::string times(double ratio) { return number_text(ratio, std::abs(ratio - 1) < 0.1 ? 3 : 2) + " times"; }
+
 std::string number_beside(double value, const Ends& ends, int digits) {
   const std::string text = number_text(value, digits);
   const double read = base::number_from(text).value_or(value);
@@ -121,11 +122,6 @@ std::string number_beside(double value, const Ends& ends, int digits) {
 
 std::string p_text(double p, const Ends& ends) {
   return p < 0.0001 ? "< 0.0001" : number_beside(p, ends, p < 0.001 ? 2 : 3);
-}
-
-std::string p_sentence(double p, const Ends& ends) {
-  const std::string text = p_text(p, ends);
-  return (text.starts_with('<') || text.starts_with('>') ? "p " : "p = ") + text;
 }
 
 std::string as_sentence(std::string text) {

@@ -11,6 +11,8 @@ namespace ikbench::show {
 
 using base::character_count, base::one_line, base::shortened;
 
+constexpr std::size_t longest_name = 32;  // of a solver on a screen (base::short_names)
+
 std::string html_text(std::string_view text);
 std::string markdown_text(std::string_view text);
 std::string latex_text(std::string_view text);
@@ -20,11 +22,11 @@ std::string id_of(std::string_view name);        // letters, digits and "-": an 
 
 // 2430, not 2.4e+03: all digits before the point. "-" for a number that is not finite.
 std::string number_text(double value, int digits = 3);
+std::string times(double ratio);  // "8.1 times", "1.04 times"
 // Numbers that decide: one that three digits would round onto an end is "< 100".
 using Ends = std::vector<double>;
 std::string number_beside(double value, const Ends& ends, int digits = 3);
-std::string p_text(double p, const Ends& ends);      // "0.0005", "< 0.0001", "< 0.05"
-std::string p_sentence(double p, const Ends& ends);  // "p = 0.0005", "p < 0.0001"
+std::string p_text(double p, const Ends& ends);  // "0.0005", "< 0.0001", "< 0.05"
 // "A, B and C"; "A; B, C and D" where one is "B, C"
 std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");
 

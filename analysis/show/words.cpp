@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -32,8 +31,6 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   if (unit.empty()) return text;
   return fmt::format("{} {}", text, text == "1" && unit == "points" ? "point" : unit);
 }
-
-std::string times(double ratio) { return number_text(ratio, std::abs(ratio - 1) < 0.1 ? 3 : 2) + " times"; }
 
 std::string names_of(const std::vector<std::string>& names, std::string_view last) {
   if (names.size() <= most_named) return listed(names, last);
@@ -62,23 +59,14 @@ std::string margin_words(const JudgedMetric& judged) {
 std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
   const std::string margin = margin_words(judged), verdict(judge::name_of(verdict_of(finding)));
   if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
-    const auto size_of = [&](const std::string& name) {
-      return judged.described[place_of(judged.observations, name)].n;
-    };
-    const int n = judged.observations.is_paired ? tested->n : size_of(finding.first), other = size_of(finding.second);
     if (tested->verdict == Verdict::same) return "same within " + margin;
-    if (are_equal(finding))
-      return fmt::format(
-          "{}: all {} equal", verdict,
-          judged.observations.is_paired || n == other ? fmt::to_string(n) : fmt::format("{} and {}", n, other));
+    if (are_equal(finding)) return fmt::format("{}: all {} equal", verdict, tested->n);
     return verdict + (tested->is_small ? ", by less than " + margin : "");
   }
   if (std::holds_alternative<Fact>(finding.what))
     return verdict + (are_equal(finding) || is_difference(verdict_of(finding)) ? "" : " within " + margin) +
            ", for certain";
-  const auto& open = std::get<Open>(finding.what);
-  if (open.why == Open::Why::too_few && open.n > 0) return fmt::format("{}: it takes {}", verdict, open.needed);
-  return fmt::format("{}: {}", verdict, words_of(open.why).of_pair);
+  return fmt::format("{}: {}", verdict, reason_of(std::get<Open>(finding.what), "values"));
 }
 
 const VerdictWords& words_of(Verdict verdict) {
@@ -106,12 +94,6 @@ std::string reason_of(const Open& open, std::string_view noun) {
                      open.needed);
 }
 
-EffectSize effect_size(const Finding& finding, const JudgedMetric& judged) {
-  const auto* const tested = std::get_if<Tested>(&finding.what);
-  if (tested && tested->g) return {judged.observations.is_paired ? "g_av" : "Hedges' g", *tested->g};
-  return tested && tested->effect ? EffectSize{"A12", tested->effect->a12()} : EffectSize{};
-}
-
 std::string warning_of(const Doubt& doubt) {
   const std::string text = words_of(doubt) + '.';
   return doubt.who.empty() || !text.starts_with(doubt.who[0]) ? as_sentence(text) : text;
@@ -130,26 +112,11 @@ std::string effect_words(const Finding& finding) {
                      number_text(100 * behind));
 }
 
-std::vector<double> ends_of(const Finding& finding, const JudgedMetric& judged) {
+std::set<double> ends_of(const Finding& finding, const JudgedMetric& judged) {
   const double margin = judged.plan.margin;
   if (finding.scale == Scale::ratio) return {1, 1 + margin, 1 / (1 + margin)};
   const double end = is_share(judged) ? 100 * margin : judged.observations.absolute_margin;
   return {0, end, -end};
-}
-
-std::string amount_words(const Finding& finding, const JudgedMetric& judged) {
-  constexpr double least = 5e-4;  // of a ratio from 1: beyond the digits that readers see
-  const Amount* const amount = amount_of(finding);
-  if (!amount) return effect_words(finding);
-  const Interval ends = amount->interval.value_or(Interval{amount->value, amount->value});
-  const double far = std::max({std::abs(amount->value - 1), std::abs(ends.low - 1), std::abs(ends.high - 1)});
-  if (finding.scale == Scale::ratio && far > 0 && far < least) {
-    const std::string often = effect_words(finding);
-    return often.empty() ? fmt::format("the same to 1e{:.0f}", std::ceil(std::log10(far))) : often;
-  }
-  std::string text = with_unit(number_text(amount->value), unit_of(finding, judged));
-  if (amount->interval) text += fmt::format(" ({})", interval_text(ends, ends_of(finding, judged)));
-  return text;
 }
 
 std::string stops_of(const StudyResults& study) {

@@ -1,6 +1,7 @@
 // The few sentences of reports and screens. Numbers are those of the tables.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,7 +23,7 @@ struct ByWord {
   void add(const std::string& word, const std::string& name);
   std::vector<std::string> told(const char* form) const;  // by fmt: {0} is the word, {1} its names
 };
-// "better", "same within 5 %", "not decided: all 20 equal", "not decided", "not tested: it takes 5"
+// "better", "same within 5 %", "not decided: all 20 equal", "not decided", "not tested: no values"
 std::string verdict_words(const judge::Finding& finding, const judge::JudgedMetric& judged);
 // A verdict in files of numbers, and its colour.
 struct VerdictWords {
@@ -36,24 +37,14 @@ struct ReasonWords {
 };
 ReasonWords words_of(judge::Open::Why why);
 std::string reason_of(const judge::Open& open, std::string_view noun);  // "8 runs are too few, 10 are needed"
-// The one of a pair: A12, or where means decide that of its standardiser, "Hedges' g" or of paired values "g_av".
-struct EffectSize {
-  std::string_view name = {};  // empty: it has none
-  double value = 0;
-};
-EffectSize effect_size(const judge::Finding& finding, const judge::JudgedMetric& judged);
-std::string warning_of(const judge::Doubt& doubt);  // a sentence
+std::string warning_of(const judge::Doubt& doubt);                      // a sentence
 // "times", "points", or the metric's unit.
 std::string unit_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
 // "better in 43 %, worse in 3 % of comparisons"; empty where nothing is decided, or no shares are known.
 std::string effect_words(const judge::Finding& finding);
-// "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)", "the same to 1e-7"; where that would refute the verdict, or show
-// nothing of it, how often which is better
-std::string amount_words(const judge::Finding& finding, const judge::JudgedMetric& judged);
 // No difference and the margin's ends, as the finding's numbers are.
-std::vector<double> ends_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
+std::set<double> ends_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
 std::string with_unit(const std::string& text, const std::string& unit);  // "1 point", "2.5 cm"
-std::string times(double ratio);                                          // "8.1 times", "1.04 times"
 // "5 %", "5 points", "5 % or 0.1 mm"
 std::string margin_words(const judge::JudgedMetric& judged);
 

@@ -9,6 +9,7 @@
 
 #include "analysis/csv/user_csv.hpp"
 #include "analysis/show/tell.hpp"
+#include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "tests/judge/studies.hpp"
 
@@ -487,7 +488,13 @@ std::string untruth_in(const std::string& text, const Table& table, const show::
 
 // The same of the words of a pair, and of its numbers as they are printed.
 std::string untruth_in(const Finding& finding, const JudgedMetric& judged, const Right& right) {
-  const std::string words = show::verdict_words(finding, judged), amount = show::amount_words(finding, judged);
+  const std::string words = show::verdict_words(finding, judged);
+  const Amount* const its_amount = amount_of(finding);
+  const std::set<double> ends = show::ends_of(finding, judged);
+  const std::string amount = its_amount && its_amount->interval
+                                 ? fmt::format("{} ({})", show::number_text(its_amount->value),
+                                               show::interval_text(*its_amount->interval, {ends.begin(), ends.end()}))
+                                 : "";
   if (!words.starts_with(name_of(right.verdict))) return words;
   if (contains(words, "less than") != right.is_small) return words;
   if (contains(words, "equal") && right.ahead + right.behind > 0) return words;

@@ -116,7 +116,7 @@ std::string too_much(const Answer& answer) {
   return told == std::multiset<std::string>(all.begin(), all.end()) ? "" : "who is told";
 }
 
-// What a paragraph of results lacks: pairs, or of many their counts.
+// What a paragraph of results lacks: counts of pairs.
 std::string wrong_in_results(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const std::vector<std::string> sentences = results_of(answer);
@@ -125,12 +125,9 @@ std::string wrong_in_results(const Answer& answer) {
   for (const Finding& finding : judged.findings) {
     const Verdict verdict = verdict_of(finding);
     ++counts[is_difference(verdict) ? "decided" : std::string(judge::name_of(verdict))];
-    const bool is_named = contains(sentences[1], fmt::format("{} against {}", finding.first, finding.second));
-    if (judged.findings.size() <= most_pairs && !is_named) return "a pair";
   }
   for (const auto& [verdict, count] : counts)
-    if (judged.findings.size() > most_pairs && !contains(sentences[1], fmt::format("{} {}", count, verdict)))
-      return "counts";
+    if (!contains(sentences[1], fmt::format("{} {}", count, verdict))) return "counts";
   return "";
 }
 
@@ -143,9 +140,6 @@ std::string wrong_in_tables(const Answer& answer) {
     if (cell == nullptr) return "a number that is known is not shown";
     const std::string& name = std::get<std::string>(row[0]);
     if (judged.plan.control.empty() && (cell->mark == "*") != losers.contains(name)) return "a star";
-    const Finding* const pair = finding_of(judged, name, reference_of(answer));
-    const bool is_untested = pair && !losers.contains(reference_of(answer)) && verdict_of(*pair) == Verdict::not_tested;
-    if (cell->is_best && (losers.contains(name) || is_untested)) return "bold";
   }
   const auto count = [](const Table& table, auto is_so) { return std::ranges::count_if(table.rows, is_so); };
   const auto is_decided = [](const std::vector<Cell>& row) {
