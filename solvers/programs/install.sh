@@ -16,24 +16,20 @@ compiled() {  # FILE PLACE
   printf '#include <cstdlib>\n#define PyMem_RawCalloc std::calloc\n#define PyMem_RawFree std::free\n' >Python.h
   printf '#include <stdexcept>\nnamespace nanobind { using value_error = std::runtime_error; }\n' >nanobind/nanobind.h
   eval "g++ -std=c++17 -O3 -DNDEBUG -w -I $here/../helpers -o program $here/$1 $flags" \
-    -I /usr/include/eigen3 || return
+    -I /usr/include/eigen3
+}
+installed() {  # FILE PLACE
+  local python
+  case $1 in
+    *.cpp) compiled "$@" ;;
+    *.py)
+      python=$(sed -n 's/^# requires-python = "==\(.*\)\.\*"$/\1/p' "$1")
+      uv venv --quiet --allow-existing ${python:+--python "$python"} "$2" &&
+        uv pip install --quiet --only-binary :all: --python "$2/bin/python" --requirements "$1" ;;
+    *) cargo build --quiet --release --manifest-path "$1/Cargo.toml" --target-dir "$2" ;;
+  esac
 }
 for file; do
-  place=../../build/libraries/$(basename "$file" .py)
-  if [[ $file == *.cpp ]]; then
-    (compiled "$file" "$place") && code=0 || echo "not installed: $file" >&2
-    continue
-  fi
-  if [[ -d $file ]]; then
-    cargo build --quiet --release --manifest-path "$file/Cargo.toml" --target-dir "$place" && code=0 || echo "not installed: $file" >&2
-    continue
-  fi
-  python=$(sed -n 's/^# requires-python = "==\(.*\)\.\*"$/\1/p' "$file")
-  if uv venv --quiet --allow-existing ${python:+--python "$python"} "$place" &&
-    uv pip install --quiet --only-binary :all: --python "$place/bin/python" --requirements "$file"; then
-    code=0
-  else
-    echo "not installed: $file" >&2
-  fi
+  (installed "$file" "../../build/libraries/$(basename "$file" .py)") && code=0 || echo "not installed: $file" >&2
 done
 exit $code

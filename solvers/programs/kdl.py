@@ -43,10 +43,9 @@ def solve(prepared, problem):
                                              min(place, turn) / 3**0.5 or 1e-5)
     for start in problem.starts():
         is_near = library.CartToJnt(array(start), target, answer) >= 0
-        q = ikbench.inside(list(answer), robot.turns, problem.lower, problem.upper)
-        if is_near and all(low <= x <= high for x, low, high in zip(q, problem.lower, problem.upper)): return q
-    return q
+        q = problem.inside(list(answer))
+        if is_near and q: return q
+    return answer
 
 
-ikbench.run("pykdl", prepare, solve, version="1.5", goals=["pose"], options={
-    "method": ["lma", "newton"], "steps": (60, 1, 100000, "steps before the next start")})
+ikbench.run("pykdl", prepare, solve, version="1.5", goals=["pose"], steps=60, options={"method": ["lma", "newton"]})

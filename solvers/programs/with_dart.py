@@ -25,10 +25,7 @@ def prepare(robot):
 
 def solve(prepared, problem):
     arm, joints, target, module = prepared
-    pose = dart.math.Isometry3()
-    pose.set_translation(problem.position)
-    pose.set_rotation(problem.rotation)
-    target.setTransform(pose)
+    target.setTransform(dart.math.Isometry3(np.array(problem.rotation), np.array(problem.position)))
     bounds = np.array([problem.tolerance.rotation] * 3 + [problem.tolerance.position] * 3) / 3**0.5
     module.getErrorMethod().setBounds(-bounds, bounds)
     for start in problem.starts():
@@ -38,5 +35,4 @@ def solve(prepared, problem):
             return [joint.getPosition() for joint in joints]
 
 
-ikbench.run("dart", prepare, solve, version="6.20.3", goals=["pose"],
-            options={"steps": (200, 1, 100000, "steps before the next start")})
+ikbench.run("dart", prepare, solve, version="6.20.3", goals=["pose"], steps=200)

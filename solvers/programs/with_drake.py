@@ -41,5 +41,4 @@ def solve(prepared, problem):
             return found.GetSolution(asked.q())[order]
 
 
-ikbench.run("drake", prepare, solve, version="1.58.0", goals=["pose"],
-            options={"steps": (30, 1, 100000, "steps before the next start")})
+ikbench.run("drake", prepare, solve, version="1.58.0", goals=["pose"], steps=30)

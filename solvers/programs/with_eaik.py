@@ -7,7 +7,7 @@ import eaik.pybindings.EAIK as eaik
 
 import ikbench
 import numpy as np
-from product_of_exponentials import axes_of, forward
+from product_of_exponentials import axes_of, frames
 
 
 def robot_of(arm, lock, value):
@@ -24,9 +24,7 @@ def exact(derived, target, lock, value):  # which may be left out
 def prepare(robot):
     robot.require(turning=True)
     arm, n = axes_of(robot), len(robot.joints)
-    target = np.eye(4)
-    rotation, target[:3, 3] = forward(*arm[:2], [0.3] * n)
-    target[:3, :3] = rotation @ arm[2]
+    target = frames(robot, [0.3] * n)[-1]
     for lock in [None] if n <= 6 else reversed(range(n if n == 7 else 0)):
         derived = robot_of(arm, lock, 0.3)
         if derived.has_known_decomposition() and exact(derived, target, lock, 0.3):
@@ -41,8 +39,7 @@ def solve(prepared, problem):
         if lock is not None:
             derived = robot_of(arm, lock, start[lock])
         found = exact(derived, target, lock, lock is not None and start[lock])
-        if lock is None or found and np.any(np.all(np.ceil((problem.lower - np.array(found)) / (2 * np.pi)) <=
-                                                   np.floor((problem.upper - np.array(found)) / (2 * np.pi)), axis=1)):
+        if lock is None or any(map(problem.inside, found)):
             return found or None
 
 

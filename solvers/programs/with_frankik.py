@@ -28,8 +28,7 @@ def solve(prepared, problem):
     target = np.array(problem.matrix) @ tool
     for start in problem.starts():
         found = frankik.ik_full(target, np.array(start), start[6], is_fr3)
-        answers = [q for q in found if np.all(np.isfinite(q))]
-        if answers:
+        if answers := [q for q in found if np.all(np.isfinite(q))]:
             return answers
 
 

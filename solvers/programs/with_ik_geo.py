@@ -7,7 +7,7 @@ import ik_geo
 
 import ikbench
 import numpy as np
-from product_of_exponentials import axes_of, forward
+from product_of_exponentials import axes_of, frames
 
 closed_forms = ["spherical_two_parallel", "spherical_two_intersecting", "spherical", "three_parallel_two_intersecting",
                 "three_parallel"]
@@ -17,12 +17,12 @@ def answers(arm, rotation, place):  # it takes a rotation column by column
     return [q for q, is_least_squares in arm.get_ik(rotation.T, place) if not is_least_squares]
 
 
-def rightly(arm, axes, ways):
+def rightly(arm, robot, tool):
     count = 0
     for q in np.random.default_rng(1).uniform(-2, 2, (10, 6)):
-        rotation, place = forward(axes, ways, q)
-        reached = [forward(axes, ways, answer) for answer in answers(arm, rotation, place)]
-        count += any(np.abs(R - rotation).max() + np.abs(p - place).max() < 1e-8 for R, p in reached)
+        target = frames(robot, q)[-1]
+        reached = [frames(robot, answer)[-1] for answer in answers(arm, target[:3, :3] @ tool.T, target[:3, 3])]
+        count += any(np.abs(each - target).max() < 1e-8 for each in reached)
     return count
 
 
@@ -44,8 +44,8 @@ def prepare(robot):
         raise ikbench.Declined("arms of six joints, alone; of seven the user would lock one")
     ways = crossing(axes, ways)
     arms = [getattr(ik_geo.Robot, family)(axes, ways) for family in closed_forms]
-    arm = max(arms, key=lambda its: rightly(its, axes, ways))
-    if rightly(arm, axes, ways) < 5:
+    arm = max(arms, key=lambda its: rightly(its, robot, tool))
+    if rightly(arm, robot, tool) < 5:
         raise ikbench.Declined("no kinematic family of closed form")
     return arm, tool
 

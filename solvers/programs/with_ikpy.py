@@ -26,8 +26,7 @@ def solve(prepared, problem):
         places[moving] = start
         found = chain.inverse_kinematics_frame(target, places, orientation_mode="all", tol=tolerance / 100)
         off = chain.forward_kinematics(found) - target
-        if np.linalg.norm(off[:3, 3]) <= problem.tolerance.position and \
-                np.linalg.norm(off[:3, :3]) <= 2**0.5 * problem.tolerance.rotation:
+        if problem.is_near(off[:3, 3], off[:3, :3].ravel() / 2**0.5):
             return found[moving]
     return found[moving]
 

@@ -16,9 +16,8 @@ def prepare(robot):
     if not world.loadElement(robot.file) >= 0:
         raise ikbench.Declined("it cannot read the arm")
     arm = world.robot(0)
-    names = {arm.link(i).getName(): i for i in range(arm.numLinks())}
     joints = [arm.driver(i).getAffectedLink() for i in range(arm.numDrivers())]
-    return world, arm, arm.link(names[robot.tip_link]), joints, robot.options["steps"]
+    return world, arm, arm.link(robot.tip_link), joints, robot.options["steps"]
 
 
 def solve(prepared, problem):
@@ -37,5 +36,4 @@ def solve(prepared, problem):
             return [found[joint] for joint in joints]
 
 
-ikbench.run("klampt", prepare, solve, version="0.10.1", goals=["pose"],
-            options={"steps": (15, 1, 100000, "steps before the next start")})
+ikbench.run("klampt", prepare, solve, version="0.10.1", goals=["pose"], steps=15)

@@ -24,20 +24,14 @@ def solve(prepared, problem):
     model, task, limits, steps = prepared
     task.set_target(mink.SE3.from_matrix(np.array(problem.matrix)))
     arm = mink.Configuration(model)
-    for start in problem.starts():
+
+    def iterates(start):
         arm.update(np.array(start))
-        for _ in range(steps):
+        while True:
             error = task.compute_error(arm)
-            if np.linalg.norm(error[:3]) < problem.tolerance.position and np.linalg.norm(error[3:]) < problem.tolerance.rotation:
-                return arm.q
-            if problem.left() <= 0:
-                return None
-            try:
-                speed = mink.solve_ik(arm, [task], 1.0, solver="daqp", damping=1e-6, limits=limits)
-            except mink.MinkError:
-                break
-            arm.integrate_inplace(speed, 1.0)
+            yield error[:3], error[3:], arm.q
+            arm.integrate_inplace(mink.solve_ik(arm, [task], 1.0, solver="daqp", damping=1e-6, limits=limits), 1.0)
+    return problem.descend(iterates, steps, mink.MinkError)
 
 
-ikbench.run("mink_qp", prepare, solve, version="1.3.0", goals=["pose"],
-            options={"steps": (15, 1, 100000, "steps before the next start")})
+ikbench.run("mink_qp", prepare, solve, version="1.3.0", goals=["pose"], steps=15)

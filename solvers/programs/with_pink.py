@@ -20,24 +20,17 @@ def prepare(robot):
 
 def solve(prepared, problem):
     robot, model, data, task = prepared
-    dt = 1.0  # whole steps of Gauss and Newton
-    for start in problem.starts():
+
+    def iterates(start):
         arm = pink.Configuration(model, data, np.array(start))
-        base = arm.get_transform_frame_to_world(robot.base_link)
-        task.set_target(base * pin.SE3(np.array(problem.matrix)))
-        for _ in range(robot.options["steps"]):
+        task.set_target(arm.get_transform_frame_to_world(robot.base_link) * pin.SE3(np.array(problem.matrix)))
+        while True:
             error = task.compute_error(arm)
-            if np.linalg.norm(error[:3]) < problem.tolerance.position and np.linalg.norm(error[3:]) < problem.tolerance.rotation:
-                return arm.q
-            if problem.left() <= 0:
-                return None
-            try:
-                speed = pink.solve_ik(arm, [task], dt, solver="daqp", damping=1e-8, safety_break=False)
-            except pink.exceptions.PinkError:
-                break
-            arm.integrate_inplace(speed, dt)
+            yield error[:3], error[3:], arm.q
+            speed = pink.solve_ik(arm, [task], 1.0, solver="daqp", damping=1e-8, safety_break=False)
+            arm.integrate_inplace(speed, 1.0)
+    return problem.descend(iterates, robot.options["steps"], pink.exceptions.PinkError)
 
 
 warnings.simplefilter("ignore")
-ikbench.run("pink_qp", prepare, solve, version="4.4.0", goals=["pose"],
-            options={"steps": (10, 1, 100000, "steps before the next start")})
+ikbench.run("pink_qp", prepare, solve, version="4.4.0", goals=["pose"], steps=10)

@@ -21,28 +21,20 @@ def prepare(robot):
 
 def solve(prepared, problem):
     robot, arm, solver, task = prepared
-    target = np.array(problem.matrix)
     arm.reset()
     arm.update_kinematics()
-    target = arm.get_T_world_frame(robot.base_link) @ target
+    target = arm.get_T_world_frame(robot.base_link) @ problem.matrix
     task.T_world_frame = target
-    for start in problem.starts():
+
+    def iterates(start):
         for name, value in zip(robot.names, start):
             arm.set_joint(name, value)
-        arm.update_kinematics()
-        for _ in range(robot.options["steps"]):
-            off = arm.get_T_world_frame(robot.tip_link) - target
-            if np.linalg.norm(off[:3, 3]) < problem.tolerance.position and \
-                    np.linalg.norm(off[:3, :3]) < 2**0.5 * problem.tolerance.rotation:
-                return [arm.get_joint(name) for name in robot.names]
-            if problem.left() <= 0:
-                return None
-            try:
-                solver.solve(True)
-            except RuntimeError:  # no solution of its quadratic program
-                break
+        while True:
             arm.update_kinematics()
+            off = arm.get_T_world_frame(robot.tip_link) - target
+            yield off[:3, 3], off[:3, :3].ravel() / 2**0.5, [arm.get_joint(name) for name in robot.names]
+            solver.solve(True)
+    return problem.descend(iterates, robot.options["steps"], RuntimeError)  # no solution of its quadratic program
 
 
-ikbench.run("placo", prepare, solve, version="0.10.2", goals=["pose"],
-            options={"steps": (15, 1, 100000, "steps before the next start")})
+ikbench.run("placo", prepare, solve, version="0.10.2", goals=["pose"], steps=15)

@@ -30,14 +30,13 @@ def solve(prepared, problem):
             bullet.resetJointState(arm, joint, value)
         q = bullet.calculateInverseKinematics(arm, tip, problem.position, aim, maxNumIterations=robot.options["steps"],
                                               residualThreshold=near, jointDamping=[1e-4] * len(joints))
-        q = ikbench.inside(q, robot.turns, problem.lower, problem.upper)
+        found = problem.inside(q)
         for joint, value in zip(joints, q):
             bullet.resetJointState(arm, joint, value)
         place, turn = bullet.getLinkState(arm, tip, computeForwardKinematics=True)[4:6]
         angle = 2 * min(np.linalg.norm(aim - turn), np.linalg.norm(aim + turn))
-        if np.linalg.norm(np.subtract(place, problem.position)) <= problem.tolerance.position and \
-                angle <= problem.tolerance.rotation and np.all(np.clip(q, problem.lower, problem.upper) == q):
-            return q
+        if found and problem.is_near(np.subtract(place, problem.position), [angle]):
+            return found
     return q
 
 
@@ -48,5 +47,4 @@ def quaternion(R):  # x, y, z, w: Bar-Itzhack's eigenvector
     return np.linalg.eigh(K)[1][:, 3]
 
 
-ikbench.run("pybullet", prepare, solve, version="3.2.7", goals=["pose"],
-            options={"steps": (15, 1, 100000, "steps before the next start")})
+ikbench.run("pybullet", prepare, solve, version="3.2.7", goals=["pose"], steps=15)

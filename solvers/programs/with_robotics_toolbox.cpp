@@ -15,18 +15,11 @@ struct Arm {
 };
 
 void turn(double* T, double q) {
-  MapMatrix4dc of(T);
-  of.setIdentity();
-  of(0, 0) = of(1, 1) = std::cos(q);
-  of(1, 0) = std::sin(q);
-  of(0, 1) = -of(1, 0);
+  const double c = std::cos(q), s = std::sin(q);
+  MapMatrix4dc(T) << c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
 }
 
-void slide(double* T, double q) {
-  MapMatrix4dc of(T);
-  of.setIdentity();
-  of(2, 3) = q;
-}
+void slide(double* T, double q) { MapMatrix4dc(T) << 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, q, 0, 0, 0, 1; }
 
 std::unique_ptr<Arm> prepare(const ikbench::Robot& robot) {
   require(robot);

@@ -39,8 +39,7 @@ def solve(prepared, problem):
     arm, tool, has_limits = prepared
     how = {"max_solutions": 1} if has_limits else {"respect_limits": False}
     found = arm.solve(np.array(problem.matrix) @ tool, q_seed=problem.start, **how)
-    is_inside = lambda q: has_limits or all(low <= x <= high for x, low, high in zip(q, problem.lower, problem.upper))
-    return next((each.q for each in found if is_inside(each.q)), None)
+    return next((each.q for each in found if has_limits or problem.inside(each.q)), None)
 
 
 ikbench.run("ssik", prepare, solve, version="8.2.0", goals=["pose"])
