@@ -183,13 +183,13 @@ TEST_CASE("no sentence says more than its findings, of two and three solvers", "
     for (const Finding& ac : all_kinds()) {
       check({1, 2, 3}, {ab, ac}, "A");
       for (const Finding& bc : all_kinds()) {
-        for (const std::vector<double>& numbers : std::vector<std::vector<double>>{
-                 {1, 2, 3}, {1, 3, 2}, {2, 1, 3}, {3, 1, 2}, {2, 3, 1}, {3, 2, 1}, {1, 1, 1}})
+        // Other orders are these with other names.
+        for (const std::vector<double>& numbers : std::vector<std::vector<double>>{{1, 2, 3}, {3, 1, 2}, {1, 1, 1}})
           check(numbers, {ab, ac, bc});
       }
     }
   }
-  CHECK(checked > 19'000);
+  CHECK(checked > 8'000);
 }
 
 TEST_CASE("no sentence says more than its findings, of ten solvers", "[show]") {
