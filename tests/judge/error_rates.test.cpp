@@ -30,8 +30,8 @@ struct Row {
   double most;  // that every cell may have; NaN: only printed
   Counts counts = Counts::any_difference;
   std::function<double(Random&, std::size_t group)> draw;
-  bool in_blocks = false;
-  double hard = 0;  // the first block is so many times as hard as the others; 0: blocks lie over four decades
+  bool in_blocks = false;  // which lie over four decades
+  double hard = 0;         // there are blocks, of which the first is so many times as hard as the others
   Plan plan = {};
   int times = 1;  // as many values in the groups after the first; per solved in all
   double floor = 1e-300;
@@ -57,7 +57,11 @@ Observations drawn_per_solved(const Row& row, std::size_t k, int n, Random& rand
 
 Observations drawn(const Row& row, std::size_t k, int n, Random& random) {
   if (row.is_per_solved) return drawn_per_solved(row, k, n, random);
-  Observations of{.metric = "x", .quantity = "x", .scale = row.scale, .floor = row.floor, .is_paired = row.in_blocks};
+  Observations of{.metric = "x",
+                  .quantity = "x",
+                  .scale = row.scale,
+                  .floor = row.floor,
+                  .is_paired = row.in_blocks || row.hard > 0};
   std::vector<double> blocks(static_cast<std::size_t>(n), 1.0);
   if (row.hard > 0)
     blocks.front() = row.hard;
@@ -108,6 +112,7 @@ double found_by_mann_whitney(const Observations& of) {
 }
 
 std::vector<Row> rows() {
+  using enum Counts;
   constexpr double printed = std::numeric_limits<double>::quiet_NaN();
   const Plan by_means{.test = Plan::Test::means};
   const auto normal = [](Random& r, std::size_t) { return 10 + r.normal(); };
@@ -132,22 +137,19 @@ std::vector<Row> rows() {
       {.name = "false better: the others four times as many", .most = 0.056, .draw = lognormal, .times = 4},
       {.name = "false better: equal medians, spreads 1.5 and 0.2", .most = printed, .draw = spreads},
       {.name = "the same, the others four times as many", .most = printed, .draw = spreads, .times = 4},
-      {.name = "false same: ratio 1.10", .most = 0.01, .counts = Counts::same_as_first, .draw = tenth_more},
+      {.name = "false same: ratio 1.10", .most = 0.01, .counts = same_as_first, .draw = tenth_more},
       {.name = "false same: ratio 1.10 in blocks",
        .most = 0.01,
-       .counts = Counts::same_as_first,
+       .counts = same_as_first,
        .draw = tenth_more,
        .in_blocks = true},
       // Not 0: of five values the one failure may lie just above the tolerance (0.0002 and 0.0005 of 10 000 sets).
       {.name = "false same: 100 % against 90 % at the tolerance",
        .most = 0.001,
-       .counts = Counts::same_as_first,
+       .counts = same_as_first,
        .draw = failing,
        .floor = 0.01},
-      {.name = "found: lognormal, half of the others",
-       .most = printed,
-       .counts = Counts::better_than_others,
-       .draw = half},
+      {.name = "found: lognormal, half of the others", .most = printed, .counts = better_than_others, .draw = half},
       {.name = "false better, per solved: lognormal", .most = 0.056, .draw = lognormal, .is_per_solved = true},
       {.name = "false better, per solved: one of 20 solves takes 30 times as long",
        .most = 0.056,
@@ -156,49 +158,41 @@ std::vector<Row> rows() {
       {.name = "false better: one block 1000 times as hard, zeros",
        .most = 0.056,
        .draw = with_zeros,
-       .in_blocks = true,
        .hard = 1000,
        .scale = Scale::difference},
       {.name = "false same: ratio 1.3, one block 1000 times as hard, differences",
        .most = 0.01,
-       .counts = Counts::same_as_first,
+       .counts = same_as_first,
        .draw = third_more,
-       .in_blocks = true,
        .hard = 1000,
        .scale = Scale::difference},
-      {.name = "false better: a tenth failed, written as 1000",
-       .most = 0.056,
-       .draw = failing_blocks,
-       .in_blocks = true,
-       .hard = 1},
+      {.name = "false better: a tenth failed, written as 1000", .most = 0.056, .draw = failing_blocks, .hard = 1},
       {.name = "false better, by means: a tenth failed, written as 1000",
        .most = 0.056,
        .draw = failing_blocks,
-       .in_blocks = true,
        .hard = 1,
        .plan = by_means},
       {.name = "interval without the true ratio, per solved, of 25, 50, 100 targets: both lognormal, sigma 1.1",
        .most = 0.075,
-       .counts = Counts::interval_without_truth,
+       .counts = interval_without_truth,
        .draw = both_heavy,
        .times = 5,
        .is_per_solved = true},
       {.name = "the same: lognormal, sigma 1.1, and equal costs",
        .most = 0.09,
-       .counts = Counts::interval_without_truth,
+       .counts = interval_without_truth,
        .draw = heavy,
        .times = 5,
        .is_per_solved = true,
        .truth = std::exp(1.1 * 1.1 / 2)},
       {.name = "Welch's ANOVA below 0.05: equal means, unequal spreads",
        .most = 0.08,
-       .counts = Counts::test_of_all,
+       .counts = test_of_all,
        .draw = unequal},
       {.name = "Greenhouse-Geisser below 0.05: the same in blocks",
        .most = 0.07,
-       .counts = Counts::test_of_all,
+       .counts = test_of_all,
        .draw = unequal,
-       .in_blocks = true,
        .hard = 1},
   };
 }
