@@ -30,15 +30,19 @@ TEST_CASE("printed rows have their digits, and the names that a table gives by i
 
 TEST_CASE("printed means are compared as summaries, and give the printed ANOVA but for rounding", "[papers]") {
   // F of Tables 4 to 6: the means and standard deviations of Table 3 as printed, by R 4.2.2.
-  for (const auto& [metric, f] :
-       {std::pair("position_error_cm", 40.7736), std::pair("variation_deg", 388.940), std::pair("seconds", 293.939)}) {
+  for (const auto& [name, metric, f] : {std::tuple("table-4", "position_error_cm", 40.7736),
+                                        {"table-5", "variation_deg", 388.940},
+                                        {"table-6", "seconds", 293.939}}) {
     judge::Observations printed{.metric = metric};
     for (const auto& [solver, numbers, digits] : printed_means("slim2023", "table-3", metric))
       printed.groups.push_back({.name = solver, .sample = judge::Summary{numbers.n, numbers.mean, numbers.sd}});
     const judge::TestOfAll test = judge::anova(printed).front();
     CHECK(test.statistic == Approx(f).epsilon(2e-6));
-    CHECK(test.df == 5);
-    CHECK(test.df_within == 114);
+    const base::CsvTable table = results::published::table("slim2023", name);
+    CHECK(test.ss_between == Approx(table.number(0, "ss")).epsilon(1e-3));
+    CHECK(test.ss_within == Approx(table.number(1, "ss")).epsilon(1e-3));
+    CHECK(test.df == table.number(0, "df"));
+    CHECK(test.df_within == table.number(1, "df"));
   }
 }
 

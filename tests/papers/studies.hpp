@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "analysis/judge/judge.hpp"
 #include "analysis/papers/claims.hpp"
 #include "analysis/papers/multiverse.hpp"
 #include "analysis/papers/published.hpp"
@@ -12,8 +11,7 @@
 #include "analysis/show/answer.hpp"
 #include "analysis/show/answer_tables.hpp"
 #include "analysis/slim2023/slim2023.hpp"
-#include "tests/common.hpp"
-#include "tests/stored_study.hpp"
+#include "tests/judge/studies.hpp"
 
 using namespace ikbench;
 using namespace ikbench::judge;
@@ -45,37 +43,27 @@ inline double as_printed(const std::string& solver, const std::string& metric, i
 
 // Each solve has the printed numbers, unless `change` says otherwise.
 inline judge::JudgedStudy study_of(const Made& made, const Change& change = {}) {
-  results::StoredStudy entry{
-      .name = made.name,
-      .definition = results::definition_of(fmt::format(
-          R"({{"published": "{}", "robot": "{}", "search": "wrist", "start": "{}", "runs": {}, "points": {},
-              "path": {{"kind": "{}", "targets": "fixed"}}, "stop": {{"tolerance_cm": {}, "iterations": 200}}}})",
-          made.paper, made.robot, made.tolerance_cm > 0 ? "initial" : "previous", made.runs, made.points, made.path,
-          made.tolerance_cm)),
-      .series = {}};
-  std::vector<SolveRecord> solves;
-  for (const std::string& solver : made.solvers) {
-    entry.series.push_back({.key = solver + "@1", .label = solver, .algorithm = solver, .options = "{}"});
-    for (int run = 1; run <= made.runs; ++run) {
-      for (int point = 1; point <= made.points; ++point) {
-        const double seconds = as_printed(solver, "seconds", run) / 1000;
-        solves.push_back({.label = solver,
-                          .run = run,
-                          .point = point,
-                          .target_position_m = {0.1 * point, 0, 0},
-                          .answer_rad = {0.1 * point, 0.001 * run, 0.01 * solver.front()},
-                          .position_error_cm = as_printed(solver, "position_error_cm", run),
-                          .variation_deg = as_printed(solver, "variation_deg", run),
-                          .evaluations = 100,
-                          .iterations = 200,
-                          .seconds = seconds,
-                          .cpu_seconds = seconds,
-                          .session = 1});
-        if (change) change(solves.back());
-      }
-    }
-  }
-  return judge::judge(judge::stored_study(entry, solves, {{.id = 1, .environment = {{"cpu", "one"}}}}));
+  const judge::Asked asked{.start = made.tolerance_cm > 0 ? "initial" : "previous",
+                           .runs = made.runs,
+                           .points = made.points,
+                           .rest = fmt::format(R"(, "published": "{}", "robot": "{}", "search": "wrist",
+          "path": {{"kind": "{}", "targets": "fixed"}}, "stop": {{"tolerance_cm": {}, "iterations": 200}})",
+                                               made.paper, made.robot, made.path, made.tolerance_cm)};
+  const auto as_in_paper = [&](SolveRecord& solve) {
+    solve.target_position_m = {0.1 * solve.point, 0, 0};
+    solve.answer_rad = {0.1 * solve.point, 0.001 * solve.run, 0.01 * solve.label.front()};
+    solve.position_error_cm = as_printed(solve.label, "position_error_cm", solve.run);
+    solve.variation_deg = as_printed(solve.label, "variation_deg", solve.run);
+    solve.iterations = 200;
+    solve.stop_reason = SolveRecord().stop_reason;
+    solve.seconds = solve.cpu_seconds = as_printed(solve.label, "seconds", solve.run) / 1000;
+    solve.session = 1;
+    if (change) change(solve);
+  };
+  judge::StudyResults study =
+      judge::study(asked, as_in_paper, made.solvers, {{.id = 1, .environment = {{"cpu", "one"}}}});
+  study.name = made.name;
+  return judge::judge(std::move(study));
 }
 
 inline Repeated repeated(const judge::JudgedStudy& study,
