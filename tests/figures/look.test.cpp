@@ -13,6 +13,15 @@ std::string colour_in(const std::vector<Series>& solvers, const std::string& lab
   return colour_of(styles.at(label), style);
 }
 
+// How many looks, and which colours, solvers have.
+std::pair<std::size_t, std::set<std::string>> looks_of(const std::vector<Series>& solvers, FigureStyle style = {}) {
+  std::set<int> looks;
+  std::set<std::string> colours;
+  for (const auto& [label, look] : line_styles(solvers, style)) looks.insert(look);
+  for (const int look : looks) colours.insert(colour_of(look, style));
+  return {looks.size(), colours};
+}
+
 // WCAG 2.1, "relative luminance" and "contrast ratio".
 double linear(std::string_view colour, std::size_t i) {
   const double c = std::stoi(std::string(colour.substr(1 + 2 * i, 2)), nullptr, 16) / 255.0;
@@ -64,17 +73,11 @@ TEST_CASE("no two solvers of a study look alike, and other solvers have other co
     CAPTURE(study.name);
     std::vector<Series> solvers{{"", "mine", "unknown"}};
     for (const experiments::SolverEntry& entry : study.solvers) solvers.push_back({"", entry.label, entry.solver});
-    FigureStyle style;
-    std::set<int> looks;
-    for (const auto& [label, look] : line_styles(solvers, style)) looks.insert(look);
-    CHECK(looks.size() == solvers.size());
+    CHECK(looks_of(solvers).first == solvers.size());
   }
   const std::vector<Series> solvers{
       {"", "a", "x"}, {"", "IK-BA", "ik_bat"}, {"", "b", "y"}, {"", "DE", "differential_evolution"}};
-  FigureStyle style;
-  std::set<std::string> colours;
-  for (const auto& [label, look] : line_styles(solvers, style)) colours.insert(colour_of(look, style));
-  CHECK(colours.size() == 4);
+  CHECK(looks_of(solvers).second.size() == 4);
 }
 
 TEST_CASE("variants of a solver have other colours while there are any, then other line types and markers",
@@ -119,18 +122,9 @@ TEST_CASE("a colour of a study goes before the solver's own", "[figure]") {
   CHECK(colour_of(styles.at("IK-BA"), style) == "#ABCDEF");
   CHECK(colour_of(styles.at("mine"), style) == "#267195");
   CHECK(style.palette.size() == 8);
-  FigureStyle two{.palette = {"#000000", "#FF0000"}};
-  std::set<int> looks;
-  for (const auto& [label, look] :
-       line_styles({{"", "a", "bat"}, {"", "b", "newton"}, {"", "c", "x"}, {"", "d", "y"}}, two))
-    looks.insert(look);
-  CHECK(looks.size() == 4);
-  FigureStyle three{.palette = {"#1E8CF8", "#8D1804", "#00705B"}};
-  std::set<std::string> colours;
-  for (const auto& [label, look] :
-       line_styles({{"", "a", "ik_bat"}, {"", "b", "particle_swarm"}, {"", "c", "bat"}}, three))
-    colours.insert(colour_of(look, three));
-  CHECK(colours.size() == 3);
+  const FigureStyle two{.palette = {"#000000", "#FF0000"}}, three{.palette = {"#1E8CF8", "#8D1804", "#00705B"}};
+  CHECK(looks_of({{"", "a", "bat"}, {"", "b", "newton"}, {"", "c", "x"}, {"", "d", "y"}}, two).first == 4);
+  CHECK(looks_of({{"", "a", "ik_bat"}, {"", "b", "particle_swarm"}, {"", "c", "bat"}}, three).second.size() == 3);
 }
 
 TEST_CASE("every series has a contrast of at least 3 on paper", "[figure]") {

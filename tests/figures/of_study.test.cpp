@@ -24,6 +24,10 @@ Names names_of(const std::vector<Figure>& figures) {
   return names;
 }
 
+const Figure& named(const std::vector<Figure>& figures, std::string_view name) {
+  return *std::ranges::find(figures, name, &Figure::name);
+}
+
 std::vector<Figure> figures_of_study(const StudyResults& study) {
   const JudgedStudy judged = judge::judge(study);
   return of_study(judged, look_of(judged, {}));
@@ -40,8 +44,7 @@ TEST_CASE("a path has curves by point, the path and the joints", "[of_study]") {
   CHECK(drawn_as_svg(figures, folder.path) == "");
   CHECK(contains(figures[1].caption, "a dot is the mean of a run"));
   const auto caption_of = [](const Asked& other) {
-    const std::vector<Figure> all = figures_of_study(study(other, differ));
-    return std::ranges::find(all, "error-boxes", &Figure::name)->caption;
+    return named(figures_of_study(study(other, differ)), "error-boxes").caption;
   };
   CHECK(contains(caption_of({.start = "initial"}), "a dot is a target, the mean of its runs;"));
   CHECK(contains(caption_of({.start = "initial", .runs = 1}), "a dot is a target;"));
@@ -83,27 +86,23 @@ TEST_CASE("solvers whose costs are not known or not comparable are left out of s
                                    },
                                    {"A", "B", "C", "D"});
   const std::vector<Figure> figures = figures_of_study(asked);
-  const auto caption_of = [&](std::string_view name) {
-    return std::ranges::find(figures, name, &Figure::name)->caption;
-  };
-  CHECK(caption_of("solved-by-evaluations") ==
+  CHECK(named(figures, "solved-by-evaluations").caption ==
         "Share of targets solved within a number of evaluations. Without A, whose evaluations cannot be compared.");
   CHECK(
-      caption_of("solved-by-time") ==
+      named(figures, "solved-by-time").caption ==
       "Share of targets solved within a time. Times: first calls on a target. Without B, D, whose time cannot be compared.");
 }
 
 TEST_CASE("a difference is told as tables tell it: the better one first, in points or a ratio", "[of_study]") {
-  const auto differences_of = [](const Asked& asked) {
-    const std::vector<Figure> figures = figures_of_study(study(asked,
-                                                               [](SolveRecord& solve) {
-                                                                 differ(solve);
-                                                                 const bool fails = solve.label == "B" && solve.run < 9;
-                                                                 solve.status =
-                                                                     fails ? Status::tolerance_missed : Status::ok;
-                                                               },
-                                                               {"B", "A"}));
-    return *std::ranges::find(figures, "differences", &Figure::name);
+  const auto differences_of = [](const Asked& asked) -> Figure {
+    return named(figures_of_study(study(asked,
+                                        [](SolveRecord& solve) {
+                                          differ(solve);
+                                          const bool fails = solve.label == "B" && solve.run < 9;
+                                          solve.status = fails ? Status::tolerance_missed : Status::ok;
+                                        },
+                                        {"B", "A"})),
+                 "differences");
   };
   const Figure shares =
       differences_of({.start = "middle", .targets = "drawn", .runs = 10, .points = 1, .tolerance_cm = 0.01});
