@@ -1,6 +1,6 @@
 // How often the verdicts are wrong, and how often they find what is there: draws sets of which the truth is known,
-// judges them, and prints the shares as docs/explanation/methods.md has them. The standard error of a share of 10000
-// sets is at most 0.005.
+// judges them, and prints the shares; docs/explanation/methods.md has the largest of each n. The standard error of a
+// share of 10000 sets is at most 0.005.
 //
 //   IKBENCH_SETS=10000 build/check/tests/judge/test_judge '[error_rates]'
 #include <fmt/ranges.h>
