@@ -46,6 +46,9 @@ inline auto ContainsSubstring(const std::string& part) { return Catch::Matchers:
 
 namespace ikbench {
 
+constexpr double infinity = std::numeric_limits<double>::infinity(),
+                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+
 // The text of the exception that `action` throws; empty if it throws none of that type.
 template <class Exception, class Action>
 std::string complaint(Action&& action) {

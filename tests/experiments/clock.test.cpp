@@ -38,11 +38,10 @@ SolverEntry recorded() {
 
 // Targets of a circle, each from the initial configuration.
 Study study_of_calls(int points) {
-  Study study = parse_study(fmt::format("robot = 'kuka_iiwa14'\nsearch = 'all_joints'\nstart = 'initial'\nruns = 1\n"
-                                        "path = {{ kind = 'circle', points = {} }}\nstop = {{ iterations = 1 }}\n"
-                                        "solvers = [{{ solver = 'random_search' }}]\n",
-                                        points),
-                            "a study");
+  Study study =
+      read(fmt::format("search = 'all_joints'\nstart = 'initial'\nruns = 1\npath = {{ kind = 'circle', points = {} }}\n"
+                       "stop = {{ iterations = 1 }}\nsolvers = [{{ solver = 'random_search' }}]\n",
+                       points));
   study.solvers = {recorded<'a'>(), recorded<'b'>()};
   Calls::all.clear();
   return study;

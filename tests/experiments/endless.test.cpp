@@ -3,9 +3,7 @@
 
 namespace {
 
-using ParsedJson = nlohmann::json;
-
-constexpr double without_end = std::numeric_limits<double>::infinity(), half = std::numbers::pi;
+constexpr double half = std::numbers::pi;
 
 }  // namespace
 
@@ -36,7 +34,7 @@ TEST_CASE("no solver's answer is held at half a turn from the start", "[endless]
 
 TEST_CASE("a joint without end moves the shorter way round, and any other as far as it goes", "[endless][verifier]") {
   Robot arm = robot("planar_2");
-  arm.limits = {Eigen::Vector2d(-without_end, -9), Eigen::Vector2d(without_end, 9)};
+  arm.limits = {Eigen::Vector2d(-infinity, -9), Eigen::Vector2d(infinity, 9)};
   const Eigen::VectorXd start = Eigen::Vector2d(0.5, 0.5);
   const auto verified = [&](double first, double second) {
     return verify(arm, Pose::Identity(), start, Eigen::VectorXd(start + Eigen::Vector2d(first, second)));
@@ -51,18 +49,19 @@ TEST_CASE("a joint without end moves the shorter way round, and any other as far
 
 TEST_CASE("a program gets null for no limit, a whole turn each way to search in, and a rotation by rows", "[endless]") {
   const Robot arm = robot("kinova_gen3");
-  const ParsedJson robot_told = ParsedJson::parse(robot_message(arm, arm.chain, Eigen::Vector3d(0, 0, 0), "", {}, {}));
+  const nlohmann::json robot_told =
+      nlohmann::json::parse(robot_message(arm, arm.chain, Eigen::Vector3d(0, 0, 0), "", {}, {}));
   CHECK(robot_told["joints"][0]["lower"].is_null());
   CHECK(robot_told["joints"][1]["upper"] == arm.limits.upper[1]);
   const Problem problem{
       .start = Configuration::Constant(7, 0.2), .lower = arm.limits.lower, .upper = arm.limits.upper, .population = 20};
-  const ParsedJson told =
-      ParsedJson::parse(solve_message(problem, Eigen::Vector3d(0, 0, 0.5), {.iterations = 1000}, 1));
+  const nlohmann::json told =
+      nlohmann::json::parse(solve_message(problem, Eigen::Vector3d(0, 0, 0.5), {.iterations = 1000}, 1));
   CHECK(told["lower"][0] == 0.2 - 2 * half);
   CHECK(told["upper"][0] == 0.2 + 2 * half);
   CHECK(told["upper"][1] == arm.limits.upper[1]);
   CHECK(told["budget"]["iterations"] == 1000);
   const Goal pose{arm.chain.forward(Configuration::Constant(7, 0.7)), 0.25, GoalKind::pose};
-  const ParsedJson of_pose = ParsedJson::parse(solve_message(problem, pose, {}, 1));
+  const nlohmann::json of_pose = nlohmann::json::parse(solve_message(problem, pose, {}, 1));
   CHECK(of_pose["target"]["rotation"] == by_rows(pose.target.linear()));
 }

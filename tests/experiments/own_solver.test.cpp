@@ -52,10 +52,9 @@ class Faulty final : public Solver {
 
 // Four solves of it.
 Study study_of_faulty(const std::string& search) {
-  Study study = parse_study("robot = 'kuka_iiwa14'\nsearch = '" + search +
-                                "'\nstart = 'initial'\nruns = 1\nturns = 1\npath = { kind = 'circle', points = 4 }\n"
-                                "stop = { iterations = 3 }\nsolvers = [{ solver = 'random_search' }]\n",
-                            "a study");
+  Study study = read("search = '" + search +
+                     "'\nstart = 'initial'\nruns = 1\nturns = 1\npath = { kind = 'circle', points = 4 }\n"
+                     "stop = { iterations = 3 }\nsolvers = [{ solver = 'random_search' }]\n");
   const std::vector<Pose> poses = targets(study, 1);
   Faulty::middle = {Faulty::place_of(poses[1]), Faulty::place_of(poses[2])};
   const SolverInfo faulty = solver_info<Faulty>("faulty", "does not do as it should", "this test");
@@ -99,7 +98,6 @@ void check_that_all_read(const StoredStudy& study, const Store& store, const std
 
 TEST_CASE("whatever a class answers, every reader takes the store, and its neighbour has the same solves",
           "[own_solver]") {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   struct Odd {
     std::string place;
     std::function<void(Best&)> fault;
@@ -116,13 +114,13 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
   const std::vector<Odd> all{{"step", nothing, Status::ok},
                              {"finished", nothing, Status::ok},
                              {"", nothing, Status::claimed_but_wrong, "nobody counts", "", false},
-                             {"step", fill(nan), Status::not_finite, finite},
+                             {"step", fill(not_a_number), Status::not_finite, finite},
                              {"step", fill(infinity), Status::not_finite, finite},
                              {"step", fill(1e308), Status::not_finite, finite},
                              {"step", fill(100), Status::claimed_but_wrong},
                              {"step", fill(-100), Status::claimed_but_wrong},
                              {"step", claim(1e308), Status::claimed_but_wrong},
-                             {"step", claim(nan), Status::not_finite, finite},
+                             {"step", claim(not_a_number), Status::not_finite, finite},
                              {"start", claim(infinity), Status::not_finite, finite},
                              {"step", claim(0), Status::claimed_but_wrong},
                              {"step", claim(-1), Status::claimed_but_wrong},
@@ -131,7 +129,7 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
                              {"step", resize(10), Status::not_finite, finite},
                              {"step", [](Best&) { std::fesetround(FE_UPWARD); }, Status::ok},
                              {"", nothing, Status::ok, "", "stalls"},
-                             {"", nothing, Status::ok, "", "not a number", true, nan},
+                             {"", nothing, Status::ok, "", "not a number", true, not_a_number},
                              {"", nothing, Status::ok, "", "=1,\"\"", true, -infinity},
                              {"", nothing, Status::ok, "", "seconds", true, 1e308},
                              {"", nothing, Status::ok, "", "refused_1", true, -0.0},
@@ -179,7 +177,6 @@ TEST_CASE("whatever a class answers, every reader takes the store, and its neigh
 
 // Also what a clock that jumps could tell, or another program.
 TEST_CASE("of records with any odd number, every reader takes what may be written", "[own_solver]") {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   Study study = study_of_faulty("pose");
   study.runs = 1000;
   Faulty::place = "";
@@ -202,9 +199,10 @@ TEST_CASE("of records with any odd number, every reader takes what may be writte
       for (std::size_t i = 0; i < names_of(Value{}).size(); ++i) offer(member, static_cast<Value>(i));
     } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
       for (const std::size_t size : {(good.*member).size(), std::size_t{1000}})
-        for (const double value : {nan, infinity, -1e308, -0.0}) offer(member, std::vector<double>(size, value));
+        for (const double value : {not_a_number, infinity, -1e308, -0.0})
+          offer(member, std::vector<double>(size, value));
     } else if constexpr (std::is_floating_point_v<Value>) {
-      for (const double value : {nan, infinity, -infinity, 1e308, -1.0, 5e-324}) offer(member, value);
+      for (const double value : {not_a_number, infinity, -infinity, 1e308, -1.0, 5e-324}) offer(member, value);
     } else if constexpr (std::is_integral_v<Value>) {
       for (const Value value : {Value(0), Value(-1), std::numeric_limits<Value>::max()}) offer(member, value);
     }

@@ -3,25 +3,17 @@
 
 namespace {
 
-Study study_from(const std::string& toml) { return parse_study(toml, "my.toml", completed(toml)); }
-
-std::string said_of_study(const std::string& toml) {
-  return complaint<std::invalid_argument>([&] { study_from(toml); });
-}
-
 const std::string own_entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
 
 }  // namespace
 
 TEST_CASE("an entry says whether the study goes on where its solver was not built", "[study][peers]") {
-  const Study study = study_from(own_entry + "if_missing = \"leave_out\"\n");
+  const Study study = read(own_entry + "if_missing = \"leave_out\"\n");
   CHECK(study.solvers.front().if_missing == IfMissing::leave_out);
   CHECK(study.left_out.empty());
-  CHECK(study_from(to_toml(study)).solvers.front().if_missing == IfMissing::leave_out);
-  CHECK(series_key(study, study.solvers.front()) ==
-        series_key(study_from(own_entry), study_from(own_entry).solvers.front()));
-  CHECK_THROWS_WITH(study_from(own_entry + "if_missing = \"skip\"\n"),
-                    ContainsSubstring("one of \"refuse\", \"leave_out\""));
+  CHECK(read(to_toml(study)).solvers.front().if_missing == IfMissing::leave_out);
+  CHECK(series_key(study, study.solvers.front()) == series_key(read(own_entry), read(own_entry).solvers.front()));
+  CHECK_THROWS_WITH(read(own_entry + "if_missing = \"skip\"\n"), ContainsSubstring("one of \"refuse\", \"leave_out\""));
 }
 
 TEST_CASE("a study that names a peer that was not built is refused, or goes on without it if it says so",
@@ -29,10 +21,10 @@ TEST_CASE("a study that names a peer that was not built is refused, or goes on w
   for (const MissingPeer& peer : missing_peers()) {
     CAPTURE(peer.name);
     const std::string entry = "[[solvers]]\nsolver = \"" + peer.name + "\"\nlabel = \"theirs\"\n";
-    const std::string said = said_of_study(entry + own_entry);
+    const std::string said = said_of(entry + own_entry);
     CHECK(said.starts_with("my.toml:2"));
     CHECK(contains(said, peer.how));
-    const Study without = study_from(entry + "if_missing = \"leave_out\"\n" + own_entry);
+    const Study without = read(entry + "if_missing = \"leave_out\"\n" + own_entry);
     REQUIRE(without.left_out.size() == 1);
     CHECK(without.left_out.front().label == "theirs");
     CHECK(without.left_out.front().why == peer.how);
@@ -44,10 +36,10 @@ TEST_CASE("a study that names a peer that was not built is refused, or goes on w
 TEST_CASE("a solver that cannot solve for the study's arm or search is refused with the reason", "[study][peers]") {
   if (std::ranges::count(missing_peers(), "kdl_newton", &MissingPeer::name) > 0) return;
   const std::string newton = "[[solvers]]\nsolver = \"kdl_newton\"\n";
-  const std::string said = said_of_study("search = \"all_joints\"\n" + newton);
+  const std::string said = said_of("search = \"all_joints\"\n" + newton);
   CHECK(said.starts_with("my.toml:3:10: "));
   CHECK(contains(said, "search = \"pose\""));
-  CHECK(study_from("search = \"pose\"\n" + newton).solvers.size() == 1);
+  CHECK(read("search = \"pose\"\n" + newton).solvers.size() == 1);
 }
 
 TEST_CASE("nobody counts the evaluations of a library with kinematics of its own", "[peers]") {

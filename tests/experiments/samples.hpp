@@ -26,6 +26,7 @@
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 #include "tests/common.hpp"
+#include "tests/numerics/reference.hpp"
 #include "tests/results/samples.hpp"
 #include "tests/solvers_for.hpp"
 
@@ -48,12 +49,19 @@ inline experiments::Overrides completed(const std::string& toml, const experimen
   return all;
 }
 
+inline experiments::Study read(const std::string& toml, const experiments::Overrides& overrides = {}) {
+  return experiments::parse_study(toml, "my.toml", completed(toml, overrides));
+}
+// The complaint about a file, or "" if it is a study.
+inline std::string said_of(const std::string& toml, const experiments::Overrides& overrides = {}) {
+  return complaint<std::invalid_argument>([&] { read(toml, overrides); });
+}
+
 // The default path with settings, as by --set: path_of({"kind=circle", "points=4"}).
 inline experiments::Path path_of(const std::vector<std::string>& settings) {
   experiments::Overrides overrides;
   for (const std::string& setting : settings) overrides.push_back("path." + setting);
-  const std::string entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
-  return experiments::parse_study(entry, "a path", completed(entry, overrides)).path;
+  return read("[[solvers]]\nsolver = \"ik_bat\"\n", overrides).path;
 }
 
 // A path of these poses, of any numbers.

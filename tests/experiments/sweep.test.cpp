@@ -3,14 +3,6 @@
 
 namespace {
 
-Study swept(const std::string& toml, const Overrides& overrides = {}) {
-  return parse_study(toml, "my.toml", completed(toml, overrides));
-}
-
-std::string complaint_about(const std::string& toml, const Overrides& overrides = {}) {
-  return complaint<std::invalid_argument>([&] { swept(toml, overrides); });
-}
-
 using SweptLabels = std::vector<std::string>;
 
 const std::string two_bats =
@@ -19,7 +11,7 @@ const std::string two_bats =
 }  // namespace
 
 TEST_CASE("an entry with lists becomes one entry per combination", "[sweep]") {
-  const Study study = swept(
+  const Study study = read(
       "[[solvers]]\nlabel = \"IK-BA\"\nsolver = \"ik_bat\"\npopulation = [20, 40]\n"
       "options = { alpha = [0.5, 0.97], bounds = \"clamp\" }\n[[solvers]]\nsolver = \"bat\"\n");
   CHECK(labels_of(study) == SweptLabels{"IK-BA alpha=0.5 population=20", "IK-BA alpha=0.5 population=40",
@@ -33,28 +25,28 @@ TEST_CASE("an entry with lists becomes one entry per combination", "[sweep]") {
 
 TEST_CASE("a swept key is of every solver that has it, or of the one before the dot", "[sweep]") {
   const std::string study = two_bats + "[[solvers]]\nsolver = \"newton\"\n";
-  CHECK(labels_of(swept(study, {sweep_override("alpha=0.5,0.9")})) ==
+  CHECK(labels_of(read(study, {sweep_override("alpha=0.5,0.9")})) ==
         SweptLabels{"IK-BA alpha=0.5", "IK-BA alpha=0.9", "BA alpha=0.5", "BA alpha=0.9", "newton"});
   const SweptLabels of_one{"IK-BA", "BA alpha=0.5", "BA alpha=0.9", "newton"};
-  CHECK(labels_of(swept(study, {sweep_override("BA.alpha=.5,0.90")})) == of_one);
-  CHECK(labels_of(swept(study, {sweep_override("bat.alpha=0.5,0.9")})) == of_one);
-  CHECK(labels_of(swept(study, {sweep_override("alpha=0.1"), sweep_override("BA.alpha=0.5,0.9")})).size() == 4);
-  CHECK(swept(study, {sweep_override("population=10,20")}).solvers.size() == 6);
-  CHECK(labels_of(swept(two_bats, {sweep_override("IK-BA.bounds=clamp,initial")})) ==
+  CHECK(labels_of(read(study, {sweep_override("BA.alpha=.5,0.90")})) == of_one);
+  CHECK(labels_of(read(study, {sweep_override("bat.alpha=0.5,0.9")})) == of_one);
+  CHECK(labels_of(read(study, {sweep_override("alpha=0.1"), sweep_override("BA.alpha=0.5,0.9")})).size() == 4);
+  CHECK(read(study, {sweep_override("population=10,20")}).solvers.size() == 6);
+  CHECK(labels_of(read(two_bats, {sweep_override("IK-BA.bounds=clamp,initial")})) ==
         SweptLabels{"IK-BA bounds=clamp", "IK-BA bounds=initial", "BA"});
 }
 
 TEST_CASE("a swept entry and one written by hand with its label share their solves", "[sweep]") {
-  const Study study = swept("[[solvers]]\nlabel = \"A\"\nsolver = \"ik_bat\"\npopulation = [20, 40]\n");
-  const Study by_hand = swept("[[solvers]]\nlabel = \"A population=40\"\nsolver = \"ik_bat\"\npopulation = 40\n");
+  const Study study = read("[[solvers]]\nlabel = \"A\"\nsolver = \"ik_bat\"\npopulation = [20, 40]\n");
+  const Study by_hand = read("[[solvers]]\nlabel = \"A population=40\"\nsolver = \"ik_bat\"\npopulation = 40\n");
   CHECK(series_key(study, study.solvers[1]) == series_key(by_hand, by_hand.solvers[0]));
   CHECK(series_key(study, study.solvers[0]) != series_key(by_hand, by_hand.solvers[0]));
 }
 
 TEST_CASE("a swept study is written entry by entry, and read again with the same series", "[sweep]") {
-  const Study study = swept(two_bats, {sweep_override("population=10,20,50"), sweep_override("IK-BA.alpha=0.5,0.9"),
-                                       sweep_override("IK-BA.bounds=clamp,initial")});
-  const Study again = swept(to_toml(study));
+  const Study study = read(two_bats, {sweep_override("population=10,20,50"), sweep_override("IK-BA.alpha=0.5,0.9"),
+                                      sweep_override("IK-BA.bounds=clamp,initial")});
+  const Study again = read(to_toml(study));
   CHECK(to_toml(again) == to_toml(study));
   CHECK(to_json(again) == to_json(study));
   CHECK(series_of(again).size() == 15);
@@ -62,14 +54,14 @@ TEST_CASE("a swept study is written entry by entry, and read again with the same
 }
 
 TEST_CASE("mistakes in a sweep are told with their place and what was expected", "[sweep]") {
-  CHECK(contains(complaint_about(two_bats, {sweep_override("BB.alpha=0.5")}), "unknown solver \"BB\""));
-  CHECK(contains(complaint_about(two_bats, {sweep_override("alhpa=0.5")}),
+  CHECK(contains(said_of(two_bats, {sweep_override("BB.alpha=0.5")}), "unknown solver \"BB\""));
+  CHECK(contains(said_of(two_bats, {sweep_override("alhpa=0.5")}),
                  "--sweep alhpa: unknown setting \"alhpa\"; did you mean \"alpha\"?"));
-  CHECK(contains(complaint_about(two_bats, {sweep_override("BA.alhpa=0.5")}), "alpha"));
-  CHECK(contains(complaint_about(two_bats, {sweep_override("population=1,b")}), "a whole number"));
+  CHECK(contains(said_of(two_bats, {sweep_override("BA.alhpa=0.5")}), "alpha"));
+  CHECK(contains(said_of(two_bats, {sweep_override("population=1,b")}), "a whole number"));
   for (const std::string text : {"population", "=1", "population="})
     CHECK(contains(complaint<std::invalid_argument>([&] { sweep_override(text); }), "expected setting=values"));
-  CHECK(contains(complaint_about(two_bats, {sweep_override("alpha=nan,1")}), "a finite number"));
+  CHECK(contains(said_of(two_bats, {sweep_override("alpha=nan,1")}), "a finite number"));
 }
 
 TEST_CASE("a study has at most 400 entries, swept ones too", "[sweep]") {
@@ -77,20 +69,20 @@ TEST_CASE("a study has at most 400 entries, swept ones too", "[sweep]") {
   for (int value = 2; value <= 40; ++value) values += "," + std::to_string(value);
   const Overrides both{sweep_override("IK-BA.population=" + values),
                        sweep_override("IK-BA.alpha=0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,0.95,0.99")};
-  CHECK(contains(complaint_about(two_bats, both), "the sweep of IK-BA makes more than 400 solvers"));
+  CHECK(contains(said_of(two_bats, both), "the sweep of IK-BA makes more than 400 solvers"));
   const Overrides each{sweep_override("population=" + values), sweep_override("alpha=0.1,0.2,0.3,0.4,0.5,0.6")};
-  CHECK(contains(complaint_about(two_bats, each), "the entries make more than 400 solvers; expected at most 400"));
+  CHECK(contains(said_of(two_bats, each), "the entries make more than 400 solvers; expected at most 400"));
 }
 
 TEST_CASE("a label that is kept may have commas", "[sweep]") {
   std::string text = two_bats;
   text.replace(text.find("\"BA\""), 4, "\"IK-BA, twice\"");
   for (const SweptLabels& lists : {SweptLabels{"IK-BA, twice,IK-BA"}, {"IK-BA", "IK-BA, twice"}}) {
-    Study both = swept(text);
+    Study both = read(text);
     keep_only(both, lists);
     CHECK(both.solvers.size() == 2);
   }
-  Study one = swept(text);
+  Study one = read(text);
   keep_only(one, {"IK-BA, twice"});
   CHECK(labels_of(one) == SweptLabels{"IK-BA, twice"});
   CHECK(contains(complaint<std::invalid_argument>([&] { keep_only(one, {"IK-BA, twice, IK-BA"}); }),
@@ -99,7 +91,7 @@ TEST_CASE("a label that is kept may have commas", "[sweep]") {
 
 TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]") {
   const std::string controlled = two_bats + "[analysis]\ncontrol = \"BA\"\n[figures]\nsolvers = [\"IK-BA\"]\n";
-  Study split = swept(controlled, {sweep_override("BA.alpha=0.5,0.9")}), whole = swept(controlled);
+  Study split = read(controlled, {sweep_override("BA.alpha=0.5,0.9")}), whole = read(controlled);
   CHECK(split.plan.control.empty());
   CHECK(split.notes.size() == 1);
   keep_only(split, {"BA"});
@@ -112,5 +104,5 @@ TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]
   keep_only(whole, {"IK-BA"});
   CHECK(labels_of(whole) == SweptLabels{"IK-BA"});
   CHECK(whole.plan.control.empty());
-  CHECK(contains(complaint_about(two_bats + "[analysis]\ncontrol = \"AB\"\n"), "unknown label \"AB\""));
+  CHECK(contains(said_of(two_bats + "[analysis]\ncontrol = \"AB\"\n"), "unknown label \"AB\""));
 }

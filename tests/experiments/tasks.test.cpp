@@ -6,9 +6,7 @@ namespace {
 using std::numbers::pi;
 
 Study study_of_robot(const std::string& robot, const std::string& text) {
-  const std::string toml =
-      "robot = \"" + robot + "\"\nsearch = \"all_joints\"\n" + text + "\n[[solvers]]\nsolver = \"bat\"\n";
-  return parse_study(toml, "my.toml", completed(toml));
+  return read("robot = \"" + robot + "\"\nsearch = \"all_joints\"\n" + text + "\n[[solvers]]\nsolver = \"bat\"\n");
 }
 
 std::string refusal_of(const std::string& robot, const std::string& text) {

@@ -4,12 +4,6 @@
 namespace {
 
 using std::numbers::pi;
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Eigen::VectorXd angles(std::initializer_list<double> values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
-}
 
 Pose place(double x, double y, double z) { return Pose(Eigen::Translation3d(x, y, z)); }
 
@@ -18,22 +12,13 @@ constexpr Requirement any{.claimed_error = 0};
 }  // namespace
 
 TEST_CASE("joints of any kind, bases and tools are in both forward kinematics", "[verifier]") {
-  std::mt19937_64 random(14);
-  std::uniform_real_distribution<double> length(-1, 1), angle(-pi, pi);
-  const auto lengths = [&] { return Eigen::Vector3d(length(random), length(random), length(random)); };
-  const auto turns = [&] { return Eigen::Vector3d(angle(random), angle(random), angle(random)); };
+  Dice dice;
   for (int i = 0; i < 1000; ++i) {
-    std::vector<DhLink> links(1 + random() % 8);
-    for (DhLink& link : links) {
-      link = {length(random), angle(random), length(random), angle(random), static_cast<Joint>(random() % 3)};
-      if (random() % 2 == 0) link.alpha = 0;  // of coupled links in a row
-    }
-    const Chain chain(links, {lengths(), turns()}, {lengths(), turns()});
-    Eigen::VectorXd q(chain.joints());
-    for (double& joint : q) joint = angle(random);
+    const Chain chain = random_chain(dice);
+    const Eigen::VectorXd q = random_joints(chain, dice);
     const Eigen::Matrix4d verified = verified_pose(chain, q);
     REQUIRE((verified - chain.forward(q).matrix()).cwiseAbs().maxCoeff() <= 1e-12);
-    const Eigen::Vector3d target = lengths();
+    const Eigen::Vector3d target(dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1));
     Eigen::VectorXd error(1);
     chain.position_errors(q, target, error);
     REQUIRE(std::abs(error[0] - (verified.topRightCorner<3, 1>() - target).norm()) <= 1e-12);
@@ -64,7 +49,7 @@ TEST_CASE("an arm from a URDF file is verified by its origins and axes, not by t
 
 TEST_CASE("the position error is the Euclidean distance", "[verifier][paper]") {
   // The tool is at (1, 0, 0); the target 0.3 m, 0.4 m, 1.2 m off: 1.3 m away (Eq. 1).
-  const Verification verified = verify(robot("planar_2"), place(1.3, 0.4, -1.2), angles({0, 0}), angles({0, 0}));
+  const Verification verified = verify(robot("planar_2"), place(1.3, 0.4, -1.2), vector_of({0, 0}), vector_of({0, 0}));
   CHECK(verified.position_error == Approx(1.3));
 }
 
@@ -73,7 +58,7 @@ TEST_CASE("the orientation error is ||R - Rd|| / ||Rd||", "[verifier][paper]") {
   const auto error_at = [](double theta) {
     Pose target = place(1, 0, 0);
     target.linear() = Eigen::AngleAxisd(theta, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    return verify(robot("planar_2"), target, angles({0, 0}), angles({0, 0})).orientation_error;
+    return verify(robot("planar_2"), target, vector_of({0, 0}), vector_of({0, 0})).orientation_error;
   };
   CHECK(error_at(0) == Approx(0).margin(1e-15));
   CHECK(error_at(pi / 2) == Approx(2 / std::sqrt(3.0)));  // sqrt(4/3)
@@ -83,22 +68,22 @@ TEST_CASE("the orientation error is ||R - Rd|| / ||Rd||", "[verifier][paper]") {
 
 TEST_CASE("the variation is the norm of the joint moves over all joints, the largest move that of one",
           "[verifier][paper]") {
-  const Eigen::VectorXd start = angles({0.1, 0.2, 0.3});
-  const Verification verified = verify(robot("planar_3"), place(0, 0, 0), start, start + angles({0.3, -0.4, 1.2}));
+  const Eigen::VectorXd start = vector_of({0.1, 0.2, 0.3});
+  const Verification verified = verify(robot("planar_3"), place(0, 0, 0), start, start + vector_of({0.3, -0.4, 1.2}));
   CHECK(verified.variation == Approx(1.3));  // Eq. 12: sqrt(0.09 + 0.16 + 1.44)
   CHECK(verified.largest_move == Approx(1.2));
   const Verification of_two =
-      verify(robot("planar_3"), place(0, 0, 0), start, start + angles({0.3, -0.4, 1.2}), false, 2);
+      verify(robot("planar_3"), place(0, 0, 0), start, start + vector_of({0.3, -0.4, 1.2}), false, 2);
   CHECK(of_two.variation == Approx(0.5));
   CHECK(of_two.largest_move == Approx(1.2));  // of all joints
-  CHECK(verify(robot("planar_3"), place(0, 0, 0), start, start + angles({0.3, -0.4, 0.2})).largest_move ==
+  CHECK(verify(robot("planar_3"), place(0, 0, 0), start, start + vector_of({0.3, -0.4, 0.2})).largest_move ==
         Approx(0.4));  // a move down is a move
 }
 
 TEST_CASE("metres of joints that slide and radians of those that turn are never added", "[verifier]") {
   const Robot arm = robot("stanford");  // its third joint slides, from 0.3048 to 1.27 m
-  const Eigen::VectorXd start = angles({0, 0, 0.5, 0, 0, 0});
-  const Verification verified = verify(arm, place(0, 0, 0), start, start + angles({0.3, 0, 0.8, 0, -0.4, 0}));
+  const Eigen::VectorXd start = vector_of({0, 0, 0.5, 0, 0, 0});
+  const Verification verified = verify(arm, place(0, 0, 0), start, start + vector_of({0.3, 0, 0.8, 0, -0.4, 0}));
   CHECK(verified.variation == Approx(0.5));
   CHECK(verified.variation_m == Approx(0.8));
   CHECK(verified.largest_move == Approx(0.4));
@@ -119,7 +104,7 @@ TEST_CASE("a joint without limits violates none, however far it turns, unless it
 TEST_CASE("the limit violation is that of the worst joint, on either side", "[verifier]") {
   const double degree = pi / 180;  // limits of the iiwa: 170, 120, 170, 120, 170, 120, 175 deg, Table 2
   const auto violation_deg = [&](std::initializer_list<double> degrees) {
-    const Eigen::VectorXd q = angles(degrees) * degree;
+    const Eigen::VectorXd q = vector_of(degrees) * degree;
     return verify(robot("kuka_iiwa14"), place(0, 0, 0), Eigen::VectorXd::Zero(7), q).limit_violation / degree;
   };
   CHECK(violation_deg({170, -120, 170, -120, 170, -120, 175}) == Approx(0).margin(1e-12));
@@ -145,7 +130,7 @@ TEST_CASE("an answer that is not finite gives errors that are not finite", "[ver
 
 TEST_CASE("a joint outside its limits by more than rounding is a violation", "[verifier]") {
   const auto violated = [](double outside) {  // the limits of planar_2 are +-180 deg
-    return verify(robot("planar_2"), place(0, 0, 0), angles({0, 0}), angles({0, pi + outside})).limit_violation;
+    return verify(robot("planar_2"), place(0, 0, 0), vector_of({0, 0}), vector_of({0, pi + outside})).limit_violation;
   };
   CHECK(violated(2e-9) == Approx(2e-9));
   CHECK(violated(0.5e-9) == 0);
@@ -155,7 +140,7 @@ TEST_CASE("a joint outside its limits by more than rounding is a violation", "[v
 
 TEST_CASE("the angle between a target and the tool is that by which the one is turned from the other", "[verifier]") {
   const Robot arm = robot("ur5e");
-  const Eigen::VectorXd q = angles({0.1, -0.2, 0.3, -0.4, 0.5, -0.6});
+  const Eigen::VectorXd q = vector_of({0.1, -0.2, 0.3, -0.4, 0.5, -0.6});
   for (const double angle : {0.0, 1e-9, 1e-3, 0.5, pi / 2, 3.0, pi}) {
     Pose target = arm.chain.forward(q);
     target.rotate(Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, -3).normalized()));
@@ -221,7 +206,7 @@ TEST_CASE("a status is the most severe of what is wrong by more than rounding", 
 TEST_CASE("what is claimed of a pose or an axis has to hold of its position and of its orientation", "[verifier]") {
   const bool is_axis = GENERATE(false, true);
   const Robot arm = robot("ur5e");
-  const Eigen::VectorXd q = angles({0.1, -0.2, 0.3, -0.4, 0.5, -0.6});
+  const Eigen::VectorXd q = vector_of({0.1, -0.2, 0.3, -0.4, 0.5, -0.6});
   Pose target = arm.chain.forward(q);
   target.rotate(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX()));
   target.translation() += Eigen::Vector3d(0.03, 0, 0.04);

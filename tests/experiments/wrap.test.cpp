@@ -78,9 +78,7 @@ TEST_CASE("the nearest answers differ by whole turns, move no farther, and no tu
 
 TEST_CASE("where the whole pose is searched, answers are turned to the nearest, if the study says nothing", "[wrap]") {
   const auto wrap_of = [](const std::string& search) {
-    return parse_study("robot = 'ur5e'\n" + search + "path.kind = 'random'\nsolvers = [{ solver = 'newton' }]\n",
-                       "a study")
-        .wrap;
+    return read("robot = 'ur5e'\n" + search + "path.kind = 'random'\nsolvers = [{ solver = 'newton' }]\n").wrap;
   };
   CHECK(wrap_of("search = 'pose'\n") == Wrap::nearest);
   CHECK(wrap_of("search = 'pose'\nwrap = 'no'\n") == Wrap::no);

@@ -360,7 +360,6 @@ TEST_CASE("two solvers that repeat themselves differ by a fact", "[compare]") {
 }
 
 TEST_CASE("which group stands first changes no p", "[compare]") {
-  constexpr double no_answer = std::numeric_limits<double>::infinity();
   const auto p_of = [](const Group& first, const Group& second, Scale scale) {
     Observations of = groups_of({{}, {}}, scale);
     of.groups = {first, second};
@@ -371,7 +370,7 @@ TEST_CASE("which group stands first changes no p", "[compare]") {
       equal{.name = "B", .sample = Measured{.values = std::vector(12, 2.0)}},
       no_share{.name = "B", .sample = Measured{.values = std::vector(12, 0.0)}},
       copies{.name = "A", .sample = Measured{.values = std::vector(20, 1.5), .may_be_copies = true}},
-      without{.name = "B", .sample = Measured{.values = std::vector(8, no_answer)}};
+      without{.name = "B", .sample = Measured{.values = std::vector(8, ikbench::infinity)}};
   CHECK(p_of(one, equal, Scale::ratio) == 2 / 4096.0);
   CHECK(p_of(equal, one, Scale::ratio) == 2 / 4096.0);
   CHECK(p_of(one, no_share, Scale::share) < 0.001);

@@ -6,7 +6,6 @@ using ikbench::results::StopReason;
 namespace {
 
 using Numbers = std::vector<double>;
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 const Asked chained{}, fixed_targets{.start = "middle"}, drawn{.start = "middle", .targets = "drawn"},
     drawn_runs{.start = "previous", .targets = "drawn"};
 const auto as_made = [](SolveRecord&) {};
@@ -117,7 +116,7 @@ TEST_CASE("Numbers that are not finite are lost; a solve without an answer has i
   const auto fails = [](SolveRecord& solve) {
     if (solve.label != "A" || solve.run != 2 || solve.point > 3) return;
     solve.status = solve.point == 1 ? Status::not_finite : Status::crashed;
-    if (solve.point == 1) solve.position_error_cm = no_number;
+    if (solve.point == 1) solve.position_error_cm = ikbench::not_a_number;
   };
   const StudyResults of = study(drawn, fails);
   CHECK(lost_in(group(observed(of), "A")) == 1);

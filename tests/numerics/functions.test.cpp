@@ -10,9 +10,6 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 // Two numbers next to a multiple of a quarter turn, where the rest of the angle is smallest.
 std::vector<double> hard_angles(Dice& dice, double most, int count) {
   std::vector<double> angles;

@@ -65,6 +65,13 @@ class Row {
   std::size_t first_, count_;
 };
 
+// Of rows of candidates.
+inline std::vector<std::size_t> sizes() {
+  std::vector<std::size_t> sizes{1000};
+  for (std::size_t size = 0; size <= 40; ++size) sizes.push_back(size);
+  return sizes;
+}
+
 inline bool same_bits(const double* a, const double* b, std::size_t count) {
   return count == 0 || std::memcmp(a, b, count * sizeof(double)) == 0;
 }

@@ -94,4 +94,41 @@ struct Dice {
   int below(int count) { return static_cast<int>(engine() % static_cast<unsigned>(count)); }
 };
 
+// Half of them have joints of any kind; in the others all turn.
+inline std::vector<robots::DhLink> random_links(Dice& dice, int joints) {
+  constexpr double pi = std::numbers::pi;
+  const bool all_turn = dice.below(2) == 0;
+  std::vector<robots::DhLink> links(static_cast<std::size_t>(joints));
+  for (robots::DhLink& link : links) {
+    const int turns = dice.below(5) - 2;  // exact quarter turns, also two; or any twist
+    link = {.a = dice.below(2) == 0 ? 0 : dice.between(-1, 1),
+            .alpha = dice.below(3) == 0 ? dice.between(-pi, pi) : turns * (pi / 2),
+            .d = dice.below(2) == 0 ? 0 : dice.between(-1, 1),
+            .offset = dice.below(2) == 0 ? 0 : dice.between(-pi, pi),
+            .joint = all_turn ? robots::Joint::turns : static_cast<robots::Joint>(dice.below(3))};
+  }
+  return links;
+}
+
+// Of up to nine joints, perhaps with a base and a turned tool.
+inline robots::Chain random_chain(Dice& dice) {
+  const auto three = [&](double most) -> Eigen::Vector3d {
+    return {dice.between(-most, most), dice.between(-most, most), dice.between(-most, most)};
+  };
+  robots::Frame base, tool{.position = three(1)};
+  if (dice.below(2) == 0) base = {three(1), three(std::numbers::pi)};
+  if (dice.below(2) == 0) tool.rpy = three(std::numbers::pi);
+  return {random_links(dice, 1 + dice.below(9)), base, tool};
+}
+
+inline Eigen::VectorXd random_joints(const robots::Chain& chain, Dice& dice, double most_turned = 3) {
+  Eigen::VectorXd q(chain.joints());
+  for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = (chain.slides(j) ? 3 : most_turned) * dice.between(-1, 1);
+  return q;
+}
+
+inline Eigen::VectorXd vector_of(std::initializer_list<double> values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
+
 }  // namespace ikbench

@@ -1,6 +1,4 @@
 // Merged stores: nothing twice, nothing lost, nothing mixed up.
-#include <signal.h>
-
 #include "tests/results/samples.hpp"
 
 namespace {
@@ -17,24 +15,6 @@ void make_store(const fs::path& file, const std::string& machine, const std::vec
     record.session = session;
     store.append({record});
   }
-}
-
-void edit(const fs::path& store, const std::string& sql) {
-  SQLite::Database(store.string(), SQLite::OPEN_READWRITE).exec(sql);
-}
-
-// A store as a kill in the middle of a transaction leaves it.
-void make_half_written(const fs::path& file) {
-  std::vector<int> runs(40);
-  std::iota(runs.begin(), runs.end(), 101);
-  make_store(file, "killed", runs);
-  const pid_t writer = in_a_process([&] {
-    SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE);
-    sqlite.exec("PRAGMA cache_size = 1; BEGIN; UPDATE solves SET trace_cm = '[1]'; UPDATE solves SET trace_cm = '[2]'");
-    return kill(getpid(), SIGKILL) == 0;
-  });
-  CHECK(exit_code(writer) == -1);
-  REQUIRE(fs::exists(file.string() + "-journal"));
 }
 
 // Without a check of the made-up solves.
@@ -208,7 +188,10 @@ TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged
 TEST_CASE("a store that a kill left half-written is mended, and merged", "[merge]") {
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1, 3});
-  make_half_written(folder.path / "b");
+  std::vector<int> runs(40);
+  std::iota(runs.begin(), runs.end(), 101);
+  make_store(folder.path / "b", "killed", runs);
+  leave_half_written(folder.path / "b");
   write_text(folder.path / "c", "");
   const Merged merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b", folder.path / "c"});
   CHECK(merged.added == 42);

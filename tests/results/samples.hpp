@@ -3,6 +3,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
+#include <signal.h>
 
 #include <nlohmann/json.hpp>
 
@@ -69,6 +70,21 @@ inline results::StoredStudy sample_study(const std::string& name = "table-3") {
           .definition = results::definition_of(R"({"robot":"iiwa14","runs":20,"points":20})"),
           .series = {{.key = "key-a", .label = "IK-BA", .algorithm = "ik_ba", .options = R"({"gamma":0.1})"},
                      {.key = "key-b", .label = "BA", .algorithm = "ba", .options = "{}"}}};
+}
+
+inline void edit(const std::filesystem::path& store, const std::string& sql) {
+  SQLite::Database(store.string(), SQLite::OPEN_READWRITE).exec(sql);
+}
+
+// Leaves a store as a kill in the middle of a transaction does.
+inline void leave_half_written(const std::filesystem::path& store) {
+  const pid_t writer = in_a_process([&] {
+    SQLite::Database sqlite(store.string(), SQLite::OPEN_READWRITE);
+    sqlite.exec("PRAGMA cache_size = 1; BEGIN; UPDATE solves SET trace_cm = hex(zeroblob(9000))");
+    return kill(getpid(), SIGKILL) == 0;
+  });
+  CHECK(exit_code(writer) == -1);
+  REQUIRE(std::filesystem::exists(store.string() + "-journal"));
 }
 
 inline std::string csv_of(const std::vector<results::SolveRecord>& solves) {

@@ -60,7 +60,12 @@ void read_everything(const std::filesystem::path& file) {
 TEST_CASE("what is not a store is refused in a sentence", "[store][faults]") {
   const ScratchFolder folder;
   const auto file = folder.path / "a.ikb";
+  const auto other = folder.path / "other.db";
+  SQLite::Database(other.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE t (a)");
+  const std::string before = text_in(other);
   for (const auto mode : {Store::Mode::read, Store::Mode::write}) {
+    CHECK_THAT(refusal(other, mode), ContainsSubstring("is not an ikbench store: another program wrote it"));
+    CHECK(text_in(other) == before);
     CHECK_THAT(refusal(folder.path, mode), ContainsSubstring("is a folder"));
     CHECK_THAT(refusal("", mode), ContainsSubstring("is a folder"));
     CHECK_THAT(refusal("/dev/null", mode), ContainsSubstring("is not a regular file"));
@@ -75,16 +80,6 @@ TEST_CASE("what is not a store is refused in a sentence", "[store][faults]") {
   CHECK_THAT(refusal(file / "below" / "a.ikb", Store::Mode::write), ContainsSubstring("cannot write"));
 }
 
-TEST_CASE("another program's database is refused and left as it is", "[store][faults]") {
-  const ScratchFolder folder;
-  const auto file = folder.path / "other.db";
-  SQLite::Database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE t (a)");
-  const std::string before = text_in(file);
-  for (const auto mode : {Store::Mode::read, Store::Mode::write})
-    CHECK_THAT(refusal(file, mode), ContainsSubstring("is not an ikbench store: another program wrote it"));
-  CHECK(text_in(file) == before);
-}
-
 TEST_CASE("an empty file is no store to a reader and a new store to a writer", "[store][faults]") {
   const ScratchFolder folder;
   const auto file = folder.path / "a.ikb";
@@ -97,7 +92,7 @@ TEST_CASE("an empty file is no store to a reader and a new store to a writer", "
 TEST_CASE_METHOD(StoreFile, "a store of another version is refused and stays as it is", "[store][faults]") {
   for (const int version : {-1, 0, 1, 2, 700}) {
     CAPTURE(version);
-    SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(fmt::format("PRAGMA user_version = {}", version));
+    edit(file, fmt::format("PRAGMA user_version = {}", version));
     const std::string before = text_in(file);
     for (const auto mode : {Store::Mode::read, Store::Mode::write, Store::Mode::write_shared})
       CHECK_THAT(refusal(file, mode),
@@ -171,7 +166,7 @@ TEST_CASE_METHOD(StoreFile, "a value that ikbench does not write is damage, and 
            {"repeats = 5000000000", "repeats: 5000000000"}}) {
     CAPTURE(change);
     const StoreFile other;
-    SQLite::Database(other.file.string(), SQLite::OPEN_READWRITE).exec("UPDATE solves SET " + change);
+    edit(other.file, "UPDATE solves SET " + change);
     const std::string said = complaint<std::invalid_argument>([&] { read_everything(other.file); });
     CHECK_THAT(said, ContainsSubstring(quoted(other.file) + " is damaged") && ContainsSubstring(word));
   }
@@ -191,7 +186,7 @@ TEST_CASE("a store with other tables, views, indexes or triggers than ours is re
        "PRAGMA writable_schema = ON; UPDATE sqlite_master SET sql = replace(sql, 'STRICT', '') WHERE name = 'solves'"}) {
     CAPTURE(change);
     const StoreFile store;
-    SQLite::Database(store.file.string(), SQLite::OPEN_READWRITE).exec(change);
+    edit(store.file, change);
     for (const auto mode : {Store::Mode::read, Store::Mode::write})
       CHECK_THAT(refusal(store.file, mode), ContainsSubstring("its tables and views are not those that ikbench makes"));
   }
@@ -206,7 +201,7 @@ TEST_CASE("studies that no study file makes are damage", "[store][faults]") {
        "has more than 400 solvers"}};
   for (const auto& [change, word] : changes) {
     const StoreFile store;
-    SQLite::Database(store.file.string(), SQLite::OPEN_READWRITE).exec(change);
+    edit(store.file, change);
     CHECK_THAT(complaint<std::invalid_argument>([&] { Store(store.file, Store::Mode::read).studies(); }),
                ContainsSubstring("is damaged (") && ContainsSubstring(word));
   }
@@ -372,13 +367,7 @@ TEST_CASE_METHOD(StoreFile,
 
 TEST_CASE_METHOD(StoreFile, "a store that a kill left half-written is told apart, and writing mends it",
                  "[store][faults]") {
-  const pid_t writer = in_a_process([&] {
-    SQLite::Database sqlite(file.string(), SQLite::OPEN_READWRITE);
-    sqlite.exec("PRAGMA cache_size = 1; BEGIN; UPDATE solves SET trace_cm = hex(zeroblob(9000))");
-    return kill(getpid(), SIGKILL) == 0;
-  });
-  CHECK(exit_code(writer) == -1);
-  REQUIRE(std::filesystem::exists(file.string() + "-journal"));
+  leave_half_written(file);
   CHECK_THAT(refusal(file), ContainsSubstring("is half-written, because ikbench was killed") &&
                                 ContainsSubstring(quoted(std::filesystem::path(file.string() + "-journal"))) &&
                                 ContainsSubstring("give the command that was killed again"));

@@ -47,7 +47,6 @@ TEST_CASE("arms of the library whose last three axes meet have a spherical wrist
 TEST_CASE("a joint that turns without end has no limits, and is drawn from half a turn each way of where it is",
           "[arms]") {
   const JointLimits limits = robot("kinova_gen3").limits;
-  constexpr double infinity = std::numeric_limits<double>::infinity(), pi = std::numbers::pi;
   CHECK(limits.lower[0] == -infinity);
   CHECK(limits.upper[0] == infinity);
   CHECK(limits.upper[1] == Approx(2.24).epsilon(1e-8));
@@ -56,7 +55,7 @@ TEST_CASE("a joint that turns without end has no limits, and is drawn from half 
   CHECK(limits.violation(q) == 0);
   q[0] = 2;
   const JointLimits range = limits.around(q);
-  CHECK(range.lower[0] == 2 - pi);
-  CHECK(range.upper[0] == 2 + pi);
+  CHECK(range.lower[0] == 2 - std::numbers::pi);
+  CHECK(range.upper[0] == 2 + std::numbers::pi);
   CHECK(range.lower[1] == limits.lower[1]);
 }

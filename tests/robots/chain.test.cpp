@@ -4,11 +4,7 @@ using std::numbers::pi;
 
 namespace {
 
-Eigen::VectorXd degrees(std::initializer_list<double> angles) {
-  Eigen::VectorXd q(static_cast<Eigen::Index>(angles.size()));
-  std::copy(angles.begin(), angles.end(), q.begin());
-  return q * pi / 180;
-}
+Eigen::VectorXd degrees(std::initializer_list<double> angles) { return vector_of(angles) * pi / 180; }
 
 }  // namespace
 

@@ -8,35 +8,9 @@ namespace {
 
 constexpr double quarter = pi / 2;
 
-Eigen::VectorXd joints(std::initializer_list<double> values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
-}
-
 void check_position(const Chain& chain, std::initializer_list<double> q, const Eigen::Vector3d& expected) {
-  CAPTURE(chain.position(joints(q)).transpose(), expected.transpose());
-  CHECK((chain.position(joints(q)) - expected).norm() < 1e-15);
-}
-
-// A random arm: joints of all kinds, quarter turns and general twists, lengths of 0 and others, perhaps a base and a
-// turned tool.
-Chain random_chain(Dice& dice) {
-  const auto length = [&] { return dice.below(2) == 0 ? 0 : dice.between(-1, 1); };
-  const auto angle = [&] { return dice.below(2) == 0 ? (dice.below(5) - 2) * quarter : dice.between(-pi, pi); };
-  std::vector<DhLink> links(static_cast<std::size_t>(1 + dice.below(9)));
-  for (DhLink& link : links) {
-    link = {.a = length(), .alpha = angle(), .d = length(), .offset = dice.below(2) == 0 ? 0 : angle()};
-    link.joint = static_cast<Joint>(dice.below(3));
-  }
-  Frame base, tool{.position = {length(), length(), length()}};
-  if (dice.below(2) == 0) base = {{length(), length(), length()}, {angle(), angle(), angle()}};
-  if (dice.below(2) == 0) tool.rpy = {angle(), angle(), angle()};
-  return {links, base, tool};
-}
-
-Eigen::VectorXd random_joints(const Chain& chain, Dice& dice, double most_turned = 3) {
-  Eigen::VectorXd q(chain.joints());
-  for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = (chain.slides(j) ? 3 : most_turned) * dice.between(-1, 1);
-  return q;
+  CAPTURE(chain.position(vector_of(q)).transpose(), expected.transpose());
+  CHECK((chain.position(vector_of(q)) - expected).norm() < 1e-15);
 }
 
 }  // namespace
@@ -49,7 +23,7 @@ TEST_CASE("a Cartesian arm is where its three slides are", "[joints]") {
   check_position(arm, {0, 0, 0}, {0.1, 0, 0});
   check_position(arm, {0.3, 0.4, 0.5}, {0.6, 0.4, 0.3});
   Eigen::Matrix3Xd jacobian(3, 3), expected(3, 3);
-  arm.position_jacobian(joints({0.3, 0.4, 0.5}), jacobian);
+  arm.position_jacobian(vector_of({0.3, 0.4, 0.5}), jacobian);
   expected << 0, 0, 1, 0, 1, 0, 1, 0, 0;
   CHECK((jacobian - expected).cwiseAbs().maxCoeff() < 1e-15);
   CHECK(std::isinf(arm.reach().radius));
@@ -67,7 +41,7 @@ TEST_CASE("a coupled link moves what comes after it and turns nothing", "[joints
   check_position(arm, {0, quarter, 0}, {0.9, 0, 0.2});         // the first of them level
   check_position(arm, {0, quarter, quarter}, {0.6, 0, -0.1});  // the second straight down
   check_position(arm, {quarter, quarter, quarter}, {0, 0.6, -0.1});
-  CHECK((arm.forward(joints({0, 0.7, -1.1})).linear() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() == 0);
+  CHECK((arm.forward(vector_of({0, 0.7, -1.1})).linear() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() == 0);
   // A twist turns what follows, whatever the angle; an offset is added to the angle.
   const Chain twisted({{.a = 0.5, .alpha = quarter, .offset = quarter, .joint = Joint::coupled}}, {0, 0.1, 0});
   check_position(twisted, {-quarter}, {0.5, 0, 0.1});
@@ -79,7 +53,7 @@ TEST_CASE("base and tool are moved and then turned", "[joints]") {
   const Chain arm({{.a = 0.5}}, base, tool);
   check_position(arm, {0}, {1, 2.5, 3.1});
   check_position(arm, {quarter}, {0.5, 2, 3.1});
-  CHECK((arm.forward(joints({0})).linear().col(2) - Eigen::Vector3d(0, 0, -1)).norm() < 1e-15);
+  CHECK((arm.forward(vector_of({0})).linear().col(2) - Eigen::Vector3d(0, 0, -1)).norm() < 1e-15);
   // About the point of the axis that is level with the tool.
   CHECK((arm.reach().centre - Eigen::Vector3d(1, 2, 3.1)).norm() < 1e-15);
   CHECK(arm.reach().radius == Approx(0.5));

@@ -10,12 +10,7 @@
 #include "tests/numerics/guarded.hpp"
 #include "tests/robots/random_configuration.hpp"
 
-using std::numbers::pi;
-
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 KernelLink kernel_link(const DhLink& link) {
   const long double alpha = meant_twist(link.alpha);
@@ -27,25 +22,6 @@ KernelLink kernel_link(const DhLink& link) {
   return {twist, true, link.joint, c, s, link.a, link.d, link.offset};
 }
 
-struct RandomArm {
-  std::vector<DhLink> links;
-  Eigen::Vector3d tip;
-
-  // Half of the arms have joints of any kind; in the others all joints turn.
-  RandomArm(Dice& dice, int joints) : links(static_cast<std::size_t>(joints)) {
-    const bool all_turn = dice.below(2) == 0;
-    for (DhLink& link : links) {
-      const int turns = dice.below(5) - 2;  // exact quarter turns, also two; or any twist
-      link = {.a = dice.below(2) == 0 ? 0 : dice.between(-1, 1),
-              .alpha = dice.below(3) == 0 ? dice.between(-pi, pi) : turns * (pi / 2),
-              .d = dice.below(2) == 0 ? 0 : dice.between(-1, 1),
-              .offset = dice.below(2) == 0 ? 0 : dice.between(-pi, pi),
-              .joint = all_turn ? Joint::turns : static_cast<Joint>(dice.below(3))};
-    }
-    for (double& x : tip) x = dice.below(2) == 0 ? 0 : dice.between(-0.3, 0.3);
-  }
-};
-
 struct Arm {
   std::vector<KernelLink> links;
   Eigen::Vector3d tip;
@@ -53,7 +29,6 @@ struct Arm {
   Arm(const std::vector<DhLink>& from, Eigen::Vector3d at) : tip(std::move(at)) {
     for (const DhLink& link : from) links.push_back(kernel_link(link));
   }
-  explicit Arm(const RandomArm& arm) : Arm(arm.links, arm.tip) {}
 
   KernelChain chain() const {
     const bool all_turn = std::ranges::all_of(links, [](const KernelLink& link) { return link.joint == Joint::turns; });
@@ -109,7 +84,7 @@ TEST_CASE("every instruction set gives the portable errors bit for bit, for 1 to
           "[kernels]") {
   Dice dice;
   for (int joints = 1; joints <= most_joints; ++joints) {
-    const Arm arm(RandomArm(dice, joints));
+    const Arm arm(random_links(dice, joints), dice.below(2) * 0.3 * random_target(dice));
     for (ptrdiff_t count = 0; count <= 100; ++count) {
       if (joints > 8 && count > 20 && dice.below(8) != 0) continue;
       const ptrdiff_t from = dice.below(12), row = from + count + dice.below(20);

@@ -19,8 +19,7 @@ using namespace ikbench::robots;
 
 namespace ikbench {
 
-class RandomConfigurations {
- public:
+struct RandomConfigurations : Dice {
   // Uniform within the limits, or within half a turn each way of 0 without limits.
   Eigen::VectorXd operator()(const robots::JointLimits& all) {
     Eigen::VectorXd q = Eigen::VectorXd::Zero(all.lower.size());
@@ -28,12 +27,6 @@ class RandomConfigurations {
     for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = between(limits.lower[j], limits.upper[j]);
     return q;
   }
-  double between(double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-
- private:
-  std::mt19937_64 engine_{20230305};
 };
 
 }  // namespace ikbench

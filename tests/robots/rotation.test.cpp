@@ -49,6 +49,5 @@ TEST_CASE("no turn has no rotation vector, half a turn one as long as pi, and wh
     half(j, j) = 1;
     CHECK(rotation_vector(half).cwiseAbs() == pi * Eigen::Vector3d::Unit(j));
   }
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  CHECK_FALSE(rotation_vector(Eigen::Matrix3d::Constant(none)).allFinite());
+  CHECK_FALSE(rotation_vector(Eigen::Matrix3d::Constant(not_a_number)).allFinite());
 }

@@ -56,15 +56,14 @@ double difference(const Robot& arm) {
 
 // A random arm of up to nine joints of all kinds, with any origins and axes, some of them round numbers.
 Description random_description(RandomConfigurations& random) {
-  const auto below = [&](int count) { return static_cast<int>(random.between(0, count)); };
-  const auto length = [&] { return below(2) == 0 ? 0 : random.between(-1, 1); };
-  const auto angle = [&] { return below(2) == 0 ? (below(5) - 2) * pi / 2 : random.between(-pi, pi); };
-  Description joints(static_cast<std::size_t>(1 + below(9)));
+  const auto length = [&] { return random.below(2) == 0 ? 0 : random.between(-1, 1); };
+  const auto angle = [&] { return random.below(2) == 0 ? (random.below(5) - 2) * pi / 2 : random.between(-pi, pi); };
+  Description joints(static_cast<std::size_t>(1 + random.below(9)));
   for (DescribedJoint& joint : joints) {
-    joint.motion = static_cast<DescribedJoint::Motion>(below(3));
+    joint.motion = static_cast<DescribedJoint::Motion>(random.below(3));
     joint.origin = {{length(), length(), length()}, {angle(), angle(), angle()}};
     const Eigen::Vector3d axis(length(), length(), length());
-    joint.axis = below(2) == 0 || axis.isZero(0.01) ? Eigen::Vector3d::Unit(below(3)) : axis.normalized();
+    joint.axis = random.below(2) == 0 || axis.isZero(0.01) ? Eigen::Vector3d::Unit(random.below(3)) : axis.normalized();
   }
   joints.front().motion = DescribedJoint::Motion::turns;
   return joints;

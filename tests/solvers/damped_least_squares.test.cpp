@@ -28,10 +28,7 @@ TEST_CASE("a step that makes it worse is undone, and damped by 2, 4, 8 and so on
 TEST_CASE("damped least squares places the iiwa's wrist to 1e-14 m within 20 steps", "[dls]") {
   const Task task = iiwa_task();
   Objective objective(task.chain, task.target);
-  Random random{Key(1)};
-  const Solution solution =
-      solve(*solver("damped_least_squares").make({}), task.problem, objective, random, {.iterations = 20});
-  CHECK(solution.best.error < 1e-14);
+  CHECK(solve_by("damped_least_squares", {}, task.problem, objective, {.iterations = 20}).best.error < 1e-14);
 }
 
 TEST_CASE("damped least squares restarts at random where it is stuck, and only there", "[dls]") {
@@ -52,9 +49,8 @@ TEST_CASE("damped least squares restarts at random where it is stuck, and only t
 TEST_CASE("damped least squares does not depend on the population", "[dls]") {
   const Task few = iiwa_task(1), many = iiwa_task(100);
   Objective first(few.chain, few.target), second(many.chain, many.target);
-  Random a{Key(1)}, b{Key(1)};
-  CHECK(solve(*solver("damped_least_squares").make({}), few.problem, first, a, {.iterations = 10}).best.q ==
-        solve(*solver("damped_least_squares").make({}), many.problem, second, b, {.iterations = 10}).best.q);
+  CHECK(solve_by("damped_least_squares", {}, few.problem, first, {.iterations = 10}).best.q ==
+        solve_by("damped_least_squares", {}, many.problem, second, {.iterations = 10}).best.q);
 }
 
 TEST_CASE("damped least squares starts at the limits where the arm is outside them", "[dls]") {

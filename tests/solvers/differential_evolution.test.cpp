@@ -51,14 +51,3 @@ TEST_CASE("DE brings a joint outside back to the limit, mirrors it there, or dra
   }
   CHECK(outside > 0);
 }
-
-TEST_CASE("DE needs three others", "[differential_evolution]") {
-  const Task task = planar_task(3);
-  Objective objective(task.chain, task.target);
-  Random random{Key(1)};
-  CHECK_THROWS_AS(solver("differential_evolution").make({})->start(task.problem, objective, random),
-                  std::invalid_argument);
-  CHECK_THROWS_WITH(
-      solver("differential_evolution").make({})->start(task.problem, objective, random),
-      "differential_evolution has a population of 3; expected at least 4, because it combines three others");
-}

@@ -3,14 +3,14 @@
 
 namespace {
 
-constexpr double without_end = std::numeric_limits<double>::infinity(), half = std::numbers::pi;
+constexpr double half = std::numbers::pi;
 
 // A joint that turns without end, one within limits, and one that slides.
 Task endless_task(int population = 10) {
   return {Chain({{.a = 0.4}, {.a = 0.3, .alpha = half / 2}, {.joint = Joint::slides}}),
           {0.3, 0.3, 0},
-          problem_of(Eigen::Vector3d(2.5, 0.3, 0.1), Eigen::Vector3d(-without_end, -1.5, 0),
-                     Eigen::Vector3d(without_end, 1.5, 0.4), population)};
+          problem_of(Eigen::Vector3d(2.5, 0.3, 0.1), Eigen::Vector3d(-infinity, -1.5, 0),
+                     Eigen::Vector3d(infinity, 1.5, 0.4), population)};
 }
 
 std::vector<SolverInfo> solvers_for_endless() { return solvers_for(endless_task().chain, GoalKind::position); }
@@ -38,8 +38,7 @@ TEST_CASE("bounds = clamp holds the joints that have limits, and no others", "[e
     const Task task = endless_task(50);
     const JointLimits limits{task.problem.lower, task.problem.upper};
     RecordingObjective objective(task.chain, task.target);
-    Random random{Key(1)};
-    solve(*info.make({{"bounds", "clamp"}}), task.problem, objective, random, {.iterations = 100});
+    solve_by(info.name, {{"bounds", "clamp"}}, task.problem, objective, {.iterations = 100});
     for (const auto& q : objective.candidates) {
       REQUIRE(limits.violation(q) == 0);
       REQUIRE(q[0] != task.problem.start[0] - half);
@@ -55,8 +54,7 @@ TEST_CASE("swarms leave the turn that they began in where a joint turns without 
     task.target = {-0.69, 0.05, 0};  // stretched, near half a turn from zero
     task.problem.start[0] = 0;
     RecordingObjective objective(task.chain, task.target);
-    Random random{Key(1)};
-    const Solution solution = solve(*solver(name).make({}), task.problem, objective, random, {.iterations = 200});
+    const Solution solution = solve_by(name, {}, task.problem, objective, {.iterations = 200});
     double farthest = 0;
     for (const auto& q : objective.candidates) farthest = std::max(farthest, std::abs(q[0]));
     CHECK(farthest > half);
@@ -69,7 +67,7 @@ TEST_CASE("first candidates of a joint without end are drawn from a turn about t
   RecordingObjective objective(task.chain, task.target);
   Random random{Key(1)};
   solver("random_search").make({})->start(task.problem, objective, random);
-  double least = without_end, most = -without_end;
+  double least = infinity, most = -infinity;
   for (const auto& q : objective.candidates) {
     least = std::min(least, q[0]);
     most = std::max(most, q[0]);

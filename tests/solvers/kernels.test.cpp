@@ -4,22 +4,14 @@
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double tiniest = std::numeric_limits<double>::denorm_min();
 
 using Column = std::vector<double>;
 
-std::vector<std::size_t> sizes() {
-  std::vector<std::size_t> sizes{1000};
-  for (std::size_t size = 0; size <= 40; ++size) sizes.push_back(size);
-  return sizes;
-}
-
 // Draws mostly ordinary numbers, sometimes one of the others.
 double drawn(Dice& dice) {
-  constexpr double others[] = {0.0, -0.0, infinite, -infinite, no_number, largest, -largest, tiniest, -tiniest};
+  constexpr double others[] = {0.0, -0.0, infinity, -infinity, not_a_number, largest, -largest, tiniest, -tiniest};
   return dice.below(20) == 0 ? others[dice.below(static_cast<int>(std::size(others)))] : dice.between(-7, 7);
 }
 
@@ -131,15 +123,15 @@ TEST_CASE("every instruction set clamps as the plain loop does, with every bit, 
   Dice dice;
   for (const Limits& limits :
        {Limits{-2, 3}, Limits{-2.9670597283903604, 2.9670597283903604}, Limits{1, 1}, Limits{0.0, 0.0},
-        Limits{-0.0, 0.0}, Limits{-0.0, -0.0}, Limits{0.0, 5}, Limits{-5, -0.0}, Limits{-infinite, infinite},
-        Limits{-infinite, 0}, Limits{0, infinite}, Limits{-largest, largest}}) {
+        Limits{-0.0, 0.0}, Limits{-0.0, -0.0}, Limits{0.0, 5}, Limits{-5, -0.0}, Limits{-infinity, infinity},
+        Limits{-infinity, 0}, Limits{0, infinity}, Limits{-largest, largest}}) {
     const double lower = limits.lower, upper = limits.upper;
     // At the limits, next to them, and NaN of any bits.
     const double more[] = {lower,
                            upper,
-                           std::nextafter(lower, -infinite),
-                           std::nextafter(upper, infinite),
-                           std::copysign(no_number, -1),
+                           std::nextafter(lower, -infinity),
+                           std::nextafter(upper, infinity),
+                           std::copysign(not_a_number, -1),
                            std::nan("2023")};
     for_each_case([&](const solvers::Kernels& kernels, std::size_t size, Guarded::Page page, bool) {
       CAPTURE(lower, upper);

@@ -102,9 +102,8 @@ TEST_CASE("Levenberg and Marquardt's method solves most reachable poses within t
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
       const ReachablePose task("abb_irb120", seed);
       RecordingObjective objective(task.arm.chain, task.goal);
-      Random random{Key(1)};
       const Solution solution =
-          solve(*solver("levenberg_marquardt").make(settings), task.problem, objective, random, {.iterations = 1000});
+          solve_by("levenberg_marquardt", settings, task.problem, objective, {.iterations = 1000});
       for (const Eigen::VectorXd& q : objective.candidates)
         if (settings.contains("bounds")) REQUIRE(task.arm.limits.violation(q) == 0);
       solved += solution.best.error <= 1e-9 ? 1 : 0;

@@ -146,9 +146,7 @@ TEST_CASE("with restarts Newton's method solves more poses, and most if it turns
     const ReachablePose task("abb_irb120", seed);
     const auto is_solved = [&](const Settings& settings) {
       RecordingObjective objective(task.arm.chain, task.goal);
-      Random random{Key(1)};
-      const Solution solution =
-          solve(*solver("newton").make(settings), task.problem, objective, random, {.iterations = 400});
+      const Solution solution = solve_by("newton", settings, task.problem, objective, {.iterations = 400});
       for (const Eigen::VectorXd& q : objective.candidates) REQUIRE(task.arm.limits.violation(q) == 0);
       return solution.best.error < 1e-9 ? 1 : 0;
     };

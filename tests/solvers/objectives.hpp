@@ -132,6 +132,13 @@ inline Task planar_task(int population) {
           problem_of(Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1), population)};
 }
 
+inline solvers::Solution solve_by(const std::string& name, const solvers::Settings& settings,
+                                  const solvers::Problem& problem, solvers::Objective& objective,
+                                  const solvers::StopRule& stop) {
+  numerics::Random random{numerics::Key(1)};
+  return solvers::solve(*solvers::solver(name).make(settings), problem, objective, random, stop);
+}
+
 // A task with a pose that the arm reaches within its limits, from their middle.
 struct ReachablePose {
   explicit ReachablePose(std::string_view name, std::uint64_t seed, double weight = 0.3)

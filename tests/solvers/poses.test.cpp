@@ -123,8 +123,7 @@ TEST_CASE("a solve of a pose stops where position and angle are both within thei
   for (const char* const name : {"damped_least_squares", "ik_bat"}) {
     CAPTURE(name);
     Objective objective(task.arm.chain, task.goal);
-    Random random{Key(1)};
-    const Solution solution = solve(*solver(name).make({}), task.problem, objective, random, both);
+    const Solution solution = solve_by(name, {}, task.problem, objective, both);
     const Deviation left = objective.deviation(solution.best.q);
     const bool is_near = left.position <= both.tolerance && left.angle <= both.angle_tolerance;
     CHECK((solution.stopped == StopReason::tolerance) == is_near);
@@ -133,9 +132,8 @@ TEST_CASE("a solve of a pose stops where position and angle are both within thei
     if (!is_near) continue;
     // With one iteration less it is not near enough.
     Objective again(task.arm.chain, task.goal);
-    Random same{Key(1)};
     const StopRule before{.iterations = static_cast<int>(solution.iterations) - 1};
-    const Deviation earlier = again.deviation(solve(*solver(name).make({}), task.problem, again, same, before).best.q);
+    const Deviation earlier = again.deviation(solve_by(name, {}, task.problem, again, before).best.q);
     CHECK((earlier.position > both.tolerance || earlier.angle > both.angle_tolerance));
     CHECK(again.evaluations() < objective.evaluations());
   }

@@ -100,8 +100,7 @@ TEST_CASE("MO-PSO's mutation ends with the budget, whichever rule ends it", "[so
   const auto answer = [](const StopRule& stop) {
     const Task task = iiwa_task(50);
     Objective objective(task.chain, task.target);
-    Random random{Key(1)};
-    return solve(*solver("multi_objective_swarm").make({}), task.problem, objective, random, stop).best;
+    return solve_by("multi_objective_swarm", {}, task.problem, objective, stop).best;
   };
   // The first population counts too: it and 39 iterations are 2000 evaluations; 40 are planned.
   const Best least = answer({.iterations = 40, .evaluations = 2000}),

@@ -3,8 +3,6 @@
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
-
 struct Point {
   double error, variation;
   Eigen::VectorXd q;
@@ -32,7 +30,7 @@ std::vector<Point> reference_archive(const std::vector<Point>& all, std::size_t 
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return front[a].*objective < front[b].*objective; });
     const double range = front[order.back()].*objective - front[order.front()].*objective;
-    crowding[order.front()] = crowding[order.back()] = never;
+    crowding[order.front()] = crowding[order.back()] = infinity;
     for (std::size_t i = 1; i + 1 < order.size(); ++i) {
       crowding[order[i]] += (front[order[i + 1]].*objective - front[order[i - 1]].*objective) / range;
     }
@@ -226,9 +224,9 @@ TEST_CASE("MO-PSO's answer is the smallest error it has seen, and its knee gives
   const Task task = iiwa_task(20);
   const auto answer = [&](const std::string& final_point) {
     RecordingObjective objective(task.chain, task.target);
-    Random random{Key(1)};
-    const auto swarm = solver("multi_objective_swarm").make({{"final_point", final_point}});
-    const Best best = solve(*swarm, task.problem, objective, random, {.iterations = 50}).best;
+    const Best best =
+        solve_by("multi_objective_swarm", {{"final_point", final_point}}, task.problem, objective, {.iterations = 50})
+            .best;
     if (final_point == "smallest_error") CHECK(best.error == std::ranges::min(objective.given));
     return best;
   };
