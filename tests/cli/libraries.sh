@@ -43,14 +43,3 @@ ur5e nothing 1 ok 1 1
 END
 equal "who solves" "$(sqlite3 store.sqlite <"$root/solvers/programs/who.sql" | paste -sd' ')" "B|||2|2, 2|2/2 A|||1|1, 1|0/1"
 equal "who answers otherwise" "$(sqlite3 store.sqlite <"$root/solvers/programs/again.sql")" "libraries-ur5e|B|1|2"
-
-# What is 7e-7 rad outside the limits, as single precision costs, comes inside; by both helpers.
-cp "$root"/solvers/helpers/ikbench{.py,_program.hpp} .
-inside='[round(x, 9) for x in of] == [2, 2.0000008, -1.283185307, 9]'
-json "$inside" <(python3 -c 'import ikbench; print(ikbench.inside([2.0000006, 2.0000008, 5, 9], [1, 1, 1, 0], [-2] * 4, [2] * 4))')
-cat >inside.cpp <<'CPP'
-#include "ikbench_program.hpp"
-int main() { ikbench::say(ikbench::json_of(ikbench::inside({2.0000006, 2.0000008, 5, 9}, {1, 1, 1, 0}, {-2, -2, -2, -2}, {2, 2, 2, 2}))); }
-CPP
-can c++ && { c++ -std=c++17 -o inside inside.cpp && json "$inside" <(./inside); }
-exit 0
