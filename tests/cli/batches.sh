@@ -69,16 +69,9 @@ has "$err" 'in the order of the problems'
 equal "moves of solves without an answer" "$(sqlite3 faults/store.sqlite "SELECT count(*) FROM solves WHERE
   status IN ('crashed', 'timed_out', 'broke_protocol', 'declined') AND start_rad <> answer_rad")" 0
 
-# What cannot be asked in batches is said before anything is solved.
+# Who cannot be asked in batches is told before anything is solved (of whom it cannot be asked: foreign.sh).
 batches mistake "$(of mine "one by one" 5)"
 refused '"batch": true' run mistake.toml
-study mistake "$(of mine fine 5)"
-refused "expected another start" run mistake.toml
-batches mistake "$(of mine fine 1001)"
-refused "from 0 to 1000" run mistake.toml
-batches mistake '[[solvers]]' 'solver = "levenberg_marquardt"' 'batch = 5'
-refused "batch" run mistake.toml
-[ ! -e out ] || fail "something was solved"
 
 # The helper: what solves one solves many, and check-solver asks for both.
 sed 's/^ikbench.run(\(.*\))$/ikbench.run(\1, solve_batch=lambda arm, all: [solve(arm, each) for each in all])/' descent.py >many.py

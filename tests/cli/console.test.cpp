@@ -74,6 +74,8 @@ TEST_CASE("a folder has the letters of its study's name", "[console]") {
   CHECK(folder_for("../a\nb\u202e\xff", "") == "out/_.._a_b_\uFFFD");
   CHECK(folder_for(std::string(99, 'a') + "ü", "") == "out/" + std::string(99, 'a'));
   CHECK(folder_for("a", "b/c") == "b/c");
+  CHECK(folder_for("..", "") == "out/_..");
+  CHECK(folder_for("/abs", "") == "out/_abs");
 }
 
 TEST_CASE("a signal that was answered is told at the end, and after the end one ends the program",

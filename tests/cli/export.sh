@@ -12,14 +12,9 @@ equal "lengths of rows" "$(awk -F, '{ print NF }' .out | sort -u | wc -l)" 1
 cp .out first.csv
 equal "lines of the second study" "$("$program" export made/store.sqlite --study slim2023-context | wc -l)" 13
 
-# A fingerprint: the same with several jobs, another with another seed.
+# A fingerprint (fingerprint.test.cpp).
 succeeds export made/store.sqlite --study slim2023-context --format fingerprint
 [[ $out =~ ^[0-9a-f]{32}\ \ 12\ \ slim2023-context$ ]] || fail "it said: $out"
-succeeds run "${traced[@]}" --jobs 3 --out many
-same_fingerprint many/store.sqlite made/store.sqlite
-succeeds run "${traced[@]}" --set seed=2 --out seed-2
-[ "$("$program" export seed-2/store.sqlite --format fingerprint)" != "$("$program" export made/store.sqlite --format fingerprint)" ] ||
-  fail "the same fingerprint with another seed"
 
 # -o writes a whole file, and none of the store's (files.test.cpp has more).
 code=0
@@ -73,7 +68,7 @@ succeeds run poses.toml --no-report --out poses
 succeeds verify poses/store.sqlite
 has "$out" "times, targets, starts"
 
-# An archive is a store, whole and sealed, for who reads stores; one that was cut short or edited says so.
+# An archive is a store, whole and sealed, for who reads stores; one that was edited says so.
 refused "-o FILE" export made/store.sqlite --format archive
 succeeds export made/store.sqlite --format archive -o archived.sqlite
 succeeds verify archived.sqlite
@@ -83,8 +78,6 @@ succeeds run slim2023 "${small[@]}" --set trace=best_error --only IK-BA --beside
 sqlite3 archived.sqlite "DELETE FROM solves WHERE run = 2"
 refused "archived as" verify archived.sqlite
 succeeds export made/store.sqlite --format archive -o archived.sqlite
-head -c 30000 archived.sqlite >short.sqlite
-for command in verify report "run slim2023 ${small[*]} --no-report --out cut --beside"; do refused "short.sqlite" $command short.sqlite; done
 sqlite3 near/store.sqlite "UPDATE solves SET status = 'limit_violated'"
 cp archived.sqlite before.sqlite
 refused "status" export near/store.sqlite --format archive -o archived.sqlite

@@ -39,31 +39,10 @@ succeeds robot turned.urdf --links
 has "$out" "_3_link"
 has_no "$out" $'\u202e'
 
-# An arm of the library as a URDF file is the same arm.
-"$program" robot dobot_magician --urdf | grep -q '<mimic joint="joint_2" multiplier="-1"/>' || fail "no joint mimics"
-"$program" robot franka_panda --urdf >panda.urdf
-succeeds robot franka_panda --at 10,-20,30,-40,50,60,70
-where=$(unwrapped | tail -n 1)
-succeeds robot panda.urdf --at 10,-20,30,-40,50,60,70
-equal "tool by the URDF file" "$(unwrapped | tail -n 1)" "$where"
-
-# The file is the one beside the study, from wherever the program is called; a copy of the arm is the same arm, and one
-# that was edited another.
+# An arm of a file, run. (Where it lies, and what makes it another: study_file.test.cpp.)
 succeeds run my_study.toml "${small[@]}" --figures none --out made
 equal "solves" "$(column made/store.sqlite robot damped_least_squares | counted)" "6 my_arm"
 grep -q 'id="motion-data"' made/report.html || [ ! -e /usr/share/javascript/three ] || fail "the page does not show the arm moving"
-mkdir elsewhere
-(cd elsewhere && "$program" run ../my_study.toml "${small[@]}" --no-report --out ../made >../.out 2>&1) || fail "$(<.out)"
-has "$(<.out)" "(6 were"
-cp my_arm.toml copy.toml
-succeeds run my_study.toml "${small[@]}" --set robot=copy.toml --no-report --out made
-has "$out" "(6 were"
-sed -i 's/0.30/0.31/' my_arm.toml
-succeeds run my_study.toml "${small[@]}" --no-report --out made
-has_no "$out" "(6 were"
-sed 's/robot = .*/robot = "fetch.urdf"/' my_study.toml >urdf_study.toml
-succeeds run urdf_study.toml "${small[@]}" --set urdf.tip=wrist_roll_link --no-report --out described
-equal "solves" "$(column described/store.sqlite robot damped_least_squares | counted)" "6 fetch"
 
 # A question is commands to paste; the arm's size is shown, what is odd is warned of, and a time is the only limit.
 ends 1 run --robot two.urdf --set runs=2 --limit 20ms --no-report

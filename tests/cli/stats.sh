@@ -48,13 +48,9 @@ for file in $(python3 -c 'import json; print(*json.load(open(".out"))["files"])'
 
 succeeds stats comma.csv --better smaller --out boxes --figures boxes --json
 json '"figures/boxes.svg" in of["files"] and "figures/differences.svg" not in of["files"]'
-succeeds stats comma.csv --better smaller --out boxes --figures overview
-has "$err" "nothing to draw for overview"
 
 # Which way is better is always asked, whatever else is said.
-refused "--better larger" stats "$data/accuracy.csv"
 for options in --json "--out asked" "--test means" "--control A"; do refused "--better larger" stats "$data/accuracy.csv" $options; done
-refused "--better larger" stats --summaries "$root/results/published/slim2023/table-3.csv"
 [ ! -e asked ] || fail "a report of what was not said"
 succeeds stats "$data/accuracy.csv" --better larger
 has "$out" "A (median accuracy 0.91) is better than B"
@@ -82,14 +78,6 @@ grep -q '^A & .*1.3.* & 11.3 ' names/tables/results.tex || fail "no numbers: $(c
 mkdir in && cp comma.csv in/report.md
 refused "in/report.md" stats in/report.md --better smaller --out in
 cmp comma.csv in/report.md || fail "an input was replaced"
-# Nor is a file that nobody but the user can have written replaced (meddling.sh).
-mkdir notes && echo mine >notes/report.md
-refused "notes/report.md" run slim2023 "${small[@]}" --out notes
-equal "a file that is no report's" "$(<notes/report.md)" mine
-# An export of ours is for its report.
-succeeds run slim2023 "${small[@]}" --set runs=4 --no-report --out mine
-"$program" export mine/store.sqlite >solves.csv
-refused "ikbench report" stats solves.csv --value position_error_cm
 
 # What is stopped and stores nothing speaks of no store.
 mkfifo held && exec 3<>held
