@@ -23,25 +23,40 @@ using namespace judge;
 
 namespace {
 
-// How many pairs of a metric have each verdict, and by which tests.
+// "DLS against PSO: better, A12 = 0.75, p = 0.0469"
+std::string told(const Finding& its, const JudgedMetric& judged) {
+  std::string text = fmt::format("{} against {}: {}", its.first, its.second, verdict_words(its, judged));
+  const auto* const tested = std::get_if<Tested>(&its.what);
+  if (tested && tested->g)
+    text += fmt::format(", {} = {}", judged.observations.is_paired ? "g_av" : "g", number_text(*tested->g));
+  else if (tested && tested->effect && !is_share(judged))
+    text += fmt::format(", A12 = {}", number_text(tested->effect->a12()));
+  const std::string p = tested ? p_text(tested->p, {judged.plan.significance}) : "";
+  return text + (p.empty() ? "" : p[0] == '<' ? ", p " + p : ", p = " + p);
+}
+
+// The pairs of a metric, if few, else how many have each verdict, and by which tests.
 std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
   std::map<std::string_view, int> counts;
   std::set<std::string> tests;
   std::set<int> sizes;
+  std::vector<std::string> parts;
   for (const Finding& its : judged.findings) {
     const Verdict verdict = verdict_of(its);
     ++counts[is_difference(verdict) ? "decided" : judge::name_of(verdict)];
+    if (judged.findings.size() <= most_pairs) parts.push_back(told(its, judged));
     if (const auto* const tested = std::get_if<Tested>(&its.what))
       tests.insert(std::string(tested->test)), sizes.insert(tested->n);
   }
-  std::vector<std::string> parts;
-  for (const auto& [verdict, count] : counts) parts.push_back(fmt::format("{} {}", count, verdict));
+  if (parts.empty()) {
+    for (const auto& [verdict, count] : counts) parts.push_back(fmt::format("{} {}", count, verdict));
+    parts = {fmt::format("{} pairs ({})", judged.findings.size(), listed(parts))};
+  }
   const std::string by = sizes.empty() ? ""
                                        : fmt::format(", by {} (n = {}{})", listed({tests.begin(), tests.end()}),
                                                      sizes.size() == 1 ? "" : fmt::format("{} to ", *sizes.begin()),
                                                      base::counted(*sizes.rbegin(), noun_of(answer, judged)));
-  const std::string text = fmt::format("{}{}: {} ({}).", judged.observations.quantity, by,
-                                       base::counted(std::ssize(judged.findings), "pairs"), listed(parts));
+  const std::string text = fmt::format("{}{}: {}.", judged.observations.quantity, by, fmt::join(parts, "; "));
   return answer.direction.empty() ? as_sentence(text) : text;  // else its name is the user's
 }
 
