@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -35,17 +36,22 @@ constexpr char of_truth = 't';  // in place of a mark of decimals
 
 bool has_mark(std::string_view text) { return text.find_first_of(".,") != std::string_view::npos; }
 
-// Of a text with this mark of decimals; the other one marks thousands. A minus may be as it is printed.
+// Of a text with this mark of decimals; the other one marks thousands, as do ' and blanks: 1'234.5. A minus may be as
+// it is printed, and an exponent as in Fortran: 1.5D-01.
 std::optional<double> parsed(std::string_view text, char decimal) {
-  constexpr std::string_view minus = "\u2212";
-  if (text.starts_with(minus)) return parsed("-" + std::string(text.substr(minus.size())), decimal);
-  if (!has_mark(text)) return number_from(text);
-  const char thousand = decimal == '.' ? ',' : '.';
   std::string plain(text);
-  if (text.find(thousand) != std::string_view::npos) {
-    const std::string_view whole = text.substr(0, text.find(decimal));
-    if (!is_grouped(whole, thousand) || text.find(thousand, whole.size()) != std::string_view::npos)
-      return std::nullopt;
+  if (text.find_first_of("' \xE2\xC2") != text.npos) {
+    boost::replace_all(plain, "\u2212", "-");
+    for (const char* of_thousands : {"\u2019", "\u00a0", "\u2007", "\u2009", "\u202f", " "})
+      boost::replace_all(plain, of_thousands, "'");
+  }
+  if (has_mark(text))  // no "2D-1"
+    for (const char* exponent : {"D-", "D+", "d-", "d+"})
+      boost::replace_first(plain, exponent, std::string{'e', exponent[1]});
+  for (const char thousand : {decimal == '.' ? ',' : '.', '\''}) {
+    if (plain.find(thousand) == plain.npos) continue;
+    const std::string_view whole = std::string_view(plain).substr(0, plain.find(decimal));
+    if (!is_grouped(whole, thousand) || plain.find(thousand, whole.size()) != plain.npos) return std::nullopt;
     std::erase(plain, thousand);
   }
   std::ranges::replace(plain, ',', '.');

@@ -330,11 +330,12 @@ TEST_CASE("of too few blocks it is said which column makes more") {
   CHECK(observations(text, {.label = {"solver", "robot"}, .run = "seed"}).groups.size() == 4);
 }
 
-TEST_CASE("tables of Markdown, org and MySQL, and a printed minus, are read") {
+TEST_CASE("tables of Markdown, org and MySQL, and thousands of the Swiss, are read") {
   for (const std::string text :
        {"| s | v |\n|---|--:|\n| A | 1000.5 |\n| B | 2 |\n", "| s | v |\n|---+---|\n| A | 1000.5 |\n| B | 2 |\n",
-        "+---+---+\n| s | v |\n+---+---+\n| A | 1000.5 |\n| B | 2 |\n+---+---+\n",
-        "\"sep=;\"\r\ns;v\nA;1000.5\nB;\u22122\n"}) {
+        "+---+---+\n| s | v |\n+---+---+\n| A | 1000.5 |\n| B | 2 |\n+---+---+\n", "\"sep=;\"\r\ns;v\nA;1'000.5\nB;2\n",
+        "s;v\nA;1\u2019000.5\nB;2\n", "s;v\nA;1\u00a0000,5\nB;2\n", "s;v\nA;1\u2009000,5\nB;2\n",
+        "s;v\nA;1.0005D+03\nB;\u22122\n"}) {
     CAPTURE(text);
     CHECK(list_of(observations(text).groups[0]) == std::vector{1000.5});
   }
