@@ -92,12 +92,12 @@ const Marked& marked_of(const Cell& cell) {
   return marked ? *marked : none;
 }
 bool is_ratio(const Cell& cell) { return marked_of(cell).to_reference == judge::Scale::ratio; }
-// As readers see it.
-Marked ours_of(const Printed& cell) {
+// As readers see it: with the decimals of the printed where three digits would round it onto an end.
+Marked ours_of(const Printed& cell, const Ends& ends) {
+  if (number_beside(cell.ours, ends) == number_text(cell.ours)) return {.value = cell.ours};
   const std::size_t point = std::min(cell.printed.find('.') + 1, cell.printed.size());
-  const double size = std::isfinite(cell.ours) ? std::max(1e-9, std::abs(cell.ours)) : 1;
-  const double digits =
-      std::floor(std::log10(size)) + 1 + static_cast<double>(point > 0 ? cell.printed.size() - point : 0);
+  const double digits = std::floor(std::log10(std::abs(cell.ours))) + 1 +
+                        static_cast<double>(point > 0 ? cell.printed.size() - point : 0);
   return {.value = cell.ours, .digits = std::max(3, static_cast<int>(digits))};
 }
 
@@ -116,7 +116,7 @@ Table for_readers(Table table) {
       for (auto& row : table.rows) {
         const auto* const its = std::get_if<Printed>(&row[c]);
         Cell printed = its ? Cell(*its) : Cell();
-        if (its) row[c] = ours_of(*its);
+        if (its) row[c] = ours_of(*its, table.columns[c].ends);
         row.insert(row.begin() + next, std::move(printed));
       }
     }

@@ -15,7 +15,7 @@
 
 namespace ikbench::show {
 
-// Our number beside a printed one, with as many decimals or three digits; a column of such cells is two for readers.
+// Our number beside a printed one; a column of such cells is two for readers.
 struct Printed {
   double ours;
   std::string printed;
