@@ -160,7 +160,7 @@ void check(const Definition& study, const Robot& arm, Kind kind, const SolveReco
     refuse(solve, "its status is not_finite, but its numbers are finite");
   refuse_wrong_check(study, solve);
   if (!is_in_order(solve.status) && solve.status != Status::invalid && solve.status != Status::limit_violated)
-    return;  // what was answered is not stored: the arm stayed, or the claim decided
+    return;                   // what was answered is not stored: the arm stayed, or the claim decided
   if (kind != Kind::program)  // which may round, or know the arm from its own file
     expect("claimed_error_cm", solve, solve.claimed_error_cm, computed.position_error / centimetre, 2e-7);
   const auto status = [&](double rounding) {
