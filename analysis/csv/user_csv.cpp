@@ -74,9 +74,10 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
   for (const std::string& name : items.groups)
     if (!shown.emplace(base::trimmed(base::one_line(name))).second)
       sheet.refuse(fmt::format("two groups look alike, both as {}; rename one", in_quotes(name)));
-  if (layout.label && items.groups.size() == items.values.size() && items.values.size() > 2)  // two may be a sketch
-    sheet.refuse(fmt::format("{} names each row, so no group has two; did you mean --block, or are cells merged?",
-                             in_quotes(sheet.titles()[*layout.label])));
+  if (layout.label && (items.unlabelled > items.values.size() ||
+                       (items.groups.size() == items.values.size() && items.values.size() > 2)))  // two may be a sketch
+    sheet.refuse(fmt::format("{} names each row, or none in {} of {} rows; did you mean --block, or are cells merged?",
+                             in_quotes(sheet.titles()[*layout.label]), items.unlabelled, sheet.rows().size()));
   items.units = static_cast<Index>(units.size());
   Columns texts = layout.unused;
   std::erase_if(texts, [&](std::size_t column) { return sheet.has_numbers(column); });

@@ -54,7 +54,7 @@ TEST_CASE("an answer far beyond a slide's way follows from itself", "[recheck]")
   target.translation() = vector(far.target_position_m);
   const Verification of = verify(arm, target, vector(far.start_rad), vector(far.answer_rad));
   far.reached_position_m.assign(of.reached.begin(), of.reached.end());
-  far.position_error_cm = of.position_error / centimetre;
+  far.position_error_cm = far.claimed_error_cm = of.position_error / centimetre;
   far.variation_m = of.variation_m;
   far.limit_violation_m = of.limit_violation_m;
   CHECK(refused_row(stored_study(study), {far}) == "");
@@ -66,7 +66,7 @@ TEST_CASE("a target missed by less than the rounding of a check is missed", "[re
   SolveRecord near = solves_of(study).front();
   near.target_position_m = near.reached_position_m;
   near.target_position_m[0] += 5e-9;
-  near.position_error_cm = 5e-7;
+  near.position_error_cm = near.claimed_error_cm = 5e-7;
   for (const Status status : {Status::ok, Status::tolerance_missed}) {
     near.status = status;
     CHECK(refused_row(stored_study(study), {near}) == "");
@@ -107,7 +107,7 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"seconds is below 0", [](SolveRecord& solve) { solve.seconds = -1; }},
       {"seconds is below 0 or infinite", [](SolveRecord& solve) { solve.cpu_seconds = INFINITY; }},
       {"claimed_seconds is below 0", [](SolveRecord& solve) { solve.claimed_seconds = -1; }},
-      {"claimed_error_cm", [](SolveRecord& solve) { solve.claimed_error_cm += 1e-6; }},
+      {"claimed_error_cm", [](SolveRecord& solve) { solve.claimed_error_cm += 1e-3; }},
       {"claimed_error_cm is nan, but ", [](SolveRecord& solve) { solve.claimed_error_cm = not_a_number; }},
       {"status is not_finite, but ", [](SolveRecord& solve) { solve.status = Status::not_finite; }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},

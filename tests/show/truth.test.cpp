@@ -116,18 +116,14 @@ std::string too_much(const Answer& answer) {
   return told == std::multiset<std::string>(all.begin(), all.end()) ? "" : "who is told";
 }
 
-// What a paragraph of results lacks: counts of pairs.
+// What a paragraph of results lacks: the pairs.
 std::string wrong_in_results(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const std::vector<std::string> sentences = results_of(answer);
   if (sentences.front() != headline(answer)) return "no headline";
-  std::map<std::string, int> counts;
-  for (const Finding& finding : judged.findings) {
-    const Verdict verdict = verdict_of(finding);
-    ++counts[is_difference(verdict) ? "decided" : std::string(judge::name_of(verdict))];
-  }
-  for (const auto& [verdict, count] : counts)
-    if (!contains(sentences[1], fmt::format("{} {}", count, verdict))) return "counts";
+  for (const Finding& its : judged.findings)
+    if (!contains(sentences[1], fmt::format("{} against {}: {}", its.first, its.second, verdict_words(its, judged))))
+      return "a pair";
   return "";
 }
 
