@@ -116,14 +116,20 @@ std::string too_much(const Answer& answer) {
   return told == std::multiset<std::string>(all.begin(), all.end()) ? "" : "who is told";
 }
 
-// What a paragraph of results lacks: the pairs.
+// What a paragraph of results lacks: the pairs, or their counts.
 std::string wrong_in_results(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
   const std::vector<std::string> sentences = results_of(answer);
   if (sentences.front() != headline(answer)) return "no headline";
+  std::map<std::string, int> counts;
   for (const Finding& its : judged.findings)
-    if (!contains(sentences[1], fmt::format("{} against {}: {}", its.first, its.second, verdict_words(its, judged))))
-      return "a pair";
+    ++counts[judged.findings.size() <= most_pairs
+                 ? fmt::format("{} against {}: {}", its.first, its.second, verdict_words(its, judged))
+             : is_difference(verdict_of(its)) ? "decided"
+                                              : std::string(judge::name_of(verdict_of(its)))];
+  for (const auto& [what, count] : counts)
+    if (!contains(sentences[1], judged.findings.size() <= most_pairs ? what : fmt::format("{} {}", count, what)))
+      return what;
   return "";
 }
 
