@@ -182,7 +182,7 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
     if (!gnuplot.succeeded)
       return {fmt::format("figures are not drawn: {}; install gnuplot, then give the command again", gnuplot.output)};
   }
-  std::erase_if(told, &std::string::empty);
+  std::erase_if(told, [](const std::string& text) { return text.empty(); });
   return told;
 }
 
