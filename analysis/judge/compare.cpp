@@ -160,6 +160,17 @@ std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, 
                                            : Effect{smaller / pairs, larger / pairs};
 }
 
+Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair) {
+  const auto of = [&](const Group& group) {
+    const double value = values_of(group).front();
+    return observed.are_logs ? std::exp(value) : value;
+  };
+  const double one = of(pair.a), other = of(pair.b);
+  return {is_worse_than_margin(observed, plan, one, other)   ? Verdict::worse
+          : is_worse_than_margin(observed, plan, other, one) ? Verdict::better
+                                                             : Verdict::same};
+}
+
 // The verdict of p, with an amount that cannot refute it.
 Finding judged(const Observations& observed, const Plan& plan, const Pair& pair, double tests) {
   Finding finding{.first = pair.a.name, .second = pair.b.name, .scale = pair.scale};
@@ -177,14 +188,7 @@ Finding judged(const Observations& observed, const Plan& plan, const Pair& pair,
   const auto shown = [&](double value) { return is_ratio ? std::exp(value) : value; };
   if (std::isfinite(outcome.estimate)) finding.amount = Amount{shown(outcome.estimate)};
   if (pair.is_fact()) {
-    const auto of = [&](const Group& group) {
-      const double value = values_of(group).front();
-      return observed.are_logs ? std::exp(value) : value;
-    };
-    const double one = of(pair.a), other = of(pair.b);
-    finding.what = Fact{is_worse_than_margin(observed, plan, one, other)   ? Verdict::worse
-                        : is_worse_than_margin(observed, plan, other, one) ? Verdict::better
-                                                                           : Verdict::same};
+    finding.what = fact_of(observed, plan, pair);
     return finding;
   }
   Tested tested{.p = std::min(1.0, outcome.p * tests),

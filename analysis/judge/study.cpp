@@ -60,6 +60,18 @@ bool is_too_fast(const Definition& study, const SolveRecord& solve) {
   return false;
 }
 
+// What its check refused, and the solvers' own numbers.
+void add_extras(const SolveRecord& record, StudyResults& study) {
+  const bool has_check = !study.definition.check.process.empty();
+  for (const auto& [name, value] : record.extras) {
+    if (has_check && name.starts_with(invalid_extra)) ++study.faults[record.label][name.substr(invalid_extra.size())];
+    if (has_check && (name.starts_with(invalid_extra) || name.starts_with(check_extra))) continue;
+    const bool is_one_of_few = study.extras.contains(name) || std::ssize(study.extras) < most_extras;
+    const bool is_metric = std::isfinite(value) && !name.starts_with(results::refused_extra);
+    if (is_metric && is_one_of_few) study.extras[name][record.label].push_back(value);
+  }
+}
+
 // Adds a record to a study; they come by solver, run and point. The bend is of its run until here.
 void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   if (record.run < 1 || record.point < 1)
@@ -76,14 +88,7 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   for (const std::string& name : study.definition.check.numbers())
     if (const auto found = record.extras.find(std::string(check_extra) + name); found != record.extras.end())
       numbers.push_back(found->second);
-  const bool has_check = !study.definition.check.process.empty();
-  for (const auto& [name, value] : record.extras) {
-    if (has_check && name.starts_with(invalid_extra)) ++study.faults[record.label][name.substr(invalid_extra.size())];
-    if (has_check && (name.starts_with(invalid_extra) || name.starts_with(check_extra))) continue;
-    const bool is_one_of_few = study.extras.contains(name) || std::ssize(study.extras) < most_extras;
-    const bool is_metric = std::isfinite(value) && !name.starts_with(results::refused_extra);
-    if (is_metric && is_one_of_few) study.extras[name][record.label].push_back(value);
-  }
+  add_extras(record, study);
   const bool is_told = record.cpu_seconds > 0 && record.claimed_seconds >= least_told(record.cpu_seconds);
   const double seconds = is_told ? record.claimed_seconds : record.seconds;
   const bool is_single = record.timing != Timing::batch;
