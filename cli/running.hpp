@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "cli/options.hpp"
 #include "experiments/runner.hpp"
