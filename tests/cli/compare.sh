@@ -12,6 +12,7 @@ make fewer --set stop.iterations=5
 base=base/store.sqlite again=again/store.sqlite fewer=fewer/store.sqlite
 
 # Two stores: nothing worse, and worse; the other way round nothing is.
+cp $base before.sqlite
 succeeds compare $base $again
 has "$out" "IK-BA, BA, DE, PSO, K-ABC and MO-PSO: all solves are the same, bit for bit (144 solves)."
 succeeds compare $base $again --json
@@ -22,6 +23,8 @@ json 'all(row["metric"] in of["direction"] for row in of["findings"]) and of["me
 json '[label for label in of["worse"] if "error" in of["worse"][label]] == ["DE", "PSO", "K-ABC", "MO-PSO"]'
 golden compare-stores
 ends 4 compare $base $fewer --label BA --strict
+succeeds compare $base $fewer --label BA
+cmp $base before.sqlite || fail "compare changed the store"
 ends 3 compare $base $fewer --label BA --label K-ABC --strict -o verdict.md
 equal "metrics of two labels in verdict.md" "$(grep -c '^| error |' verdict.md)" 2
 

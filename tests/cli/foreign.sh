@@ -49,6 +49,8 @@ ends 3 run faults.toml --figures none --out faults --json # since some answer in
 [[ $err == *"years gave no answer in any solve"* ]] || fail "not told: $err"
 equal "solves of a second run" "$(solves $store)" 272
 json 'any("lies" in doubt and "claimed" in doubt for doubt in of["doubts"])'
+ends 3 compare good declines --store $store --json
+json 'of["newly_missing"]["declines"] > 0'
 
 study silent "$(entry dies dies)" "$(entry declines declines)"
 succeeds run silent.toml --figures none --out silent

@@ -15,6 +15,8 @@ for kind in solvers robots studies paths columns metrics instruction-sets; do
   done
 done
 
+succeeds list solvers ik_bat
+has "$out" $'\n'"pulse_rate "
 succeeds list
 equal kinds "$(wc -l <.out)" 8
 # What to cite: an entry for each, and no keyword of another one.
@@ -35,8 +37,8 @@ for study in $("$program" list studies | grep -E '^[a-z]' | cut -d' ' -f1); do
   diff <(grep "^[^#]" .out) <(grep "^[^#]" "$study.toml") || fail "the listed study, listed again, is another"
 done
 # The page on study files names each of these keys, and those of a URDF file.
-for key in base tip limits snap_deg $(sed -n 's/^\([a-z_]*\) = .*/\1/p' slim2023-time.toml); do
-  grep -qF "\`$key\`" "$root/docs/reference/study-file.md" || fail "study-file.md lacks $key"
+for key in base tip limits snap_deg $(sed -n 's/^\([a-z_]*\) = .*/\1/p' slim2023-time.toml any-arm.toml); do
+  grep -qE "\`$key(\`| =)" "$root/docs/reference/study-file.md" || fail "study-file.md lacks $key"
 done
 study theirs '[[solvers]]' 'label = "X"' 'process = ["touch", "ran"]'
 refused "a list starts none" list studies theirs.toml

@@ -58,6 +58,9 @@ TEST_CASE("every double comes back bit for bit, finite or not", "[store]") {
     CAPTURE(numbers[i]);
     CHECK(same(again[i], records[i]));
   }
+  SolveRecord record = sample_record();
+  record.position_error_cm = -0.0;
+  CHECK(same(through_a_store(record).position_error_cm, 0.0));  // SQLite drops its sign
 }
 
 TEST_CASE("any text comes back as it was", "[store]") {

@@ -185,7 +185,7 @@ TEST_CASE("no sentence says more than its findings, of two and three solvers", "
     for (const Finding& ac : all_kinds()) {
       check({1, 2, 3}, {ab, ac}, "A");
       for (const Finding& bc : all_kinds()) {
-        // Other orders are these with other names.
+        // The first is the best, is not, or all are equal.
         for (const std::vector<double>& numbers : std::vector<std::vector<double>>{{1, 2, 3}, {3, 1, 2}, {1, 1, 1}})
           check(numbers, {ab, ac, bc});
       }

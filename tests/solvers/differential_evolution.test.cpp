@@ -51,3 +51,11 @@ TEST_CASE("DE brings a joint outside back to the limit, mirrors it there, or dra
   }
   CHECK(outside > 0);
 }
+
+TEST_CASE("DE needs three others", "[differential_evolution]") {
+  const Task task = planar_task(3);
+  Objective objective(task.chain, task.target);
+  Random random{Key(1)};
+  CHECK_THROWS_AS(solver("differential_evolution").make({})->start(task.problem, objective, random),
+                  std::invalid_argument);
+}
