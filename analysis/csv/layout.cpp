@@ -94,6 +94,9 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   const bool has_no_other = request.are_summaries || numbers.size() == (layout.values.empty() ? 1 : 0);
   if (request.label.empty() && texts.size() == 1 && has_no_other) layout.label = texts.front(), texts.clear();
   if (layout.values.empty() && (is_wide || (layout.label && numbers.size() == 1))) layout.values.swap(numbers);
+  if (is_wide ? layout.values.size() == 1 : request.block == std::vector<std::string>{"row"} && !has_title("row"))
+    sheet.refuse(is_wide ? "--label columns compares columns of numbers, and there is only one"
+                         : "a block of one row has one label alone; say --run row, or --label columns");
   if ((!is_wide && !layout.label) || layout.values.empty())
     ask(sheet, request, columns, "which columns are what?", false);
   for (const std::size_t value : is_wide ? layout.values : Columns()) {

@@ -2,6 +2,8 @@
 // wrong.
 #include "analysis/csv/user_csv.hpp"
 
+#include <fmt/ranges.h>
+
 #include <random>
 
 #include "tests/judge/studies.hpp"
