@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "analysis/figures/plots.hpp"
@@ -135,8 +136,10 @@ std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
         continue;
       }
       constexpr double margin = 0.1;  // of means that a few hard targets decide
+      constexpr int least = 20;       // of fewer, their spread is not known
       const double printed = base::number_from(digits).value(),
-                   half = critical_z(1 - repeated.paper.rates.level) * its.sd * std::sqrt(1. / its.n + 1 / n);
+                   sd = its.n < least ? std::numeric_limits<double>::infinity() : its.sd,
+                   half = critical_z(1 - repeated.paper.rates.level) * sd * std::sqrt(1. / its.n + 1 / n);
       of.rates.push_back({.row = observed.groups[place].name,
                           .digits = std::string(digits),
                           .printed = printed,
@@ -271,22 +274,25 @@ show::Table rates_table(const Repeated& repeated, const std::string& name) {
                               is_of_arms ? " an arm" : "", is_of_arms ? " by " + plan.tables.at(table.name) : "");
   std::set<std::string_view> signs;
   for (const auto& [column, rates] : rates_of(repeated, name)) {
+    const std::size_t before = table.columns.size();
     table.columns.push_back({.name = column, .unit = is_of_arms ? "%" : "", .ends = {0, 100}});
-    table.rows.resize(rates.size());  // arms, in each solver's order
-    for (std::size_t i = 0; i < rates.size(); ++i) {
-      const Rate& rate = rates[i];
+    for (const Rate& rate : rates) {
       const bool is_picked =
           std::ranges::any_of(plan.picked, [&](const auto& arm) { return plan.rows.at(arm) == rate.row; });
-      if (table.rows[i].empty()) table.rows[i].emplace_back(rate.row + (is_picked ? " *" : ""));
-      table.rows[i].emplace_back(
-          show::Printed{std::round(1e10 * rate.ours) / 1e10, rate.digits, std::string(rate.sign())});
+      const std::string row_name = rate.row + (is_picked ? " *" : "");
+      const auto is_its = [&](const auto& row) {
+        return row.size() <= before && std::get<std::string>(row[0]) == row_name;
+      };
+      auto row = std::ranges::find_if(table.rows, is_its);
+      if (row == table.rows.end()) row = table.rows.insert(row, {show::Cell(row_name)});
+      row->resize(before);  // a column may lack a row
+      row->emplace_back(show::Printed{std::round(1e10 * rate.ours) / 1e10, rate.digits, std::string(rate.sign())});
+      if (!rate.printed_ms.empty()) row->emplace_back(show::Printed{rate.mean_ms, rate.printed_ms});
       signs.insert(rate.sign());
     }
-    if (rates.empty() || rates.front().printed_ms.empty()) continue;  // is no program's
-    table.columns.push_back({"mean time", "ms"});
-    for (std::size_t i = 0; i < rates.size(); ++i)
-      table.rows[i].emplace_back(show::Printed{rates[i].mean_ms, rates[i].printed_ms});
+    if (!rates.empty() && !rates.front().printed_ms.empty()) table.columns.push_back({"mean time", "ms"});
   }
+  for (auto& row : table.rows) row.resize(table.columns.size());
   std::vector<std::string> key;
   if (signs.contains("~")) key.emplace_back("~ it contains 0");
   if (signs.contains("x")) key.emplace_back("x it excludes 0");

@@ -50,6 +50,8 @@ unset IKBENCH_INSTRUCTION_SET
 succeeds run beeson2015 --only KDL,KDL-RR --set name=beeson2015-fanuc_m430ia2f --set robot=fanuc_m430ia2f --no-report --jobs 2 --out fanuc
 succeeds reproduce haviland2023 --jobs 2 --figures none --out six_rules
 kept haviland2023 <six_rules/tables/numbers.csv
+succeeds reproduce haviland2023 --runs 1 --figures none --out one   # a rule without a solve has no iterations
+equal columns "$(awk -F, '{ print NF }' one/tables/numbers.csv | sort -u)" "$(head -n 1 one/tables/numbers.csv | awk -F, '{ print NF }')"
 succeeds run haviland2023-searches --set seed=10 --set published= --set name=haviland2023-part2 --only "NR,LM Wampler 1e-4,LM Chan 0.1,LM Sugihara 1e-4" --no-report --jobs 2 --out six_rules
 for study in fanuc/beeson2015-fanuc_m430ia2f six_rules/haviland2023 six_rules/haviland2023-searches; do
   equal "fingerprint of $study" "$(fingerprint "${study%/*}/store.sqlite" "${study#*/}")" "$(reference "${study#*/}")"
