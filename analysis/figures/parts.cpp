@@ -204,6 +204,11 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
   if (has_edge)
     settings += fmt::format("set {}tics add ('{}' {})\n", letter,
                             about.floor > 0 ? "≤ " + tick(about.floor, is_power) : "0", text_of(edge));
+  if (has_edge && edge > about.floor) {  // the axis is broken between them
+    const std::string middle = text_of(std::sqrt(edge * start));
+    settings += fmt::format("set label '//' at {} center front tc rgb ink\n",
+                            letter == 'x' ? "first " + middle + ", graph 0" : "graph 0, first " + middle);
+  }
   return {settings + titled(letter, title) + placed(letter, edge, high), low, high, true};
 }
 
