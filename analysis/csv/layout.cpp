@@ -76,6 +76,8 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   const bool is_wide =
       !request.are_summaries && request.label == std::vector<std::string>{"columns"} && !has_title("columns");
   const bool is_each_row = request.run == "row" && !has_title("row");
+  if (!is_wide && request.block == std::vector<std::string>{"row"} && !has_title("row"))
+    sheet.refuse("a block of one row has one label alone; say --run row, or --label columns");
   Columns named, texts, numbers;
   for (const std::string& condition : request.where) named.push_back(sheet.choose(condition));
   Layout layout;
@@ -94,9 +96,8 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   const bool has_no_other = request.are_summaries || numbers.size() == (layout.values.empty() ? 1 : 0);
   if (request.label.empty() && texts.size() == 1 && has_no_other) layout.label = texts.front(), texts.clear();
   if (layout.values.empty() && (is_wide || (layout.label && numbers.size() == 1))) layout.values.swap(numbers);
-  if (is_wide ? layout.values.size() == 1 : request.block == std::vector<std::string>{"row"} && !has_title("row"))
-    sheet.refuse(is_wide ? "--label columns compares columns of numbers, and there is only one"
-                         : "a block of one row has one label alone; say --run row, or --label columns");
+  if (is_wide && layout.values.size() == 1)
+    sheet.refuse("--label columns compares columns of numbers, and there is only one");
   if ((!is_wide && !layout.label) || layout.values.empty())
     ask(sheet, request, columns, "which columns are what?", false);
   for (const std::size_t value : is_wide ? layout.values : Columns()) {
