@@ -52,7 +52,7 @@ cp .out all
 for command in $(sed -n 's/^COMMAND(\(.*\),.*/\1/p' "$root/cli/commands.inc" | tr _ -); do
   grep -q "^  $command " all || fail "--help does not list $command"
   succeeds "$command" --help
-  has "$out" "  ikbench $command "
+  has "$out" "ikbench $command "
   [ "$(wc -L <.out)" -le 100 ] || fail "$command --help has a line of more than 100 columns"
   [ -z "$err" ] || fail "$command --help wrote to the standard error: $err"
   quiet
