@@ -25,12 +25,13 @@ end
 
 function solve(arm, problem)
   began = tic;
-  q = problem.start(:);
-  for i = 0:problem.budget.iterations
+  q = problem.start(:); most = problem.budget.iterations;
+  if problem.budget.evaluations > 0, most = min(most, problem.budget.evaluations - 1); end
+  for i = 0:most
     [tool, jacobian] = forward(arm, q);
     off = problem.target.position(:) - tool;
     late = problem.budget.seconds > 0 && toc(began) >= problem.budget.seconds;
-    if late || norm(off) <= problem.tolerance.position || i == problem.budget.iterations, break; end
+    if late || norm(off) <= problem.tolerance.position || i == most, break; end
     move = jacobian' * ((jacobian * jacobian' + 1e-4 * eye(3)) \ off);
     q += move * min(1, 0.2 / max(abs(move)));
     q = min(max(q, problem.lower(:)), problem.upper(:));
