@@ -2,7 +2,7 @@
 # Every LaTeX table of a report and its paragraphs compile, and fit an A4 page with margins of 2 cm. That of the results
 # fits a column. The example of an article compiles with all, and knows all that it refers to.
 source "$(dirname "$0")/common.sh"
-needs pdflatex bibtex mf {booktabs,graphicx,geometry}.sty IEEEtran.cls # mf makes fonts
+needs pdflatex bibtex mf {booktabs,graphicx,geometry}.sty IEEEtran.cls ptmr7t.tfm # mf makes fonts; a font of IEEEtran
 export HOME=$PWD # where fonts are kept
 
 # compiles CLASS OPTIONS TABLE...: all in one document, of which nothing sticks out.
