@@ -98,7 +98,7 @@ std::size_t take_comments(std::string_view& text) {
     const char separator = separator_of(names);
     const auto cells = [&](std::string_view of) {
       std::string row(trimmed(of.substr(0, of.find_first_of("\r\n"))));
-      if (separator == ' ') row.erase(std::ranges::unique(row).begin(), row.end());
+      if (separator == ' ') row.erase(std::unique(row.begin(), row.end()), row.end());
       return std::ranges::count(row, separator);
     };
     if (names.starts_with(separator)) break;  // the mark is a name itself

@@ -271,7 +271,7 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
     std::vector<CheckLine> lines = Checks(*choice, robot_name->empty() ? some_arm() : robot(*robot_name)).lines;
     const auto failed = std::ranges::count(lines, false, &CheckLine::passed);
     if (failed > 0) invocation.exit_code = 1;
-    std::ranges::stable_partition(lines, [](const CheckLine& line) { return !line.passed; });
+    std::stable_partition(lines.begin(), lines.end(), [](const CheckLine& line) { return !line.passed; });
     fmt::print("{}\n\n", failed == 0
                              ? fmt::format("All {} checks passed.", lines.size())
                              : fmt::format("{} of {} checks failed{}", failed, lines.size(),

@@ -207,7 +207,8 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
 void refuse_sums(const Sheet& sheet, const Items& items) {
   bool are_sums = items.groups.size() > 1, are_means = are_sums, are_whole = true;
   for (Index group = 0; group < items.groups.size(); ++group) {
-    const auto all = std::ranges::equal_range(items.values, group, {}, &Value::group);
+    const std::span all(std::ranges::lower_bound(items.values, group, {}, &Value::group),
+                        std::ranges::upper_bound(items.values, group, {}, &Value::group));
     const double last = all.back().value, n = static_cast<double>(all.size()) - 1;
     double sum = -last;
     for (const Value& each : all) sum += each.value;

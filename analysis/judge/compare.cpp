@@ -151,9 +151,9 @@ std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, 
   std::ranges::sort(second);
   double larger = 0, smaller = 0;
   for (const double value : first) {
-    const auto equal = std::ranges::equal_range(second, value);
-    larger += static_cast<double>(equal.begin() - second.begin());
-    smaller += static_cast<double>(second.end() - equal.end());
+    const auto [first_equal, end] = std::equal_range(second.begin(), second.end(), value);
+    larger += static_cast<double>(first_equal - second.begin());
+    smaller += static_cast<double>(second.end() - end);
   }
   const double pairs = static_cast<double>(first.size()) * static_cast<double>(second.size());
   return observed.better == Better::larger ? Effect{larger / pairs, smaller / pairs}

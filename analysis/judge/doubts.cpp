@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <ranges>
 #include <set>
 
 #include "analysis/judge/study.hpp"
@@ -148,9 +147,9 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
     add(doubts, {.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = what});
   };
   add_of(study.beside.labels, study.beside.of);
-  const auto in_batches = study.in_batches | std::views::keys;
-  add_of({in_batches.begin(), in_batches.end()}, "asked in batches");
-  std::vector<std::string> silent;
+  std::vector<std::string> in_batches, silent;
+  for (const auto& [solver, its] : study.in_batches) in_batches.push_back(solver);
+  add_of(std::move(in_batches), "asked in batches");
   for (const std::string& solver : study.labels) {
     const Solves all = study.of(solver);
     const auto tells_none = [](const Solve& solve) {

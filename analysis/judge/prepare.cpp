@@ -14,11 +14,11 @@ constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon(
 void remove_rounding(std::vector<double>& values, const std::vector<double>& roundings) {
   const std::vector<Placed> order = rising(values);
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
-    const auto [least, its] = order[first];
-    const auto is_equal = [&](const auto& other) {
-      return other.first <= least + std::max(roundings[its], roundings[other.second]);
+    const Placed& least = order[first];
+    const auto is_equal = [&](const Placed& other) {
+      return other.first <= least.first + std::max(roundings[least.second], roundings[other.second]);
     };
-    for (; next < order.size() && is_equal(order[next]); ++next) values[order[next].second] = least;
+    for (; next < order.size() && is_equal(order[next]); ++next) values[order[next].second] = least.first;
   }
 }
 

@@ -161,13 +161,13 @@ std::vector<RateColumn> rates_of(const Repeated& repeated, std::string name) {
   const base::CsvTable table = results::published::table(repeated.paper.name, name);
   const base::CsvTable* const programs = repeated.programs;
   std::vector<RateColumn> columns;
-  for (const auto& [solver, column] : plan.columns) {
+  for (const auto& [solver, title] : plan.columns) {
     RateColumn of{.name = solver};
+    const std::size_t column = table.column(title);
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const auto add = [&](double solved, double n) -> Rate& {
-        return of.rates.emplace_back(rate_of(std::string(table.cell(row, 0)), solved / n, n,
-                                             table.cell(row, table.column(column)), table.number(row, "n"), 100,
-                                             repeated));
+        return of.rates.emplace_back(rate_of(std::string(table.cell(row, 0)), solved / n, n, table.cell(row, column),
+                                             table.number(row, "n"), 100, repeated));
       };
       const auto is_of_row = [&](std::string_view robot) {
         const auto arm = plan.rows.find(std::string(robot));
@@ -184,7 +184,7 @@ std::vector<RateColumn> rates_of(const Repeated& repeated, std::string name) {
         if (its("solver") != solver || !is_of_row(its("robot"))) continue;
         Rate& rate = add(programs->number(i, "solved"), programs->number(i, "n"));
         rate.mean_ms = programs->number(i, "mean_ms");
-        rate.printed_ms = table.cell(row, table.column(column.substr(0, column.rfind('_')) + "_ms"));
+        rate.printed_ms = table.cell(row, table.column(title.substr(0, title.rfind('_')) + "_ms"));
       }
     }
     if (!of.rates.empty()) columns.push_back(std::move(of));

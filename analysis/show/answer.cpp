@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -173,7 +172,8 @@ Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
       const std::size_t first = places.at(its.first), second = places.at(its.second);
       by_place.emplace(std::minmax(first, second), better_first(std::move(its), judged.plan.control, second < first));
     }
-    std::ranges::move(by_place | std::views::values, judged.findings.begin());
+    auto next = judged.findings.begin();
+    for (auto& [place, its] : by_place) *next++ = std::move(its);
   }
   return answer;
 }

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <ranges>
 #include <regex>
 #include <span>
 #include <utility>
@@ -48,7 +47,8 @@ void narrow(std::vector<std::size_t>& widths, const Rows& rows, std::size_t gap,
   const std::size_t gaps = gap * (widths.size() - std::min<std::size_t>(widths.size(), 1));
   const auto spare = [&](std::size_t c) { return widths[c] > least[c] ? widths[c] : 0; };
   for (std::size_t all = std::accumulate(widths.begin(), widths.end(), gaps); all > width; --all) {
-    const auto widest = std::ranges::max(std::views::iota(std::size_t{0}, widths.size()), {}, spare);
+    std::size_t widest = 0;
+    for (std::size_t c = 1; c < widths.size(); ++c) widest = spare(c) > spare(widest) ? c : widest;
     if (spare(widest) == 0) return;
     --widths[widest];
   }

@@ -151,7 +151,7 @@ std::string faults_of(const StudyResults& study) {
   ByWord faults;
   for (const auto& [label, all] : study.faults)
     for (const auto& [fault, count] : all) faults.add(fault, fmt::format("{} {}", label, count));
-  if (faults.all.size() > 10) faults.all = {{base::counted(faults.all.size(), "faults"), {"solves.csv"}}};
+  if (faults.all.size() > 10) faults.all = {{base::counted(std::ssize(faults.all), "faults"), {"solves.csv"}}};
   return faults.all.empty() ? "" : fmt::format("Invalid: {}.", fmt::join(faults.told("{} ({})"), "; "));
 }
 

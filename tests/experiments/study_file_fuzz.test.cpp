@@ -63,10 +63,10 @@ TEST_CASE("messages of a program with random changes are understood, or broke th
          for (const char* key : {"error", "seconds", "seed"}) message.number(key);
          message.extras();
        }}};
-  for (const auto& [text, read] : messages) {
-    read_mutated(Mutator(9), text, 700, "it wrote ", [&](const std::string& line) {
+  for (const auto& each : messages) {
+    read_mutated(Mutator(9), each.first, 700, "it wrote ", [&](const std::string& line) {
       try {
-        read(Message(line));
+        each.second(Message(line));
       } catch (const Trouble& trouble) {
         throw std::invalid_argument(trouble.why);
       }

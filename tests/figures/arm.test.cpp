@@ -15,7 +15,7 @@ std::vector<Corner> corners_of_arm(const char* definition, const std::vector<dou
 void check(const std::vector<Corner>& points, const std::vector<Corner>& expected) {
   REQUIRE(points.size() == expected.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < 3; ++axis) {
       CAPTURE(i, axis);
       CHECK(points[i][axis] == Approx(100 * expected[i][axis]).margin(1e-10));  // cm
     }

@@ -194,9 +194,7 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
   const auto time = std::ranges::find(told.judged.metrics, "s", [](auto& each) { return each.observations.unit; });
   REQUIRE(time->observations.doubts.size() == 1);
   CHECK_THAT(words_of(time->observations.doubts.front()), ContainsSubstring("before second calls on a target"));
-  CHECK(gate_of(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5))
-            .judged.metrics[time - told.judged.metrics.begin()]
-            .observations.doubts.empty());
+  CHECK(judged_of(gate_of(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5)).judged, "seconds")->observations.doubts.empty());
 }
 
 TEST_CASE("a metric that one of the two lacks is not tested") {

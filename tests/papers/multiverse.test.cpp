@@ -70,10 +70,10 @@ TEST_CASE("the answer that most failing readings have is told, with their number
   };
   SolvedMultiverse multiverse = small();
   CHECK(of_ba(multiverse).most_fail == "16 with b=1 (b is 1)");
-  for (const std::size_t part : {2, 3, 8}) multiverse.means[part][0] = around(9);
+  for (const std::size_t part : {2U, 3U, 8U}) multiverse.means[part][0] = around(9);
   CHECK(of_ba(multiverse).hold == 32);
   CHECK(of_ba(multiverse).most_fail.empty());
-  for (const std::size_t part : {2, 8}) multiverse.means[part][0] = around(0.1);
+  for (const std::size_t part : {2U, 8U}) multiverse.means[part][0] = around(0.1);
   CHECK(of_ba(multiverse).fail == 16);  // by b=0, a default, which is not told
   CHECK(of_ba(multiverse).most_fail == "8 with way=1 (way is 1)");
 }
@@ -105,7 +105,7 @@ TEST_CASE("the numbers that repeat are counted by seed, row and of another seed'
 
 TEST_CASE("a solver that diverges is not tested", "[papers]") {
   SolvedMultiverse multiverse = small();
-  for (const std::size_t part : {6, 7}) {
+  for (const std::size_t part : {6U, 7U}) {
     std::vector<double> rest = std::get<Measured>(multiverse.means[part][0].sample).values;
     rest.pop_back();
     multiverse.means[part][0].sample = Untold{.lost = 1, .values = rest};

@@ -1,6 +1,5 @@
 // Solvers that look ahead in batches equal, bit for bit, the loops of their pseudo-code, which draw, evaluate and
 // decide one candidate after another.
-#include <ranges>
 
 #include "base/number.hpp"
 #include "tests/solvers/objectives.hpp"
@@ -253,8 +252,8 @@ void differential_evolution(Loop& loop) {
       const Vector drawn = loop.uniforms(candidates);
       for (std::size_t i = 0; i < candidates; ++i) weights[i].assign(loop.joints, drawn[i]);
     }
-    if (!loop.is("weight_drawn", "never")) {
-      for (double& F : weights | std::views::join) F = 0.2 + (0.8 - 0.2) * F;
+    for (Vector& of_one : weights) {
+      for (double& F : of_one) F = loop.is("weight_drawn", "never") ? F : 0.2 + (0.8 - 0.2) * F;
     }
     const std::vector<Vector> generation = loop.x, &from = at_once ? loop.x : generation;
     for (std::size_t i = 0; i < candidates; ++i) {
