@@ -93,3 +93,5 @@ struct ScratchFolder {
 };
 
 }  // namespace ikbench
+
+using namespace ikbench;

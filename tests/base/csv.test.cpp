@@ -6,7 +6,6 @@
 #include "base/number.hpp"
 #include "tests/base/cells.hpp"
 
-using namespace ikbench;
 using namespace ikbench::base;
 
 namespace {

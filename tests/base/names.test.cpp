@@ -3,7 +3,6 @@
 #include "tests/common.hpp"
 
 using namespace ikbench::base;
-using namespace ikbench;
 
 TEST_CASE("the nearest name is the one with the fewest edits, and none where none is near", "[names]") {
   const std::vector<std::string> names{"bat", "ik_bat", "particle_swarm"};

@@ -2,10 +2,8 @@
 #include "cli/console.hpp"
 
 #include <signal.h>
-#include <unistd.h>
 
 #include "tests/base/processes.hpp"
-#include "tests/common.hpp"
 
 using ikbench::cli::aligned;
 using ikbench::cli::cancelled_exit_code;

@@ -4,8 +4,6 @@
 #include "analysis/judge/judge.hpp"
 #include "tests/mutator.hpp"
 
-using namespace ikbench;
-
 TEST_CASE("whatever is in a CSV, it is judged or refused in one sentence", "[mutations]") {
   const std::string wide = "A,B,C\n1,2,3\n2.5,3,4.1\n1.5,2.5,3.25\n-1,1.1,1.2\n";
   const std::string rows = "problem;solver;run;error\np1;A;1;1\np1;B;1;2\np1;C;1;2,5\np2;A;2;2\np2;B;2;3\np2;C;2;3\n";

@@ -2,15 +2,9 @@
 // wrong.
 #include "analysis/csv/user_csv.hpp"
 
-#include <fmt/ranges.h>
-
-#include <random>
-
 #include "tests/judge/studies.hpp"
 #include "tests/mistakes.hpp"
 
-using namespace ikbench;
-using namespace ikbench::judge;
 using csv::Quantities;
 using csv::Request;
 

@@ -1,13 +1,10 @@
 // A C++ class as a solver that does not do what a solver has to do: what comes of it is a row that every reader takes,
 // or the run ends with its label, run and point.
-#include <array>
 #include <cfenv>
 
 #include "analysis/judge/judge.hpp"
 #include "analysis/show/publish.hpp"
-#include "base/csv.hpp"
 #include "base/names.hpp"
-#include "tests/base/processes.hpp"
 #include "tests/experiments/samples.hpp"
 
 namespace {

@@ -1,11 +1,7 @@
 // Studies that are small enough to run many times.
 #pragma once
 
-#include <SQLiteCpp/SQLiteCpp.h>
-#include <fmt/format.h>
-
 #include <Eigen/SVD>
-#include <nlohmann/json.hpp>
 
 #include "base/units.hpp"
 #include "experiments/environment.hpp"
@@ -19,23 +15,14 @@
 #include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
 #include "experiments/workers.hpp"
-#include "results/fingerprint.hpp"
-#include "results/published.hpp"
-#include "results/record.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/bounds.hpp"
-#include "solvers/registry.hpp"
-#include "tests/common.hpp"
 #include "tests/numerics/reference.hpp"
 #include "tests/results/samples.hpp"
 #include "tests/solvers_for.hpp"
 
-using namespace ikbench::base;
-using namespace ikbench;
-using namespace ikbench::numerics;
 using namespace ikbench::robots;
 using namespace ikbench::solvers;
-using namespace ikbench::results;
 using namespace ikbench::experiments;
 
 namespace ikbench {

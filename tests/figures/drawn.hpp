@@ -1,8 +1,6 @@
 // Draws figures as SVG alone, by one gnuplot, which costs far less than each in three formats.
 #pragma once
 
-#include <fmt/format.h>
-
 #include "analysis/figures/figure.hpp"
 #include "analysis/figures/look.hpp"
 #include "analysis/figures/of_study.hpp"
@@ -14,12 +12,9 @@
 #include "base/files.hpp"
 #include "experiments/study_reader.hpp"
 #include "results/store.hpp"
-#include "tests/common.hpp"
 #include "tests/judge/studies.hpp"
 
 using namespace ikbench::base;
-using namespace ikbench;
-using namespace ikbench::judge;
 using namespace ikbench::results;
 using namespace ikbench::figures;
 

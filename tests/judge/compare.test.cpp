@@ -490,7 +490,7 @@ TEST_CASE("verdicts may form a circle", "[compare]") {
 
 TEST_CASE("a winner by ranks whose mean or median lies the other way is warned of", "[compare]") {
   const auto warned_of = [](const Observations& of, const Plan& plan = {}) {
-    const JudgedMetric all = judge(of, plan);
+    const JudgedMetric all = judge::judge(of, plan);
     return all.observations.doubts.empty() ? "" : all.observations.doubts.front().what;
   };
   // A usually has 0.0001, and once in ten 0.3; B always has 0.0005.

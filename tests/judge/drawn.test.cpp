@@ -1,13 +1,8 @@
 // Tables as users write them, drawn with what makes verdicts go wrong, and judged twice: by the program, and by counted
 // permutations and formulas as their sources print them, which share no code with it.
-#include <fmt/ranges.h>
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <random>
 
 #include "analysis/csv/user_csv.hpp"
 #include "analysis/show/tell.hpp"

@@ -3,7 +3,6 @@
 // share of 10000 sets is at most 0.005.
 //
 //   IKBENCH_SETS=10000 build/check/tests/judge/test_judge '[error_rates]'
-#include <fmt/ranges.h>
 
 #include "analysis/show/tell.hpp"
 #include "tests/judge/studies.hpp"

@@ -1,7 +1,5 @@
 #include "tests/judge/studies.hpp"
 
-using namespace ikbench;
-
 namespace {
 
 const Asked of_100{.start = "initial", .runs = 1, .points = 100, .tolerance_cm = 0.1};

@@ -1,7 +1,6 @@
 // Hand-made studies.
 #pragma once
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "analysis/judge/compare.hpp"
@@ -9,10 +8,8 @@
 #include "analysis/judge/gate.hpp"
 #include "analysis/judge/judge.hpp"
 #include "analysis/judge/observe.hpp"
-#include "analysis/judge/study.hpp"
 #include "analysis/judge/tests_of_two.hpp"
 #include "base/units.hpp"
-#include "tests/common.hpp"
 #include "tests/stored_study.hpp"
 
 using namespace ikbench::judge;

@@ -1,7 +1,6 @@
 #include "tests/judge/studies.hpp"
 
 using namespace ikbench::base;
-using namespace ikbench;
 using namespace ikbench::results;
 
 TEST_CASE("A study has the solves of each solver by run and point, and the sessions that made them") {

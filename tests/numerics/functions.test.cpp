@@ -4,7 +4,6 @@
 #include "tests/common.hpp"
 #include "tests/numerics/reference.hpp"
 
-using namespace ikbench;
 using namespace ikbench::numerics;
 using std::numbers::pi;
 

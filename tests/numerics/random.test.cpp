@@ -4,7 +4,6 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 
-#include "numerics/instruction_set.hpp"
 #include "tests/solvers/objectives.hpp"
 
 namespace {

@@ -7,7 +7,6 @@
 #include "experiments/study_reader.hpp"
 #include "tests/common.hpp"
 
-using namespace ikbench;
 using namespace ikbench::results;
 using namespace ikbench::experiments;
 using namespace ikbench::judge;

@@ -1,8 +1,6 @@
 // Hand-made studies of papers.
 #pragma once
 
-#include <fmt/format.h>
-
 #include "analysis/papers/claims.hpp"
 #include "analysis/papers/multiverse.hpp"
 #include "analysis/papers/published.hpp"
@@ -13,8 +11,6 @@
 #include "analysis/slim2023/slim2023.hpp"
 #include "tests/judge/studies.hpp"
 
-using namespace ikbench;
-using namespace ikbench::judge;
 using namespace ikbench::papers;
 
 namespace ikbench::papers {

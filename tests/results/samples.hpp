@@ -2,7 +2,6 @@
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <fmt/format.h>
 #include <signal.h>
 
 #include <nlohmann/json.hpp>
@@ -20,10 +19,8 @@
 #include "results/study.hpp"
 #include "tests/base/cells.hpp"
 #include "tests/base/processes.hpp"
-#include "tests/common.hpp"
 
 using namespace ikbench::base;
-using namespace ikbench;
 using namespace ikbench::numerics;
 using namespace ikbench::results;
 

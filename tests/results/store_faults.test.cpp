@@ -1,8 +1,6 @@
 // A store in adversity: wrong files, damage, kill -9, rivals, no permission to write.
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/syscall.h>
-#include <unistd.h>
 
 #include <cstdarg>
 

@@ -4,7 +4,6 @@
 #include "base/inputs.hpp"
 #include "base/units.hpp"
 #include "numerics/functions.hpp"
-#include "robots/chain.hpp"
 #include "robots/robot.hpp"
 #include "robots/rotation.hpp"
 #include "robots/spherical_wrist.hpp"
@@ -13,7 +12,6 @@
 #include "tests/numerics/reference.hpp"
 
 using namespace ikbench::base;
-using namespace ikbench;
 using namespace ikbench::numerics;
 using namespace ikbench::robots;
 

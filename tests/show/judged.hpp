@@ -1,7 +1,6 @@
 // A study of three solvers, judged: its values are made, its findings are those of compare().
 #pragma once
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "analysis/judge/judge.hpp"
@@ -22,7 +21,6 @@
 #include "base/names.hpp"
 #include "tests/common.hpp"
 
-using namespace ikbench;
 using namespace ikbench::show;
 
 namespace ikbench::show {

@@ -1,5 +1,4 @@
 // Where the first metric does not tell solvers apart, the headline goes on to the first of the plan that is judged.
-#include "analysis/show/tell.hpp"
 
 #include "tests/show/judged.hpp"
 

@@ -1,7 +1,6 @@
 // Damped least squares: its steps by hand, its convergence and its restarts.
 #include <Eigen/Eigenvalues>
 
-#include "solvers/damped_step.hpp"
 #include "tests/solvers/objectives.hpp"
 
 TEST_CASE("a step that makes it worse is undone, and damped by 2, 4, 8 and so on", "[dls]") {

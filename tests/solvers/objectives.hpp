@@ -13,9 +13,7 @@
 #include "solvers/damped_step.hpp"
 #include "solvers/kernels.hpp"
 #include "solvers/options.hpp"
-#include "solvers/registry.hpp"
 #include "solvers/solve.hpp"
-#include "tests/common.hpp"
 #include "tests/numerics/guarded.hpp"
 #include "tests/numerics/reference.hpp"
 #include "tests/solvers/allocations.hpp"
@@ -23,7 +21,6 @@
 #include "tests/solvers_for.hpp"
 
 using namespace ikbench::base;
-using namespace ikbench;
 using namespace ikbench::numerics;
 using namespace ikbench::robots;
 using namespace ikbench::solvers;
