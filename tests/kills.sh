@@ -16,12 +16,12 @@ ends=(TERM INT)
 # A program that nohup starts ignores SIGHUP.
 [ -n "$(trap -p HUP)" ] && echo "skipped in part: SIGHUP is ignored here" || ends+=(HUP)
 
+begins() { "$program" "$@" >.said 2>&1 </dev/null & process=$!; }
 # at_work FILES SIGNAL COMMAND...: the signal as soon as FILES are there, which the command makes long before its end. It
 # ends by it; all but SIGKILL let it say so.
 at_work() {
   local files=$1 signal=$2
-  "$program" "${@:3}" >.said 2>&1 </dev/null &
-  process=$!
+  begins "${@:3}"
   until compgen -G "$files" >/dev/null; do
     kill -0 $process 2>/dev/null || fail "it ended before SIG$signal: $(<.said)"
     sleep 0.01
@@ -36,8 +36,7 @@ at_work() {
 # signalled SIGNAL COMMAND...: the signal at a random moment of the time that the command took at first, $moment.
 signalled() {
   local signal=$1 after_ms
-  "$program" "${@:2}" >.said 2>&1 </dev/null &
-  process=$!
+  begins "${@:2}"
   after_ms=$((RANDOM % moment))
   sleep "$((after_ms / 1000)).$(printf '%03d' $((after_ms % 1000)))"
   before=$(look)
@@ -159,8 +158,7 @@ kill_all() { # as batch systems stop a job: the solver that is a program ends fi
   for signal in KILL "${ends[@]}"; do
     rm -rf all
     for ((round = 0; round < rounds; ++round)); do
-      "$program" "${all[@]}" all >.said 2>&1 </dev/null &
-      process=$!
+      begins "${all[@]}" all
       until_solved all $process
       sleep 0.0$((RANDOM % 10))
       kill -s "$signal" $(below $process) $process 2>/dev/null
@@ -181,8 +179,7 @@ pause_all() { # for longer than its program may take for a solve
   succeeds "${slow[@]}" slow-alone
   for ((round = 0; round < rounds; ++round)); do
     rm -rf slow
-    "$program" "${slow[@]}" slow >.said 2>&1 </dev/null &
-    process=$!
+    begins "${slow[@]}" slow
     until_solved slow $process
     paused=$(below $process)
     kill -s STOP $paused $process

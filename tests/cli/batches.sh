@@ -66,8 +66,6 @@ equal "solves with a time, before it is given up" "$(column faults/store.sqlite 
 err=$(tr -s '\n ' ' ' <.err)
 has "$err" 'a list of 5'
 has "$err" 'in the order of the problems'
-equal "moves of solves without an answer" "$(sqlite3 faults/store.sqlite "SELECT count(*) FROM solves WHERE
-  status IN ('crashed', 'timed_out', 'broke_protocol', 'declined') AND start_rad <> answer_rad")" 0
 
 # Who cannot be asked in batches is told before anything is solved (of whom it cannot be asked: foreign.sh).
 batches mistake "$(of mine "one by one" 5)"

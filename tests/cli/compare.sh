@@ -75,5 +75,3 @@ ln -s nowhere dangling.sqlite
 gate 1 failed BASELINE=dangling.sqlite OUT=-x
 has "$(<.err)" dangling.sqlite
 [ -s ./-x/store.sqlite ] || fail "no store in -x: $(<.err)"
-echo "no store" >broken.sqlite
-gate 1 failed BASELINE=broken.sqlite OUT=broken

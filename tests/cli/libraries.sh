@@ -15,7 +15,6 @@ grep -q '^EAIK,' panda/tables/beside.csv || fail "no multiples of EAIK"
 succeeds report panda/store.sqlite --beside libraries --out again --figures none
 cmp panda/tables/results.csv again/tables/results.csv || fail "another report of the same"
 refused "seed is 1 and 2" "${beside[@]}" libraries --set seed=2
-refused "stop is" "${beside[@]}" libraries --set stop.tolerance_cm=0.01
 refused kuka_iiwa14 run mine.toml --robot puma560 --beside libraries
 
 # A store of the same study, its own solvers with another name.
@@ -25,21 +24,19 @@ has "$out" "DLS (there)"
 refused "seed is 1 and 2" run mine.toml --set seed=2 --beside there/store.sqlite
 
 # Who solves, and who answers otherwise when asked again.
-sqlite3 store.sqlite "CREATE TABLE current_solves (study, robot, label, run, point, status, answer_rad)"
-while read -r robot label run status one two; do
-  for state in one two; do
-    study=libraries-$robot
-    [[ $state == one ]] || study+=-hot
-    sqlite3 store.sqlite "INSERT INTO current_solves VALUES ('$study', '$robot', '$label', $run, 1, '$status', '[${!state}]')"
-  done
-done <<'END'
-ur5e A 1 ok 1 1
-ur5e A 2 tolerance_missed 1 2
-ur5e B 1 ok 1 2
-ur5e B 2 ok 1 1
-puma560 A 1 declined 1 1
-puma560 B 1 ok 1 1
-ur5e nothing 1 ok 1 1
+sqlite3 store.sqlite <<'END'
+CREATE TABLE said (robot, label, run, status, once, again);
+INSERT INTO said VALUES
+  ('ur5e', 'A', 1, 'ok', '[1]', '[1]'),
+  ('ur5e', 'A', 2, 'tolerance_missed', '[1]', '[2]'),
+  ('ur5e', 'B', 1, 'ok', '[1]', '[2]'),
+  ('ur5e', 'B', 2, 'ok', '[1]', '[1]'),
+  ('puma560', 'A', 1, 'declined', '[1]', '[1]'),
+  ('puma560', 'B', 1, 'ok', '[1]', '[1]'),
+  ('ur5e', 'nothing', 1, 'ok', '[1]', '[1]');
+CREATE VIEW current_solves AS
+  SELECT 'libraries-' || robot AS study, *, 1 AS point, once AS answer_rad FROM said
+  UNION SELECT 'libraries-' || robot || '-hot', *, 1, again FROM said;
 END
 equal "who solves" "$(sqlite3 store.sqlite <"$root/solvers/programs/who.sql" | paste -sd' ')" "B|||2|2, 2|2/2 A|||1|1, 1|0/1"
 equal "who answers otherwise" "$(sqlite3 store.sqlite <"$root/solvers/programs/again.sql")" "libraries-ur5e|B|1|2"

@@ -19,15 +19,7 @@ equal "standard output of a stopped run" "$(cat .first-out .second-out)" ""
 succeeds "${study[@]}" --out twice
 
 # A program that empties the store: the run counts what is there.
-cat >thief.py <<'END'
-import json, sqlite3, sys, time
-print(json.dumps({"message": "hello", "ikbench": 2, "name": "thief"}), flush=True)
-for number, line in enumerate(line for line in sys.stdin if '"solve"' in line):
-    time.sleep(0.03)  # so that the others' solves are stored
-    if number == 9:
-        with sqlite3.connect("robbed/store.sqlite") as store: store.execute("DELETE FROM solves WHERE label = 'BA'")
-    print(json.dumps({"message": "solved", "q": json.loads(line)["start"]}), flush=True)
-END
+cp "$scripts/programs/thief.py" .
 {
   printf 'name = "robbed"\nrobot = "ur5e"\nsearch = "all_joints"\nruns = 3\nturns = 1\npath = { kind = "random", points = 3 }\n'
   printf 'stop = { iterations = 5 }\nsolvers = [{ label = "BA", solver = "bat" }, { label = "thief", process = ["python3", "thief.py"] }]\n'
@@ -55,8 +47,6 @@ succeeds report theirs/store.sqlite
 ln -s ../theirs/results.json own/results.json
 refused "own/results.json' is there" report theirs/store.sqlite --out own
 
-# A parent that ignores SIGCHLD takes no picture away, and `--figures none` all.
+# A parent that ignores SIGCHLD takes no picture away.
 (trap '' CHLD; exec "$program" report theirs/store.sqlite) >.out 2>.err || fail "a report without SIGCHLD: $(<.err)"
 has_no "$(<.err)" "not drawn"
-succeeds report theirs/store.sqlite --figures none
-[[ -z $(compgen -G "theirs/figures/*.svg") ]] || fail "pictures of an earlier report stayed"

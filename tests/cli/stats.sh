@@ -46,9 +46,6 @@ done
 for file in $(python3 -c 'import json; print(*json.load(open(".out"))["files"])'); do [ -s "new/report/$file" ] || fail "no $file"; done
 [ ! -e new/report/solves.csv ] || fail "solves of a file that has none"
 
-succeeds stats comma.csv --better smaller --out boxes --figures boxes --json
-json '"figures/boxes.svg" in of["files"] and "figures/differences.svg" not in of["files"]'
-
 # Which way is better is always asked, whatever else is said.
 for options in --json "--out asked" "--test means" "--control A"; do refused "--better larger" stats "$data/accuracy.csv" $options; done
 [ ! -e asked ] || fail "a report of what was not said"
