@@ -130,14 +130,6 @@ void write_through(const fs::path& file, const Contents& contents) {
   write_whole(is_there ? fs::canonical(file, none) : file, contents, true);
 }
 
-void refuse_links(const fs::path& folder) {
-  for (const char* name : {"article", "tables", "figures", "figures/source"}) {
-    std::error_code ignored;
-    if (const fs::path place = folder / name; fs::is_symlink(place, ignored))
-      throw std::invalid_argument(fmt::format("'{}' is a link; remove it, or choose another folder", place.string()));
-  }
-}
-
 std::optional<std::string> read_file(const fs::path& file, std::uintmax_t enough) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);

@@ -22,9 +22,6 @@ void write_file(const std::filesystem::path& file, const Contents& contents);
 // The same for a file that the user named: follows a link, refuses a pipe or a device, and waits for the disk, which a
 // report of forty files, which a store makes again, does not.
 void write_through(const std::filesystem::path& file, const Contents& contents);
-// Refuses a link in place of a folder of a report, as tables/ or figures/source/: what it leads to belongs to somebody
-// else.
-void refuse_links(const std::filesystem::path& folder);
 // Says that a place cannot be written or read: std::invalid_argument for a mistake of the user, as a place that is not
 // theirs, std::runtime_error for others, as a full disk or a limit.
 [[noreturn]] void refuse_place(std::string_view verb, const std::filesystem::path& place, int error);

@@ -114,9 +114,16 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return longer == candidates.end() ? "" : *longer;
 }
 
-std::string_view separator_of(const std::vector<std::string>& names) {
+std::string listed(const std::vector<std::string>& names, std::string_view last) {
   const auto has_comma = [](const std::string& name) { return name.find(',') != std::string::npos; };
-  return std::ranges::any_of(names, has_comma) ? "; " : ", ";
+  const std::string_view comma = std::ranges::any_of(names, has_comma) ? "; " : ", ";
+  if (names.size() < 2 || last == ", ") return fmt::format("{}", fmt::join(names, comma));
+  return fmt::format("{}{}{}", fmt::join(names.begin(), names.end() - 1, comma), last, names.back());
+}
+
+std::string names_of(const std::vector<std::string>& names, std::string_view last) {
+  if (names.size() <= most_named) return listed(names, last);
+  return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
 }
 
 std::string counted(std::int64_t count, std::string_view nouns) {

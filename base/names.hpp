@@ -19,8 +19,11 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
 // `; did you mean "ik_bat"?`; empty if no candidate is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
-// What parts these names in a list: "; " where one of them has a comma.
-std::string_view separator_of(const std::vector<std::string>& names);
+// "A, B and C"; "A; B, C and D" where one is "B, C".
+std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");
+// The same of a few, else "A, B, C and 5 more".
+constexpr std::size_t most_named = 4;
+std::string names_of(const std::vector<std::string>& names, std::string_view last = " and ");
 
 // "1 run" and "20 runs", of the plural.
 std::string counted(std::int64_t count, std::string_view nouns);
@@ -37,7 +40,7 @@ constexpr std::string_view plain_text = "a text of at most 200 bytes without con
 
 // Each name by a short one of about this length, all different. Of a name that is too long, the words go that all names
 // have that begin with the same word; else it is cut in the middle.
-std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length);
+std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length = 32);
 
 // `unknown solver "ik_bta"; did you mean "ik_bat"? There are: ik_bat, bat, ...`
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates);

@@ -124,10 +124,6 @@ bool is_one_of(std::string_view text, const Words& words) {
   return std::ranges::find(words, lower_case(text)) != words.end();
 }
 
-std::string listed(const std::vector<std::string>& titles) {
-  return std::string(front(fmt::format("{}", fmt::join(titles, ", ")), 300));
-}
-
 std::string unnamed(std::size_t column) { return fmt::format("column {}", column + 1); }
 
 Title::Title(std::string_view title) : name(title) {
@@ -224,7 +220,8 @@ std::size_t Sheet::column(std::string_view name) {
     refuse("a column 'row', which is the name of the number of each row; rename it");
   if (number > 1) refuse(fmt::format("{} columns {}; give them different names", number, in_quotes(name)));
   if (number == 0)
-    refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), did_you_mean(name, titles_), listed(titles_)));
+    refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), did_you_mean(name, titles_),
+                       front(listed(titles_, ", "), 300)));
   return first;
 }
 

@@ -20,8 +20,7 @@ constexpr std::ptrdiff_t most_lines = 10'000'000;  // of solves a study may have
 
 using Words = std::initializer_list<std::string_view>;
 bool is_one_of(std::string_view text, const Words& words);  // in any case
-std::string listed(const std::vector<std::string>& titles);
-std::string unnamed(std::size_t column);  // the title of one that has none
+std::string unnamed(std::size_t column);                    // the title of one that has none
 
 // "error_cm", "error [cm]" and "error (cm)" have a unit, of lengths, angles or times; in [] any.
 struct Title {

@@ -176,8 +176,8 @@ bool write_and_announce(const Store& store, const StoredStudy& study, const std:
   judge::StudyResults solved = exported_study(store, study, folder);
   const std::vector<std::string> silent = never_answering(solved);
   if (!silent.empty()) {
-    const std::string text = fmt::format("{} gave no answer in any solve (crash, time-out or protocol).",
-                                         fmt::join(silent, separator_of(silent)));
+    const std::string text =
+        fmt::format("{} gave no answer in any solve (crash, time-out or protocol).", base::listed(silent));
     arguments.is_json ? say(text) : fmt::print("{}\n", wrapped(text));
   }
   if (beside) judge::put_beside(solved, *beside);

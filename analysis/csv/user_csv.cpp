@@ -239,7 +239,7 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   std::vector<std::string> unused;
   for (const std::size_t column : layout.unused) unused.push_back(in_quotes(sheet.titles()[column]));
   for (const std::string& condition : where) text += fmt::format("; only rows with {}", in_quotes(condition));
-  if (!unused.empty()) text += fmt::format("; not used: {}", listed(unused));
+  if (!unused.empty()) text += fmt::format("; not used: {}", base::front(base::listed(unused, ", "), 300));
   return text + '.';
 }
 

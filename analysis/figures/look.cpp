@@ -91,7 +91,7 @@ Look look_of(std::vector<Series> solvers, FigureStyle style) {
   look.lines = line_styles(solvers, look.style);
   std::vector<std::string> labels;
   for (const Series& solver : solvers) labels.push_back(solver.label);
-  look.names = base::short_names(labels, 32);
+  look.names = base::short_names(labels);
   return look;
 }
 

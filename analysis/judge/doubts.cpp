@@ -20,12 +20,6 @@ using namespace results;
 
 namespace {
 
-std::string names_of(const std::vector<std::string>& who) {
-  const std::size_t told = who.size() > 4 ? 3 : who.size();
-  const std::string names = fmt::format("{}", fmt::join(std::span(who).first(told), separator_of(who)));
-  return told < who.size() ? fmt::format("{} and {} more", names, who.size() - told) : names;
-}
-
 using Doubts = std::vector<Doubt>;
 
 // Adds a doubt, if it is about some solver.
@@ -241,7 +235,7 @@ std::string words_of(const Doubt& doubt) {
   std::string_view sentence = sentences[static_cast<std::size_t>(doubt.kind)];
   if (doubt.kind == DoubtKind::repeats_itself && doubt.what.empty())
     sentence = "{who} gave the same answers in every run, which count as one";
-  const std::string who = names_of(doubt.who), share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
+  const std::string who = names_of(doubt.who, ", "), share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
   const auto if_any = [&](const char* before, const char* after) { return who.empty() ? "" : before + who + after; };
   return fmt::format(
       fmt::runtime(sentence), fmt::arg("who", who), fmt::arg("of_whom", if_any(" (", ")")),

@@ -18,7 +18,7 @@ using namespace judge;
 
 std::string screen(const Answer& answer, const std::string& page) {
   constexpr std::size_t most_rows = 20;
-  const auto short_of = base::short_names(answer.solvers(), longest_name);
+  const auto short_of = base::short_names(answer.solvers());
   const auto with_short_names = [&](std::string text) {
     for (const auto& [name, its] : short_of)
       for (std::size_t at = 0; name != its && (at = text.find(name, at)) != std::string::npos; at += its.size())

@@ -331,7 +331,7 @@ std::string to_text(const Table& whole) {
   std::set<std::string> names;
   for (const auto& row : table.rows)
     if (is_text(row[0])) names.insert(*text_of(row[0]));
-  const auto short_of = base::short_names({names.begin(), names.end()}, longest_name);
+  const auto short_of = base::short_names({names.begin(), names.end()});
   for (auto& row : table.rows)
     if (is_text(row[0])) row[0] = short_of.at(*text_of(row[0]));
   std::string text = in_columns(readable(table, of_screen));

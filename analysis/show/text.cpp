@@ -129,16 +129,6 @@ std::string as_sentence(std::string text) {
   return text;
 }
 
-std::string listed(const std::vector<std::string>& names, std::string_view last) {
-  const std::string_view comma = base::separator_of(names);
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() && last != ", " ? last : comma;
-    text += names[i];
-  }
-  return text;
-}
-
 std::vector<std::string> broken(std::string_view text, std::size_t first, std::size_t others) {
   std::vector<std::string> lines{""};
   std::size_t used = 0;

@@ -9,9 +9,7 @@
 
 namespace ikbench::show {
 
-using base::character_count, base::one_line, base::shortened;
-
-constexpr std::size_t longest_name = 32;  // of a solver on a screen (base::short_names)
+using base::character_count, base::listed, base::most_named, base::names_of, base::one_line, base::shortened;
 
 std::string html_text(std::string_view text);
 std::string markdown_text(std::string_view text);
@@ -27,8 +25,6 @@ std::string times(double ratio);  // "8.1 times", "1.04 times"
 using Ends = std::vector<double>;
 std::string number_beside(double value, const Ends& ends, int digits = 3);
 std::string p_text(double p, const Ends& ends);  // "0.0005", "< 0.0001", "< 0.05"
-// "A, B and C"; "A; B, C and D" where one is "B, C"
-std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");
 
 // The words of a text in lines of at most that width; longer words stay whole.
 std::vector<std::string> broken(std::string_view text, std::size_t first, std::size_t others);

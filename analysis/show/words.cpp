@@ -32,11 +32,6 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   return fmt::format("{} {}", text, text == "1" && unit == "points" ? "point" : unit);
 }
 
-std::string names_of(const std::vector<std::string>& names, std::string_view last) {
-  if (names.size() <= most_named) return listed(names, last);
-  return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
-}
-
 void ByWord::add(const std::string& word, const std::string& name) {
   auto entry = std::ranges::find(all, word, [](const auto& pair) { return pair.first; });
   if (entry == all.end()) entry = all.insert(entry, {word, {}});

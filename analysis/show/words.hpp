@@ -11,11 +11,8 @@
 
 namespace ikbench::show {
 
-constexpr std::size_t most_named = 4;  // solvers of a list in a sentence
 constexpr std::size_t most_pairs = 6;  // that a screen or paragraph lists
 
-// "A, B and C", "A, B, C and 5 more"
-std::string names_of(const std::vector<std::string>& names, std::string_view last = " and ");
 // Each word once, with the names that have it, each once.
 struct ByWord {
   std::vector<std::pair<std::string, std::vector<std::string>>> all = {};
