@@ -269,7 +269,7 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
                 : is_second ? first
                             : fmt::format("{} {}{}{}", first, are_ratios ? "/" : "-", joint, second);
     const Verdict verdict = verdict_of(finding);
-    if (const Amount* const amount = amount_of(finding)) {
+    if (const std::optional<Amount>& amount = finding.amount) {
       row.estimate = factor * amount->value;
       if (amount->interval) row.low = factor * amount->interval->low, row.high = factor * amount->interval->high;
     }

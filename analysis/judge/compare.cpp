@@ -316,9 +316,8 @@ bool are_equal(const Finding& finding) {
 }
 
 bool does_one_value_decide(const Group& group) {
-  const auto* const measured = std::get_if<Measured>(&group.sample);
-  if (measured && measured->worth > 0)
-    return measured->worth < std::min(4.0, static_cast<double>(measured->values.size()) / 2);
+  if (const Measured* const its = measured(group); its && its->worth > 0)
+    return its->worth < std::min(4.0, static_cast<double>(its->values.size()) / 2);
   double largest = 0, sum = 0;
   for (const double value : values_of(group)) largest = std::max(largest, std::abs(value)), sum += std::abs(value);
   return largest > sum / 2;

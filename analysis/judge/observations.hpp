@@ -65,19 +65,14 @@ struct Group {
 
 // Null if it is compared.
 inline const Untold* untold(const Group& group) { return std::get_if<Untold>(&group.sample); }
-inline bool repeats_itself(const Group& group) {
-  const auto* const measured = std::get_if<Measured>(&group.sample);
-  return measured && measured->repeats_itself;
-}
-inline bool may_be_copies(const Group& group) {
-  const auto* const measured = std::get_if<Measured>(&group.sample);
-  return measured && measured->may_be_copies;
-}
+inline const Measured* measured(const Group& group) { return std::get_if<Measured>(&group.sample); }
+inline bool repeats_itself(const Group& group) { return measured(group) && measured(group)->repeats_itself; }
+inline bool may_be_copies(const Group& group) { return measured(group) && measured(group)->may_be_copies; }
 // Observations without a value.
 inline int lost_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }
 // All that a group has: of one that repeats itself one, of a summary none.
 inline std::span<const double> values_of(const Group& group) {
-  if (const auto* const measured = std::get_if<Measured>(&group.sample)) return measured->values;
+  if (const Measured* const its = measured(group)) return its->values;
   if (const Untold* const its = untold(group)) return its->values;
   return {};
 }

@@ -97,10 +97,10 @@ Prepared prepared(const Group& first, const Group& second, const Observations& o
   numbers.of_first = summary_of(first, numbers.first);
   numbers.of_second = summary_of(second, numbers.second);
   for (const Group* const group : {&first, &second}) {
-    const auto* const measured = std::get_if<Measured>(&group->sample);
-    if (measured == nullptr || measured->worth == 0) continue;
-    numbers.worth = std::min(numbers.worth, measured->worth);
-    numbers.solved = std::min(numbers.solved, measured->solved);
+    const Measured* const its = measured(*group);
+    if (its == nullptr || its->worth == 0) continue;
+    numbers.worth = std::min(numbers.worth, its->worth);
+    numbers.solved = std::min(numbers.solved, its->solved);
   }
   if (is_by_difference) {
     numbers.differences = differences_of(first, second, numbers, takes_logs);

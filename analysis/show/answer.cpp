@@ -229,7 +229,7 @@ Shown shown(const JudgedMetric& judged, std::size_t group, double value) {
   const Observations& observed = judged.observations;
   const double at_most = observed.groups[group].at_most;
   const auto is_ratio = [](const Finding& finding) {
-    return finding.scale == Scale::ratio && amount_of(finding) != nullptr;
+    return finding.scale == Scale::ratio && finding.amount.has_value();
   };
   if (value < observed.floor && !observed.are_logs && std::ranges::any_of(judged.findings, is_ratio))
     return {observed.floor, true};

@@ -92,7 +92,7 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   Marked cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
   if (are_ratios(judged, reference) && solver != reference && is_told(solver)) {
     if (is_untested) return Absent{std::string(words_of(std::get<Open>(finding.what).why).of_solver)};
-    if (const Amount* const amount = amount_of(finding)) cell.value = amount->value, cell.to_reference = finding.scale;
+    if (const auto& amount = finding.amount) cell.value = amount->value, cell.to_reference = finding.scale;
     return tested || cell.to_reference ? Cell(cell) : Absent{"too few to compare"};
   }
   const Description& its = judged.described[i];
@@ -203,7 +203,7 @@ Table without_pairs(const Answer& answer) {
 }
 
 std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
-  const Amount* const amount = amount_of(finding);
+  const std::optional<Amount>& amount = finding.amount;
   const auto* const tested = std::get_if<Tested>(&finding.what);
   const auto* const open = std::get_if<Open>(&finding.what);
   const auto* const effect = tested && tested->effect ? &*tested->effect : nullptr;
@@ -211,7 +211,7 @@ std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
   const VerdictWords& words = words_of(verdict);
   const std::string how_often = amount ? "" : effect_words(finding);
   const int enough = tested ? tested->enough : open ? open->needed : 0;
-  const auto number = [](const auto* of, auto value) { return of ? Cell(value(*of)) : Cell(); };
+  const auto number = [](const auto& of, auto value) { return of ? Cell(value(*of)) : Cell(); };
   const auto text = [](std::string_view its) { return text_cell(std::string(its)); };
   const bool are_means = tested && tested->g;  // by which of them a size is told
   std::vector<Cell> row{judged.observations.quantity,

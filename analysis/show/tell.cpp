@@ -314,9 +314,8 @@ std::string then_told(const Answer& answer, const Question& question) {
     std::vector<std::pair<std::string, double>> ratios;
     for (const std::string& loser : losers) {
       const Finding* const pair = pairs.finding(first, loser);
-      const Amount* const amount = pair && is_ahead(first, loser) ? amount_of(*pair) : nullptr;
-      if (amount && pair->scale == Scale::ratio)
-        ratios.emplace_back(loser, pair->first == loser ? amount->value : 1 / amount->value);
+      if (pair && is_ahead(first, loser) && pair->amount && pair->scale == Scale::ratio)
+        ratios.emplace_back(loser, pair->first == loser ? pair->amount->value : 1 / pair->amount->value);
     }
     const bool is_clear = all_pairs(best, losers, is_ahead);
     const auto is_so = [&](auto& one, auto& other) { return is_little(pairs.finding(one, other)); };

@@ -95,7 +95,7 @@ std::string warning_of(const Doubt& doubt) {
 }
 
 std::string unit_of(const Finding& finding, const JudgedMetric& judged) {
-  if (!amount_of(finding)) return "";
+  if (!finding.amount) return "";
   return finding.scale == Scale::ratio ? "times" : finding.scale == Scale::share ? "points" : judged.observations.unit;
 }
 

@@ -486,7 +486,7 @@ std::string untruth_in(const std::string& text, const Table& table, const show::
 // The same of the words of a pair, and of its numbers as they are printed.
 std::string untruth_in(const Finding& finding, const JudgedMetric& judged, const Right& right) {
   const std::string words = show::verdict_words(finding, judged);
-  const Amount* const its_amount = amount_of(finding);
+  const std::optional<Amount>& its_amount = finding.amount;
   const std::set<double> ends = show::ends_of(finding, judged);
   const std::string amount = its_amount && its_amount->interval
                                  ? fmt::format("{} ({})", show::number_text(its_amount->value),

@@ -85,8 +85,8 @@ double counted(const Row& row, const Observations& of, std::size_t k) {
   if (row.counts == Counts::interval_without_truth) {
     double intervals = 0, wrong = 0;
     for (const Finding& each : findings) {
-      const Amount* const amount = each.first == "A" ? amount_of(each) : nullptr;
-      if (amount == nullptr || !amount->interval) continue;
+      const auto amount = each.first == "A" ? each.amount : std::nullopt;
+      if (!amount || !amount->interval) continue;
       ++intervals, wrong += amount->interval->low > row.truth || amount->interval->high < row.truth;
     }
     return intervals > 0 ? wrong > 0 : std::numeric_limits<double>::quiet_NaN();

@@ -37,7 +37,7 @@ inline Seen seen(const Finding& finding) {
   all.verdict = verdict_of(finding);
   all.p = p_of(finding);
   all.are_all_equal = are_equal(finding);
-  if (const Amount* const amount = amount_of(finding)) all.estimate = amount->value, all.interval = amount->interval;
+  if (const auto& amount = finding.amount) all.estimate = amount->value, all.interval = amount->interval;
   if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
     all.test = tested->test, all.n = tested->n;
     all.is_within_margin = tested->is_small || tested->verdict == Verdict::same;

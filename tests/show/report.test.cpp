@@ -60,7 +60,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
         const auto of = std::ranges::find(report.answer.metrics, metric,
                                           [](const judge::JudgedMetric& each) { return each.observations.quantity; });
         const judge::Finding finding = judge::better_first(*finding_of(*of, solver, "DLS"), "DLS");
-        CHECK(marked->value == amount_of(finding)->value);
+        CHECK(marked->value == finding.amount->value);
         CHECK((marked->mark == "*") == (verdict_of(finding) == judge::Verdict::worse));
         CHECK(on_screen.find(number_text(marked->value, 2) + " times") != std::string::npos);
         continue;

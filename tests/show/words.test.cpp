@@ -52,7 +52,7 @@ TEST_CASE("an end of an interval that p excludes says so", "[show]") {
   unpaired.is_paired = false;
   const judge::JudgedMetric error = of(unpaired).metrics[0];
   const judge::Finding& pair = error.findings.front();
-  CHECK(interval_text(*amount_of(pair)->interval, {0}) == "above 0 to 22.3");
+  CHECK(interval_text(*pair.amount->interval, {0}) == "above 0 to 22.3");
 }
 
 TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
@@ -133,7 +133,7 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
 TEST_CASE("a pair is told from the better one, and from the control's other", "[show]") {
   const Answer plain = of(errors({{"bad", values_around(3, 0.5)}, {"good", values_around(1, 0.5)}}));
   const judge::Finding& finding = plain.metrics[0].findings[0];
-  const judge::Amount& amount = *judge::amount_of(finding);
+  const judge::Amount& amount = *finding.amount;
   CHECK(finding.first == "good");
   CHECK(verdict_of(finding) == judge::Verdict::better);
   CHECK(amount.value == Approx(1 / 3.0).epsilon(1e-9));
@@ -144,5 +144,5 @@ TEST_CASE("a pair is told from the better one, and from the control's other", "[
   const Answer gate = of(errors({{"old", values_around(1, 0.5)}, {"new", values_around(3, 0.5)}}), {.control = "old"});
   CHECK(gate.metrics[0].findings[0].first == "new");
   CHECK(verdict_of(gate.metrics[0].findings[0]) == judge::Verdict::worse);
-  CHECK(amount_of(gate.metrics[0].findings[0])->value == Approx(3).epsilon(1e-9));
+  CHECK(gate.metrics[0].findings[0].amount->value == Approx(3).epsilon(1e-9));
 }
