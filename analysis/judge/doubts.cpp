@@ -114,14 +114,6 @@ void add_of_plan(Doubts& doubts, const StudyResults& study) {
       [&](const Solve& solve) { return others.contains(solve.session); });
 }
 
-void add_of_repeats(Doubts& doubts, const StudyResults& study) {
-  if (study.definition.draws_targets || !study.definition.compares_runs()) return;  // paired
-  Doubt repeating{.kind = DoubtKind::repeats_itself};
-  std::ranges::copy_if(study.labels, std::back_inserter(repeating.who),
-                       [&](const std::string& solver) { return repeats_itself(study, solver); });
-  add(doubts, std::move(repeating));
-}
-
 }  // namespace
 
 std::vector<Doubt> doubts_of_times(const StudyResults& study) {
@@ -209,7 +201,11 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
                       .count = static_cast<double>(count),
                       .of = static_cast<double>(study.definition.points)});
   add_of_plan(doubts, study);
-  add_of_repeats(doubts, study);
+  Doubt repeating{.kind = DoubtKind::repeats_itself};
+  if (!study.definition.draws_targets && study.definition.compares_runs())  // else paired
+    std::ranges::copy_if(study.labels, std::back_inserter(repeating.who),
+                         [&](const std::string& solver) { return repeats_itself(study, solver); });
+  add(doubts, std::move(repeating));
   add(doubts, study.other_version);
   return doubts;
 }

@@ -270,14 +270,20 @@ Observations observe(const StudyResults& study, const Metric& metric) {
   observed.doubts = is_of_times(metric)                       ? doubts_of_times(study)
                     : metric.measures == Measure::evaluations ? doubts_of_evaluations(study)
                                                               : doubts_of_clock(study);
-  for (const Doubt& doubt : observed.doubts) {  // who is in doubt is described, and not compared
-    for (Group& group : observed.groups) {
-      const bool is_apart = doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0;
-      if (!is_apart || untold(group)) continue;  // a group that lost values stays so: the stronger reason
-      const std::span<const double> values = judge::values_of(group);
-      group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
-    }
+  Doubt unsolved{.kind = DoubtKind::times_not_comparable,
+                 .what = "too little is solved in the sessions that are compared"};
+  for (Group& group : observed.groups) {  // who is in doubt is described, and not compared
+    const bool is_doubted = std::ranges::any_of(observed.doubts, [&](const Doubt& doubt) {
+      return doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0;
+    });
+    const Untold* const its = untold(group);
+    if (its && its->why == Untold::Why::apart && !is_doubted && metric.kind != Kind::share)
+      unsolved.who.push_back(group.name);
+    if (its || !is_doubted) continue;  // a group that lost values stays so: the stronger reason
+    const std::span<const double> values = judge::values_of(group);
+    group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
   }
+  if (!unsolved.who.empty()) observed.doubts.push_back(std::move(unsolved));
   return observed;
 }
 

@@ -271,6 +271,14 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   };
   const Observations few = observe(study(to_solve, solves_none_of_a_session), metric_named("seconds_per_solved"));
   CHECK(list_of(group(few, "A")).size() == 5);  // who fails pays for it
+  const auto solves_when_busy =
+      study({.start = "middle", .targets = "drawn", .runs = 6, .tolerance_cm = 1}, [](SolveRecord& solve) {
+        if (solve.label == "A") return;
+        if (solve.run > 4) solve.seconds *= 2;
+        if (solve.run < 5) solve.status = Status::tolerance_missed;
+      });
+  CHECK(words_of(observe(solves_when_busy, metric_named("seconds_per_solved")).doubts.front()) ==
+        "times of B are not compared: too little is solved in the sessions that are compared");
 }
 
 TEST_CASE("What a program tells is its time, if its processor time leaves room for it") {
