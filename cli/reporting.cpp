@@ -205,8 +205,8 @@ std::optional<judge::StudyResults> beside_of(const StoredStudy& study, const Rep
     const std::vector<StoredStudy> named = store.studies(study.name);
     theirs = checked_study(store, named.empty() ? store.study("") : named.front());
     const std::string began = theirs.sessions.empty() ? "" : theirs.sessions.front().began;
-    theirs.beside.of =
-        (began.size() < 7 ? "" : fmt::format("{}/{}, ", began.substr(5, 2), began.substr(0, 4))) + arguments.beside;
+    theirs.beside.of = "in " + arguments.beside +
+                       (began.size() < 7 ? "" : fmt::format(", {}/{}", began.substr(5, 2), began.substr(0, 4)));
   }
   judge::refuse_another_study(theirs, study);
   return theirs;

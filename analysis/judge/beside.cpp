@@ -38,7 +38,7 @@ StudyResults archived(const std::string& robot) {
     if (const std::string label(cell("library")); !label.empty()) {
       study.labels.push_back(label);
       study.series.push_back({label, label, std::string(cell("version")), "{}"});
-      study.beside.of = fmt::format("{}, another machine", cell("month"));
+      study.beside.of = fmt::format("on another machine, {}", cell("month"));
     }
     const auto status = std::ranges::find(statuses, cell("status"));  // none: ok
     study.solves.push_back(

@@ -132,7 +132,7 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
     std::erase_if(who, [&](const std::string& solver) { return !told.insert(solver).second; });
     add(doubts, {.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = what});
   };
-  add_of(study.beside.labels, study.beside.of);
+  add_of(study.beside.labels, "solved " + study.beside.of);
   std::vector<std::string> in_batches, silent;
   for (const auto& [solver, its] : study.in_batches) in_batches.push_back(solver);
   add_of(std::move(in_batches), "asked in batches");
@@ -165,7 +165,7 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
   if (of_all.empty() && different.size() > 1) of_all = "measured in different sessions";
   Doubts doubts;
   for (const bool is_beside : {false, true}) {
-    const std::string what = is_beside ? study.beside.of : of_all.empty() ? "the machine was busy" : of_all;
+    const std::string what = is_beside ? "solved " + study.beside.of : of_all.empty() ? "the machine was busy" : of_all;
     add_counts(doubts, study, {.kind = DoubtKind::seconds_decide, .what = what}, [&](const std::string& solver) {
       const Solves all = study.of(solver);
       const auto ended = std::ranges::count_if(all, [=](auto&its) { return its.seconds >= 0.9 * limit; }),
@@ -218,7 +218,7 @@ std::string words_of(const Doubt& doubt) {
       "{share} {what}: no verdict on {who}; write inf for no answer, or drop them",
       "ignored: {solves} of another version ({who})",
       "{share} solves claimed an error that is wrong, and do not count as solved ({who})",
-      "{who} {was} stopped by the time limit, and not compared: {what} ({share} solves){to_do}",
+      "{who} {was} stopped by the time limit in {share} solves, so not compared: {what}{to_do}",
       "{what} ({who})",
       "evaluations are not counted by ikbench, so not compared ({who})",
       "{share} answers outside the joint limits ({who})",

@@ -45,7 +45,7 @@ using Solves = std::span<const Solve>;
 
 // Solvers of another machine (beside.hpp), which belong to no session.
 struct Beside {
-  std::string of = {};  // "11/2026, another machine"
+  std::string of = {};  // "on another machine, 11/2026"
   std::vector<std::string> labels = {};
   std::string unit_here = {};  // the LM with the same options as one there; empty: none
   double unit = 0;             // [s] of that one there

@@ -30,7 +30,7 @@ const Group& its_group(const Observations& observed, std::string_view name) {
 TEST_CASE("Beside a study, shares are compared where no time ended a solve, and times never") {
   StudyResults here = of_machine({"mine", "LM"}, 0.001),
                there = of_machine({"LM", "early", "late", "mine"}, 0.004, "", 8);
-  there.beside.of = "11/2026, another machine";
+  there.beside.of = "on another machine, 11/2026";
   put_beside(here, there);
   CHECK(here.labels == std::vector<std::string>{"mine", "LM", "early", "late", "mine (there)"});
   CHECK(here.beside.labels == std::vector<std::string>{"early", "late", "mine (there)"});
@@ -49,9 +49,13 @@ TEST_CASE("Beside a study, shares are compared where no time ended a solve, and 
   const auto says = [](const std::vector<Doubt>& doubts, const std::string& words) {
     return std::ranges::count_if(doubts, [&](const Doubt& doubt) { return words_of(doubt) == words; });
   };
-  CHECK(says(times.doubts, "times of early, late, mine (there) are not compared: 11/2026, another machine") == 1);
-  CHECK(says(solved.doubts,
-             "late was stopped by the time limit, and not compared: 11/2026, another machine (10 of 60 solves)") == 1);
+  CHECK(says(times.doubts, "times of early, late, mine (there) are not compared: solved on another machine, 11/2026") ==
+        1);
+  CHECK(
+      says(
+          solved.doubts,
+          "late was stopped by the time limit in 10 of 60 solves, so not compared: solved on another machine, 11/2026") ==
+      1);
 }
 
 TEST_CASE("Another study does not stand beside, and what differs is said") {
