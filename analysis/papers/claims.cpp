@@ -50,10 +50,7 @@ std::vector<JudgedClaim> judged_claims(const Repeated& repeated, const std::map<
   std::vector<JudgedClaim> all;
   for (const Claim& claim : repeated.paper.claims) {
     JudgedClaims parts = claim.rule ? claim.rule->verdict(claim, repeated) : JudgedClaims();
-    if (parts.empty() && !claim.is_ours) {
-      parts.push_back({claim});
-      parts.back().evidence = claim.decides;
-    }
+    if (parts.empty() && !claim.is_ours) parts.push_back({claim, Holds::not_tested, "", "", claim.decides});
     for (JudgedClaim& judged : parts) {
       if (!claim.note.empty()) judged.evidence.insert(0, claim.note + (judged.evidence.empty() ? "" : " "));
       if (const auto counts = in_readings.find(judged.id); counts != in_readings.end())

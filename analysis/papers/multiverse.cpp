@@ -32,12 +32,6 @@ bool hangs_on_reading(const Claim& claim) {
          contains(metrics_of_readings, claim.metrics.front()->column);
 }
 
-Verdict verdict_of(const Group& own, const Group& theirs, const Claim& claim, const Plan& plan) {
-  Observations observed = observations_of(*claim.metrics.front());
-  observed.groups = {own, theirs};
-  return judge::verdict_of(judge::compare(claim.of == Of::spread ? deviations(observed) : observed, plan).front());
-}
-
 // None if a solver of the claim is missing.
 InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, const results::Plan& plan) {
   const Names& solvers = multiverse.solvers;
@@ -54,9 +48,11 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
   std::map<std::pair<std::size_t, std::size_t>, Verdict> known;  // many readings share a pair
   const auto verdict = [&](std::size_t one, std::size_t other) {
     const auto [place, is_new] = known.try_emplace({one, other});
-    if (is_new)
-      place->second = verdict_of(multiverse.means[one][metric], multiverse.means[other][metric], claim, of_pair);
-    return place->second;
+    if (!is_new) return place->second;
+    Observations observed = observations_of(*claim.metrics.front());
+    observed.groups = {multiverse.means[one][metric], multiverse.means[other][metric]};
+    if (claim.of == Of::spread) observed = deviations(observed);
+    return place->second = verdict_of(compare(observed, of_pair).front());
   };
   InReadings counts;
   std::map<std::string, std::int64_t> failing;  // readings, by setting

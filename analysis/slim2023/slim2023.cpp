@@ -27,14 +27,6 @@ using show::Table;
 
 namespace {
 
-// The rows of an ANOVA: between, within, total; sum of squares, degrees of freedom, mean square, F, p.
-std::array<std::array<double, 5>, 3> rows_of(const TestOfAll& test) {
-  const double between = test.ss_between, within = test.ss_within;
-  return {{{between, test.df, between / test.df, test.statistic, test.p},
-           {within, test.df_within, within / test.df_within, unknown, unknown},
-           {between + within, test.df + test.df_within, unknown, unknown, unknown}}};
-}
-
 std::string with(const std::string& reading) { return reading.empty() ? "" : " with " + reading; }
 
 std::string first_sentence(Holds conclusion, const std::vector<SeedCounts>& counts,
@@ -225,10 +217,14 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
     const CsvTable printed = results::published::table(repeated.paper.name, number);
     const std::vector<TestOfAll> tests = judge::anova(judged->observations);
     if (tests.empty()) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
-    const auto ours = rows_of(tests.empty() ? TestOfAll() : tests.front());
-    for (std::size_t r = 0; r < ours.size(); ++r) {
+    const TestOfAll ours = tests.empty() ? TestOfAll() : tests.front();
+    const double between = ours.ss_between, within = ours.ss_within;
+    for (const auto& numbers : {std::array{between, ours.df, between / ours.df, ours.statistic, ours.p},
+                                {within, ours.df_within, within / ours.df_within, unknown, unknown},
+                                {between + within, ours.df + ours.df_within, unknown, unknown, unknown}}) {
+      const std::size_t r = table.rows.size();
       auto& row = table.rows.emplace_back(std::vector<Cell>{std::string(printed.cell(r, 0))});
-      for (std::size_t c = 0; c < ours[r].size(); ++c) row.push_back(beside(ours[r][c], printed.cell(r, c + 1)));
+      for (const double each : numbers) row.push_back(beside(each, printed.cell(r, row.size())));
     }
   }
   return tables;
