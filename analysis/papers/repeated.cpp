@@ -233,7 +233,7 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
   std::vector<std::string> sentences, who;
   for (const auto& [name, words] : plan.tables) {
     const bool is_first = sentences.empty();
-    std::vector<std::string> counts;
+    std::vector<std::string> counts, undecided;
     for (const RateColumn& column : rates_of(repeated, name)) {
       std::vector<std::string> others;
       std::int64_t repeat = 0, open = 0;
@@ -246,16 +246,22 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
         const double ratio = rate.mean_ms / base::number_from(rate.printed_ms).value();
         least = std::min(least, ratio), most = std::max(most, ratio);
       }
-      counts.push_back(fmt::format("by {} on {}{} of {}{}", column.name, repeat,
-                                   open > 0 ? fmt::format(" (not decided on {})", open) : "", column.rates.size(),
-                                   counts.empty() ? " arms" : ""));
+      if (open == std::ssize(column.rates))
+        undecided.push_back(column.name);
+      else
+        counts.push_back(fmt::format("by {} on {}{} of {}{}", column.name, repeat,
+                                     open > 0 ? fmt::format(" (not decided on {})", open) : "", column.rates.size(),
+                                     counts.empty() ? " arms" : ""));
       if (is_first && !others.empty())
         who.push_back(fmt::format("{} not on: {}.", column.name, show::listed(others, ", ")));
       if (is_first && most > 0)
         who.push_back(
             fmt::format("The mean times of {} are {:.2g} to {:.2g} times the printed ones.", column.name, least, most));
     }
-    sentences.push_back(fmt::format("The rates of {} repeat {}.", words, show::listed(counts)));
+    if (!counts.empty()) sentences.push_back(fmt::format("The rates of {} repeat {}.", words, show::listed(counts)));
+    if (!undecided.empty())
+      sentences.push_back(
+          fmt::format("The rates of {} by {} are not decided on any arm.", words, show::listed(undecided)));
   }
   std::ranges::move(who, std::back_inserter(sentences));
   return sentences;
