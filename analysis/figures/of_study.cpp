@@ -81,8 +81,7 @@ std::optional<Figure> shares_of(const StudyResults& study, About about, const st
     if (std::erase(solvers, solver) > 0) left_out.push_back(look.names.at(solver));
   if (!left_out.empty() && solvers.size() < 2) return std::nullopt;  // nothing to see it against
   if (!left_out.empty())
-    about.caption +=
-        fmt::format(" Without {}, whose {} cannot be compared.", fmt::join(left_out, ", "), about.quantity);
+    about.caption += fmt::format(" Without {}, whose {} cannot be compared.", names_of(left_out), about.quantity);
   std::vector<Successes> all;
   for (const std::string& solver : solvers) {
     Successes& its = all.emplace_back(Successes{.label = look.names.at(solver), .style = look.lines.at(solver)});
@@ -348,7 +347,7 @@ std::optional<Figure> ranks_of(const JudgedMetric& metric, const std::vector<std
   const double ruler = has_ruler ? critical_difference(solvers.size(), n) : nowhere;
   if (ruler > 0)
     about.caption += fmt::format(" CD: Nemenyi's critical difference, {:.3g} (p < 0.05); no bar goes by it.", ruler);
-  if (!without.empty()) about.caption += fmt::format(" Without {}: not compared with all.", fmt::join(without, ", "));
+  if (!without.empty()) about.caption += fmt::format(" Without {}: not compared with all.", names_of(without));
   return ranks(about, rows, ruler);
 }
 

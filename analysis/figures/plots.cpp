@@ -32,7 +32,7 @@ std::span<const Row> drawn_of(const std::vector<Row>& all, std::size_t most, Fig
   std::vector<std::string> others;
   for (std::size_t i = most; i < all.size(); ++i) others.push_back(all[i].label);
   if (!others.empty()) {
-    figure.caption += fmt::format(" Without {}: only the first {} are drawn.", fmt::join(others, ", "), most);
+    figure.caption += fmt::format(" Without {}: only the first {} are drawn.", names_of(others), most);
     figure.settings += fmt::format(
         "set label 'first {} of {}' at screen margin(0.15), screen 1 - up(0.15) left tc rgb ink\n", most, all.size());
   }
@@ -480,7 +480,7 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
     clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 {}", line, colour));
   }
   if (names.size() < 2) return std::nullopt;  // nothing to see it against
-  if (!left_out.empty()) figure.caption += fmt::format(" Without {}.", fmt::join(left_out, ", "));
+  if (!left_out.empty()) figure.caption += fmt::format(" Without {}.", names_of(left_out));
   const Axis x = linear_axis('x', xs, x_axis, Begins::at_zero), y = value_axis('y', ys, about, Begins::at_zero);
   figure.settings = x.settings + y.settings;
   clauses.insert(

@@ -90,7 +90,7 @@ TEST_CASE("solvers whose costs are not known or not comparable are left out of s
         "Share of targets solved within a number of evaluations. Without A, whose evaluations cannot be compared.");
   CHECK(
       named(figures, "solved-by-time").caption ==
-      "Share of targets solved within a time. Times: first calls on a target. Without B, D, whose time cannot be compared.");
+      "Share of targets solved within a time. Times: first calls on a target. Without B and D, whose time cannot be compared.");
 }
 
 TEST_CASE("a difference is told as tables tell it: the better one first, in points or a ratio", "[of_study]") {
