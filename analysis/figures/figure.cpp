@@ -11,6 +11,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <regex>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -45,13 +46,16 @@ void remove_pictures(const Figure& figure, const std::filesystem::path& folder,
   }
 }
 
-// What gnuplot cannot say: a size in units of length, a title, and other fonts for machines that lack the one.
+// What gnuplot cannot say: a size in units of length, a title, other fonts for machines that lack the one, and strokes
+// of points that are as thick as in other pictures: gnuplot's are 1 pt times the size, whatever the width of lines.
 void complete_svg(std::string& svg, const Figure& figure) {
   const std::size_t box = svg.find("viewBox=\"0 0 "), end = svg.find('"', box + 13);
   if (box == std::string::npos || end == std::string::npos) return;
   std::string size = svg.substr(box + 13, end - box - 13);
   boost::replace_all(size, " ", "pt\" height=\"");
   svg.insert(box, "width=\"" + size + "pt\" ");
+  static const std::regex stroke("stroke-width='[0-9.]+' stroke='currentColor'");
+  svg = std::regex_replace(svg, stroke, "stroke-width='0.5' stroke='currentColor'");
   std::string title = one_line(figure.caption);
   for (const auto& [mark, entity] : {std::pair("&", "&amp;"), {"<", "&lt;"}, {">", "&gt;"}})
     boost::replace_all(title, mark, entity);

@@ -98,11 +98,8 @@ std::string gnuplot_text(std::string_view text) {
   std::string result = "'";
   for (const char c : shortened(one_line(text), 60)) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x80 || std::isalnum(byte) != 0 || harmless.find(c) != std::string_view::npos) {
-      result += c;
-    } else {
-      result += fmt::format("'.character[{}].'", byte);
-    }
+    const bool is_harmless = byte >= 0x80 || std::isalnum(byte) != 0 || harmless.find(c) != std::string_view::npos;
+    result += is_harmless ? std::string{c} : fmt::format("'.character[{}].'", byte);
   }
   return result + "'";
 }

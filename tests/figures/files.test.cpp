@@ -175,6 +175,7 @@ TEST_CASE("a picture has its caption as title, a width in points, and as SVG the
   const std::string svg = text_in(folder.path / "f.svg");
   CHECK(contains(svg, "<title>Error of &lt;mine&gt; &amp; others: as it is.</title>"));
   CHECK(contains(svg, "width=\"240pt\" height=\"181pt\""));
+  CHECK(contains(svg, "stroke-width='0.5' stroke='currentColor'"));  // of points
   write_figures({figure}, folder.path, {});
   CHECK(text_in(folder.path / "f.svg") == svg);
 }
