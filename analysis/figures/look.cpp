@@ -99,16 +99,18 @@ Look look_of(const JudgedStudy& judged, FigureStyle style) {
   const JudgedMetric& deciding = judged.metrics[judged.deciding];
   std::vector<Series> solvers = judged.study.series;
   if (!style.solvers.empty()) return look_of(std::move(solvers), std::move(style));
-  std::vector<std::string> order;
+  std::vector<std::string> order, own{judged.study.labels.front(), judged.study.definition.plan.control};
   for (const std::size_t i : best_first(deciding, judged.metrics))
     order.push_back(deciding.observations.groups[i].name);
+  std::vector<std::string> first = order;
+  std::ranges::stable_sort(first, {}, [&](const std::string& solver) { return std::ranges::count(own, solver) == 0; });
   const auto is_among_first = [&](const Series& solver) {
-    return std::ranges::find(order, solver.label) - order.begin() < std::ssize(style.palette);
+    return std::ranges::find(first, solver.label) - first.begin() < std::ssize(style.palette);
   };
   // Which of them has which colour is no matter of its place.
   std::stable_partition(solvers.begin(), solvers.end(), is_among_first);
   Look look = look_of(std::move(solvers), std::move(style));
-  look.style.solvers = std::move(order);
+  look.style.solvers = std::move(order), look.own = std::move(own);
   return look;
 }
 

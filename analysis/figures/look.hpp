@@ -16,6 +16,7 @@ struct Look {
   results::FigureStyle style;                // with the colours that its solvers were given
   std::map<std::string, int> lines;          // style of each solver, by label
   std::map<std::string, std::string> names;  // its short name
+  std::vector<std::string> own = {};         // the study's first solver and its control: of many lines the first
 };
 Look look_of(std::vector<results::Series> solvers, results::FigureStyle style);
 Look look_of(const judge::JudgedStudy& judged, results::FigureStyle style);  // solvers in the order of its table

@@ -1,7 +1,6 @@
 #include "analysis/figures/of_study.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,12 +70,10 @@ std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_vie
   return without;
 }
 
-// The cost of a solve; NaN if it has none, as an attempt that failed.
-using Cost = std::function<double(const Solve&)>;
+// The cost of a solve is NaN if it has none, as an attempt that failed.
 std::optional<Figure> shares_of(const StudyResults& study, About about, const std::string& y_axis,
-                                const std::vector<std::string>& without, const Look& look, double dashed,
-                                const Cost& cost) {
-  std::vector<std::string> solvers = drawn_solvers(study, look), left_out;
+                                const std::vector<std::string>& without, const Look& look, double dashed, auto cost) {
+  std::vector<std::string> solvers = drawn_solvers(study, look, true), left_out;
   for (const std::string& solver : without)
     if (std::erase(solvers, solver) > 0) left_out.push_back(look.names.at(solver));
   if (!left_out.empty() && solvers.size() < 2) return std::nullopt;  // nothing to see it against

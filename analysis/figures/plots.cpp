@@ -23,7 +23,6 @@ namespace {
 const std::string grey = colour_of(0);
 constexpr std::size_t most_rows = 60;     // of a figure, which fits a page
 constexpr std::size_t most_values = 200;  // drawn of a group
-constexpr std::size_t most_lines = 7;     // that can be told apart; the data file has all
 constexpr std::size_t most_bands = 3;     // more would cover each other
 
 // The first rows; the picture says how many, the caption whose are left out.
@@ -98,15 +97,6 @@ constexpr const char* joint_panels =
     "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) "
     "with points pt 6 ps 0.6 lw 0.8 lc rgb ink\n"
     "  }}\n}}\nunset multiplot";
-
-std::string arrays_of(const std::vector<JointColumn>& columns) {
-  std::string arrays = fmt::format("array name[{0}]\narray lower[{0}]\narray upper[{0}]\n", columns.size());
-  const auto limit = [](double degrees) { return std::abs(degrees) <= 1e300 ? text_of(degrees) : "NaN"; };
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    arrays += fmt::format("name[{0}] = {1}\nlower[{0}] = {2}\nupper[{0}] = {3}\n", i + 1,
-                          gnuplot_text(columns[i].label), limit(columns[i].lower_deg), limit(columns[i].upper_deg));
-  return arrays;
-}
 
 // Lines of a data file, beside a row: value and height.
 std::string scattered(const BoxRow& row, double y) {
@@ -424,7 +414,13 @@ std::optional<Figure> joints(const About& about, const JointRows& all_rows) {
   std::vector<double> all;
   std::size_t points = 1;
   bool is_outside = false;
-  figure.settings += arrays_of(columns) + fmt::format("array solver[{0}]\narray style[{0}]\n", drawn);
+  figure.settings += fmt::format("array name[{0}]\narray lower[{0}]\narray upper[{0}]\n", columns.size());
+  const auto limit = [](double degrees) { return std::abs(degrees) <= 1e300 ? text_of(degrees) : "NaN"; };
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    figure.settings +=
+        fmt::format("name[{0}] = {1}\nlower[{0}] = {2}\nupper[{0}] = {3}\n", i + 1, gnuplot_text(columns[i].label),
+                    limit(columns[i].lower_deg), limit(columns[i].upper_deg));
+  figure.settings += fmt::format("array solver[{0}]\narray style[{0}]\n", drawn);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const JointRow& row = rows[i];
     figure.data += fmt::format("{}# {}: point, angle of each joint [deg]\n", i == 0 ? "" : "\n\n", one_line(row.label));

@@ -17,6 +17,7 @@
 namespace ikbench::figures {
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t most_lines = 7;  // that can be told apart; the data file has all
 
 // Groups of values, a row each: a box of the quartiles, whiskers to the smallest and the largest, and the values; in
 // grey what a paper printed. What is infinite is at the edge.

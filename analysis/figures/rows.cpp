@@ -37,9 +37,11 @@ About about_of(const StudyResults& study, const Metric& metric, std::string capt
   return {"", std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
 }
 
-std::vector<std::string> drawn_solvers(const StudyResults& study, const Look& look) {
+std::vector<std::string> drawn_solvers(const StudyResults& study, const Look& look, bool as_lines) {
   std::vector<std::string> shown = look.style.solvers.empty() ? study.labels : look.style.solvers;
   std::erase_if(shown, [&](const std::string& solver) { return study.of(solver).empty(); });
+  if (as_lines && shown.size() > most_lines)
+    std::ranges::stable_sort(shown, {}, [&](auto& solver) { return std::ranges::count(look.own, solver) == 0; });
   return shown;
 }
 
@@ -75,7 +77,7 @@ std::vector<Line> by_point(const StudyResults& study, std::string_view column, c
   const Metric& metric = metric_named(column);
   const double factor = drawn_unit(study, metric.unit).factor;
   std::vector<Line> all;
-  for (const std::string& solver : drawn_solvers(study, look)) {
+  for (const std::string& solver : drawn_solvers(study, look, true)) {
     if (std::ranges::none_of(study.of(solver), gave_answer)) continue;
     std::map<int, std::vector<double>> values;
     for (const Solve& solve : study.of(solver)) {
@@ -94,7 +96,7 @@ std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Aver
   for (const SolveRecord& solve : study.drawn) longest = std::max(longest, solve.trace_cm.size());
   const std::size_t n = std::min(longest, most_iterations);
   std::vector<Line> all;
-  for (const std::string& solver : drawn_solvers(study, look)) {
+  for (const std::string& solver : drawn_solvers(study, look, true)) {
     Line& line = all.emplace_back(Line{.label = look.names.at(solver), .style = look.lines.at(solver)});
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = n == 1 ? 0 : k * (longest - 1) / (n - 1);
@@ -147,7 +149,7 @@ JointRows joint_rows(const StudyResults& study, const Look& look) {
     all.columns.push_back({fmt::format("{}{}", turning.size() == 1 ? "joint " : "", joint + 1),
                            arm->limits.lower[j] / degree, arm->limits.upper[j] / degree});
   }
-  for (const std::string& solver : drawn_solvers(study, look)) {
+  for (const std::string& solver : drawn_solvers(study, look, true)) {
     JointRow row{.label = look.names.at(solver), .style = look.lines.at(solver)};
     for (const SolveRecord& solve : study.first_run_of(solver)) {
       std::vector<double>& angles = row.angles_deg.emplace_back();

@@ -16,8 +16,8 @@ namespace ikbench::figures {
 // Of a metric, in the unit that figures have.
 About about_of(const judge::StudyResults& study, const judge::Metric& metric, std::string caption);
 
-// The solvers that figures show, in their order.
-std::vector<std::string> drawn_solvers(const judge::StudyResults& study, const Look& look);
+// The solvers that figures show, in their order; of more lines than are drawn the study's own first.
+std::vector<std::string> drawn_solvers(const judge::StudyResults& study, const Look& look, bool as_lines = false);
 
 // Values are drawn times `factor`: 10 for cm in mm.
 struct DrawnUnit {

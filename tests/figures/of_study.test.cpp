@@ -74,6 +74,11 @@ TEST_CASE("drawn targets with a tolerance have shares, and no number of solved o
   CHECK(contains(figures[1].data, "# A\n0 0\n100 100\n1e+300 100\n\n\n# B\n0 0\n100 80\n1e+300 80\n"));
   CHECK(contains(figures[0].data, "# A\n0 0\n1 20\n2 40\n"));                          // [mm]
   CHECK(contains(figures[0].data, "4 80\n5 100\n1e+300 100\n\n\n# B\n0 0\n20 20\n"));  // none of a crash
+  const auto fails = [](SolveRecord& solve) { solve.status = solve.label == "A" ? Status::crashed : Status::ok; };
+  const auto many =
+      figures_of_study(study({.tolerance_cm = 0.01}, fails, {"A", "B", "C", "D", "E", "F", "G", "H", "I"}));
+  CHECK(contains(named(many, "error-shares").data, "]\n# A\n"));  // the study's first, though it is the last
+  CHECK(named(many, "error-shares").caption.ends_with("Without H and I: only the first 7 are drawn."));
 }
 
 TEST_CASE("solvers whose costs are not known or not comparable are left out of shares, by name", "[of_study]") {
