@@ -212,7 +212,7 @@ class Checks {
                                        : "");
     const std::string seen = fmt::format("{} within {:g} m and {:g} rad, {} more within twice that", reached,
                                          usual.tolerance, usual.angle_tolerance, near);
-    line(fmt::format("it reaches some of the {} poses that LM solves, of {}", solvable, poses),
+    line(fmt::format("it reaches some of the {} poses that LM solves", solvable),
          reached == 0 && solvable > 0 ? seen : "", seen);
   }
 

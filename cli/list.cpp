@@ -128,7 +128,7 @@ void add_list(CLI::App& app, Invocation&) {
   command->callback([arguments, kinds] {
     if (arguments->kind.empty()) return fmt::print("{}\n", fmt::join(kinds, "\n"));
     if (std::ranges::find(kinds, arguments->kind) == kinds.end())
-      throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds));
+      throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds) + "; figures lists styles, too");
     const std::string text = listed(arguments->kind, arguments->name);
     fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? printable(text) : text);  // a file keeps every letter
   });

@@ -11,6 +11,7 @@ cut -d'|' -f1 table | xargs -P 4 -I{} env FAULT={} bash -c '[ $FAULT = hangs ] &
   "$0" check-solver --patience $patience -- python3 planted.py >$FAULT.said 2>$FAULT.err; echo $? >$FAULT.code' "$program"
 python3 "$scripts/programs/failed.py" <table || fail "see above: $(cat ./*.err)"
 has "$(<good.said)" "All 11 checks passed"
+[[ $(<good.said) =~ some\ of\ the\ [0-9]+\ poses\ that\ LM\ solves:\ [0-9]+\ within ]] || fail "counted twice: $(<good.said)"
 has "$(<lies.said)" "2 of 11 checks failed"
 has "$(<null.said)" 'expected "q"'
 
