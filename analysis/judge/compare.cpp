@@ -299,11 +299,6 @@ Verdict verdict_of(const Finding& finding) {
   return is_open(finding, Open::Why::few_decide) ? Verdict::undecided : Verdict::not_tested;
 }
 
-std::optional<double> p_of(const Finding& finding) {
-  const auto* const tested = std::get_if<Tested>(&finding.what);
-  return tested ? std::optional(tested->p) : std::nullopt;
-}
-
 bool is_open(const Finding& finding, Open::Why why) {
   const auto* const open = std::get_if<Open>(&finding.what);
   return open != nullptr && open->why == why;

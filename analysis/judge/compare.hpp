@@ -67,7 +67,6 @@ struct Finding {
 // What every finding has in common.
 Verdict verdict_of(const Finding& finding);  // few that decide leave it undecided
 constexpr double amount_of_equal(Scale scale) { return scale == Scale::ratio ? 1 : 0; }
-std::optional<double> p_of(const Finding& finding);
 bool is_open(const Finding& finding, Open::Why why);
 bool are_equal(const Finding& finding);  // no value differs
 

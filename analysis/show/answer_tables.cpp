@@ -341,7 +341,7 @@ Table pairs_table(const Answer& answer) {
         continue;
       }
       (is_told ? table.rows : others).push_back(row_of(finding, judged));
-      has_p |= p_of(finding).has_value();
+      has_p |= std::holds_alternative<Tested>(finding.what);
     }
   }
   table.told = table.rows.size();

@@ -35,11 +35,10 @@ struct Seen : Finding {
 inline Seen seen(const Finding& finding) {
   Seen all{finding};
   all.verdict = verdict_of(finding);
-  all.p = p_of(finding);
   all.are_all_equal = are_equal(finding);
   if (const auto& amount = finding.amount) all.estimate = amount->value, all.interval = amount->interval;
   if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
-    all.test = tested->test, all.n = tested->n;
+    all.p = tested->p, all.test = tested->test, all.n = tested->n;
     all.is_within_margin = tested->is_small || tested->verdict == Verdict::same;
     if (tested->effect) all.effect = tested->effect->a12();
   } else if (const auto* const open = std::get_if<Open>(&finding.what)) {
