@@ -253,21 +253,19 @@ class Checks {
 
 }  // namespace
 
-void add_check_solver(CLI::App& app, Invocation& invocation) {
+void add_check_solver(const Command& command, Invocation& invocation) {
   auto choice = std::make_shared<ProgramChoice>(ProgramChoice{.process = {}, .files = {}, .patience = 5});
-  CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program");
-  command->add_option("COMMAND", choice->process, "the program and its arguments, after --")->required();
-  add_with_default(*command, "--patience", choice->patience, "seconds after which a solve is given up")
-      ->check(number_in({0.1, 3600}));
+  command.add("COMMAND", &choice->process, "the program and its arguments, after --").required();
+  command.add("--patience", &choice->patience, "seconds after which a solve is given up").number_in({0.1, 3600});
   auto robot_name = std::make_shared<std::string>();
-  command->add_option("--robot", *robot_name,
-                      "an arm of ikbench list robots, for a solver that knows some kinds of arms alone");
-  command->footer(
+  command.add("--robot", robot_name.get(),
+              "an arm of ikbench list robots, for a solver that knows some kinds of arms alone");
+  command.footer(
       "  ikbench check-solver -- python3 my_solver.py\n"
       "  ikbench check-solver --robot ur5e -- python3 my_closed_form.py\n"
       "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
       "Exit code 1 where a check fails. docs/reference/protocol.md describes what a program has to say.");
-  command->callback([choice, robot_name, &invocation] {
+  command.callback([choice, robot_name, &invocation] {
     std::vector<CheckLine> lines = Checks(*choice, robot_name->empty() ? some_arm() : robot(*robot_name)).lines;
     const auto failed = std::ranges::count(lines, false, &CheckLine::passed);
     if (failed > 0) invocation.exit_code = 1;

@@ -272,32 +272,29 @@ std::string markdown_of(const std::vector<Gate>& all) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, Invocation& invocation) {
+void add_compare(const Command& command, Invocation& invocation) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command =
-      app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
-  command->add_option("A", arguments->a, "baseline: a store.sqlite, or with --store a label")->required();
-  command->add_option("B", arguments->b, "candidate: a store.sqlite, or with --store a label")->required();
-  CLI::Option* store = command->add_option("--store", arguments->store, "store in which A and B are labels");
-  add_study_option(*command, arguments->study);
-  add_with_default(*command, "--label", arguments->labels,
-                   "with two stores: this solver alone; repeat for more; default: all of A")
-      ->excludes(store);
-  command->add_option("--margin", arguments->margin,
-                      "relative difference that matters, such as 10%; default: that of the baseline's plan");
-  command->add_option("--time-margin", arguments->time_margin,
-                      "times decide, by this margin; two stores must have been solved in turn (cli/gate.sh with OLD)");
-  command->add_flag("--strict", arguments->is_strict, "exit with 4 if nothing is worse but something is not decided");
-  add_out_option(*command, arguments->output, "also write the verdict as Markdown to this file");
-  add_json_option(*command, arguments->is_json);
-  command->footer(
+  command.add("A", &arguments->a, "baseline: a store.sqlite, or with --store a label").required();
+  command.add("B", &arguments->b, "candidate: a store.sqlite, or with --store a label").required();
+  command.add("--store", &arguments->store, "store in which A and B are labels");
+  add_study_option(command, arguments->study);
+  command.add("--label", &arguments->labels, "with two stores: this solver alone; repeat for more; default: all of A")
+      .excludes("--store");
+  command.add("--margin", &arguments->margin,
+              "relative difference that matters, such as 10%; default: that of the baseline's plan");
+  command.add("--time-margin", &arguments->time_margin,
+              "times decide, by this margin; two stores must have been solved in turn (cli/gate.sh with OLD)");
+  command.add("--strict", &arguments->is_strict, "exit with 4 if nothing is worse but something is not decided");
+  add_out_option(command, arguments->output, "also write the verdict as Markdown to this file");
+  add_json_option(command, arguments->is_json);
+  command.footer(
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
       "The exit code is 3 if something is shown to be worse, and not shown to be so by less than the margin, or if "
       "solves without an answer are new; 1 after a mistake, or else if A and B, or the times that --time-margin asks for, could not be compared; else 4 with "
       "--strict, if something is not decided or not tested; else 0.\n"
       "Times decide nothing without --time-margin.");
-  command->callback([arguments, &invocation] {
+  command.callback([arguments, &invocation] {
     const std::vector<Gate> all = compare_all(*arguments);
     invocation.exit_code = exit_code(all, arguments->is_strict);
     if (!arguments->output.empty())

@@ -38,25 +38,24 @@ void write_archive(const std::filesystem::path& store, const std::filesystem::pa
 
 }  // namespace
 
-void add_export(CLI::App& app, Invocation&) {
+void add_export(const Command& command, Invocation&) {
   struct Arguments {
     std::string store, study, format = "csv", file = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("export", "Write all solves as CSV, their fingerprint, or an archive");
-  command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
-  add_study_option(*command, arguments->study);
-  add_with_default(
-      *command, "--format", arguments->format,
-      "csv: a row for each solve; fingerprint: a hash of every bit but of times; archive: one file, sealed")
-      ->check(CLI::IsMember({"csv", "fingerprint", "archive"}));
-  add_out_option(*command, arguments->file, "file to write; - for standard output");
-  command->footer(
+  command.add("STORE", &arguments->store, "path of a store.sqlite").required();
+  add_study_option(command, arguments->study);
+  command
+      .add("--format", &arguments->format,
+           "csv: a row for each solve; fingerprint: a hash of every bit but of times; archive: one file, sealed")
+      .one_of({"csv", "fingerprint", "archive"});
+  add_out_option(command, arguments->file, "file to write; - for standard output");
+  command.footer(
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format fingerprint\n"
       "  ikbench export out/mine/store.sqlite --format archive -o mine.sqlite\n"
       "Columns: ikbench list columns");
-  command->callback([arguments] {
+  command.callback([arguments] {
     if (arguments->format == "archive") {
       if (arguments->file == "-") throw std::invalid_argument("--format archive: expected -o FILE, as mine.sqlite");
       if (!arguments->study.empty())

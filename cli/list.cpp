@@ -34,7 +34,7 @@ std::string solver_details(std::string_view name) {
   const SolverInfo& info = solver(name);
   Rows options{{"OPTION", "DEFAULT", "EXPECTED", "MEANING"}};
   info.describe([&](const OptionList& list) {
-    for (const Option& option : list.options())
+    for (const solvers::Option& option : list.options())
       options.push_back({option.name, text_of(option.get()), option.expected, option.meaning});
   });
   const std::string library = info.library.empty() ? "" : fmt::format("\nbuilt with {}", info.library);
@@ -109,23 +109,22 @@ std::string listed(const std::string& kind, const std::string& name) {
 
 }  // namespace
 
-void add_list(CLI::App& app, Invocation&) {
+void add_list(const Command& command, Invocation&) {
   struct Arguments {
     std::string kind, name;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("list", "List solvers, arms, studies, paths, columns, metrics or figures");
   const std::vector<std::string> kinds{"solvers", "robots",  "studies", "paths",
                                        "columns", "metrics", "figures", "instruction-sets"};
-  command->add_option("KIND", arguments->kind, fmt::format("{}; default: these names", fmt::join(kinds, ", ")));
-  command->add_option("NAME", arguments->name,
-                      "show this solver in full; a study or a path is printed as TOML, ready to edit");
-  command->footer(
+  command.add("KIND", &arguments->kind, fmt::format("{}; default: these names", fmt::join(kinds, ", ")));
+  command.add("NAME", &arguments->name,
+              "show this solver in full; a study or a path is printed as TOML, ready to edit");
+  command.footer(
       "  ikbench list solvers\n"
       "  ikbench list solvers ik_bat              its options with defaults and ranges\n"
       "  ikbench list studies slim2023 > my.toml\n"
       "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one");
-  command->callback([arguments, kinds] {
+  command.callback([arguments, kinds] {
     if (arguments->kind.empty()) return fmt::print("{}\n", fmt::join(kinds, "\n"));
     if (std::ranges::find(kinds, arguments->kind) == kinds.end())
       throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds) + "; figures lists styles, too");

@@ -25,7 +25,7 @@
 #include "robots/urdf.hpp"
 
 namespace ikbench::cli {
-#define COMMAND(name, use) void add_##name(CLI::App& app, Invocation& invocation);
+#define COMMAND(name, word, use, meaning) void add_##name(const Command& command, Invocation& invocation);
 #include "cli/commands.inc"
 #undef COMMAND
 }  // namespace ikbench::cli
@@ -105,9 +105,7 @@ int main(int argc, char** argv) {
   });
   std::vector<std::string> words(argv + 1, argv + argc);
   cli::Invocation invocation{.command = cli::shell_command("ikbench", words)};
-#define COMMAND(name, use)          \
-  cli::add_##name(app, invocation); \
-  app.get_subcommands({}).back()->group(use);
+#define COMMAND(name, word, use, meaning) cli::add_##name({app.add_subcommand(word, meaning)->group(use)}, invocation);
 #include "cli/commands.inc"
 #undef COMMAND
   if (words.empty()) words.emplace_back("--help");

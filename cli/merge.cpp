@@ -40,27 +40,26 @@ std::vector<fs::path> stores_in(const fs::path& place) {
 
 }  // namespace
 
-void add_merge(CLI::App& app, Invocation& invocation) {
+void add_merge(const Command& command, Invocation& invocation) {
   struct Arguments {
     std::string out;
     std::vector<std::string> places;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("merge", "Put the stores of several shards or machines together into one");
   command
-      ->add_option("FOLDERS", arguments->places,
-                   "first that of the store that gets all, unless -o names it; then stores, folders with a "
-                   "store.sqlite, or a folder of such folders, as out/<study>/shards")
-      ->required()
-      ->check(not_empty());
-  add_out_option(*command, arguments->out, "folder of the store that gets all; it may have one already");
-  command->footer(
+      .add("FOLDERS", &arguments->places,
+           "first that of the store that gets all, unless -o names it; then stores, folders with a "
+           "store.sqlite, or a folder of such folders, as out/<study>/shards")
+      .required()
+      .not_empty();
+  add_out_option(command, arguments->out, "folder of the store that gets all; it may have one already");
+  command.footer(
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
       "A solve that two stores have must have the same bits in both. What is missing is counted; the exit code is "
       "then 5. A store with a wrong solve is named and left out; the exit code is then 1. After a merge that was killed "
       "give the same command again.");
-  command->callback([arguments, &invocation] {
+  command.callback([arguments, &invocation] {
     if (arguments->out.empty()) {
       arguments->out = arguments->places.front();
       arguments->places.erase(arguments->places.begin());

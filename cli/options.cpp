@@ -2,23 +2,47 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
+#include <CLI/CLI.hpp>
+#include <type_traits>
 
+#include "base/json.hpp"
 #include "base/number.hpp"
 
 namespace ikbench::cli {
 
-CLI::Validator number_in(std::pair<double, double> range) {
-  const auto mistake = [range](const std::string& text) {
+Option Option::required() const { return {in_cli11->required()}; }
+Option Option::separated_by_commas() const { return {in_cli11->delimiter(',')}; }
+Option Option::needs(const std::string& other) const { return {in_cli11->needs(other)}; }
+Option Option::excludes(const std::string& other) const { return {in_cli11->excludes(other)}; }
+Option Option::one_of(const std::vector<std::string>& texts) const { return {in_cli11->check(CLI::IsMember(texts))}; }
+Option Option::not_empty() const {
+  return {in_cli11->check([](const std::string& text) { return text.empty() ? "it is empty" : ""; })};
+}
+
+Option Option::time() const {
+  const auto in_seconds = [](std::string& text) {
+    for (const auto& [unit, size] : {std::pair<std::string, std::string>{"us", "e-6"}, {"ms", "e-3"}, {"s", ""}}) {
+      if (!text.ends_with(unit)) continue;
+      const auto value = base::number_from(text.substr(0, text.size() - unit.size()) + size);
+      if (!value || !(*value >= 1e-6 && *value <= 1e3)) break;
+      text = fmt::format("{}", *value);
+      return std::string();
+    }
+    return fmt::format("{} is no time from 1us to 1000s, such as 5ms", text.substr(0, 100));
+  };
+  return {in_cli11->transform(CLI::Validator(in_seconds, ""))};
+}
+
+Option Option::number_in(std::pair<double, double> range) const {
+  return {in_cli11->check([range](const std::string& text) {
     const auto value = base::number_from(text);
     return value && *value >= range.first && *value <= range.second
                ? std::string()
                : fmt::format("{} is not a number from {} to {}", text.substr(0, 100), range.first, range.second);
-  };
-  return {mistake, ""};
+  })};
 }
 
-CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range) {
+Option Option::whole_number(std::pair<std::int64_t, std::int64_t> range) const {
   const auto mistake = [range](const std::string& text) {
     const bool are_digits = !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == text.npos &&
                             (text == "0" || text[0] != '0');
@@ -26,46 +50,43 @@ CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range) {
     return fmt::format("{} is not a whole number from {} to {}, without zeros before it", text.substr(0, 100),
                        range.first, range.second);
   };
-  return {mistake, range.second < largest_whole ? fmt::format("{} to {}", range.first, range.second) : ""};
+  const std::string name = range.second < largest_whole ? fmt::format("{} to {}", range.first, range.second) : "";
+  return {in_cli11->check(mistake, name)};
 }
 
-CLI::Validator not_empty() {
-  return {[](const std::string& text) { return text.empty() ? "it is empty" : ""; }, ""};
+Option Command::add(const std::string& name, Value value, const std::string& meaning) const {
+  const auto added = [&](auto* its) {
+    using Kept = std::remove_pointer_t<decltype(its)>;
+    if constexpr (std::is_same_v<Kept, bool>) return in_cli11->add_flag(name, *its, meaning);
+    CLI::Option* const option = in_cli11->add_option(name, *its, meaning);
+    if (std::is_same_v<Kept, std::vector<std::string>>) return option->allow_extra_args(!name.starts_with('-'));
+    return *its > Kept() ? option->capture_default_str() : option;
+  };
+  return {std::visit(added, value)};
 }
 
-void add_time(CLI::App& command, const std::string& name, double& seconds, const std::string& meaning) {
-  command.add_option(name, seconds, meaning)
-      ->transform(CLI::Validator(
-          [](std::string& text) {
-            for (const auto& [unit, size] : {std::pair{"us", "e-6"}, {"ms", "e-3"}, {"s", ""}}) {
-              if (!text.ends_with(unit)) continue;
-              const auto value = base::number_from(text.substr(0, text.size() - std::strlen(unit)) + size);
-              if (!value || !(*value >= 1e-6 && *value <= 1e3)) break;
-              text = fmt::format("{}", *value);
-              return std::string();
-            }
-            return fmt::format("{} is no time from 1us to 1000s, such as 5ms", text.substr(0, 100));
-          },
-          ""));
+Option Command::option(const std::string& name) const { return {in_cli11->get_option(name)}; }
+bool Command::was_given(const std::string& option) const { return in_cli11->count(option) > 0; }
+void Command::footer(const std::string& text) const { in_cli11->footer(text); }
+void Command::callback(const std::function<void()>& run) const { in_cli11->callback(run); }
+
+void add_link_options(const Command& command, std::string& base, std::string& tip) {
+  command.add("--base", &base, "link of a URDF file where the arm begins; default: the root");
+  command.add("--tip", &tip, "link of a URDF file where it ends; default: behind the most joints");
 }
 
-void add_link_options(CLI::App& command, robots::UrdfChoice& urdf) {
-  command.add_option("--base", urdf.base, "link of a URDF file where the arm begins; default: the root");
-  command.add_option("--tip", urdf.tip, "link of a URDF file where it ends; default: behind the most joints");
+void add_out_option(const Command& command, std::string& out, const std::string& meaning) {
+  command.add("-o,--out", &out, meaning).not_empty();
 }
 
-CLI::Option* add_out_option(CLI::App& command, std::string& out, const std::string& meaning) {
-  return add_with_default(command, "-o,--out", out, meaning)->check(not_empty());
-}
-
-void add_json_option(CLI::App& command, bool& is_json) {
-  command.add_flag("--json", is_json, "print the answer as JSON");
+void add_json_option(const Command& command, bool& is_json) {
+  command.add("--json", &is_json, "print the answer as JSON");
 }
 
 void show_json(const base::OrderedJson& json) { fmt::print("{}\n", base::text_of(json, 2)); }
 
-void add_study_option(CLI::App& command, std::string& study) {
-  command.add_option("--study", study, "name of the study; default: the first in the store");
+void add_study_option(const Command& command, std::string& study) {
+  command.add("--study", &study, "name of the study; default: the first in the store");
 }
 
 }  // namespace ikbench::cli

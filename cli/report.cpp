@@ -59,26 +59,24 @@ void write_studies(const std::vector<std::string>& files, const std::string& stu
 
 }  // namespace
 
-void add_report(CLI::App& app, Invocation&) {
+void add_report(const Command& command, Invocation&) {
   struct Arguments {
     std::vector<std::string> stores;
     std::string study, out;
     ReportArguments report;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("report", "Write tables, figures and the report from a store, without solving");
-  command->add_option("STORE", arguments->stores, "path of a store.sqlite; of several: one table, solvers by studies")
-      ->required();
-  add_study_option(*command, arguments->study);
-  add_out_option(*command, arguments->out, "folder to write to; default: the folder of the store");
-  add_report_options(*command, arguments->report, true);
-  command->footer(
+  command.add("STORE", &arguments->stores, "path of a store.sqlite; of several: one table, solvers by studies")
+      .required();
+  add_study_option(command, arguments->study);
+  add_out_option(command, arguments->out, "folder to write to; default: the folder of the store");
+  add_report_options(command, arguments->report, true);
+  command.footer(
       "  ikbench report out/my/store.sqlite\n"
       "  ikbench report theirs.sqlite --out out/theirs\n"
       "  ikbench report out/panda/store.sqlite out/ur5e/store.sqlite --out out/both\n"
       "  ikbench report out/my/store.sqlite --style journal.toml");
-  command->callback([arguments] {
+  command.callback([arguments] {
     if (arguments->stores.size() > 1)
       return write_studies(arguments->stores, arguments->study, arguments->out, arguments->report);
     const std::string& file = arguments->stores.front();

@@ -15,6 +15,7 @@
 #include "analysis/show/screen.hpp"
 #include "base/embedded_file.hpp"
 #include "base/inputs.hpp"
+#include "base/json.hpp"
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
@@ -74,16 +75,14 @@ std::vector<std::string> never_answering(const judge::StudyResults& study) {
 
 }  // namespace
 
-void add_report_options(CLI::App& command, ReportArguments& arguments, bool is_of_study) {
+void add_report_options(const Command& command, ReportArguments& arguments, bool is_of_study) {
   if (is_of_study)
-    command.add_option("--beside", arguments.beside,
-                       "tell also what others did in the same study: libraries, or a store");
-  add_with_default(command, "--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
-      ->delimiter(',');
-  add_with_default(
-      command, "--style", arguments.styles,
-      "ieee, springer, slide, or a TOML file of keys of [figures], in place of the study's (list figures); "
-      "repeat: the last counts");
+    command.add("--beside", &arguments.beside, "tell also what others did in the same study: libraries, or a store");
+  command.add("--figures", &arguments.figures, "draw only these: error,solved; none: draw nothing")
+      .separated_by_commas();
+  command.add("--style", &arguments.styles,
+              "ieee, springer, slide, or a TOML file of keys of [figures], in place of the study's (list figures); "
+              "repeat: the last counts");
   add_json_option(command, arguments.is_json);
 }
 

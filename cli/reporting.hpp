@@ -23,7 +23,7 @@ struct ReportArguments {
 
 // The names of figures, and the keys of their look.
 std::string list_of_figures();
-void add_report_options(CLI::App& command, ReportArguments& arguments, bool is_of_study = false);
+void add_report_options(const Command& command, ReportArguments& arguments, bool is_of_study = false);
 // Of a study of these labels, with the style file, if there is one. Throws std::invalid_argument for what cannot be
 // drawn. Call it before anything is solved.
 results::FigureStyle styled(results::FigureStyle style, const std::vector<std::string>& labels,

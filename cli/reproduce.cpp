@@ -218,33 +218,31 @@ void report(const std::vector<judge::JudgedStudy>& all, const Paper& paper, cons
 
 }  // namespace
 
-void add_reproduce(CLI::App& app, Invocation& invocation) {
+void add_reproduce(const Command& command, Invocation& invocation) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("reproduce", "Repeat a paper's experiments and report beside the printed results");
   std::vector<std::string> names;
   for (const Paper& paper : papers::papers()) names.push_back(fmt::format("{} ({})", paper.name, paper.in_short));
   arguments->paper = papers::papers().front().name;
-  add_with_default(*command, "PAPER", arguments->paper, fmt::format("one of: {}", fmt::join(names, ", ")));
-  add_run_options(*command, arguments->run);
-  command->add_option("--seed", arguments->seed, "seed of the studies; default: their own")
-      ->check(whole_number({0, largest_whole}));
-  command->add_option("--runs", arguments->runs, "runs of each solver; default: as in the paper")
-      ->check(whole_number({1, 1'000'000}));
-  add_number(*command, "--readings", arguments->seeds, {0, 1000},
-             "number of seeds for the readings of what the paper leaves open; 0: skip them");
-  add_report_options(*command, arguments->report);
-  command->footer(
+  command.add("PAPER", &arguments->paper, fmt::format("one of: {}", fmt::join(names, ", ")));
+  add_run_options(command, arguments->run);
+  command.add("--seed", &arguments->seed, "seed of the studies; default: their own").whole_number();
+  command.add("--runs", &arguments->runs, "runs of each solver; default: as in the paper").whole_number({1, 1'000'000});
+  command
+      .add("--readings", &arguments->seeds,
+           "number of seeds for the readings of what the paper leaves open; 0: skip them")
+      .whole_number({0, 1000});
+  add_report_options(command, arguments->report);
+  command.footer(
       "  ikbench reproduce\n"
       "  ikbench reproduce beeson2015             TRAC-IK's table of solve rates\n"
       "  ikbench reproduce haviland2023           six rules of Levenberg and Marquardt's method\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
       "  ikbench reproduce --readings 0 --jobs 2  faster; but times of two solves at once are not comparable");
-  command->callback([arguments, &invocation, command] {
+  command.callback([arguments, &invocation, command] {
     const Paper& paper = papers::paper_named(arguments->paper);
     // A mistake in it shows before hours are spent.
     static_cast<void>(styled({}, labels_of(load_study(paper.studies.front())), arguments->report));
-    if (command->count("--readings") > 0 && arguments->seeds > 0 && dimensions(paper.name).empty())
+    if (command.was_given("--readings") && arguments->seeds > 0 && dimensions(paper.name).empty())
       throw std::invalid_argument(
           fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));
     const std::filesystem::path folder = folder_for(paper.studies.front(), arguments->run.out);

@@ -44,8 +44,7 @@ std::string frame_line(std::string_view name, const Frame& frame) {
 
 std::string joint_table(const Robot& arm) {
   const std::vector<std::string> names = joint_names(arm.description);
-  std::vector<std::vector<std::string>> rows{
-      {"JOINT", "", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
+  Rows rows{{"JOINT", "", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
   const bool has_velocities = arm.velocity.size() > 0;
   if (has_velocities) rows.front().emplace_back("velocity");
   if (!names.empty()) rows.front().emplace_back("name");
@@ -115,27 +114,24 @@ std::string robot_text(const Robot& arm) {
 
 }  // namespace
 
-void add_robot(CLI::App& app, Invocation&) {
+void add_robot(const Command& command, Invocation&) {
   auto arguments = std::make_shared<RobotArguments>();
-  CLI::App* command = app.add_subcommand("robot", "Show an arm: its joints, limits, reach, wrist and tool");
-  command->add_option("ROBOT", arguments->robot, "a name from ikbench list robots, or a file: arm.toml, arm.urdf")
-      ->required();
+  command.add("ROBOT", &arguments->robot, "a name from ikbench list robots, or a file: arm.toml, arm.urdf").required();
   command
-      ->add_option(
-          "--at", arguments->at,
-          "values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the limits")
-      ->delimiter(',')
-      ->check(number_in({-1e6, 1e6}));
-  add_link_options(*command, arguments->urdf);
-  command->add_flag("--links", arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
-  command->add_flag("--urdf", arguments->shows_urdf, "print the arm as a URDF file, and nothing else");
-  command->footer(
+      .add("--at", &arguments->at,
+           "values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the limits")
+      .separated_by_commas()
+      .number_in({-1e6, 1e6});
+  add_link_options(command, arguments->urdf.base, arguments->urdf.tip);
+  command.add("--links", &arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
+  command.add("--urdf", &arguments->shows_urdf, "print the arm as a URDF file, and nothing else");
+  command.footer(
       "  ikbench robot ur5e\n"
       "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45\n"
       "  ikbench robot my_arm.urdf --base base_link --tip tool0");
-  command->callback([arguments, command] {
+  command.callback([arguments, command] {
     for (const char* option : {"--base", "--tip", "--links"}) {
-      if (command->count(option) == 0 || is_urdf_file(arguments->robot)) continue;
+      if (!command.was_given(option) || is_urdf_file(arguments->robot)) continue;
       throw std::invalid_argument(
           fmt::format("{} is about a URDF file, but the arm is {}; leave it out", option, arguments->robot));
     }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "analysis/judge/beside.hpp"
@@ -24,14 +23,13 @@ namespace {
 constexpr const char* study_of_any_arm = "any-arm";
 
 struct StudyToRun {
-  std::string study, robot;
+  std::string study, robot, shard;
   robots::UrdfChoice urdf;
   double limit = 0;  // [s]
   std::vector<std::string> set, sweep, only;
   RunArguments run;
   ReportArguments report;
   bool without_report = false;
-  std::optional<std::string> shard;
 };
 
 // In the order of --set, which has the last word but for links and sweeps.
@@ -77,8 +75,8 @@ Study study_of(const StudyToRun& arguments) {
 
 void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
   const Study study = study_of(arguments);
-  const bool is_part = arguments.shard.has_value(), has_report = !arguments.without_report && !is_part;
-  const Shard shard = is_part ? shard_from(*arguments.shard) : Shard{};
+  const bool is_part = !arguments.shard.empty(), has_report = !arguments.without_report && !is_part;
+  const Shard shard = is_part ? shard_from(arguments.shard) : Shard{};
   if (const std::int64_t parts = parts_of(study); shard.count > parts)  // else some would be empty
     throw std::invalid_argument(fmt::format("--shard {}: {} has only {} to share out, so give at most that many shards",
                                             shard.text(), study.name,
@@ -99,30 +97,31 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
 
 }  // namespace
 
-void add_run(CLI::App& app, Invocation& invocation) {
+void add_run(const Command& command, Invocation& invocation) {
   auto arguments = std::make_shared<StudyToRun>();
-  CLI::App* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
-  command->add_option("STUDY", arguments->study,
-                      fmt::format("name of a built-in study (ikbench list studies), or path of a TOML file; with "
-                                  "--robot {}",
-                                  study_of_any_arm));
-  command->add_option("--robot", arguments->robot, "solve it on this arm: my_arm.urdf, my_arm.toml, ur5e");
-  add_link_options(*command, arguments->urdf);
-  add_time(*command, "--limit", arguments->limit,
-           "time that a solve may take, such as 1ms, and no other limit; tells what is solved in it");
-  add_with_default(*command, "--set", arguments->set,
-                   "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp");
-  add_with_default(*command, "--sweep", arguments->sweep,
-                   fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
-                               most_solvers));
-  add_with_default(*command, "--only", arguments->only,
-                   "solve and report these labels alone: A,B; of a sweep also its label");
-  add_run_options(*command, arguments->run);
-  add_report_options(*command, arguments->report, true);
-  command->add_flag("--no-report", arguments->without_report, "solve, but write no report");
-  command->add_option("--shard", arguments->shard,
-                      "I/N: solve the I-th of N parts, without a report; --out is then out/<study>/shards/I-of-N");
-  command->footer(
+  command.add("STUDY", &arguments->study,
+              fmt::format("name of a built-in study (ikbench list studies), or path of a TOML file; with "
+                          "--robot {}",
+                          study_of_any_arm));
+  command.add("--robot", &arguments->robot, "solve it on this arm: my_arm.urdf, my_arm.toml, ur5e");
+  add_link_options(command, arguments->urdf.base, arguments->urdf.tip);
+  command
+      .add("--limit", &arguments->limit,
+           "time that a solve may take, such as 1ms, and no other limit; tells what is solved in it")
+      .time();
+  command.add("--set", &arguments->set, "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp");
+  command.add("--sweep", &arguments->sweep,
+              fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
+                          most_solvers));
+  command.add("--only", &arguments->only, "solve and report these labels alone: A,B; of a sweep also its label");
+  add_run_options(command, arguments->run);
+  add_report_options(command, arguments->report, true);
+  command.add("--no-report", &arguments->without_report, "solve, but write no report");
+  command
+      .add("--shard", &arguments->shard,
+           "I/N: solve the I-th of N parts, without a report; --out is then out/<study>/shards/I-of-N")
+      .not_empty();
+  command.footer(
       "  ikbench run --robot my_arm.urdf --limit 1ms\n"
       "  ikbench run my.toml\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
@@ -133,7 +132,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "  ikbench merge out/slim2023 out/slim2023/shards\n\n"
       "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
-  command->callback([arguments, &invocation] { run_and_report(*arguments, invocation); });
+  command.callback([arguments, &invocation] { run_and_report(*arguments, invocation); });
 }
 
 }  // namespace ikbench::cli

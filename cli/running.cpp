@@ -41,9 +41,10 @@ void tell_of(const Study& study) {
 
 }  // namespace
 
-void add_run_options(CLI::App& command, RunArguments& arguments) {
+void add_run_options(const Command& command, RunArguments& arguments) {
   add_out_option(command, arguments.out, "folder for the results; default: out/<study>");
-  add_number(command, "--jobs", arguments.jobs, {1, 1024}, "number of solves at once; times are compared only with 1");
+  command.add("--jobs", &arguments.jobs, "number of solves at once; times are compared only with 1")
+      .whole_number({1, 1024});
 }
 
 std::filesystem::path store_in(const std::filesystem::path& folder) { return folder / "store.sqlite"; }

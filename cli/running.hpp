@@ -15,7 +15,7 @@ struct RunArguments {
   int jobs = 1;
 };
 
-void add_run_options(CLI::App& command, RunArguments& arguments);
+void add_run_options(const Command& command, RunArguments& arguments);
 
 // Runs a study, and its stored_study, into the folder's store.sqlite, opened in this mode, with progress, and warns of
 // targets out of reach. Returns "six: 288 solves in out/six/store.sqlite"; after Ctrl-C it says how to continue, and

@@ -17,6 +17,7 @@
 #include "analysis/show/words.hpp"
 #include "base/csv.hpp"
 #include "base/inputs.hpp"
+#include "base/json.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 
@@ -100,42 +101,40 @@ void stats(const StatsArguments& arguments) {
 
 }  // namespace
 
-void add_stats(CLI::App& app, Invocation& invocation) {
+void add_stats(const Command& command, Invocation& invocation) {
   auto arguments = std::make_shared<StatsArguments>();
-  CLI::App* command = app.add_subcommand("stats", "Compare groups in a CSV: which is better, by how much, how sure");
   csv::Request& csv = arguments->csv;
-  const auto add = [&](const char* name, auto& value, const char* meaning) {
-    return add_with_default(*command, name, value, meaning);
-  };
-  add("FILE", arguments->file,
-      "CSV with a column of names and one of values, or one of values a solver; - for standard input")
-      ->required();
-  add("--better", csv.better,
-      "smaller or larger is better: always asked for; COLUMN=larger: of one of several; repeat");
-  add("--label", csv.label, "column of who is compared, or several; `columns`: each column of numbers is one");
-  add("--value", csv.values, "column of values; repeat for several; not needed if one is left");
-  add("--block", csv.block,
+  command
+      .add("FILE", &arguments->file,
+           "CSV with a column of names and one of values, or one of values a solver; - for standard input")
+      .required();
+  command.add("--better", &csv.better,
+              "smaller or larger is better: always asked for; COLUMN=larger: of one of several; repeat");
+  command.add("--label", &csv.label, "column of who is compared, or several; `columns`: each column of numbers is one");
+  command.add("--value", &csv.values, "column of values; repeat for several; not needed if one is left");
+  command.add(
+      "--block", &csv.block,
       "column of what each of them did, or several: compares within them; row, with --label columns: each row is one");
-  add("--run", csv.run, "column of repeats, whose rows count once, by their mean; row: each row is one")
-      ->check(not_empty());
-  add("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
-  command->add_flag("--summaries", csv.are_summaries,
-                    "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
-  add("--decimal", arguments->decimal, "mark in numbers [found]")->check(CLI::IsMember({".", ","}));
-  add("--test", arguments->test, "of ranks or means [ranks]")->check(CLI::IsMember({"ranks", "means"}));
-  add("--control", arguments->plan.control, "compares with this group alone")->check(not_empty());
-  add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]")
-      ->check(not_empty());
-  add("--significance", arguments->plan.significance, "of all pairs together")->check(number_in({0.0001, 0.2}));
-  auto* const out = add_out_option(*command, arguments->out, "folder for a report");
-  add_report_options(*command, arguments->report);
-  for (const char* name : {"--figures", "--style"}) command->get_option(name)->needs(out);
-  command->footer(
+  command.add("--run", &csv.run, "column of repeats, whose rows count once, by their mean; row: each row is one")
+      .not_empty();
+  command.add("--where", &csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
+  command.add("--summaries", &csv.are_summaries,
+              "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
+  command.add("--decimal", &arguments->decimal, "mark in numbers [found]").one_of({".", ","});
+  command.add("--test", &arguments->test, "of ranks or means [ranks]").one_of({"ranks", "means"});
+  command.add("--control", &arguments->plan.control, "compares with this group alone").not_empty();
+  command.add("--margin", &arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]")
+      .not_empty();
+  command.add("--significance", &arguments->plan.significance, "of all pairs together").number_in({0.0001, 0.2});
+  add_out_option(command, arguments->out, "folder for a report");
+  add_report_options(command, arguments->report);
+  for (const char* name : {"--figures", "--style"}) command.option(name).needs("--out");
+  command.footer(
       "  ikbench stats results.csv --better smaller\n"
       "  ikbench stats benchmark.csv --label solver --value error --block target --run seed --better smaller\n"
       "  ikbench stats --summaries published.csv --better smaller\n\n"
       "docs/your-own-csv.md has a command for each of eight kinds of tables.");
-  command->callback([arguments, &invocation] {
+  command.callback([arguments, &invocation] {
     if (arguments->test == "means" || arguments->csv.are_summaries) arguments->plan.test = results::Plan::Test::means;
     if (!arguments->decimal.empty()) arguments->csv.decimal = arguments->decimal[0];
     try {

@@ -14,21 +14,19 @@
 
 namespace ikbench::cli {
 
-void add_verify(CLI::App& app, Invocation& invocation) {
+void add_verify(const Command& command, Invocation& invocation) {
   struct Arguments {
     std::string store, study;
     std::int64_t solves = 100;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("verify", "Check a store: errors from answers, some solves made again");
-  command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
-  add_study_option(*command, arguments->study);
-  add_number(*command, "--solves", arguments->solves, {0, largest_whole},
-             "number of solves to make again, drawn at random");
-  command->footer(
+  command.add("STORE", &arguments->store, "path of a store.sqlite").required();
+  add_study_option(command, arguments->study);
+  command.add("--solves", &arguments->solves, "number of solves to make again, drawn at random").whole_number();
+  command.footer(
       "  ikbench verify theirs.sqlite\n"
       "  ikbench verify theirs.sqlite --solves 1000000     all of them");
-  command->callback([arguments, &invocation] {
+  command.callback([arguments, &invocation] {
     const Store store(arguments->store, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);
     const TakeSolve redraw = redraw_of(study);

@@ -49,7 +49,7 @@ succeeds list metrics && [[ $out =~ solved_in_time\ +larger ]] || fail "more sol
 # Help, and the version.
 succeeds --help
 cp .out all
-for command in $(sed -n 's/^COMMAND(\(.*\),.*/\1/p' "$root/cli/commands.inc" | tr _ -); do
+for command in $(sed -n 's/^COMMAND([^"]*"\([^"]*\)".*/\1/p' "$root/cli/commands.inc"); do
   grep -q "^  $command " all || fail "--help does not list $command"
   succeeds "$command" --help
   has "$out" "ikbench $command "
