@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/json.hpp"
 #include "experiments/task.hpp"
 #include "results/export.hpp"
 

@@ -43,10 +43,9 @@ fs::path executable(const std::string& word, const fs::path& folder) {
 // Digests the name, the version, the executable, every argument that is a file, and the study's `files`.
 std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const Hello& hello) {
   std::string text = hello.name + '\n' + hello.version + '\n';
-  const std::vector<std::string>& words = choice.process;
-  if (const fs::path file = executable(words[0], folder); is_file(file)) text += digest_of_file(file);
-  for (std::size_t i = 1; i < words.size(); ++i)
-    if (const fs::path file = folder / words[i]; is_file(file)) text += digest_of_file(file);
+  for (std::size_t i = 0; i < choice.process.size(); ++i)
+    if (const fs::path file = i > 0 ? folder / choice.process[i] : executable(choice.process[0], folder); is_file(file))
+      text += digest_of_file(file);
   for (const std::string& name : choice.files) text += name + '\n' + digest_of_file(folder / name);
   return digest_of_text(text);
 }

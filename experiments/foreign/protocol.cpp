@@ -7,6 +7,7 @@
 #include <deque>
 #include <utility>
 
+#include "base/json.hpp"
 #include "base/names.hpp"
 #include "experiments/verifier.hpp"
 #include "results/export.hpp"
@@ -88,9 +89,8 @@ HelloOption Message::option(const Json& object) const {
   if (!object.is_object()) fail("options that are objects");
   HelloOption option{.name = text(object, "name"), .meaning = text(object, "meaning"), .choices = {}};
   for (const char* key : {"", "solver", "label", "process", "files", "memory_mb", "patience_s", "batch", "population",
-                          "options", "colour", "if_missing"}) {
+                          "options", "colour", "if_missing"})
     if (option.name == key) fail("options whose \"name\" is no key of [[solvers]]");
-  }
   if (const auto choices = object.find("choices"); choices != object.end()) {
     for (const Json& choice : *choices) {
       if (!choice.is_string() || !is_plain(choice.get<std::string>())) fail("choices that are texts");

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/child_process.hpp"
-#include "base/json.hpp"
 #include "robots/robot.hpp"
 #include "solvers/options.hpp"
 #include "solvers/solve.hpp"
@@ -65,12 +65,12 @@ class Message {
   [[noreturn]] void fail(const std::string& expected) const;
 
  private:
-  std::string text(const base::Json& object, const char* key) const;
-  HelloOption option(const base::Json& object) const;
-  robots::Configuration configuration(const base::Json& list, int joints, const std::string& expected) const;
+  std::string text(const nlohmann::json& object, const char* key) const;
+  HelloOption option(const nlohmann::json& object) const;
+  robots::Configuration configuration(const nlohmann::json& list, int joints, const std::string& expected) const;
 
   std::string line_, name_;
-  std::shared_ptr<const base::Json> json_;
+  std::shared_ptr<const nlohmann::json> json_;
 };
 
 // What is the same for all solves. `searched` has the joints before the wrist, or all; of `goal` the target does not

@@ -4,9 +4,8 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <signal.h>
 
-#include <nlohmann/json.hpp>
-
 #include "base/files.hpp"
+#include "base/json.hpp"
 #include "base/number.hpp"
 #include "base/toml_table.hpp"
 #include "results/export.hpp"
