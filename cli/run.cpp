@@ -69,7 +69,8 @@ Study study_of(const StudyToRun& arguments) {
   }
   // A mistake in it shows before hours are spent.
   static_cast<void>(styled({study.figures}, labels_of(study), arguments.report));
-  if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, judge::metrics_of(study)));
+  const std::vector<judge::Metric> metrics = judge::metrics_of(study);
+  if (!study.plan.metric.empty()) static_cast<void>(judge::metric_named(study.plan.metric, metrics));
   return study;
 }
 
