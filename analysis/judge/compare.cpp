@@ -52,6 +52,7 @@ constexpr Method signs_and_ranks{"sign test and Mann-Whitney", By::ranks, true,
                                  true};
 constexpr Method paired_t{"paired t", By::means, true,
                           [](auto& its, double alpha) { return t_test(its.differences, alpha, its.worth); }};
+constexpr Method one_t{"one-sample t", By::means, true, paired_t.test};
 constexpr Method unpaired_t{"Welch's t", By::means, false, [](auto& its, double alpha) {
                               return welch(its.of_first, its.of_second, alpha, its.worth);
                             }};
@@ -62,8 +63,8 @@ constexpr Method unpaired_shares{"Fisher's exact", By::shares, false,
 
 // By what is compared: unpaired, paired, and against the one value of a solver that repeats itself.
 constexpr const Method* methods[][3]{{&unpaired_ranks, &signed_ranks, &signs},
-                                     {&unpaired_t, &paired_t, &paired_t},
-                                     {&unpaired_shares, &paired_shares, &paired_t}};
+                                     {&unpaired_t, &paired_t, &one_t},
+                                     {&unpaired_shares, &paired_shares, &one_t}};
 
 // What design and plan choose, never the values, unless a file's may be copies.
 const Method& method_of(const Observations& observed, const Plan& plan, const Group& a, const Group& b) {
@@ -161,11 +162,8 @@ std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, 
 }
 
 Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair) {
-  const auto of = [&](const Group& group) {
-    const double value = values_of(group).front();
-    return observed.are_logs ? std::exp(value) : value;
-  };
-  const double one = of(pair.a), other = of(pair.b);
+  double one = values_of(pair.a).front(), other = values_of(pair.b).front();
+  if (observed.are_logs) one = std::exp(one), other = std::exp(other);
   return {is_worse_than_margin(observed, plan, one, other)   ? Verdict::worse
           : is_worse_than_margin(observed, plan, other, one) ? Verdict::better
                                                              : Verdict::same};

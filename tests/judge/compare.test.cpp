@@ -412,7 +412,7 @@ TEST_CASE("a solver that repeats itself differs in shares by the difference of t
   of.groups[0].sample = Measured{.values = {1}, .repeats_itself = true};
   of.trials = 10;
   const Seen found = only(compared(of, by_ranks));
-  CHECK(found.test == "paired t");
+  CHECK(found.test == "one-sample t");
   CHECK(*found.estimate == Approx(0.83));
   CHECK(found.n == 10);
   CHECK(found.interval->low == Approx(0.83 - 2.262157 * 0.0823273 / std::sqrt(10.0)).epsilon(1e-4));  // t of 9
