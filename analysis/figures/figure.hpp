@@ -32,7 +32,8 @@ struct Figure {
 struct About {
   std::string name, caption;
   std::string quantity = {}, unit = {};
-  double floor = 0;  // a logarithmic axis has smaller values at its edge
+  double floor = 0;       // a logarithmic axis has smaller values at its edge
+  bool is_share = false;  // of which no axis is logarithmic
 
   std::string axis() const { return unit.empty() ? quantity : quantity + " [" + unit + ']'; }
 };

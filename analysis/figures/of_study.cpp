@@ -383,8 +383,11 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
     const Observations& observed = metric.observations;
     if (observed.scale == Scale::share && observed.trials == 1) continue;
     const std::string number = all.empty() ? "" : fmt::format("-{}", all.size() + 1);
-    const About about{"boxes" + number, caption_of_boxes(observed.quantity, "a value"), observed.quantity,
-                      observed.unit};
+    const About about{.name = "boxes" + number,
+                      .caption = caption_of_boxes(observed.quantity, "a value"),
+                      .quantity = observed.quantity,
+                      .unit = observed.unit,
+                      .is_share = observed.scale == Scale::share};
     if (auto figure = boxes(about, box_rows(observed, {observed.unit}, shown, look))) all.push_back(std::move(*figure));
   }
   for (auto figure : {ranks_of(first, shown, look), differences_of(first, {first.observations.unit}, shown, look)}) {

@@ -184,7 +184,7 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
   std::vector<double> above;
   std::ranges::copy_if(drawn, std::back_inserter(above), [&](double v) { return v > about.floor; });
   const std::string title = about.axis();
-  if (about.unit == "%" || above.empty() || std::ranges::min(drawn) < 0 ||
+  if (about.is_share || above.empty() || std::ranges::min(drawn) < 0 ||
       std::ranges::max(drawn) <= spread_of_logarithmic * std::ranges::min(above))
     return linear_axis(letter, values, title, begins);
   const bool has_edge = above.size() < drawn.size();

@@ -224,7 +224,7 @@ TEST_CASE("an axis is logarithmic from a factor of 30 on, and says what lies at 
                  "place_y(v) = v < 1.0000000000000002e-06 ? 1.0000000000000002e-06 : v > 1 ? 1 : v"));
   CHECK(contains(axis({1e-9, 1e-5, 1}), "'≤ 10{/*0.7 ^{−7}}' 1.0000000000000002e-06"));
   About near = error_in("a"), share = error_in("a");
-  share.unit = "%";
+  share.is_share = true;
   CHECK_FALSE(contains(value_axis('y', std::vector<double>{3, 73, 100}, share, Begins::at_zero).settings, "logscale"));
   near.floor = 0.1;  // a tolerance, just below the other values
   const std::string at_tolerance = value_axis('x', std::vector<double>{0.1, 0.11, 90}, near, Begins::around).settings;
