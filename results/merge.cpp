@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <limits>
 #include <map>
 #include <set>
@@ -148,7 +149,7 @@ std::int64_t copy_missing(SQLite::Database& sqlite) {
 }  // namespace
 
 std::string difference_in_solves(const std::string& first, const std::string& second) {
-  const auto left = base::parsed_json(first), right = base::parsed_json(second);
+  const auto left = base::parsed_json(first).flatten(), right = base::parsed_json(second).flatten();
   const auto text_of = [](const nlohmann::json& json, const std::string& key) {
     constexpr std::size_t most = 60;
     if (!json.contains(key)) return std::string("not there");
@@ -158,11 +159,13 @@ std::string difference_in_solves(const std::string& first, const std::string& se
   std::set<std::string> keys;
   for (const auto* json : {&left, &right})
     for (const auto& [key, value] : json->items()) keys.insert(key);
-  for (const std::string& key : keys) {
-    if (decide_no_solve.contains(key)) continue;
+  keys.erase("");                        // of an empty definition
+  for (const std::string& key : keys) {  // "/stop/tolerance_cm"
+    const std::string name = boost::replace_all_copy(key.substr(1), "/", ".");
+    if (decide_no_solve.contains(name.substr(0, name.find('.')))) continue;
     if (left.contains(key) && right.contains(key) && left[key] == right[key]) continue;
     const std::string before = text_of(left, key), after = text_of(right, key);
-    return before == after ? fmt::format("{} is another", key) : fmt::format("{} is {} and {}", key, before, after);
+    return before == after ? fmt::format("{} is another", name) : fmt::format("{} is {} and {}", name, before, after);
   }
   return "";
 }

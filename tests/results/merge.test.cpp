@@ -164,6 +164,7 @@ TEST_CASE("the difference of two definitions names the field, and values that fi
   CHECK(difference_in_solves(with(alike + "a"), with(alike + "b")) == "urdf is another");
   CHECK(difference_in_solves(with("a"), with(alike + "b")) == R"(urdf is "a" and another)");
   CHECK(difference_in_solves(with(alike), with(alike)).empty());
+  CHECK(difference_in_solves(R"({"stop":{"seconds":1}})", R"({"stop":{"seconds":2}})") == "stop.seconds is 1 and 2");
   CHECK(difference_in_solves(R"({"runs":3,"departures":["runs"]})", R"({"runs":20,"departures":[]})").empty());
   for (const char* key : {"figures", "name", "out_of_reach", "published", "repeats", "tables", "title", "turns"})
     CHECK(difference_in_solves(fmt::format(R"({{"{}":1}})", key), R"({})").empty());
