@@ -10,7 +10,6 @@
 #include "experiments/path.hpp"
 #include "results/study.hpp"
 #include "robots/robot.hpp"
-#include "robots/urdf.hpp"
 #include "solvers/options.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/solve.hpp"

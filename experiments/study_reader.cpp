@@ -20,6 +20,7 @@
 #include "results/published.hpp"
 #include "robots/rotation.hpp"
 #include "robots/spherical_wrist.hpp"
+#include "robots/urdf.hpp"
 
 namespace ikbench::experiments {
 

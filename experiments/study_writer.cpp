@@ -16,6 +16,7 @@
 #include "experiments/study_reader.hpp"
 #include "results/record.hpp"
 #include "robots/arm_fields.hpp"
+#include "robots/urdf.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
