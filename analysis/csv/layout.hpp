@@ -10,7 +10,7 @@
 
 namespace ikbench::csv {
 
-using base::Sheet, base::in_quotes, base::listed;
+using base::Sheet, base::in_quotes;
 using Column = std::optional<std::size_t>;
 using Columns = std::vector<std::size_t>;
 

@@ -169,15 +169,13 @@ void fill(const Layout& layout, const Items& items, Observations& observed) {
                                 std::ranges::count(values, values.front()) == std::ssize(values);
     add(lost, name, lacking, all[i]);
     add(without, name, std::ranges::count_if(values, [](double value) { return std::isinf(value); }), values.size());
-    Group& group = observed.groups.emplace_back(Group{.name = name});
-    if (lacking > 0)
-      group.sample = Untold{.why = Untold::Why::lost, .lost = lacking, .values = std::move(values)};
-    else
-      group.sample = std::move(measured[i]);
+    observed.groups.push_back({.name = name,
+                               .sample = lacking > 0 ? Untold{.lost = lacking, .values = std::move(values)}
+                                                     : Sample(std::move(measured[i]))});
   }
   if (layout.block) {
     const auto in_all = std::ranges::count(groups_of, items.groups.size());
-    lost.count = static_cast<double>(items.units - in_all), lost.of = static_cast<double>(items.units);
+    lost.of = items.units, lost.count = static_cast<double>(items.units - in_all);
   }
   Doubt stray{.kind = DoubtKind::runs_missing,
               .count = static_cast<double>(items.unlabelled),
@@ -226,13 +224,12 @@ void refuse_sums(const Sheet& sheet, const Items& items) {
 // What the rows were taken for.
 std::string how_read(const Sheet& sheet, const Layout& layout, const Items& items,
                      const std::vector<std::string>& where) {
-  const auto counted = [&](std::int64_t n, std::string_view nouns, Column column) {  // a title may be no noun
-    const std::string text = base::counted(n, nouns);
-    return column ? fmt::format("{} ({})", text, base::one_line(base::front(sheet.titles()[*column], 60))) : text;
+  const auto of = [&](Column column) {  // a title may be no noun
+    return column ? fmt::format(" ({})", base::one_line(base::front(sheet.titles()[*column], 60))) : "";
   };
-  std::string text = counted(std::ssize(items.groups), layout.label ? "labels" : "columns", layout.label);
+  std::string text = base::counted(std::ssize(items.groups), layout.label ? "labels" : "columns") + of(layout.label);
   if (const Column unit = layout.block ? layout.block : layout.run)
-    text += ", " + counted(items.units, layout.block ? "blocks" : "runs", unit);
+    text += ", " + base::counted(items.units, layout.block ? "blocks" : "runs") + of(unit);
   const Index most = std::ranges::max(items.means, {}, &Mean::rows).rows;
   if (most > 1) text += fmt::format(", means of {} rows", most);
   if (!layout.block && !layout.run) text += ", rows unrelated";
