@@ -180,8 +180,10 @@ Finding judged(const Observations& observed, const Plan& plan, const Pair& pair,
   const bool are_means = pair.method->by == By::means && observed.scale != Scale::share;
   const double alpha = plan.significance / tests, none = amount_of_equal(pair.scale);
   const Trial trial = trial_of(observed, plan, pair, takes_logs, alpha);
-  const bool is_same = trial.is_same || (takes_logs && observed.absolute_margin > 0 &&
-                                         trial_of(observed, plan, pair, false, alpha).is_same);
+  constexpr double enough_solved = 20;  // of fewer, an interval of costs with heavy tails misses too often
+  const bool are_enough = trial.numbers.solved >= enough_solved;
+  const bool is_same = are_enough && (trial.is_same || (takes_logs && observed.absolute_margin > 0 &&
+                                                        trial_of(observed, plan, pair, false, alpha).is_same));
   const Outcome& outcome = trial.outcome;
   const auto shown = [&](double value) { return is_ratio ? std::exp(value) : value; };
   if (std::isfinite(outcome.estimate)) finding.amount = Amount{shown(outcome.estimate)};
@@ -201,10 +203,8 @@ Finding judged(const Observations& observed, const Plan& plan, const Pair& pair,
     finding.what = Open{.why = Open::Why::few_decide, .n = pair.n};
     return finding;
   }
-  constexpr double enough_solved = 20;  // of fewer, an interval of costs with heavy tails misses too often
   std::optional<Interval> interval;
-  if (outcome.interval && trial.numbers.solved >= enough_solved)
-    interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
+  if (outcome.interval && are_enough) interval = Interval{shown(outcome.interval->low), shown(outcome.interval->high)};
   if (is_decided) {
     const int direction = outcome.direction;
     tested.verdict = (direction > 0) == (observed.better == Better::larger) ? Verdict::better : Verdict::worse;
@@ -310,7 +310,7 @@ bool are_equal(const Finding& finding) {
 
 bool does_one_value_decide(const Group& group) {
   if (const Measured* const its = measured(group); its && its->worth > 0)
-    return its->worth < std::min(4.0, static_cast<double>(its->values.size()) / 2);
+    return its->solved < 4 || its->worth < std::min(4.0, static_cast<double>(its->values.size()) / 2);
   double largest = 0, sum = 0;
   for (const double value : values_of(group)) largest = std::max(largest, std::abs(value)), sum += std::abs(value);
   return largest > sum / 2;

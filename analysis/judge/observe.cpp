@@ -195,11 +195,11 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
   }
   group.share /= std::max(1, group.all);
   const bool is_solved_here = std::ranges::any_of(solved, [](const Value& each) { return each.value > 0; });
-  measured.worth = static_cast<double>(all.size());  // each is of a session, so none decides
+  measured.worth = static_cast<double>(all.size());           // each is of a session, so none decides
+  measured.solved = std::numeric_limits<double>::infinity();  // or what spent_by_solved says
   if (is_spent) measured.values.clear();
   if (is_spent && is_solved_here)
     for (const Value& each : spent_by_solved(std::move(spent), solved, measured)) measured.values.push_back(each.value);
-  measured.solved = std::numeric_limits<double>::infinity();  // a session has a sum of its own
   if (!are_apart && (!is_spent || is_solved_here))
     group.sample = std::move(measured);
   else if (!is_any_solved && !is_share && (is_spent || study.definition.has_tolerance()))

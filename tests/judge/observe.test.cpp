@@ -484,10 +484,10 @@ TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 
 
 TEST_CASE("one solve that takes most of the time decides no cost per solved target") {
   const Asked drawn_20{.start = "middle", .targets = "drawn", .runs = 20, .points = 1, .tolerance_cm = 0.1};
-  const auto judged_with = [&](std::int64_t slowest) {
+  const auto judged_with = [&](std::int64_t slowest, int solved = 16, int of_b = 100) {
     const StudyResults of = study(drawn_20, [&](SolveRecord& solve) {
-      solve.status = solve.run % 5 == 0 ? Status::tolerance_missed : Status::ok;
-      solve.evaluations = (solve.label == "A" ? 50 : 100) + solve.run;
+      solve.status = solve.run > solved ? Status::tolerance_missed : Status::ok;
+      solve.evaluations = (solve.label == "A" ? 50 : of_b) + solve.run;
       if (solve.label == "B" && solve.run == 8) solve.evaluations = slowest;
     });
     return *judged_of(judge::judge(of), "evaluations_per_solved");
@@ -497,6 +497,8 @@ TEST_CASE("one solve that takes most of the time decides no cost per solved targ
   CHECK(slow.observations.doubts.front().who == std::vector<std::string>{"B"});
   const Seen even = seen(judged_with(100).findings.front());
   CHECK((even.verdict == Verdict::better && even.estimate && !even.interval));  // of 16 solved ones
+  CHECK(seen(judged_with(61, 16, 50).findings.front()).verdict == Verdict::undecided);
+  CHECK(seen(judged_with(100, 3).findings.front()).why == Why::few_decide);
 }
 
 TEST_CASE("what attempts spent is by what they solved, and the spread of its parts is its error") {
