@@ -50,8 +50,7 @@ void add_merge(const Command& command, Invocation& invocation) {
       .add("FOLDERS", &arguments->places,
            "first that of the store that gets all, unless -o names it; then stores, folders with a "
            "store.sqlite, or a folder of such folders, as out/<study>/shards")
-      .required()
-      .not_empty();
+      .required();
   add_out_option(command, arguments->out, "folder of the store that gets all; it may have one already");
   command.footer(
       "  ikbench merge out/slim2023 out/slim2023/shards\n"

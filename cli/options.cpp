@@ -15,9 +15,6 @@ Option Option::separated_by_commas() const { return {in_cli11->delimiter(',')}; 
 Option Option::needs(const std::string& other) const { return {in_cli11->needs(other)}; }
 Option Option::excludes(const std::string& other) const { return {in_cli11->excludes(other)}; }
 Option Option::one_of(const std::vector<std::string>& texts) const { return {in_cli11->check(CLI::IsMember(texts))}; }
-Option Option::not_empty() const {
-  return {in_cli11->check([](const std::string& text) { return text.empty() ? "it is empty" : ""; })};
-}
 
 Option Option::time() const {
   const auto in_seconds = [](std::string& text) {
@@ -59,6 +56,8 @@ Option Command::add(const std::string& name, Value value, const std::string& mea
     using Kept = std::remove_pointer_t<decltype(its)>;
     if constexpr (std::is_same_v<Kept, bool>) return in_cli11->add_flag(name, *its, meaning);
     CLI::Option* const option = in_cli11->add_option(name, *its, meaning);
+    if constexpr (!std::is_arithmetic_v<Kept>)
+      option->check([](const std::string& text) { return text.empty() ? "it is empty" : ""; });
     if (std::is_same_v<Kept, std::vector<std::string>>) return option->allow_extra_args(!name.starts_with('-'));
     return *its > Kept() ? option->capture_default_str() : option;
   };
@@ -76,7 +75,7 @@ void add_link_options(const Command& command, std::string& base, std::string& ti
 }
 
 void add_out_option(const Command& command, std::string& out, const std::string& meaning) {
-  command.add("-o,--out", &out, meaning).not_empty();
+  command.add("-o,--out", &out, meaning);
 }
 
 void add_json_option(const Command& command, bool& is_json) {

@@ -35,8 +35,7 @@ struct Option {
   Option needs(const std::string& other) const;
   Option excludes(const std::string& other) const;
   Option one_of(const std::vector<std::string>& texts) const;
-  Option not_empty() const;  // an empty folder name comes from an unset variable of a script
-  Option time() const;       // such as 5ms, kept in seconds
+  Option time() const;  // such as 5ms, kept in seconds
   // A decimal number in the range: CLI11 accepts more texts as numbers.
   Option number_in(std::pair<double, double> range) const;
   // In the range and written in decimal digits only: CLI11 alone reads 010 as 8 and takes what is too large for the
@@ -51,8 +50,8 @@ using Value =
     std::variant<bool*, int*, std::int64_t*, double*, std::string*, std::vector<double>*, std::vector<std::string>*>;
 
 struct Command {
-  // --help shows a default that is neither empty nor below what can be given, 0. A named one that fills a list of texts
-  // is given once for each.
+  // A text may not be empty, as an unset variable of a script is. --help shows a default that is neither empty nor
+  // below what can be given, 0. A named one that fills a list of texts is given once for each.
   Option add(const std::string& name, Value value, const std::string& meaning) const;
   Option option(const std::string& name) const;  // that was added
   bool was_given(const std::string& option) const;

@@ -118,10 +118,8 @@ void add_run(const Command& command, Invocation& invocation) {
   add_run_options(command, arguments->run);
   add_report_options(command, arguments->report, true);
   command.add("--no-report", &arguments->without_report, "solve, but write no report");
-  command
-      .add("--shard", &arguments->shard,
-           "I/N: solve the I-th of N parts, without a report; --out is then out/<study>/shards/I-of-N")
-      .not_empty();
+  command.add("--shard", &arguments->shard,
+              "I/N: solve the I-th of N parts, without a report; --out is then out/<study>/shards/I-of-N");
   command.footer(
       "  ikbench run --robot my_arm.urdf --limit 1ms\n"
       "  ikbench run my.toml\n"

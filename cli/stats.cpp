@@ -115,16 +115,14 @@ void add_stats(const Command& command, Invocation& invocation) {
   command.add(
       "--block", &csv.block,
       "column of what each of them did, or several: compares within them; row, with --label columns: each row is one");
-  command.add("--run", &csv.run, "column of repeats, whose rows count once, by their mean; row: each row is one")
-      .not_empty();
+  command.add("--run", &csv.run, "column of repeats, whose rows count once, by their mean; row: each row is one");
   command.add("--where", &csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
   command.add("--summaries", &csv.are_summaries,
               "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
   command.add("--decimal", &arguments->decimal, "mark in numbers [found]").one_of({".", ","});
   command.add("--test", &arguments->test, "of ranks or means [ranks]").one_of({"ranks", "means"});
-  command.add("--control", &arguments->plan.control, "compares with this group alone").not_empty();
-  command.add("--margin", &arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]")
-      .not_empty();
+  command.add("--control", &arguments->plan.control, "compares with this group alone");
+  command.add("--margin", &arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]");
   command.add("--significance", &arguments->plan.significance, "of all pairs together").number_in({0.0001, 0.2});
   add_out_option(command, arguments->out, "folder for a report");
   add_report_options(command, arguments->report);
