@@ -68,7 +68,8 @@ std::vector<std::string> never_answering(const judge::StudyResults& study) {
     const auto failed = [](const judge::Solve& solve) {
       return solve.status >= Status::crashed && solve.status <= Status::broke_protocol;
     };
-    if (std::ranges::all_of(study.of(label), failed)) labels.push_back(label);
+    const judge::Solves all = study.of(label);
+    if (!all.empty() && std::ranges::all_of(all, failed)) labels.push_back(label);
   }
   return labels;
 }

@@ -67,7 +67,7 @@ struct PageWriter {
     return text + "</div>\n";
   }
   std::string operator()(const figures::Figure& figure) const {
-    constexpr std::size_t largest = 1'000'000;  // of a picture in the page [bytes]; a larger one stands in its folder
+    constexpr std::size_t largest = 4'000'000;  // of a picture in the page [bytes]; a larger one stands in its folder
     const std::string caption = html_text(figure.caption);
     std::string picture;
     for (const auto& [type, media] : {std::pair("svg", "svg+xml"), std::pair("png", "png")}) {

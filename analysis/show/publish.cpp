@@ -140,9 +140,9 @@ std::vector<std::string> claim(const fs::path& folder, std::vector<std::string> 
     const fs::file_type type = fs::symlink_status(folder / file, none).type();
     const bool is_new = all.insert(file).second;
     if (is_new && (type == fs::file_type::regular || type == fs::file_type::symlink))
-      throw std::invalid_argument(fmt::format(
-          "'{}' is there, but in no results.json of ikbench; remove it, or: ikbench report STORE --out OTHER",
-          (folder / file).string()));
+      throw std::invalid_argument(
+          fmt::format("'{}' is there, but in no results.json of ikbench; remove it, or choose another folder",
+                      (folder / file).string()));
   }
   results["files"] = all;
   base::write_file(folder / own_files[2], base::text_of(results, 1) + '\n');

@@ -219,8 +219,8 @@ class First {
                                : is_nearest                   ? (are_many ? " come nearest" : " comes nearest")
                                : are_many                     ? " are best"
                                                               : " is best";
-        return fmt::format("{}{}{}; {} {} worse", best, is, little(fact), with_numbers(fact.against),
-                           is_or_are(fact.against));
+        return fmt::format("{}{}; {} {} worse{}", best, is, with_numbers(fact.against), is_or_are(fact.against),
+                           little(fact));
       }
       case What::same:
         return fmt::format("{} are the same within {}", with_numbers(who), margin_words(judged_));
