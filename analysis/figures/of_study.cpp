@@ -337,7 +337,7 @@ std::optional<Figure> ranks_of(const JudgedMetric& metric, const std::vector<std
   std::ranges::stable_sort(rows, {}, &RankRow::place);
   About about{.name = "ranks", .quantity = "mean rank of " + observed.quantity};
   about.caption = fmt::format(
-      "Mean ranks of {} {}, 1 is best; bars join pairs that are not told apart (adjusted p < {}).", observed.quantity,
+      "Mean ranks of {} {}, 1 is best; bars join pairs that no adjusted p < {} tells apart.", observed.quantity,
       have_all ? fmt::format("in {} blocks", n) : "expected of one value of each (1 plus the others' A12)",
       metric.plan.significance);
   const bool has_ruler = have_all && !are_shares && metric.plan.significance == 0.05;  // shares are nearly all tied

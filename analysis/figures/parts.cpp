@@ -143,7 +143,7 @@ double width_cm_of(std::string_view label) {
 
 double Axis::share_of(double value) const {
   const auto along = [&](double v) { return is_logarithmic ? std::log(v) : v; };
-  return (along(std::clamp(value, low, high)) - along(low)) / (along(high) - along(low));
+  return (along(std::clamp(std::max(value, edge), low, high)) - along(low)) / (along(high) - along(low));
 }
 
 Axis linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins) {
@@ -206,7 +206,7 @@ Axis value_axis(char letter, std::span<const double> values, const About& about,
     settings += fmt::format("set label '//' at {} center front tc rgb ink\n",
                             letter == 'x' ? "first " + middle + ", graph 0" : "graph 0, first " + middle);
   }
-  return {settings + titled(letter, title) + placed(letter, edge, high), low, high, true};
+  return {settings + titled(letter, title) + placed(letter, edge, high), low, high, true, edge};
 }
 
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm) {

@@ -37,6 +37,7 @@ struct Axis {
   std::string settings;
   double low = 0, high = 1;  // of the range
   bool is_logarithmic = false;
+  double edge = -std::numeric_limits<double>::infinity();  // smaller values stand at it
 
   double share_of(double value) const;  // 0 at the low end, 1 at the high one
 };

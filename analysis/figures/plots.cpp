@@ -31,9 +31,9 @@ std::span<const Row> drawn_of(const std::vector<Row>& all, std::size_t most, Fig
   std::vector<std::string> others;
   for (std::size_t i = most; i < all.size(); ++i) others.push_back(all[i].label);
   if (!others.empty()) {
-    figure.caption += fmt::format(" Without {}: only the first {} are drawn.", names_of(others), most);
-    figure.settings += fmt::format(
-        "set label 'first {} of {}' at screen margin(0.15), screen 1 - up(0.15) left tc rgb ink\n", most, all.size());
+    figure.caption += fmt::format(" Without {}: only {} are drawn.", names_of(others), most);
+    figure.settings += fmt::format("set label '{} of {}' at screen margin(0.15), screen 1 - up(0.15) left tc rgb ink\n",
+                                   most, all.size());
   }
   return std::span(all).first(all.size() - others.size());
 }
@@ -263,7 +263,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
   if (is_dashed)
     figure.settings += fmt::format(
         "set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n"
-        "set label 'tolerance' at {0}, graph 1 right offset 0, 0.3 tc rgb ink\n",
+        "set label 'tolerance' at {0}, graph 1 left offset 0, 0.3 tc rgb ink\n",
         text_of(dashed), grey);
   add_names(figure, ends);
   figure.plot = plotted(clauses);

@@ -36,6 +36,7 @@ set style line 1000 lw 0.4 lc rgb faint dt 1
 
 set border 3 lw 0.6 lc rgb ink
 set tics out nomirror scale 0.6, 0.3 textcolor rgb ink
+set format '%h'  # by default with room for a sign, beside the tick in a PNG
 set grid xtics ytics ls 1000
 set key below Left reverse noenhanced noautotitle samplen 2 width -0.5 textcolor rgb ink
 set xtics offset 0, 0.3

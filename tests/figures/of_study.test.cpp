@@ -78,7 +78,7 @@ TEST_CASE("drawn targets with a tolerance have shares, and no number of solved o
   const auto many =
       figures_of_study(study({.tolerance_cm = 0.01}, fails, {"A", "B", "C", "D", "E", "F", "G", "H", "I"}));
   CHECK(contains(named(many, "error-shares").data, "]\n# A\n"));  // the study's first, though it is the last
-  CHECK(named(many, "error-shares").caption.ends_with("Without H and I: only the first 7 are drawn."));
+  CHECK(named(many, "error-shares").caption.ends_with("Without H and I: only 7 are drawn."));
 }
 
 TEST_CASE("solvers whose costs are not known or not comparable are left out of shares, by name", "[of_study]") {
