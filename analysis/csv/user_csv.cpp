@@ -350,6 +350,7 @@ Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {
   const auto number = base::number_from(std::string_view(margin).substr(0, margin.size() - is_relative));
   const char* wrong =
       !number || !(*number >= 0) || !std::isfinite(*number) ? "expected 5%, or 0.1 in the unit of the values"
+      : is_relative && *number > 99                         ? "so all would be the same; expected at most 99%"
       : is_relative && has_no_share
           ? "a share of values that may be negative means nothing; give a margin in their unit"
       : !is_relative && observed.scale == Scale::share ? "shares differ by points; expected 5%"
