@@ -143,8 +143,7 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
     };
     if (10 * std::ranges::count_if(all, tells_none) > std::ssize(all)) silent.push_back(solver);
   }
-  if (silent.size() < study.labels.size())
-    add_of(std::move(silent), "they include its messages");  // however often solved
+  if (silent.size() < study.labels.size()) add_of(std::move(silent), "messages included");  // however often solved
   add_of(measured_apart(study, sessions.made),
          "too few sessions in common with the others; solve all again: --out NEW");
   add_of(measured_apart(study, sessions.told), "the machine was busy");

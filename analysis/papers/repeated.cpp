@@ -109,7 +109,7 @@ Rate rate_of(std::string row, double share, double n, std::string_view digits, d
       .row = std::move(row),
       .digits = std::string(digits),
       .printed = printed,
-      .ours = unit * share,
+      .ours = std::round(1e10 * unit * share) / 1e10,
       .interval = {std::max(0.0, printed + unit * difference.low), std::min(unit, printed + unit * difference.high)},
       .margin = unit * repeated.study().study.definition.plan.margin,
       .n = n,
@@ -292,7 +292,7 @@ show::Table rates_table(const Repeated& repeated, const std::string& name) {
       auto row = std::ranges::find_if(table.rows, is_its);
       if (row == table.rows.end()) row = table.rows.insert(row, {show::Cell(row_name)});
       row->resize(before);  // a column may lack a row
-      row->emplace_back(show::Printed{std::round(1e10 * rate.ours) / 1e10, rate.digits, std::string(rate.sign())});
+      row->emplace_back(show::Printed{rate.ours, rate.digits, std::string(rate.sign())});
       if (!rate.printed_ms.empty()) row->emplace_back(show::Printed{rate.mean_ms, rate.printed_ms});
       signs.insert(rate.sign());
     }

@@ -186,7 +186,7 @@ Table table_3(const Repeated& repeated) {
               .columns = {{"solver"}, {"statistic"}},
               .notes = {std::string(meaning_of_signs),
                         "Printed times are of another machine and language. Our time of a run is the median of its "
-                        "points; Figure 8 has means of the runs."}};
+                        "points."}};
   for (const Statistic& statistic : statistics)
     for (const std::string& solver : solvers) table.rows.push_back({solver, std::string(statistic.column)});
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
