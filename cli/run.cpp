@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <set>
 #include <stdexcept>
 
 #include "analysis/judge/beside.hpp"
@@ -46,7 +47,12 @@ Overrides overrides_of(const StudyToRun& arguments) {
   std::ranges::copy(arguments.set, std::back_inserter(overrides));
   for (const auto& [key, link] : {std::pair{"base", arguments.urdf.base}, {"tip", arguments.urdf.tip}})
     if (!link.empty()) overrides.push_back(fmt::format("--{0} urdf.{0}={1}", key, link));
-  std::ranges::transform(arguments.sweep, std::back_inserter(overrides), sweep_override);
+  std::set<std::string> swept;
+  for (const std::string& text : arguments.sweep) {
+    if (!swept.insert(text.substr(0, text.find('='))).second)
+      throw std::invalid_argument(fmt::format("--sweep {}: swept already; expected all of its values in one", text));
+    overrides.push_back(sweep_override(text));
+  }
   return overrides;
 }
 
