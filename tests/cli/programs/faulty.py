@@ -34,7 +34,7 @@ def batch(problems):
         if once("falls"): os._exit(3)
         if once("never"): time.sleep(1000)
     if FAULT == "always falls" and batches: os._exit(3)
-    if FAULT == "sleeps" and batches: time.sleep(0.2)
+    if FAULT == "sleeps" and batches: time.sleep(0.5)
     say(message="solved_batch", answers=answers, **told)
 
 def ask(candidates):
