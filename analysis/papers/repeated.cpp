@@ -100,6 +100,9 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
 
 namespace {
 
+// Without what computing added: 98.55 of 98.55000000000001, which one decimal would part.
+double rounded(double value) { return std::round(1e10 * value) / 1e10; }
+
 // Of shares of n and of so many printed, in percent or as numbers of those printed.
 Rate rate_of(std::string row, double share, double n, std::string_view digits, double n_printed, double unit,
              const Repeated& repeated) {
@@ -109,7 +112,7 @@ Rate rate_of(std::string row, double share, double n, std::string_view digits, d
       .row = std::move(row),
       .digits = std::string(digits),
       .printed = printed,
-      .ours = std::round(1e10 * unit * share) / 1e10,
+      .ours = unit * share,
       .interval = {std::max(0.0, printed + unit * difference.low), std::min(unit, printed + unit * difference.high)},
       .margin = unit * repeated.study().study.definition.plan.margin,
       .n = n,
@@ -241,7 +244,7 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
       for (const Rate& rate : column.rates) {
         repeat += rate.sign() == "~", open += rate.sign() == "?";
         if (rate.sign() == "x")  // "Jaco2 31 % (printed 26.23)"
-          others.push_back(fmt::format("{} {:.1f} % (printed {})", rate.row, rate.ours, rate.digits));
+          others.push_back(fmt::format("{} {:.1f} % (printed {})", rate.row, rounded(rate.ours), rate.digits));
         if (rate.printed_ms.empty()) continue;
         const double ratio = rate.mean_ms / base::number_from(rate.printed_ms).value();
         least = std::min(least, ratio), most = std::max(most, ratio);
@@ -260,8 +263,7 @@ std::vector<std::string> rates_sentences(const Repeated& repeated) {
     }
     if (!counts.empty()) sentences.push_back(fmt::format("The rates of {} repeat {}.", words, show::listed(counts)));
     if (!undecided.empty())
-      sentences.push_back(
-          fmt::format("The rates of {} by {} are not decided on any arm.", words, show::listed(undecided)));
+      sentences.push_back(fmt::format("No rate of {} by {} is decided.", words, show::listed(undecided)));
   }
   std::ranges::move(who, std::back_inserter(sentences));
   return sentences;
@@ -292,7 +294,7 @@ show::Table rates_table(const Repeated& repeated, const std::string& name) {
       auto row = std::ranges::find_if(table.rows, is_its);
       if (row == table.rows.end()) row = table.rows.insert(row, {show::Cell(row_name)});
       row->resize(before);  // a column may lack a row
-      row->emplace_back(show::Printed{rate.ours, rate.digits, std::string(rate.sign())});
+      row->emplace_back(show::Printed{rounded(rate.ours), rate.digits, std::string(rate.sign())});
       if (!rate.printed_ms.empty()) row->emplace_back(show::Printed{rate.mean_ms, rate.printed_ms});
       signs.insert(rate.sign());
     }

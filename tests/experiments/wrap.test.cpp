@@ -55,6 +55,7 @@ TEST_CASE("the nearest answers differ by whole turns, move no farther, and no tu
           "[wrap]") {
   Study study = study_without_limits(Wrap::into_limits);
   study.robot = "ur5e";  // two turns for each joint
+  study.initial = Eigen::VectorXd::Zero(6);
   const std::vector<SolveRecord> wrapped = solves_of(study);
   study.wrap = Wrap::nearest;
   const std::vector<SolveRecord> nearest = solves_of(study);

@@ -195,7 +195,7 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
   const JudgedStudy few = share(10, "abb_irb120", 30);  // 33.3 % (19 to 51) and 100 % (89 to 100)
   CHECK(holds(repeated(few), "rate-KDL") == Holds::undecided);
   CHECK(holds(repeated(few), "rate-KDL-RR") == Holds::undecided);
-  CHECK(rates_sentences(repeated(few))[0] == "The rates of README 1.4.6 by KDL and KDL-RR are not decided on any arm.");
+  CHECK(rates_sentences(repeated(few))[0] == "No rate of README 1.4.6 by KDL and KDL-RR is decided.");
   CHECK(contains(text(repeated(few)), "39.41 ?"));
   CHECK(contains(text(repeated(few)), "printed: ? it is too wide"));
 }
