@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "analysis/judge/study.hpp"
-#include "analysis/show/report.hpp"
 #include "cli/options.hpp"
-#include "results/figure_style.hpp"
 #include "results/store.hpp"
+
+namespace ikbench::show {
+struct Report;
+}
 
 namespace ikbench::cli {
 

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/papers/claims.hpp"
+#include "analysis/show/report.hpp"
 #include "analysis/show/words.hpp"
 #include "analysis/slim2023/slim2023.hpp"
 #include "base/inputs.hpp"
@@ -48,7 +48,7 @@ std::vector<Study> studies_of(const Paper& paper, const Arguments& arguments) {
   const auto add = [&](const std::string& name, Overrides overrides) {
     if (arguments.seed >= 0) overrides.push_back(fmt::format("seed={}", arguments.seed));
     if (std::ranges::count(paper.runs, name) > 0)
-      std::ranges::copy(overridden_runs(arguments), std::back_inserter(overrides));
+      for (const std::string& text : overridden_runs(arguments)) overrides.push_back(text);
     studies.push_back(load_study(name, overrides));
   };
   const std::string& first = paper.studies.front();

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -44,7 +43,7 @@ Overrides overrides_of(const StudyToRun& arguments) {
           std::string("stop.evaluations=0"), fmt::format("stop.seconds={}", limit)})
       overrides.push_back("--limit " + key);
   if (!arguments.robot.empty()) overrides.push_back("--robot robot=" + arguments.robot);
-  std::ranges::copy(arguments.set, std::back_inserter(overrides));
+  overrides.insert(overrides.end(), arguments.set.begin(), arguments.set.end());
   for (const auto& [key, link] : {std::pair{"base", arguments.urdf.base}, {"tip", arguments.urdf.tip}})
     if (!link.empty()) overrides.push_back(fmt::format("--{0} urdf.{0}={1}", key, link));
   std::set<std::string> swept;
