@@ -89,7 +89,9 @@ bool is_difference(Verdict verdict);                               // better or 
 Verdict turned(Verdict verdict);                                   // of the second
 std::set<std::string> losers_of(const std::vector<Finding>& all);  // worse than another
 
-bool does_one_value_decide(const Group& group);  // a mean: it is more than half of the sum of all sizes
+// A mean: one value is more than half of the sum of all sizes; of costs per solved target few values are worth most of
+// it, or fewer than 4 are solved.
+bool does_one_value_decide(const Group& group);
 
 // A mean or median is worse than another by more than the margin.
 bool is_worse_than_margin(const Observations& observed, const Plan& plan, double one, double other);
