@@ -28,7 +28,7 @@ namespace {
 
 struct CompareArguments {
   std::string a, b, store, study, margin, time_margin, output;
-  std::vector<std::string> labels;
+  std::vector<std::string> labels, metrics;
   bool is_strict = false, is_json = false;
 };
 
@@ -50,29 +50,47 @@ struct Source {
       : store(file, results::Store::Mode::read), entry(store.study(name)) {}
 
   std::vector<std::string> labels() const { return labels_of(entry); }
-  // Reads these labels alone.
-  StudyResults study_of(const std::vector<std::string>& chosen, const CompareArguments& arguments) const {
+  bool has(const std::string& label) const { return std::ranges::count(labels(), label) > 0; }
+  void refuse_unknown(const std::string& label) const {
+    if (!has(label)) throw std::invalid_argument(base::unknown_name("label", label, labels()));
+  }
+  // Of all its labels, or of one alone.
+  StudyResults study(const CompareArguments& arguments, const std::string& label = "") const {
     results::StoredStudy part = entry;
-    part.series.clear();
-    for (const std::string& label : chosen) {
-      const auto series = std::ranges::find(entry.series, label, &results::Series::label);
-      if (series == entry.series.end()) throw std::invalid_argument(base::unknown_name("label", label, labels()));
-      part.series.push_back(*series);
-    }
+    if (!label.empty()) std::erase_if(part.series, [&](const results::Series& its) { return its.label != label; });
     StudyResults study = checked_study(store, part);
     if (!arguments.margin.empty()) study.definition.plan.margin = margin_from(arguments.margin);
     return study;
   }
 };
 
+// The gates of all labels that both stores have, since the p of each pair counts them all: first those that are asked
+// for. One of the others that cannot be compared, as it lacks solves, has no pair.
+std::vector<Gate> gates_of(const Source& a, const Source& b, const std::vector<std::string>& asked,
+                           const CompareArguments& arguments, const GateOptions& options) {
+  std::vector<Gate> all;
+  for (const std::string& label : asked)
+    all.push_back(gate(a.study(arguments, label), b.study(arguments, label), options));
+  for (const std::string& label : a.labels()) {
+    if (!b.has(label) || std::ranges::count(asked, label) > 0) continue;
+    try {
+      all.push_back(gate(a.study(arguments, label), b.study(arguments, label), options));
+    } catch (const std::invalid_argument&) {
+      continue;
+    }
+  }
+  return all;
+}
+
 std::vector<Gate> compare_all(const CompareArguments& arguments) {
   std::vector<Gate> all;
-  std::optional<double> time_margin;
-  if (!arguments.time_margin.empty()) time_margin = margin_from(arguments.time_margin, "--time-margin");
+  GateOptions options{.metrics = arguments.metrics};
+  if (!arguments.time_margin.empty()) options.time_margin = margin_from(arguments.time_margin, "--time-margin");
   if (!arguments.store.empty()) {
     const Source both(arguments.store, arguments.study);
     if (arguments.a == arguments.b) throw std::invalid_argument("A and B are the same label; expected two");
-    all.push_back(gate(both.study_of({arguments.b, arguments.a}, arguments), time_margin));
+    for (const std::string& label : {arguments.a, arguments.b}) both.refuse_unknown(label);
+    all.push_back(gate(both.study(arguments), arguments.b, arguments.a, options));
     decide(all);
     return all;
   }
@@ -95,9 +113,12 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
   for (const std::string& label : labels) {
     if (std::ranges::count(labels, label) > 1)
       throw std::invalid_argument(fmt::format("the label {} is given twice", label));
-    all.push_back(gate(a.study_of({label}, arguments), b.study_of({label}, arguments), time_margin));
+    a.refuse_unknown(label);
+    b.refuse_unknown(label);
   }
+  all = gates_of(a, b, labels, arguments, options);
   decide(all);
+  all.resize(labels.size());
   return all;
 }
 
@@ -109,9 +130,8 @@ std::string why_open(const show::Answer& answer, const JudgedMetric& judged) {
 // "mine is worse than PSO: in solved and error. Not decided: joint motion.", "mine against PSO: new: 1 solve without an
 // answer."
 std::string verdict_of(const Gate& gate, const show::Answer& answer) {
-  const std::vector<std::string>& solvers = gate.judged.study.labels;
-  const std::string candidate = gate.label.empty() ? solvers.front() : gate.label,
-                    baseline = gate.label.empty() ? solvers.back() : "before";
+  const std::string& candidate = gate.label.empty() ? gate.candidate : gate.label;
+  const std::string& baseline = gate.baseline;
   if (!gate.is_compared)
     return fmt::format("{} is not compared with {}: {}.", candidate, baseline,
                        why_open(answer, gate.judged.metrics[gate.judged.deciding]));
@@ -139,8 +159,13 @@ std::string verdict_of(const Gate& gate, const show::Answer& answer) {
     if (std::ranges::count(gate.not_tested, quantity) > 0) untested.add(why_open(answer, judged), quantity);
   }
   if (!untested.all.empty()) text += fmt::format(" Not tested: {}.", fmt::join(untested.told("{1} ({0})"), "; "));
-  if (const std::string then = gate.label.empty() ? show::second_sentence(answer) : ""; !then.empty())
-    text += ' ' + then;
+  std::vector<std::string> others;
+  if (!gate.also_worse.empty()) others.push_back("worse in " + show::listed(gate.also_worse));
+  if (!gate.also_better.empty()) others.push_back("better in " + show::listed(gate.also_better));
+  if (!others.empty()) text += fmt::format(" Not asked for: {}.", fmt::join(others, "; "));
+  const JudgedMetric& last = *show::questions_of(answer).back().of;
+  if (gate.label.empty() && !gate.do_times_decide() && last.observations.measures == Measure::time)
+    text += " Times decide nothing here: " + show::second_sentence(answer);
   return text;
 }
 
@@ -164,7 +189,7 @@ std::string targets_of(const Gate& gate) {
 }
 
 // Something may differ.
-bool is_told(const Gate& gate) { return !gate.are_same || gate.do_times_decide; }
+bool is_told(const Gate& gate) { return !gate.are_same || gate.do_times_decide(); }
 
 // Of all that are the same, bit for bit, in one; empty if none are.
 std::string verdict_of_same(const std::vector<Gate>& all) {
@@ -172,7 +197,7 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
   int solves = 0;
   for (const Gate& gate : all) {
     if (!gate.are_same) continue;
-    names.push_back(gate.label.empty() ? show::listed(gate.judged.study.labels) : gate.label);
+    names.push_back(gate.label.empty() ? show::listed({gate.candidate, gate.baseline}) : gate.label);
     solves += gate.judged.metrics.back().described.front().n;
   }
   if (names.empty()) return "";
@@ -193,14 +218,17 @@ std::string note_of(const std::vector<Gate>& all) {
   const auto time = std::ranges::find_if(judged.metrics, [](const JudgedMetric& its) {
     return its.observations.measures == Measure::time && !show::is_share(its);  // which is in time
   });
-  const bool do_times_decide = all.front().do_times_decide;
+  const bool do_times_decide = all.front().do_times_decide();
   const std::string times = !do_times_decide ? "do not count in the exit code"
                             : time == judged.metrics.end()
                                 ? "are not known"
                                 : fmt::format("decide by a margin of {}", show::margin_words(*time));
-  return fmt::format("p and intervals are adjusted for all labels and metrics tested. Times {}{}.",
-                     all.front().label.empty() || do_times_decide ? "" : "of two sessions are not compared, and ",
-                     times);
+  const bool are_of_stores = !all.front().label.empty();
+  const std::size_t metrics = names_in_plan(judged.study.definition).size();
+  return fmt::format("p is multiplied by the number of pairs tested of {}{}. Times {}{}.",
+                     are_of_stores ? "all labels" : "all labels of the store",
+                     metrics == 1 ? "" : fmt::format(" and by the {} metrics of the plan", metrics),
+                     !are_of_stores || do_times_decide ? "" : "of two sessions are not compared, and ", times);
 }
 
 std::string screen_of(const std::vector<Gate>& all) {
@@ -219,7 +247,7 @@ base::OrderedJson json_of(const std::vector<Gate>& all, int code) {
   base::OrderedJson json;
   std::vector<std::string> sentences;
   for (const Gate& gate : all) {
-    const std::string& label = gate.label.empty() ? gate.judged.study.labels.front() : gate.label;
+    const std::string& label = gate.label.empty() ? gate.candidate : gate.label;
     const show::Answer answer = answer_of(gate);
     base::OrderedJson report = show::to_json(answer);
     report["tests"] = base::OrderedJson::array();  // of all solvers at once: a gate has two
@@ -242,6 +270,8 @@ base::OrderedJson json_of(const std::vector<Gate>& all, int code) {
     json["lost"][label] = gate.lost;
     json["won"][label] = gate.won;
     json["better"][label] = gate.better;
+    json["also_worse"][label] = gate.also_worse;
+    json["also_better"][label] = gate.also_better;
     json["undecided"][label] = gate.not_decided;
     json["not_tested"][label] = gate.not_tested;
   }
@@ -284,6 +314,10 @@ void add_compare(const Command& command, Invocation& invocation) {
               "relative difference that matters, such as 10%; default: that of the baseline's plan");
   command.add("--time-margin", &arguments->time_margin,
               "times decide, by this margin; two stores must have been solved in turn (cli/gate.sh with OLD)");
+  command
+      .add("--metric", &arguments->metrics,
+           "only these decide the exit code: solved,evaluations; default: all that the study's plan names")
+      .separated_by_commas();
   command.add("--strict", &arguments->is_strict, "exit with 4 if nothing is worse but something is not decided");
   add_out_option(command, arguments->output, "also write the verdict as Markdown to this file");
   add_json_option(command, arguments->is_json);
@@ -293,7 +327,8 @@ void add_compare(const Command& command, Invocation& invocation) {
       "The exit code is 3 if something is shown to be worse, and not shown to be so by less than the margin, or if "
       "solves without an answer are new; 1 after a mistake, or else if A and B, or the times that --time-margin asks for, could not be compared; else 4 with "
       "--strict, if something is not decided or not tested; else 0.\n"
-      "Times decide nothing without --time-margin.");
+      "What the plan of the study names decides: its metric, and its `then`. Times decide nothing without "
+      "--time-margin. Neither option changes a p: it is that of the report.");
   command.callback([arguments, &invocation] {
     const std::vector<Gate> all = compare_all(*arguments);
     invocation.exit_code = exit_code(all, arguments->is_strict);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs a study and compares its store with a baseline, as action.yml does: STUDY=my.toml BASELINE=old.sqlite cli/gate.sh
-# MARGIN (5%; default: the plan's), STRICT (true: not decided fails too), OUT (ikbench-gate), IKBENCH (the program).
+# MARGIN (5%; default: the plan's), METRIC (solved,evaluations; default: all that the plan names), STRICT (true: not decided
+# fails too), OUT (ikbench-gate), IKBENCH (the program).
 # With OLD, an older ikbench, in place of BASELINE both solve the study in turn, so that times decide, too: TURNS (20),
 # at most the study's runs or targets; TIME_MARGIN (10%).
 # Writes OUT/store.sqlite and OUT/verdict.md. Exit code 0: passed or no baseline; else that of ikbench run or compare.
@@ -51,7 +52,7 @@ fi
 rm -f -- "$out/verdict.md"  # of an earlier call
 [[ -e $baseline || -L $baseline ]] || { echo "No baseline: keep $out/store.sqlite as $baseline."; ended no-baseline 0; }
 differ  # of files that were not there
-options=(${MARGIN:+--margin="$MARGIN"} ${time_margin:+--time-margin="$time_margin"})
+options=(${MARGIN:+--margin="$MARGIN"} ${time_margin:+--time-margin="$time_margin"} ${METRIC:+--metric="$METRIC"})
 [[ ${STRICT:-} != true ]] || options+=(--strict)
 "$program" compare "$baseline" "$out/store.sqlite" -o "$out/verdict.md" "${options[@]}"
 code=$?

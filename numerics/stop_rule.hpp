@@ -34,6 +34,9 @@ struct StopRule {
     return !adds_squares || by * by + turned * turned <= 1;
   }
 
+  // Whether nothing but the tolerance and the time ends a solve: a million iterations are more than any limit in use.
+  bool only_time_limits() const { return seconds > 0 && evaluations == 0 && iterations >= 1'000'000; }
+
   // As in the study.
   double tolerance_cm() const { return base::in_unit(tolerance, base::centimetre); }
   double tolerance_deg() const { return base::in_unit(angle_tolerance, base::degree); }

@@ -17,7 +17,7 @@
 
 namespace ikbench::results {
 
-// What a headline goes on to, in this order: the first of these that is judged.
+// What a headline can go on to: the first of those that a plan names and that is judged.
 inline const std::vector<std::string> all_thens{"time", "evaluations", "motion"};
 
 // How a study will be judged, said before its data are seen. It decides no number of a solve.
@@ -25,8 +25,8 @@ struct Plan {
   enum class Test { ranks, means } test = Test::ranks;
   enum class Values { runs, points } values = Values::runs;  // of a path: means over its points, or over the runs
   std::string metric = {};  // of the headline; empty: solved where any target is solved, else the error
-  std::vector<std::string> then = all_thens;  // of those whom solved does not tell apart; empty: nothing
-  std::string control = {};                   // compares with this group alone; empty: all pairs
+  std::vector<std::string> then = {"time", "evaluations"};  // for those that solved does not tell apart; empty: nothing
+  std::string control = {};                                 // compares with this group alone; empty: all pairs
   double significance = 0.05;
   double margin = 0.05;  // that matters: relative, 1 / 1.05 to 1.05; of shares points; a smaller one does not
   double deadline = 0;   // [s] of a solve, what is solved within it is a metric; 0: the loop's period, if there is one
@@ -49,11 +49,12 @@ inline void list_fields(base::Fields& io, Plan& plan) {
       "what decides who is best, a metric of ikbench list metrics; \"\": solved where any target is solved, else the "
       "error");
   io.texts("then", plan.then,
-           "where solved does not tell solvers apart, what the headline goes on to: the first of time, evaluations and "
-           "motion that is judged; []: nothing");
+           "where solved does not tell solvers apart, what the headline goes on to: the first of these that is judged, "
+           "out of time, evaluations and motion; []: nothing. These and the metric share the significance, and decide "
+           "the exit code of compare");
   io.text("control", plan.control, "label to compare the others with; \"\": compare every pair");
   io.number("significance", plan.significance, 1, {0.0001, 0.2},
-            "significance level of the tests of a metric together");
+            "significance level of the tests of all metrics that the plan names together");
   io.number("margin_percent", plan.margin, percent, margins_percent,
             "smallest relative difference that matters (of shares in points); within it two solvers count as the same");
   io.number("deadline_ms", plan.deadline, 0.001, {0, 1e6},

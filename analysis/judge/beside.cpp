@@ -64,7 +64,9 @@ void refuse_another_study(const StudyResults& theirs, const StoredStudy& study) 
 }
 
 void put_beside(StudyResults& study, const StudyResults& theirs) {
-  if (std::string& control = study.definition.plan.control; control.empty()) control = study.labels.front();
+  std::string& control = study.definition.plan.control;
+  study.beside.is_control_chosen = control.empty();
+  if (control.empty()) control = study.labels.front();
   study.beside.of = theirs.beside.of;
   for (results::Series series : theirs.series) {
     const Solves all = theirs.of(series.label);

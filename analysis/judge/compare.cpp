@@ -241,8 +241,10 @@ std::optional<Open::Why> why_not(const Method& method, const Group& a, const Gro
   return all.empty() ? std::nullopt : std::optional(*all.begin());
 }
 
-// The pairs that the plan asks for.
+// The pairs that the plan asks for. Throws std::invalid_argument if the control is no group.
 std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
+  if (!plan.control.empty() && place_of(observed, plan.control) == observed.groups.size())
+    throw std::invalid_argument("the control '" + plan.control + "' is no group");
   std::vector<Pair> pairs;
   for (auto a = observed.groups.begin(); a != observed.groups.end(); ++a) {
     for (auto b = a + 1; b != observed.groups.end(); ++b) {
@@ -265,10 +267,11 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
 }
 
 // How many pairs data of this size can decide, before any p is known: those that cannot leave, the least able first.
-std::size_t testable(std::vector<Pair>& pairs, double significance) {
+std::size_t testable(std::vector<std::vector<Pair>>& members, double significance) {
   std::vector<Pair*> family;
-  for (Pair& pair : pairs)
-    if (!pair.open && !pair.is_fact()) family.push_back(&pair);
+  for (std::vector<Pair>& pairs : members)
+    for (Pair& pair : pairs)
+      if (!pair.open && !pair.is_fact()) family.push_back(&pair);
   while (!family.empty()) {
     const double level = significance / static_cast<double>(family.size());
     const double worst = (*std::ranges::max_element(family, {}, &Pair::smallest_p))->smallest_p;
@@ -332,14 +335,19 @@ std::set<std::string> losers_of(const std::vector<Finding>& findings) {
 }
 
 std::vector<Finding> compare(const Observations& observed, const Plan& plan, std::size_t metrics) {
-  if (!plan.control.empty() && place_of(observed, plan.control) == observed.groups.size())
-    throw std::invalid_argument("the control '" + plan.control + "' is no group");
-  std::vector<Pair> pairs = pairs_of(observed, plan);
+  return std::move(compare({{&observed, &plan}}, metrics).front());
+}
+
+std::vector<std::vector<Finding>> compare(const std::vector<Member>& family, std::size_t metrics) {
+  std::vector<std::vector<Pair>> members;
+  for (const Member& member : family) members.push_back(pairs_of(*member.observed, *member.plan));
   const auto shares = static_cast<double>(metrics);
-  const double tests =
-      shares * static_cast<double>(std::max<std::size_t>(1, testable(pairs, plan.significance / shares)));
-  std::vector<Finding> findings;
-  for (const Pair& pair : pairs) findings.push_back(judged(observed, plan, pair, tests));
+  const double significance = family.front().plan->significance / shares;
+  const double tests = shares * static_cast<double>(std::max<std::size_t>(1, testable(members, significance)));
+  std::vector<std::vector<Finding>> findings(family.size());
+  for (std::size_t i = 0; i < family.size(); ++i)
+    for (const Pair& pair : members[i])
+      findings[i].push_back(judged(*family[i].observed, *family[i].plan, pair, tests));
   return findings;
 }
 

@@ -80,10 +80,18 @@ bool are_equal(const Finding& finding);  // no value differs
 //   the same with a file's equal values, perhaps copies   sign test and Mann-Whitney       signed ranks
 //   runs with the value of a solver that repeats itself   sign test; shares and logarithms: one-sample t
 //
-// A pair is decided at the significance divided by the number of pairs that data of these sizes can decide at all. So
-// many metrics share the significance. Throws std::invalid_argument if the control is no group. Paired groups have one
-// size without blocks, and ratios are of values above 0, or have a floor above it.
+// A pair is decided at the significance divided by the number of pairs that data of these sizes can decide at all, and
+// by `metrics`, the number of metrics that share the significance. Throws std::invalid_argument if the control is no
+// group. Paired groups have one size without blocks, and ratios are of values above 0, or have a floor above it.
 std::vector<Finding> compare(const Observations& observed, const Plan& plan, std::size_t metrics = 1);
+
+// One metric of several studies, such as those of the labels that two stores have: their pairs share the significance.
+struct Member {
+  const Observations* observed;
+  const Plan* plan;
+};
+// The findings of each member of a family.
+std::vector<std::vector<Finding>> compare(const std::vector<Member>& family, std::size_t metrics);
 
 bool is_difference(Verdict verdict);                               // better or worse
 Verdict turned(Verdict verdict);                                   // of the second

@@ -8,10 +8,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/names.hpp"
+
 namespace ikbench::judge {
 namespace {
 
 using namespace results;
+
+constexpr const char *now_label = "now", *before_label = "before";
 
 void refuse_other_task(const StudyResults& one, const StudyResults& other) {
   const Definition &a = one.definition, &b = other.definition;
@@ -51,7 +55,7 @@ std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, con
 
 // Of both stores, as solvers of one study. Takes their solves. Sessions of one turn are one; without turns all differ.
 StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std::map<int, int>& turns) {
-  both.labels = {"now", "before"};
+  both.labels = {now_label, before_label};
   both.faults = {};
   const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
   for (Session& session : std::exchange(baseline.sessions, {})) {
@@ -87,12 +91,35 @@ Observations observed_answers(const StudyResults& study, bool machine_decides) {
 // Solved in time is one, too.
 bool is_time(const JudgedMetric& judged) { return judged.observations.measures == Measure::time; }
 
-// What takes a part of the significance.
-bool may_decide(const Gate& gate, const JudgedMetric& judged) {
-  return is_time(judged) ? gate.do_times_decide : !gate.are_same;
+bool is_of_answers(const JudgedMetric& judged) { return judged.observations.measures == Measure::answered; }
+
+// Whether a metric decides: the plan names it, nobody left it out, and if it is of times, they have a margin.
+bool decides(const Gate& gate, const JudgedMetric& metric) {
+  const std::string name = name_in_plan(gate.judged, metric);
+  if (name.empty() || (is_time(metric) && !gate.do_times_decide())) return false;
+  return gate.options.metrics.empty() || std::ranges::count(gate.options.metrics, name) > 0;
 }
 
-bool is_of_answers(const JudgedMetric& judged) { return judged.observations.measures == Measure::answered; }
+void refuse_what_the_plan_lacks(const GateOptions& options, const Definition& definition) {
+  const std::vector<std::string> named = names_in_plan(definition);
+  const std::vector<std::string>& asked = options.metrics.empty() ? named : options.metrics;
+  for (const std::string& name : asked)
+    if (std::ranges::count(named, name) == 0)
+      throw std::invalid_argument(fmt::format(
+          "--metric {}: the study's plan names {}; expected one or several of these", name, base::listed(named)));
+  const std::vector<Metric> all = metrics_of(definition);
+  const auto is_of_time = [&](const std::string& name) {
+    const auto its = std::ranges::find(all, name, &Metric::column);
+    return name == "time" || (its != all.end() && is_of_times(*its));
+  };
+  const bool has_time = std::ranges::any_of(asked, is_of_time);
+  if (options.time_margin && !has_time && options.metrics.empty())
+    throw std::invalid_argument("--time-margin: the study's plan does not name time; add it to `then` of [analysis]");
+  if (options.time_margin && !has_time)
+    throw std::invalid_argument("--time-margin lets times decide, and --metric leaves them out; add time to --metric");
+  if (!options.time_margin && !options.metrics.empty() && has_time)
+    throw std::invalid_argument("--metric time: times decide by a margin of their own; add --time-margin 10%");
+}
 
 // How many answers are missing where before none was, or where now none is left. Chance may do that, too.
 int newly_missing(const JudgedMetric& judged) {
@@ -101,19 +128,121 @@ int newly_missing(const JudgedMetric& judged) {
   return is_new ? static_cast<int>(std::lround((baseline.mean - candidate.mean) * baseline.n)) : 0;
 }
 
+// What a study has of two of its labels.
+StudyResults of_two(StudyResults study, const std::string& candidate, const std::string& baseline) {
+  const std::vector<std::string> labels{candidate, baseline};
+  const auto is_other = [&](const std::string& label) { return std::ranges::count(labels, label) == 0; };
+  std::vector<Solve> solves;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (Solve solve : study.of(labels[i])) {
+      solve.label = static_cast<int>(i);
+      solves.push_back(std::move(solve));
+    }
+  }
+  study.labels = labels;
+  study.solves = std::move(solves);
+  std::erase_if(study.faults, [&](const auto& each) { return is_other(each.first); });
+  std::erase_if(study.in_batches, [&](const auto& each) { return is_other(each.first); });
+  if (std::ranges::all_of(study.other_version.who, is_other)) study.other_version.who.clear();
+  return study;
+}
+
+// Leaves the two labels of the gate, the candidate first, and what is in doubt of them.
+void keep_two(const Gate& gate, Observations& observed, std::vector<Finding>& findings) {
+  const auto is_one = [&](const std::string& name) { return name == gate.candidate || name == gate.baseline; };
+  std::erase_if(observed.groups, [&](const Group& group) { return !is_one(group.name); });
+  if (observed.groups.front().name != gate.candidate) std::swap(observed.groups.front(), observed.groups.back());
+  std::erase_if(observed.doubts,
+                [&](const Doubt& doubt) { return !doubt.who.empty() && std::ranges::none_of(doubt.who, is_one); });
+  for (Doubt& doubt : observed.doubts)
+    if (doubt.count == 0) std::erase_if(doubt.who, [&](const std::string& name) { return !is_one(name); });
+  std::erase_if(findings, [&](const Finding& its) { return !is_one(its.first) || !is_one(its.second); });
+  findings.front() = better_first(std::move(findings.front()), gate.baseline);
+}
+
+// The findings of each metric of each gate. A metric's pairs are one family, of which those of solvers that are the
+// same bit for bit in two stores are no part, since no chance is in them.
+std::vector<std::vector<std::vector<Finding>>> findings_of(const std::vector<Gate>& gates) {
+  const std::size_t metrics = names_in_plan(gates.front().judged.study.definition).size();
+  std::vector<std::vector<std::vector<Finding>>> all;
+  std::map<std::string, std::vector<std::pair<std::size_t, std::size_t>>> families;  // gates and metrics, by metric
+  for (std::size_t i = 0; i < gates.size(); ++i) {
+    const std::vector<JudgedMetric>& its = gates[i].judged.metrics;
+    all.emplace_back(its.size());
+    for (std::size_t m = 0; m < its.size(); ++m) {
+      if (gates[i].are_same && !gates[i].label.empty() && !is_time(its[m]))
+        all[i][m] = compare(its[m].observations, its[m].plan, metrics);
+      else
+        families[its[m].observations.metric].emplace_back(i, m);
+    }
+  }
+  for (const auto& [metric, places] : families) {
+    std::vector<Member> members;
+    for (const auto& [i, m] : places)
+      members.push_back({&gates[i].judged.metrics[m].observations, &gates[i].judged.metrics[m].plan});
+    std::vector<std::vector<Finding>> found = compare(members, metrics);
+    for (std::size_t k = 0; k < places.size(); ++k) all[places[k].first][places[k].second] = std::move(found[k]);
+  }
+  return all;
+}
+
+// The list that a quantity of a metric that decides belongs to; null if it belongs to none.
+std::vector<std::string>* list_of(Gate& gate, const JudgedMetric& judged) {
+  const Finding& finding = judged.findings.front();
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  const bool is_small = tested && tested->is_small;
+  const bool is_settled = gate.are_same && !is_time(judged);
+  switch (verdict_of(finding)) {
+    case Verdict::worse:
+      return is_small ? &gate.worse_by_little : &gate.worse;
+    case Verdict::better:
+      return is_small ? nullptr : &gate.better;
+    case Verdict::not_tested:
+      return is_settled ? nullptr : &gate.not_tested;
+    case Verdict::undecided: {
+      // Where a budget makes all evaluations equal, that says nothing.
+      const bool is_no_news = are_equal(finding) && judged.observations.measures == Measure::evaluations;
+      return is_settled || is_no_news ? nullptr : &gate.not_decided;
+    }
+    case Verdict::same:
+      break;
+  }
+  return nullptr;
+}
+
+void tell(Gate& gate, const JudgedMetric& judged) {
+  const std::string& quantity = judged.observations.quantity;
+  if (const int missing = newly_missing(judged); missing > 0) {
+    gate.newly_missing = missing;
+    return;
+  }
+  const Verdict verdict = verdict_of(judged.findings.front());
+  if (!decides(gate, judged)) {
+    const auto* const tested = std::get_if<Tested>(&judged.findings.front().what);
+    if (is_time(judged) || !is_difference(verdict) || (tested && tested->is_small)) return;
+    (verdict == Verdict::worse ? gate.also_worse : gate.also_better).push_back(quantity);
+    return;
+  }
+  if (std::vector<std::string>* const list = list_of(gate, judged)) list->push_back(quantity);
+  gate.are_times_missing |= is_time(judged) && verdict == Verdict::not_tested;
+  const bool is_share_of_nothing = judged.observations.scale == Scale::share && judged.described.front().mean == 0 &&
+                                   judged.described.back().mean == 0;
+  gate.is_compared |= !is_share_of_nothing && verdict != Verdict::not_tested;
+}
+
 }  // namespace
 
-Gate gate(StudyResults study, std::optional<double> time_margin, const std::string& label) {
-  const std::string candidate = study.labels.front(), baseline = study.labels.back();
+Gate gate(StudyResults study, const std::string& candidate, const std::string& baseline, GateOptions options,
+          const std::string& label) {
+  refuse_what_the_plan_lacks(options, study.definition);
   const Solves ours = study.of(candidate), theirs = study.of(baseline);
   const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
   if (theirs.empty() || !std::ranges::equal(ours, theirs, {}, place, place))
     throw std::invalid_argument(fmt::format(
         "not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
         label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
-  Gate gate{.label = label,
-            .do_times_decide = time_margin.has_value(),
-            .are_same = have_same_solves(ours, theirs) && std::ranges::any_of(ours, gave_answer)};
+  Gate gate{.label = label, .candidate = candidate, .baseline = baseline, .options = std::move(options)};
+  gate.are_same = have_same_solves(ours, theirs) && std::ranges::any_of(ours, gave_answer);
   for (std::size_t i = 0; i < ours.size(); ++i) {
     const bool is_solved = ours[i].status == Status::ok, was_solved = theirs[i].status == Status::ok;
     gate.same += have_same_solves(ours.subspan(i, 1), theirs.subspan(i, 1));
@@ -122,18 +251,21 @@ Gate gate(StudyResults study, std::optional<double> time_margin, const std::stri
         .push_back(study.definition.points == 1 ? fmt::format("run {}", ours[i].run)
                                                 : fmt::format("target {} of run {}", ours[i].point, ours[i].run));
   }
-  study.definition.plan.control = baseline;  // shown second
+  std::string& control = study.definition.plan.control;
+  if (control != candidate && control != baseline) control.clear();
   JudgedStudy& judged = gate.judged = observe_all(std::move(study));
   const bool machine_decides = !doubts_of_clock(judged.study).empty();
   judged.metrics.push_back(
       {.observations = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
   for (JudgedMetric& metric : judged.metrics)
-    if (is_time(metric) && time_margin) metric.plan.margin = *time_margin;
+    if (is_time(metric) && gate.do_times_decide()) metric.plan.margin = *gate.options.time_margin;
+  judged.study = of_two(std::move(judged.study), candidate, baseline);
+  judged.doubts = doubts_of(judged.study);
   judged.study.solves = {}, judged.study.drawn = {};  // observed, and large
   return gate;
 }
 
-Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> time_margin) {
+Gate gate(StudyResults baseline, StudyResults candidate, GateOptions options) {
   refuse_other_task(baseline, candidate);
   const std::string label = candidate.labels.front();
   const bool are_of_this_clock = std::ranges::all_of(baseline.sessions, is_of_this_clock) &&
@@ -144,16 +276,17 @@ Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> t
                                 ? "of the clock of a former version, which no time of this one is compared with"
                             : now != before ? fmt::format("{}, before {}", now, before)
                                             : "";
-  if (time_margin && !(turns && other.empty()))
+  if (options.time_margin && !(turns && other.empty()))
     throw std::invalid_argument(fmt::format(
         "not compared: times of {} are {}", label,
         !other.empty() ? other
                        : "of other sessions than before; expected two stores that were solved in turn (cli/gate.sh "
                          "with OLD), or leave out --time-margin"));
-  StudyResults study = study_of_both(baseline, std::move(candidate), time_margin ? *turns : std::map<int, int>());
-  Gate both = gate(std::move(study), time_margin, label);
+  StudyResults study =
+      study_of_both(baseline, std::move(candidate), options.time_margin ? *turns : std::map<int, int>());
+  Gate both = gate(std::move(study), now_label, before_label, std::move(options), label);
   for (JudgedMetric& metric : both.judged.metrics) {  // of two sessions times are never comparable
-    if (!is_time(metric) || time_margin) continue;
+    if (!is_time(metric) || both.do_times_decide()) continue;
     metric.observations.doubts.clear();
     if (!other.empty()) metric.observations.doubts.push_back({.kind = DoubtKind::times_not_comparable, .what = other});
   }
@@ -170,45 +303,24 @@ Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> t
 }
 
 void decide(std::vector<Gate>& gates) {
-  std::size_t tests = 0;
-  for (const Gate& gate : gates) {
-    for (const JudgedMetric& judged : gate.judged.metrics) {
-      const Finding alone = compare(judged.observations, judged.plan).front();
-      tests += may_decide(gate, judged) && std::holds_alternative<Tested>(alone.what) && !are_equal(alone);
-    }
-  }
-  for (Gate& gate : gates) {
+  std::vector<std::vector<std::vector<Finding>>> all = findings_of(gates);
+  for (std::size_t i = 0; i < gates.size(); ++i) {
+    Gate& gate = gates[i];
     gate.is_compared = gate.are_same;
-    gate.are_times_missing = gate.do_times_decide && std::ranges::none_of(gate.judged.metrics, is_time);
-    for (JudgedMetric& judged : gate.judged.metrics) {
-      judged = judge(std::move(judged.observations), judged.plan, std::max<std::size_t>(tests, 1));
-      const Observations& observed = judged.observations;
-      Finding& finding = judged.findings.front();
-      if (gate.are_same && !is_time(judged) && std::holds_alternative<Tested>(finding.what))
-        finding.what = Fact(), finding.amount = Amount{amount_of_equal(finding.scale)};
-      if (is_time(judged) && !gate.do_times_decide) continue;
-      if (const int missing = newly_missing(judged); missing > 0) {
-        gate.newly_missing = missing;
-        continue;
+    gate.are_times_missing = gate.do_times_decide() && std::ranges::none_of(gate.judged.metrics, is_time);
+    for (std::size_t m = 0; m < gate.judged.metrics.size(); ++m) {
+      JudgedMetric& metric = gate.judged.metrics[m];
+      std::vector<Finding>& findings = all[i][m];
+      keep_two(gate, metric.observations, findings);
+      metric.plan.control = gate.baseline;  // is shown second
+      metric = judge(std::move(metric.observations), metric.plan, std::move(findings));
+      Finding& finding = metric.findings.front();
+      if (gate.are_same && !is_time(metric) && std::holds_alternative<Tested>(finding.what)) {
+        finding.what = Fact();
+        finding.amount = Amount{amount_of_equal(finding.scale)};
       }
-      const Verdict verdict = verdict_of(finding);
-      const auto* const tested = std::get_if<Tested>(&finding.what);
-      // A budget makes equal evaluations; what is new of answers was told.
-      const bool is_no_news =
-          are_equal(finding) && (is_of_answers(judged) || observed.measures == Measure::evaluations);
-      const bool is_small = tested && tested->is_small;
-      std::vector<std::string>* const said = verdict == Verdict::worse ? &(is_small ? gate.worse_by_little : gate.worse)
-                                             : verdict == Verdict::better     ? is_small ? nullptr : &gate.better
-                                             : !may_decide(gate, judged)      ? nullptr
-                                             : verdict == Verdict::not_tested ? &gate.not_tested
-                                             : verdict == Verdict::undecided && !is_no_news ? &gate.not_decided
-                                                                                            : nullptr;
-      if (said != nullptr) said->push_back(observed.quantity);
-      gate.are_times_missing |= is_time(judged) && verdict == Verdict::not_tested;
-      const bool is_of_nothing =  // 0 % solved by both
-          observed.scale == Scale::share && judged.described.front().mean == 0 && judged.described.back().mean == 0;
-      gate.is_compared |= !is_of_answers(judged) && !is_of_nothing && verdict != Verdict::not_tested;
     }
+    for (const JudgedMetric& metric : gate.judged.metrics) tell(gate, metric);
     gate.is_compared |= !gate.worse.empty() || !gate.better.empty() || gate.newly_missing > 0;
   }
 }

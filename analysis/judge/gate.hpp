@@ -9,30 +9,42 @@
 
 namespace ikbench::judge {
 
+// What a gate asks.
+struct GateOptions {
+  std::optional<double> time_margin = {};  // times decide, by this margin
+  std::vector<std::string> metrics = {};   // those of names_in_plan that decide; empty: all of them
+};
+
 struct Gate {
-  std::string label;  // of both; empty: two solvers of one store
-  // Without solves, once decided without values. Of two solvers, the candidate first; the last metric is the share of
-  // solves that gave an answer.
-  JudgedStudy judged;
-  bool do_times_decide = false;  // asked for
-  // Quantities; time only if times decide. worse_by_little: by less than the margin, which is no loss.
-  std::vector<std::string> worse, better, worse_by_little, not_decided, not_tested;
+  std::string label = {};                     // in both stores; empty: two solvers of one store
+  std::string candidate = {}, baseline = {};  // the labels in `judged`
+  GateOptions options = {};
+  // Until it is decided of all labels of the store and not yet compared, then of the candidate and the baseline. The
+  // last metric is the share of solves that gave an answer. Without solves of other labels.
+  JudgedStudy judged = {};
+  // Quantities of the metrics that decide: time only with a margin for it. worse_by_little: by less than the margin,
+  // which is no loss.
+  std::vector<std::string> worse = {}, better = {}, worse_by_little = {}, not_decided = {}, not_tested = {};
+  std::vector<std::string> also_worse = {}, also_better = {};  // quantities of other metrics, which decide nothing
   std::vector<std::string> lost = {}, won = {};  // targets: solved by the baseline alone, by the candidate alone
   int same = 0;                                  // solves, bit for bit
   int newly_missing = 0;           // answers, where before none was or now none is left: fails, even if by chance
   bool are_same = false;           // all solves, bit for bit: then nothing is left to decide but time
   bool are_times_missing = false;  // though they decide
-  bool is_compared = true;         // some quantity besides the share of answers was compared, or something is worse
+  bool is_compared = true;         // some quantity that decides was compared, or something is worse
+
+  bool do_times_decide() const { return options.time_margin.has_value(); }
 };
 
-// Of a study of two solvers, the candidate first; observed and not yet judged. With a margin of their own times decide.
-// Throws std::invalid_argument if they have not the same solves.
-Gate gate(StudyResults study, std::optional<double> time_margin = {}, const std::string& label = "");
+// Of two labels of a study: observed and not yet judged. All labels of the study take part, so that the pair has the p
+// that it has in the study's report; with a control that is neither of the two, the p of a report without a control.
+// Throws std::invalid_argument if the two have not the same solves, and for options that ask for what the plan lacks.
+Gate gate(StudyResults study, const std::string& candidate, const std::string& baseline, GateOptions options = {},
+          const std::string& label = "");
 // Of one solver in two stores, by the baseline's plan; times decide only if the two were solved in turn. Throws also if
 // the tasks differ.
-Gate gate(StudyResults baseline, StudyResults candidate, std::optional<double> time_margin = {});
-// Judges all, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
-// no more compares than it says.
+Gate gate(StudyResults baseline, StudyResults candidate, GateOptions options = {});
+// Judges all. A metric's pairs of all gates are one family, and its significance is that of a report.
 void decide(std::vector<Gate>& gates);
 
 // 3: something is worse, or answers are newly missing; 1: of a label nothing was compared, or not the times that were

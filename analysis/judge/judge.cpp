@@ -46,6 +46,38 @@ void add_doubt_of_ranks(JudgedMetric& judged) {
   }
 }
 
+// Pairs of the study's own labels have the p that they have without labels of another machine, and all of those have
+// the control, which stands for all that is compared with them.
+std::vector<Finding> findings_of(const JudgedMetric& metric, const Beside& beside, std::size_t metrics) {
+  if (beside.labels.empty()) return compare(metric.observations, metric.plan, metrics);
+  Observations own = metric.observations;
+  std::erase_if(own.groups, [&](const Group& group) { return beside.has(group.name); });
+  Plan own_plan = metric.plan;
+  if (beside.is_control_chosen) own_plan.control.clear();
+  std::vector<Finding> findings = compare(own, own_plan, metrics);
+  std::erase_if(findings, [&](const Finding& finding) {
+    return finding.first != metric.plan.control && finding.second != metric.plan.control;
+  });
+  for (Finding& finding : compare(metric.observations, metric.plan, metrics))
+    if (beside.has(finding.first) || beside.has(finding.second)) findings.push_back(std::move(finding));
+  return findings;
+}
+
+// The word by which `then` of a plan names a metric; empty if none does.
+std::string_view then_word_of(const Observations& observed) {
+  if (observed.scale == Scale::share) return "";
+  switch (observed.measures) {
+    case Measure::time:
+      return "time";
+    case Measure::evaluations:
+      return "evaluations";
+    case Measure::motion:
+      return "motion";
+    default:
+      return "";
+  }
+}
+
 // Some observation has a value, and if this is no share one is not 0.
 bool has_meaning(const Observations& observed) {
   return std::ranges::any_of(observed.groups, [&](const Group& group) {
@@ -56,8 +88,13 @@ bool has_meaning(const Observations& observed) {
 
 }  // namespace
 
-JudgedMetric judge(Observations observations, const Plan& plan, std::size_t metrics) {
-  JudgedMetric judged{.observations = std::move(observations), .plan = plan};
+JudgedMetric judge(Observations observations, const Plan& plan) {
+  std::vector<Finding> findings = compare(observations, plan);
+  return judge(std::move(observations), plan, std::move(findings));
+}
+
+JudgedMetric judge(Observations observations, const Plan& plan, std::vector<Finding> findings) {
+  JudgedMetric judged{.observations = std::move(observations), .plan = plan, .findings = std::move(findings)};
   const Observations& observed = judged.observations;
   for (const Group& group : observed.groups) {
     const Description its = describe(group);
@@ -65,7 +102,6 @@ JudgedMetric judge(Observations observations, const Plan& plan, std::size_t metr
                                : group.all > 0   ? Description{.n = group.all, .mean = group.share}
                                                  : its);
   }
-  judged.findings = compare(observed, plan, metrics);
   add_doubt(judged);
   add_doubt_of_ranks(judged);
   return judged;
@@ -136,8 +172,29 @@ JudgedStudy observe_all(StudyResults study) {
 
 JudgedStudy judge(StudyResults study) {
   JudgedStudy judged = observe_all(std::move(study));
-  for (JudgedMetric& metric : judged.metrics) metric = judge(std::move(metric.observations), metric.plan);
+  const std::size_t metrics = names_in_plan(judged.study.definition).size();
+  for (JudgedMetric& metric : judged.metrics) {
+    std::vector<Finding> findings = findings_of(metric, judged.study.beside, metrics);
+    metric = judge(std::move(metric.observations), metric.plan, std::move(findings));
+  }
   return judged;
+}
+
+std::vector<std::string> names_in_plan(const results::Definition& study) {
+  const Plan& plan = study.plan;
+  std::vector<std::string> names{!plan.metric.empty() ? plan.metric : study.has_tolerance() ? "solved" : "error"};
+  std::string_view its_word;
+  if (!plan.metric.empty()) its_word = then_word_of(observations_of(metric_named(plan.metric, metrics_of(study))));
+  for (const std::string& word : results::all_thens)
+    if (word != its_word && std::ranges::count(plan.then, word) > 0) names.push_back(word);
+  return names;
+}
+
+std::string name_in_plan(const JudgedStudy& study, const JudgedMetric& metric) {
+  const std::vector<std::string> names = names_in_plan(study.study.definition);
+  if (&metric == &study.metrics[study.deciding]) return names.front();
+  const std::string word(then_word_of(metric.observations));
+  return std::ranges::count(names, word) > 0 ? word : "";
 }
 
 const JudgedMetric* judged_of(const JudgedStudy& judged, std::string_view column) {

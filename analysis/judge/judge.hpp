@@ -18,8 +18,10 @@ struct JudgedMetric {
   std::vector<Finding> findings;       // one for each pair of the plan
 };
 
-// The doubts of the findings stand with those of the observations. So many metrics share the significance.
-JudgedMetric judge(Observations observed, const Plan& plan, std::size_t metrics = 1);
+// Describes the groups and adds the doubts of the findings, which are those of `compare`.
+JudgedMetric judge(Observations observed, const Plan& plan, std::vector<Finding> findings);
+// The same, with findings of these observations alone.
+JudgedMetric judge(Observations observed, const Plan& plan);
 
 // What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
 // median; NaN where values are lost.
@@ -39,7 +41,15 @@ struct JudgedStudy {
 
 // Without descriptions and findings.
 JudgedStudy observe_all(StudyResults study);
+// Every pair has one p in a metric, whatever else is asked of the store: with the pairs of the study's own labels and
+// the metrics that its plan names. Pairs with a label of another machine (beside.hpp) are a family of their own.
 JudgedStudy judge(StudyResults study);
+
+// The names of the metrics that share the significance: the plan's `metric` (else "solved", or "error" without a
+// tolerance), and each word of `then` for another one.
+std::vector<std::string> names_in_plan(const results::Definition& study);
+// By which of these names the plan names a metric of this study; empty: by none.
+std::string name_in_plan(const JudgedStudy& study, const JudgedMetric& metric);
 
 // Null if the study has no such metric, by its column.
 const JudgedMetric* judged_of(const JudgedStudy& judged, std::string_view column);

@@ -19,8 +19,9 @@ enum class Better { smaller, larger };
 // the metric, whatever the values are.
 enum class Scale { ratio, difference, share };
 
-// What is measured, where somebody goes by it. Times are compared where they are comparable, whatever is made of them.
-enum class Measure { other, solved, answered, position, angle, time, evaluations };
+// The kind of quantity, for code that treats some kinds specially. Times are compared where they are comparable,
+// whatever is made of them.
+enum class Measure { other, solved, answered, position, angle, motion, time, evaluations };
 
 // What is known of a group: one of these.
 struct Measured {

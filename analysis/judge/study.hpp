@@ -45,7 +45,8 @@ using Solves = std::span<const Solve>;
 
 // Solvers of another machine (beside.hpp), which belong to no session.
 struct Beside {
-  std::string of = {};  // "on another machine, 11/2026"
+  std::string of = {};             // "on another machine, 11/2026"
+  bool is_control_chosen = false;  // the plan had none, so that the study's first solver is the control
   std::vector<std::string> labels = {};
   std::string unit_here = {};  // the LM with the same options as one there; empty: none
   double unit = 0;             // [s] of that one there

@@ -38,10 +38,9 @@ bool is_rival(const std::string& name, const Claim& claim) {
       claim.against, [&](const std::string& rival) { return name == rival || name == name_of_rival(rival, claim); });
 }
 
-// As its report judged it, so that a claim and the report cannot disagree. What a report does not have is judged alike.
+// A claim's family is the pairs of its metric: the metrics that the plan names besides are no part of what is claimed.
 JudgedMetric judged_in(const JudgedStudy& study, const Metric& metric) {
-  const JudgedMetric* const reported = judged_of(study, metric.column);
-  return reported ? *reported : judge::judge(observe(study.study, metric), study.study.definition.plan);
+  return judge::judge(observe(study.study, metric), study.study.definition.plan);
 }
 
 // Leaves the claim's solvers and their rivals. None if one of the former or all of the latter are missing, or some are

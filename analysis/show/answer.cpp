@@ -191,6 +191,9 @@ Answer answer_of(const JudgedStudy& judged) {
   const results::Definition& definition = judged.study.definition;
   const bool are_runs = definition.compares_runs();
   all.noun = are_runs ? "runs" : "targets";
+  if (definition.stop.only_time_limits())
+    all.within = fmt::format(" within {} ms", number_text(1000 * definition.stop.seconds));
+  all.named_metrics = names_in_plan(definition).size();
   if (are_runs ? definition.points > 1 : definition.runs > 1 && !definition.draws_targets)
     all.notes.push_back(
         fmt::format("Each {} is the mean of its {}.", are_runs ? "run" : "target", are_runs ? "targets" : "runs"));

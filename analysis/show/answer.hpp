@@ -16,6 +16,8 @@ struct Answer {
   std::vector<std::size_t> order;            // its groups, best first
   std::vector<judge::Doubt> doubts;          // of all
   std::string noun = "values";               // what observations are
+  std::string within = {};                   // " within 1 ms", where time alone ends what is not solved
+  std::size_t named_metrics = 1;             // that share the significance: those that the plan names
   std::vector<std::string> notes;            // of the table of results
   std::string studied = {};                  // of a study: what its solvers did, and when a solve ended, as sentences
   std::string faults = {};                   // of answers that the study's check refused; empty: none

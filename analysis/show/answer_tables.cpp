@@ -237,6 +237,13 @@ std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
   return row;
 }
 
+std::string how_p_is_adjusted(const Answer& answer) {
+  const std::string metrics =
+      answer.named_metrics == 1 ? "" : fmt::format(" and by the {} metrics that the plan names", answer.named_metrics);
+  return fmt::format("p is multiplied by the number of pairs tested of its metric{}, and intervals hold for all.",
+                     metrics);
+}
+
 }  // namespace
 
 Table results_table(const Answer& answer, bool is_brief) {
@@ -347,12 +354,9 @@ Table pairs_table(const Answer& answer) {
   table.told = table.rows.size();
   std::ranges::move(others, std::back_inserter(table.rows));
   const std::string decides = what_decides(answer);
-  std::vector<std::string> notes{
-      decides.empty() ? "" : decides + "; other metrics are exploratory.",
-      answer.verdict.empty() && has_p
-          ? "p is multiplied by the number of pairs tested of its metric, and intervals hold for all."
-          : "",
-      left_out == 0 ? "" : fmt::format("{} more pairs are not listed.", left_out)};
+  std::vector<std::string> notes{decides.empty() ? "" : decides + "; other metrics are exploratory.",
+                                 answer.verdict.empty() && has_p ? how_p_is_adjusted(answer) : "",
+                                 left_out == 0 ? "" : fmt::format("{} more pairs are not listed.", left_out)};
   std::erase(notes, "");
   if (!notes.empty()) table.notes = {fmt::format("{}", fmt::join(notes, " "))};
   return table;

@@ -31,7 +31,47 @@ equal "metrics of two labels in verdict.md" "$(grep -c '^| error |' verdict.md)"
 # Two labels of one store.
 succeeds compare BA IK-BA --store $base --json
 golden compare-labels
-ends 3 compare IK-BA BA --store $base --margin 10%
+succeeds compare IK-BA BA --store $base --margin 10%  # the plan names the error alone
+has "$out" "Not asked for: worse in joint motion."
+
+# A pair has one p and one verdict, whichever command and option tells them.
+cat >pairs.py <<'END'
+import json, subprocess, sys
+program, store = sys.argv[1:3]
+def rows_of(*arguments):
+    said = subprocess.run([program, *arguments, "--json"], capture_output=True, text=True).stdout
+    rows = {}
+    for row in json.loads(said)["findings"]:
+        winner = {"better": row["first"], "worse": row["second"]}.get(row["verdict"], row["verdict"])
+        rows[row["metric"], frozenset((row["first"], row["second"]))] = row["p"], row["n"], winner
+    return rows
+told = rows_of("report", store, "--figures", "none", "--out", "told")
+labels = sorted({label for metric, pair in told for label in pair})
+checked = 0
+for one in labels:
+    for other in labels:
+        for options in [], ["--time-margin", "10%"], ["--metric", "solved"], ["--margin", "20%"]:
+            if one == other:
+                continue
+            for key, row in rows_of("compare", one, other, "--store", store, *options).items():
+                if key[0] == "answered":
+                    continue
+                compared = 2 if options and options[0].endswith("margin") else 3  # a margin changes what is the same
+                assert told[key][:compared] == row[:compared], (one, other, options, key, told[key], row)
+                checked += row[0] is not None
+assert checked > 50, checked
+END
+succeeds run --robot ur5e --only "LM,DLS,Newton,SLSQP" --set path.points=60 --no-report --out several
+python3 pairs.py "$program" several/store.sqlite || fail "report and compare tell another p of one pair"
+# The plan's metrics decide, and --metric asks fewer of them.
+run_it compare LM SLSQP --store several/store.sqlite --json
+equal "exit code for more evaluations" $code 3
+json 'of["worse"]["SLSQP"] == ["evaluations"] or of["worse"]["SLSQP"] == ["evaluations per solved"]'
+run_it compare LM SLSQP --store several/store.sqlite --metric solved --json
+json '"solved" not in of["worse"]["SLSQP"] and of["also_worse"]["SLSQP"] != [] and of["exit_code"] in (0, 3)'
+refused "names solved, time and evaluations" compare LM SLSQP --store several/store.sqlite --metric motion
+refused "--time-margin 10%" compare LM SLSQP --store several/store.sqlite --metric time
+refused "add time" compare LM SLSQP --store several/store.sqlite --metric solved --time-margin 10%
 
 # Programs: three times the evaluations for the same answers are worse (crashes: gate.test.cpp).
 cp "$scripts/studies/gate.toml" .
@@ -63,6 +103,7 @@ equal "solves of the old program" "$(column turns/before/store.sqlite evaluation
 gate 1 failed OUT=turns OLD="$program" TURNS=1000
 sed 's/errors := problem.evaluate(swarm):/told := problem.evaluate(3 * swarm):\n        errors = told[:size]/' "$pso" >mine.py
 gate 3 worse OUT=thrice MARGIN=10%
+gate 0 passed OUT=thrice METRIC=solved
 equal "evaluations" "$(column thrice/store.sqlite evaluations mine | awk '{ n += $1 } END { print n }')" \
   "$((3 * $(column baseline.sqlite evaluations mine | awk '{ n += $1 } END { print n }')))"
 sed 's/^runs = 20/runs = 19/' gate.toml >shorter.toml

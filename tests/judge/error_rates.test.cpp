@@ -272,8 +272,12 @@ show::Answer drawn_answer(Random& random, std::size_t k, double least_solved, bo
     if (!are_times_judged) times.groups.back().sample = Untold{.why = Untold::Why::apart};
     evaluations.groups.push_back({.name = name, .sample = std::move(counts)});
   }
-  show::Answer answer = show::answer_of({judge(solved, {}), judge(times, {}), judge(evaluations, {})});
-  answer.then = results::all_thens;
+  const Plan plan;
+  std::vector<JudgedMetric> metrics;
+  for (Observations* const observed : {&solved, &times, &evaluations})  // which the plan names
+    metrics.push_back(judge(*observed, plan, compare(*observed, plan, 3)));
+  show::Answer answer = show::answer_of(std::move(metrics));
+  answer.then = plan.then;
   return answer;
 }
 

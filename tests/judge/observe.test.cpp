@@ -503,7 +503,12 @@ TEST_CASE("one solve that takes most of the time decides no cost per solved targ
 
 TEST_CASE("what attempts spent is by what they solved, and the spread of its parts is its error") {
   // Of 100 targets A solves 80 with 10 evaluations each, and spends 1000 on each of the others; B solves all with 50.
-  const Asked drawn_100{.start = "middle", .targets = "drawn", .runs = 100, .points = 1, .tolerance_cm = 0.1};
+  const Asked drawn_100{.start = "middle",
+                        .targets = "drawn",
+                        .runs = 100,
+                        .points = 1,
+                        .tolerance_cm = 0.1,
+                        .rest = R"(, "analysis": {"then": []})"};
   const StudyResults of = study(drawn_100, [](SolveRecord& solve) {
     const bool fails = solve.label == "A" && solve.run % 5 == 0;
     solve.status = fails ? Status::tolerance_missed : Status::ok;
