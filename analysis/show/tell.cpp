@@ -173,12 +173,15 @@ class First {
                                  is_first ? observed.unit : "");
     if (is_share(judged_) && observed.trials == 1) {
       text = fmt::format("{:.0f}", value * n / 100);
-      if (is_first || n != described(first_).n)
-        text += fmt::format(" of {}", is_first ? base::counted(n, answer_.noun) : fmt::to_string(n));
+      if (is_first)
+        text += fmt::format(" of {}{}", base::counted(n, answer_.noun), within());
+      else if (n != described(first_).n)
+        text += fmt::format(" of {}", n);
     }
     if (std::isnan(value)) text = "not known";
     return is_first ? fmt::format("{} {}", quantity(), text) : text;
   }
+  std::string within() const { return is_solved(judged_) ? answer_.within : ""; }
   std::string quantity() const {
     const bool is_mean = judged_.plan.test == results::Plan::Test::means;
     const char* const of = is_share(judged_) || judged_.observations.are_logs ? "" : is_mean ? "mean " : "median ";
@@ -253,7 +256,7 @@ class First {
     const std::string its = number(firsts.front());
     std::string text = fmt::format("{} {}", names_of(firsts),
                                    most == 100 && n > 1 && judged_.observations.trials == 1
-                                       ? "solved all " + base::counted(n, answer_.noun)
+                                       ? fmt::format("solved all {}{}", base::counted(n, answer_.noun), within())
                                        : its);
     Names others = who_of(fact.who, [&](auto& name) { return described(name).mean != most; });
     if (others.empty()) return text;

@@ -334,7 +334,7 @@ TEST_CASE("Times in batches are of no single call, and those of batches at once 
   CHECK(std::ssize(batches("1").in_batches.at("B").second) == std::ssize(batches("1").of("B")));
 }
 
-TEST_CASE("Solved in time is a share of the solves that are compared, over sessions") {
+TEST_CASE("Solved in time is a share of all solves, also of busy sessions") {
   const Asked asked{.start = "middle",
                     .targets = "drawn",
                     .runs = 6,
@@ -361,9 +361,30 @@ TEST_CASE("Solved in time is a share of the solves that are compared, over sessi
   of_a_loop.rest = R"(, "loop": {"period_ms": 2})";
   CHECK(judged_of(judge::judge(study(of_a_loop, late)), "solved_in_time")->described[0].mean == Approx(19 / 20.0));
   const auto late_when_busy = [](SolveRecord& solve) { solve.seconds = solve.run == 1 ? 0.003 : 0.001; };
-  const JudgedStudy quiet = judge::judge(study(asked, late_when_busy));
-  CHECK(judged_of(quiet, "solved_in_time")->described[0].n == 100);
-  CHECK(judged_of(quiet, "solved_in_time")->described[0].mean == 1);
+  const JudgedStudy busy = judge::judge(study(asked, late_when_busy));
+  CHECK(judged_of(busy, "solved_in_time")->described[0].n == 120);
+  CHECK(judged_of(busy, "solved_in_time")->described[0].mean == Approx(100 / 120.0));
+  CHECK(judged_of(busy, "seconds")->described[0].n == 5);  // times are those of quiet sessions
+}
+
+TEST_CASE("Where time alone ends solves at the deadline, what is solved is solved in time") {
+  const auto judged_with = [](double seconds, int iterations, int evaluations) {
+    StudyResults of = study({.start = "middle",
+                             .targets = "drawn",
+                             .runs = 6,
+                             .points = 5,
+                             .tolerance_cm = 1,
+                             .rest = R"(, "analysis": {"deadline_ms": 2})"},
+                            as_made);
+    of.definition.stop.seconds = seconds;
+    of.definition.stop.iterations = iterations;
+    of.definition.stop.evaluations = evaluations;
+    return judge::judge(std::move(of));
+  };
+  CHECK(judged_of(judged_with(0.002, 1'000'000, 0), "solved_in_time") == nullptr);
+  CHECK(judged_of(judged_with(0.003, 1'000'000, 0), "solved_in_time") != nullptr);
+  CHECK(judged_of(judged_with(0.002, 200, 0), "solved_in_time") != nullptr);
+  CHECK(judged_of(judged_with(0.002, 1'000'000, 100), "solved_in_time") != nullptr);
 }
 
 TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is a doubt") {
