@@ -83,17 +83,27 @@ std::size_t size_of(const Group& group) {
   return values_of(group).size();
 }
 
+// Two groups of the observations, which outlive it: pairs are many, so each holds no values.
 struct Pair {
-  Group a, b;  // of the blocks that both have
+  const Group *a, *b;
   const Method* method;
   Scale scale = Scale::difference;  // of the amount
   double smallest_p = 1;
   int n = 0;
   std::optional<Open> open = {};
 
-  bool has_one() const { return repeats_itself(a) || repeats_itself(b); }  // one value for all runs
-  bool is_fact() const { return repeats_itself(a) && repeats_itself(b); }
+  bool has_one() const { return repeats_itself(*a) || repeats_itself(*b); }  // one value for all runs
+  bool is_fact() const { return repeats_itself(*a) && repeats_itself(*b); }
 };
+
+// The sizes of the two groups in the blocks that both have.
+std::pair<std::size_t, std::size_t> common_sizes(const Group& a, const Group& b) {
+  const Measured *const of_a = measured(a), *const of_b = measured(b);
+  if (of_a == nullptr || of_b == nullptr || of_a->blocks == of_b->blocks) return {size_of(a), size_of(b)};
+  const auto is_in_a = [&](int block) { return std::ranges::binary_search(of_a->blocks, block); };
+  const auto common = static_cast<std::size_t>(std::ranges::count_if(of_b->blocks, is_in_a));
+  return {common, common};
+}
 
 // A pair on one scale: its numbers, what the test says of them, and whether a difference lies within the margin there.
 struct Trial {
@@ -103,7 +113,8 @@ struct Trial {
 };
 
 Trial trial_of(const Observations& observed, const Plan& plan, const Pair& pair, bool takes_logs, double alpha) {
-  Trial trial{.numbers = prepared(pair.a, pair.b, observed, pair.method->is_by_difference, takes_logs), .outcome = {}};
+  Trial trial{.numbers = prepared(*pair.a, *pair.b, observed, pair.method->is_by_difference, takes_logs),
+              .outcome = {}};
   const Prepared& numbers = trial.numbers;
   const Summary &first = numbers.of_first, &second = numbers.of_second;
   trial.outcome = pair.method->test(numbers, alpha);
@@ -162,16 +173,16 @@ std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, 
 }
 
 Fact fact_of(const Observations& observed, const Plan& plan, const Pair& pair) {
-  double one = values_of(pair.a).front(), other = values_of(pair.b).front();
+  double one = values_of(*pair.a).front(), other = values_of(*pair.b).front();
   if (observed.are_logs) one = std::exp(one), other = std::exp(other);
   return {is_worse_than_margin(observed, plan, one, other)   ? Verdict::worse
           : is_worse_than_margin(observed, plan, other, one) ? Verdict::better
                                                              : Verdict::same};
 }
 
-// The verdict of p, with an amount that cannot refute it.
-Finding judged(const Observations& observed, const Plan& plan, const Pair& pair, double tests) {
-  Finding finding{.first = pair.a.name, .second = pair.b.name, .scale = pair.scale};
+// The verdict of p, with an amount that cannot refute it. The pair's groups have the same blocks.
+Finding judged_on_common(const Observations& observed, const Plan& plan, const Pair& pair, double tests) {
+  Finding finding{.first = pair.a->name, .second = pair.b->name, .scale = pair.scale};
   if (pair.open) {
     finding.what = *pair.open;
     return finding;
@@ -199,7 +210,7 @@ Finding judged(const Observations& observed, const Plan& plan, const Pair& pair,
   if (are_means && !observed.are_logs) tested.g = hedges_g(trial.numbers.of_first, trial.numbers.of_second);
   // Of logarithms p itself would be that of few.
   if (are_means && (observed.are_logs || is_same || is_decided) &&
-      (does_one_value_decide(pair.a) || does_one_value_decide(pair.b))) {
+      (does_one_value_decide(*pair.a) || does_one_value_decide(*pair.b))) {
     finding.what = Open{.why = Open::Why::few_decide, .n = pair.n};
     return finding;
   }
@@ -227,6 +238,19 @@ Finding judged(const Observations& observed, const Plan& plan, const Pair& pair,
   return finding;
 }
 
+// Copies the two groups only where their blocks differ, and only while they are judged.
+Finding judged(const Observations& observed, const Plan& plan, const Pair& pair, double tests) {
+  const Measured *const of_a = measured(*pair.a), *const of_b = measured(*pair.b);
+  if (of_a == nullptr || of_b == nullptr || of_a->blocks == of_b->blocks)
+    return judged_on_common(observed, plan, pair, tests);
+  Group a = *pair.a, b = *pair.b;
+  keep_common_blocks({&a, &b});
+  Pair common = pair;
+  common.a = &a;
+  common.b = &b;
+  return judged_on_common(observed, plan, common, tests);
+}
+
 std::optional<Open::Why> why_not(const Method& method, const Group& a, const Group& b) {
   const auto is_none = [](double value) { return std::isinf(value); };
   const auto has_none = [&](const Group& group) {  // no answer at all
@@ -249,11 +273,11 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
   for (auto a = observed.groups.begin(); a != observed.groups.end(); ++a) {
     for (auto b = a + 1; b != observed.groups.end(); ++b) {
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
-      Pair& pair = pairs.emplace_back(Pair{.a = *a, .b = *b, .method = &method_of(observed, plan, *a, *b)});
-      keep_common_blocks({&pair.a, &pair.b});
+      Pair& pair = pairs.emplace_back(Pair{.a = &*a, .b = &*b, .method = &method_of(observed, plan, *a, *b)});
       const bool has_differences = observed.scale == Scale::ratio && pair.method->by != By::ranks && !observed.are_logs;
       pair.scale = has_differences ? Scale::difference : observed.scale;
-      const std::size_t m = size_of(pair.a), n = size_of(pair.b), few = std::min(m, n), many = std::max(m, n);
+      const auto [m, n] = common_sizes(*a, *b);
+      const std::size_t few = std::min(m, n), many = std::max(m, n);
       pair.n = static_cast<int>(few > 0 && pair.has_one() ? many : few);
       if (const auto why = why_not(*pair.method, *a, *b))
         pair.open = Open{.why = *why, .n = pair.n};

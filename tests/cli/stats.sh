@@ -71,6 +71,21 @@ succeeds stats names.csv --value remark --value verdict --better smaller --out n
 grep -q '^A & .*1.3.* & 11.3 ' names/tables/results.tex || fail "no numbers: $(cat names/tables/results.tex)"
 ! grep -q 'class="pill">1' names/report.html || fail "a number is shown as a verdict"
 
+# Many pairs hold no values of their own: the same number of rows takes no more than twice the memory with 100 labels.
+cat >memory.py <<'END'
+import random, resource, subprocess, sys
+labels, rows = map(int, sys.argv[2:])
+lines = ["solver,error"]
+for label in range(labels):
+    lines += [f"s{label},{random.Random(label).lognormvariate(0, 1) * (1 + row % 97):.6g}" for row in range(rows)]
+open("labels.csv", "w").write("\n".join(lines))
+command = [sys.argv[1], "stats", "labels.csv", "--better", "smaller", "--test", "means"]
+subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
+END
+few=$(python3 memory.py "$program" 2 40000) many=$(python3 memory.py "$program" 100 800)
+((many <= 2 * few)) || fail "memory of 100 labels: $many kB, of 2 labels with as many rows $few kB"
+
 # An input is no output.
 mkdir in && cp comma.csv in/report.md
 refused "in/report.md" stats in/report.md --better smaller --out in
