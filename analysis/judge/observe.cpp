@@ -21,6 +21,7 @@ using namespace results;
 namespace {
 
 constexpr double rounding_deg = 1e-9 / base::degree;
+constexpr double least_motion_deg = 1e-3;  // less is how a solver rounds, and moves no arm
 
 // A program or library that tells none has 0.
 bool counts_iterations(const Solve& solve) {

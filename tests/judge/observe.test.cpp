@@ -387,6 +387,18 @@ TEST_CASE("Where time alone ends solves at the deadline, what is solved is solve
   CHECK(judged_of(judged_with(0.002, 1'000'000, 100), "solved_in_time") != nullptr);
 }
 
+TEST_CASE("Joint motion that is how a solver rounds makes nobody better") {
+  const Asked initial{.start = "initial", .runs = 20, .points = 1, .tolerance_cm = 1};
+  const auto judged_with = [&](double of_a, double of_b) {
+    const JudgedStudy all = judge::judge(study(initial, [=](SolveRecord& solve) {
+      solve.variation_deg = (solve.label == "A" ? of_a : of_b) * (1 + 0.01 * solve.run);
+    }));
+    return verdict_of(judged_of(all, "variation_deg")->findings.front());
+  };
+  CHECK_FALSE(is_difference(judged_with(6e-8, 1e-4)));
+  CHECK(judged_with(6e-3, 1e-1) == Verdict::better);
+}
+
 TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is a doubt") {
   const auto counted = [](CountedBy by) {
     return observe(study(chained,
