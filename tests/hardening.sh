@@ -18,3 +18,4 @@ has "checked library function" "__[a-z]+_chk@" "$symbols"
 if [[ $(uname -m) == x86_64 ]]; then
   has "marked target of jumps" "endbr64" "$(objdump -d --no-show-raw-insn --disassemble=main "$program")"
 fi
+looks_in '(\$ORIGIN)?/[^:]+' "$program"

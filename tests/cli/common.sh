@@ -55,6 +55,14 @@ has_no() { [[ $1 != *"$2"* ]] || fail "expected no '$2' in: $1"; }
 # equal WHAT FOUND EXPECTED
 equal() { [ "$2" = "$3" ] || fail "$1: $2, expected $3"; }
 
+# looks_in FOLDER FILE: each folder in which the loader looks for the file's libraries before it looks in the system's
+# matches the pattern. An empty one is the current folder, which may be anybody's.
+looks_in() {
+  local dynamic
+  dynamic=$(readelf -dW "$2") || fail "cannot read $2"
+  ! grep -E 'R(UN)?PATH' <<<"$dynamic" | grep -vE "\[$1(:$1)*\]$" || fail "$2 looks for libraries elsewhere than in '$1'"
+}
+
 # json EXPRESSION [FILE]: the file, else what was said last, is JSON, `of`, of which the expression holds.
 json() {
   python3 -c 'import json, sys; of = json.load(open(sys.argv[2])); sys.exit(not eval(sys.argv[1]))' "$1" "${2:-$work/.out}" ||

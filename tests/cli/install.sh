@@ -11,6 +11,7 @@ equal installed "$(cd prefix && find . -type f ! -path './lib*' ! -path './inclu
 for file in copyright README.md CITATION.cff docs/reference/api.md docs/examples/pso.py solvers/helpers/ikbench{.py,_program.hpp} cli/gate.sh; do
   [ -s "prefix/share/doc/ikbench/$file" ] || fail "not installed: $file"
 done
+! can readelf || looks_in '\$ORIGIN/[^:]+' prefix/bin/ikbench
 ! grep -rlF "$tree" prefix/lib*/cmake prefix/lib*/*/cmake 2>/dev/null || fail "the package holds the path of its source"
 # No path of the source is in it, but for the lines that a debugger or a sanitizer tells.
 if [ -z "$sanitizers" ] && can strip; then
@@ -55,6 +56,9 @@ assert "verdict" in ikbench.results("made")[0] and ikbench.results("made", "grou
   fi
   for folder in "${prefixes[@]}"; do
     equal "program in $folder" "$(env -i "$folder/bin/ikbench" --version)" "$("$program" --version)"
+    while read -r file; do
+      ! can readelf || looks_in '\$ORIGIN/[^:]+' "$file"
+    done < <(find "$folder/bin/ikbench" "$folder/lib/ikbench" -type f)
     ! ldd "$folder/bin/ikbench" | grep -F libfmt | grep -vF "/lib/ikbench/" || fail "$folder does not use its own libraries"
   done
 fi
