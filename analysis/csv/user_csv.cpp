@@ -200,27 +200,6 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
   }
 }
 
-// Refuses a last row that is, in all of several groups, the sum or the mean of five or more above it and equal to none
-// of them. Whole numbers have whole means by chance.
-void refuse_sums(const Sheet& sheet, const Items& items) {
-  bool are_sums = items.groups.size() > 1, are_means = are_sums, are_whole = true;
-  for (Index group = 0; group < items.groups.size(); ++group) {
-    const std::span all(std::ranges::lower_bound(items.values, group, {}, &Value::group),
-                        std::ranges::upper_bound(items.values, group, {}, &Value::group));
-    const double last = all.back().value, n = static_cast<double>(all.size()) - 1;
-    double sum = -last;
-    for (const Value& each : all) sum += each.value;
-    const bool is_new = n >= 5 && std::ranges::count(all, last, &Value::value) == 1;
-    const auto is = [&](double value) { return is_new && std::abs(last - value) <= 1e-9 * std::abs(value); };
-    are_sums = are_sums && is(sum), are_means = are_means && is(sum / n);
-    are_whole = are_whole && last == std::floor(last);
-  }
-  if (const Value& last = items.values.back(); are_sums || (are_means && !are_whole))
-    sheet.refuse(last.row, last.column,
-                 fmt::format("is the {} of those above, as in the other groups; leave such rows out of the file",
-                             are_sums ? "sum" : "mean"));
-}
-
 // What the rows were taken for.
 std::string how_read(const Sheet& sheet, const Layout& layout, const Items& items,
                      const std::vector<std::string>& where) {
@@ -269,7 +248,6 @@ Quantities values_in(Sheet& sheet, const Request& request) {
     const auto name_of = [](const std::string& title) { return quantity_of(title).quantity; };
     if (std::ranges::count(titles, observed.quantity, name_of) > 1)
       observed.quantity = titles[i], observed.unit.clear();
-    refuse_sums(sheet, items);
     if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items, request.where));
     if (i == 0 && layout.block && smallest_p_paired(items.units) > Plan().significance)
       note_blocks(sheet, layout, items, quantities.notes);
