@@ -136,17 +136,20 @@ Observations quantity_of(const std::string& title) {
 
 // The values of each group.
 void fill(const Layout& layout, const Items& items, Observations& observed) {
-  std::vector<Index> most(layout.block ? items.units : 1);
-  const auto most_of = [&](const Mean& mean) -> Index& { return most[layout.block ? mean.unit : 0]; };
-  for (const Mean& mean : items.means) most_of(mean) = std::max(most_of(mean), mean.rows);
+  // In a block all groups need as many rows, since they had the same problems. A run without a block may end early.
+  std::vector<Index> needed_rows(items.units);
+  if (layout.block)
+    for (const Mean& mean : items.means) needed_rows[mean.unit] = std::max(needed_rows[mean.unit], mean.rows);
+  const auto is_complete = [&](const Mean& mean) { return !layout.block || mean.rows == needed_rows[mean.unit]; };
   observed.is_paired = layout.block.has_value();
-  if (observed.scale == Scale::share) observed.trials = static_cast<int>(std::ranges::max(most));
+  if (observed.scale == Scale::share)
+    observed.trials = static_cast<int>(std::ranges::max(items.means, {}, &Mean::rows).rows);
   std::vector<std::size_t> groups_of(items.units), all(items.groups.size());  // complete ones of a block; of a group
   std::vector<Measured> measured(items.groups.size());
   for (const Mean& mean : items.means) {
     const auto value = static_cast<double>(mean.sum / mean.rows);
     ++all[mean.group];
-    if (std::isnan(value) || mean.rows < most_of(mean)) continue;
+    if (std::isnan(value) || !is_complete(mean)) continue;
     measured[mean.group].values.push_back(value);
     if (layout.block) ++groups_of[mean.unit];
   }
@@ -209,8 +212,10 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   std::string text = base::counted(std::ssize(items.groups), layout.label ? "labels" : "columns") + of(layout.label);
   if (const Column unit = layout.block ? layout.block : layout.run)
     text += ", " + base::counted(items.units, layout.block ? "blocks" : "runs") + of(unit);
-  const Index most = std::ranges::max(items.means, {}, &Mean::rows).rows;
-  if (most > 1) text += fmt::format(", means of {} rows", most);
+  const auto [shortest, longest] = std::ranges::minmax(items.means, {}, &Mean::rows);
+  if (longest.rows > 1)
+    text += fmt::format(", means of {}{} rows",
+                        shortest.rows < longest.rows ? fmt::format("{} to ", shortest.rows) : "", longest.rows);
   if (!layout.block && !layout.run) text += ", rows unrelated";
   std::vector<std::string> unused;
   for (const std::size_t column : layout.unused) unused.push_back(in_quotes(sheet.titles()[column]));

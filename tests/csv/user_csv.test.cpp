@@ -399,14 +399,35 @@ TEST_CASE("rows of a run are averaged where asked, else refused") {
   const std::string text = "solver,run,point,e\nA,1,1,1\nA,1,2,3\nA,2,1,2\nA,2,2,6\nB,1,1,9\nB,1,2,9\nB,2,1,7\n";
   const Observations observed = observations(text, {.values = {"e"}, .label = {"solver"}, .run = "run"});
   CHECK(list_of(observed.groups[0]) == std::vector{2.0, 4.0});
-  CHECK(lost_in(observed.groups[1]) == 1);  // a row of its second run is missing
-  CHECK(observed.doubts.front().kind == DoubtKind::incomplete);
+  CHECK(list_of(observed.groups[1]) == std::vector{9.0, 7.0});  // its second run has one row
   CHECK(list_of(observations("s,p,v\nA,x,1\nA,x,2\nB,x,3\nB,x,4\n", {.block = {"p"}, .run = "row"}).groups[0]) ==
         std::vector{1.5});
   const Observations blocks = observations(text, {.block = {"point"}, .run = "run"});
   CHECK(list_of(blocks.groups[0]) == std::vector{1.5, 4.5});
-  CHECK(lost_in(blocks.groups[1]) == 1);
+  CHECK(lost_in(blocks.groups[1]) == 1);  // of its second run a point is missing
+  CHECK(blocks.doubts.front().kind == DoubtKind::incomplete);
   CHECK(observations(text, {.values = {"e"}, .label = {"solver"}, .block = {"run"}, .run = "run"}).is_paired);
+}
+
+TEST_CASE("a run counts by its mean, however many rows it has") {
+  const Request of_runs{.values = {"e"}, .label = {"s"}, .run = "run"};
+  std::string equal = "s,run,step,e\n", longer = equal;
+  for (int run = 0; run < 6; ++run)
+    for (int step = 0; step < 3; ++step)
+      for (std::string* const text : {&equal, &longer})
+        *text += fmt::format("A,{0},{1},{2}\nB,{0},{1},{3}\n", run, step, run + step, 10 + run + step);
+  longer += "B,5,3,16\nA,4,3,5\nA,4,4,5\n";  // a run's mean, again
+  CHECK(lost_in(observations(longer, of_runs).groups[0]) == 0);
+  CHECK(observations(longer, of_runs).doubts.empty());
+  CHECK(list_of(observations(longer, of_runs).groups[1]) == list_of(observations(equal, of_runs).groups[1]));
+  CHECK(*finding(longer, of_runs).p == *finding(equal, of_runs).p);
+  CHECK(contains(csv::read(equal, "d.csv", smaller(of_runs)).notes[0], ", means of 3 rows"));
+  CHECK(contains(csv::read(longer, "d.csv", smaller(of_runs)).notes[0], ", means of 3 to 5 rows"));
+  // A run that lacks a value has no mean.
+  const Observations lacking = observations(longer + "B,0,3,NA\n", of_runs);
+  CHECK(lost_in(lacking.groups[1]) == 1);
+  CHECK(lacking.doubts.front().kind == DoubtKind::incomplete);
+  CHECK(lacking.doubts.front().count == 1);
 }
 
 TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
