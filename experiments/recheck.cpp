@@ -127,8 +127,8 @@ void refuse_wrong_check(const Definition& study, const SolveRecord& solve) {
 }
 
 void check(const Definition& study, const Robot& arm, Kind kind, const SolveRecord& solve) {
-  if (const std::string_view column = wrong_column(solve); !column.empty())
-    refuse(solve, fmt::format("{} is below 0 or infinite", column));
+  if (const std::string wrong = wrong_number(solve); !wrong.empty())
+    refuse(solve, fmt::format("{}, which no solve has", wrong));
   if (solve.run < 1 || solve.point < 1 || solve.point > study.points)
     refuse(solve, fmt::format("a study of {} has no such solve", counted(study.points, "targets")));
   const auto joints = static_cast<std::size_t>(arm.joints());

@@ -2,6 +2,8 @@
 // store's schema, its reader, CSV and `ikbench list columns` derive from that list.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -93,15 +95,18 @@ constexpr void for_each_column(Visit&& visit) {
 #undef COLUMN
 }
 
-// The name of the first column whose number no solve has; empty: none. Only an error that is claimed may be below 0,
-// and no time is infinite: where there is none it is NaN.
-inline std::string_view wrong_column(const SolveRecord& solve) {
-  std::string_view found;
+// Says the first number that no solve has, "seconds is 0"; empty: there is none. Only an error that is claimed may be
+// below 0. No time is infinite, and the wall time is not 0, since it divides and has a logarithm; where there is no
+// time it is NaN.
+inline std::string wrong_number(const SolveRecord& solve) {
+  std::string found;
   for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
     if constexpr (std::is_arithmetic_v<Value>) {
       const auto value = static_cast<double>(solve.*member);
-      const bool is_wrong = value < 0 ? name != "claimed_error_cm" : std::isinf(value) && name.ends_with("seconds");
-      if (found.empty() && is_wrong) found = name;
+      const bool is_below = value < 0 && name != "claimed_error_cm";
+      const bool is_no_time = name.ends_with("seconds") && std::isinf(value);
+      if (found.empty() && (is_below || is_no_time || (name == "seconds" && value == 0)))
+        found = fmt::format("{} is {}", name, value);
     }
   });
   return found;

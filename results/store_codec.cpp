@@ -153,8 +153,8 @@ void read_solve(SQLite::Statement& row, SolveRecord& record) {
       throw Damage(fmt::format("{}: {}", name, error.what()));
     }
   });
-  if (const std::string_view column = wrong_column(record); !column.empty())
-    throw Damage(fmt::format("{} is below 0 or infinite", column));
+  if (const std::string wrong = wrong_number(record); !wrong.empty())
+    throw Damage(fmt::format("{}, which no solve has", wrong));
 }
 
 }  // namespace ikbench::results

@@ -186,7 +186,9 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
     its.values.push_back(is_of_solved(study, metric) && !is_solved ? unknown : metric.value(solve, study));
     its.sum += its.values.back(), its.solved += is_solved, is_any_solved |= is_solved;
   }
-  std::erase_if(all, [](const auto& each) { return !std::isfinite(each.second.sum); });
+  std::erase_if(all, [&](const auto& each) {
+    return !std::isfinite(each.second.sum) || (is_spent && each.second.sum == 0);  // which has no logarithm
+  });
   const auto is_apart = [&](const auto& each) { return !compared.contains(each.first); };
   const bool are_apart = std::ranges::all_of(all, is_apart);
   if (!are_apart) std::erase_if(all, is_apart);

@@ -18,7 +18,9 @@ void remove_rounding(std::vector<double>& values, const std::vector<double>& rou
     const auto is_equal = [&](const Placed& other) {
       return other.first <= least.first + std::max(roundings[least.second], roundings[other.second]);
     };
-    for (; next < order.size() && is_equal(order[next]); ++next) values[order[next].second] = least.first;
+    // From the next on, since a NaN does not equal itself.
+    for (next = first + 1; next < order.size() && is_equal(order[next]); ++next)
+      values[order[next].second] = least.first;
   }
 }
 

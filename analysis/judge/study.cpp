@@ -89,7 +89,8 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
     if (const auto found = record.extras.find(std::string(check_extra) + name); found != record.extras.end())
       numbers.push_back(found->second);
   add_extras(record, study);
-  const bool is_told = record.cpu_seconds > 0 && record.claimed_seconds >= least_told(record.cpu_seconds);
+  const bool is_told =
+      record.cpu_seconds > 0 && record.claimed_seconds > 0 && record.claimed_seconds >= least_told(record.cpu_seconds);
   const double seconds = is_told ? record.claimed_seconds : record.seconds;
   const bool is_single = record.timing != Timing::batch;
   if (!is_single) study.in_batches[record.label].first.insert(record.repeats);

@@ -63,6 +63,7 @@ Ranks midranks(Values values) {
   const std::vector<Placed> order = rising(values);
   Ranks result{.ranks = std::vector<double>(values.size())};
   for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+    end = first + 1;  // since a NaN does not equal itself
     while (end < order.size() && order[end].first == order[first].first) ++end;
     for (std::size_t i = first; i < end; ++i) result.ranks[order[i].second] = number(first + 1 + end) / 2;
     const double ties = number(end - first);

@@ -77,7 +77,7 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
   const Study study = study_with("stanford");
   const std::vector<SolveRecord> good = solves_of(study);
   const std::vector<std::pair<std::string, std::function<void(SolveRecord&)>>> changes{
-      {"position_error_cm is below 0", [](SolveRecord& solve) { solve.position_error_cm = -1; }},
+      {"position_error_cm is -1, which no solve has", [](SolveRecord& solve) { solve.position_error_cm = -1; }},
       {"position_error_cm", [](SolveRecord& solve) { solve.position_error_cm *= 1.0001; }},
       {"position_error_cm is nan, but ", [](SolveRecord& solve) { solve.position_error_cm = not_a_number; }},
       {"position_error_cm", [](SolveRecord& solve) { solve.target_position_m[2] += 1e-6; }},
@@ -104,9 +104,10 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"limit_violation_deg", [](SolveRecord& solve) { solve.limit_violation_deg += 1; }},
       {"limit_violation_m", [](SolveRecord& solve) { solve.limit_violation_m += 1; }},
       {"study's check", [](SolveRecord& solve) { solve.status = Status::invalid; }},
-      {"seconds is below 0", [](SolveRecord& solve) { solve.seconds = -1; }},
-      {"seconds is below 0 or infinite", [](SolveRecord& solve) { solve.cpu_seconds = INFINITY; }},
-      {"claimed_seconds is below 0", [](SolveRecord& solve) { solve.claimed_seconds = -1; }},
+      {": seconds is -1, which no solve has", [](SolveRecord& solve) { solve.seconds = -1; }},
+      {": seconds is 0, which no solve has", [](SolveRecord& solve) { solve.seconds = 0; }},
+      {"cpu_seconds is inf, which no solve has", [](SolveRecord& solve) { solve.cpu_seconds = INFINITY; }},
+      {"claimed_seconds is -1, which no solve has", [](SolveRecord& solve) { solve.claimed_seconds = -1; }},
       {"claimed_error_cm", [](SolveRecord& solve) { solve.claimed_error_cm += 1e-3; }},
       {"claimed_error_cm is nan, but ", [](SolveRecord& solve) { solve.claimed_error_cm = not_a_number; }},
       {"status is not_finite, but ", [](SolveRecord& solve) { solve.status = Status::not_finite; }},

@@ -28,6 +28,12 @@ std::optional<Doubt> doubt_of(const StudyResults& study, DoubtKind kind) { retur
 // Error 10 * run + point.
 void number_errors(SolveRecord& solve) { solve.position_error_cm = 10 * solve.run + solve.point; }
 
+// As by a clock that stands, which no store has.
+StudyResults without_times(StudyResults study) {
+  for (Solve& solve : study.solves) solve.seconds = 0;
+  return study;
+}
+
 }  // namespace
 
 TEST_CASE("A chained run is one observation: the mean, of times the median") {
@@ -201,8 +207,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   CHECK(apart(five).empty());
   REQUIRE(list_of(group(five, "A")).size() == 5);
   CHECK(list_of(group(five, "A")).front() == Approx(std::log(0.0025)));  // the median of four
-  const auto none = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = 0; };
-  CHECK(list_of(group(times(study(chained, none)), "A")).front() == Approx(std::log(1e-9)));
+  CHECK(list_of(group(times(without_times(study(chained, as_made))), "A")).front() == Approx(std::log(1e-9)));
   const auto one_slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = solve.run == 1 ? 9 : 1; };
   CHECK(compared(times(study(chained, one_slow)), {}).front().why == Why::tested);  // though other logarithms are 0
   for (const Timing timing : {Timing::parallel, Timing::debug_build}) {
@@ -397,6 +402,19 @@ TEST_CASE("Joint motion that is how a solver rounds makes nobody better") {
   };
   CHECK_FALSE(is_difference(judged_with(6e-8, 1e-4)));
   CHECK(judged_with(6e-3, 1e-1) == Verdict::better);
+}
+
+TEST_CASE("Times of 0 per solved are not compared") {
+  const Asked asked{.start = "middle", .targets = "drawn", .runs = 6, .points = 20, .tolerance_cm = 1};
+  const auto misses = [](SolveRecord& solve) {
+    solve.status = solve.point == 20 ? Status::tolerance_missed : Status::ok;
+  };
+  const Observations of = observe(without_times(study(asked, misses)), metric_named("seconds_per_solved"));
+  CHECK(std::get<Untold>(group(of, "A").sample).why == Untold::Why::apart);
+  CHECK(compared(of, {}).front().verdict == Verdict::not_tested);
+  // Nor is a program's own time of 0 taken, which its processor time would allow.
+  const auto told = [](SolveRecord& solve) { solve.timing = Timing::process, solve.claimed_seconds = 0; };
+  CHECK(times_of(study(asked, told), "A").front() == 0.001);
 }
 
 TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is a doubt") {

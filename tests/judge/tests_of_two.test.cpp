@@ -1,3 +1,4 @@
+#include "analysis/judge/prepare.hpp"
 #include "tests/judge/studies.hpp"
 
 namespace {
@@ -187,4 +188,15 @@ TEST_CASE("a hundred thousand values a group have a shift and its interval", "[t
   double d = 1 - n;
   while ((n + d) * (n + d + 1) / 2 < rank) ++d;
   check_interval(test.interval, d - 0.25, -d - 0.25, 2);  // Brunner-Munzel reaches a little farther
+}
+
+TEST_CASE("what is no number keeps nothing from its end", "[tests_of_two]") {
+  const SomeValues values{1, std::nan(""), 2, 2}, others{std::nan(""), 3, 3, std::nan("")};
+  const double p = mann_whitney(values, others);
+  CHECK((0 <= p && p <= 1));
+  const Group first{.name = "A", .sample = Measured{.values = values}};
+  const Group second{.name = "B", .sample = Measured{.values = others}};
+  const Prepared numbers = prepared(first, second, {.metric = "m", .quantity = "m"}, true, false);
+  REQUIRE(numbers.differences.size() == 4);
+  CHECK(numbers.differences[3] != numbers.differences[3]);
 }

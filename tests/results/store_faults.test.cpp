@@ -159,7 +159,8 @@ TEST_CASE_METHOD(StoreFile, "a value that ikbench does not write is damage, and 
            {"answer_rad = '[1x2]'", "'1x2' in a list"},
            {"answer_rad = '[1,x]' WHERE run = 2",
             "(answer_rad: 'x' in a list of numbers; in the solve of run 2, point 1 of series 'key-a')"},
-           {"position_error_cm = -1", "position_error_cm is below 0"},
+           {"position_error_cm = -1", "position_error_cm is -1, which no solve has"},
+           {"seconds = 0", "seconds is 0, which no solve has"},
            {"label = 'other'", "the label of 'IK-BA' is another in its solves"},
            {"repeats = 5000000000", "repeats: 5000000000"}}) {
     CAPTURE(change);
