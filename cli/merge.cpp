@@ -56,8 +56,8 @@ void add_merge(const Command& command, Invocation& invocation) {
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
       "A solve that two stores have must have the same bits in both. What is missing is counted; the exit code is "
-      "then 5. A store with a wrong solve is named and left out; the exit code is then 1. After a merge that was killed "
-      "give the same command again.");
+      "then 5. A store with a wrong solve is named and left out, as are solves that no study of their store has (former "
+      "settings); the exit code is then 1. After a merge that was killed give the same command again.");
   command.callback([arguments, &invocation] {
     if (arguments->out.empty()) {
       arguments->out = arguments->places.front();

@@ -65,19 +65,22 @@ std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
 // The first study of each name, with its place.
 using Studies = std::map<std::string, std::pair<StoredStudy, fs::path>>;
 
+// Throws std::invalid_argument, with the place of the store, if the check refuses a solve of the study.
+void check_solves(const Store& store, StoredStudy study, const CheckOf& check_of, const fs::path& place) {
+  study.definition.runs = std::numeric_limits<int>::max();  // with another store's definition all may count
+  try {
+    store.each_of_study(study, check_of(study));
+  } catch (const std::invalid_argument& error) {
+    const std::string said = error.what();
+    throw std::invalid_argument(said.starts_with(quoted(place)) ? said : fmt::format("{}: {}", quoted(place), said));
+  }
+}
+
 // The studies of a store, of which the check takes every solve.
 std::vector<StoredStudy> checked_studies(const fs::path& place, const CheckOf& check_of) {
   const Store store = opened(place);
   std::vector<StoredStudy> studies = store.studies();
-  for (StoredStudy study : studies) {
-    study.definition.runs = std::numeric_limits<int>::max();  // with another store's definition all may count
-    try {
-      store.each_of_study(study, check_of(study));
-    } catch (const std::invalid_argument& error) {
-      const std::string said = error.what();
-      throw std::invalid_argument(said.starts_with(quoted(place)) ? said : fmt::format("{}: {}", quoted(place), said));
-    }
-  }
+  for (const StoredStudy& study : studies) check_solves(store, study, check_of, place);
   return studies;
 }
 
@@ -92,6 +95,16 @@ void refuse_another_study(Studies& known, const std::vector<StoredStudy>& studie
   }
 }
 
+// The solves of the database `source` that its studies have, so that they were checked: rows of former keys, and of
+// targets beyond a study's, were not. The order of joining keeps that of the rows.
+constexpr std::string_view checked_solves =
+    "source.solves CROSS JOIN (SELECT key, max(json_extract(definition, '$.points')) AS points FROM source.series "
+    "JOIN source.studies ON study = name GROUP BY key) ON key = series AND point <= points";
+
+std::int64_t number_of(SQLite::Database& sqlite, std::string_view rows) {
+  return sqlite.execAndGet(fmt::format("SELECT count(*) FROM {}", rows)).getInt64();
+}
+
 // Refuses a solve that has other bits in the database `source` than in `main`.
 void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs::path& theirs) {
   if (sqlite.execAndGet("SELECT NOT EXISTS (SELECT 1 FROM main.solves)").getInt() != 0) return;  // spares a whole scan
@@ -100,17 +113,29 @@ void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs:
     if (column != "study")  // the same solve may belong to two studies
       differ.push_back(fmt::format("iif(theirs.{0} IS NOT ours.{0}, ' {0}', '')", column));
   });
-  SQLite::Statement query(
-      sqlite, fmt::format("SELECT theirs.run, theirs.point, theirs.label, {} AS others "
-                          "FROM source.solves AS theirs JOIN main.solves AS ours USING (series, run, point) "
-                          "WHERE others <> '' LIMIT 1",
-                          fmt::join(differ, " || ")));
+  SQLite::Statement query(sqlite,
+                          fmt::format("SELECT theirs.run, theirs.point, theirs.label, {} AS others "
+                                      "FROM (SELECT solves.* FROM {}) AS theirs "
+                                      "JOIN main.solves AS ours USING (series, run, point) WHERE others <> '' LIMIT 1",
+                                      fmt::join(differ, " || "), checked_solves));
   if (!query.executeStep()) return;
   throw std::invalid_argument(fmt::format(
       "the solve of run {}, point {} by {} has other bits in {} than in {} ({}); it was not merged; find "
       "out which machine, compiler or edit changed them (ikbench export --format fingerprint)",
       query.getColumn(0).getInt64(), query.getColumn(1).getInt64(), base::in_quotes(query.getColumn(2).getString()),
       quoted(theirs), quoted(ours), query.getColumn(3).getString().substr(1)));
+}
+
+// Checks the studies of `main` that took solves of the database `source` by their keys, while that has no study of
+// their name: another one, which may ask for something else, has checked them.
+void check_taken(SQLite::Database& sqlite, const Store& ours, const CheckOf& check_of, const fs::path& theirs) {
+  SQLite::Statement query(
+      sqlite,
+      "SELECT name FROM main.studies WHERE name NOT IN (SELECT name FROM source.studies) AND name IN "
+      "(SELECT ours.study FROM main.series AS ours JOIN source.series USING (key))");
+  while (query.executeStep())
+    for (const StoredStudy& study : ours.studies(query.getColumn(0).getString()))
+      check_solves(ours, study, check_of, theirs);
 }
 
 // Copies from the database `source` what `main` lacks, sessions of new solves under new numbers. Of two numbers of runs
@@ -122,8 +147,9 @@ std::int64_t copy_missing(SQLite::Database& sqlite) {
   std::string values = columns;
   constexpr std::string_view numbered = " session,";
   values.replace(values.find(numbered), numbered.size(), fmt::format(" session + {},", session));
-  const int added = sqlite.exec(fmt::format(
-      "INSERT INTO main.solves ({}) SELECT {} FROM source.solves WHERE true ON CONFLICT DO NOTHING", columns, values));
+  const int added =
+      sqlite.exec(fmt::format("INSERT INTO main.solves ({}) SELECT {} FROM {} WHERE true ON CONFLICT DO NOTHING",
+                              columns, values, checked_solves));
   sqlite.exec(
       fmt::format("INSERT INTO main.sessions SELECT id + {0}, began FROM source.sessions "
                   "WHERE id + {0} IN (SELECT session FROM main.solves WHERE rowid > {1});"
@@ -133,7 +159,8 @@ std::int64_t copy_missing(SQLite::Database& sqlite) {
                   "SELECT name, definition, saved FROM source.studies WHERE true ORDER BY position "
                   "ON CONFLICT (name) DO UPDATE SET definition = excluded.definition, saved = excluded.saved "
                   "WHERE json_extract(excluded.definition, '$.runs') > json_extract(definition, '$.runs');"
-                  "INSERT OR IGNORE INTO main.series SELECT * FROM source.series",
+                  "INSERT OR IGNORE INTO main.series SELECT * FROM source.series "
+                  "WHERE study IN (SELECT name FROM source.studies)",
                   session, row));
   const std::string table =
       sqlite.execAndGet("SELECT coalesce(max(sql), '') FROM source.sqlite_master WHERE name = 'extras'").getString();
@@ -206,8 +233,13 @@ Merged merge(const fs::path& out, std::vector<fs::path> stores, const CheckOf& c
     all.write_from(place, [&](SQLite::Database& sqlite) {
       refuse_other_bits(sqlite, out, place);
       const std::int64_t added = copy_missing(sqlite);
+      check_taken(sqlite, all, check_of, place);
+      const std::int64_t checked = number_of(sqlite, checked_solves), there = number_of(sqlite, "source.solves");
       merged.added += added;
-      merged.known += sqlite.execAndGet("SELECT count(*) FROM source.solves").getInt64() - added;
+      merged.known += checked - added;
+      if (checked < there)
+        merged.left_out.push_back(
+            fmt::format("{} of {} solves in {}, which none of its studies has", there - checked, there, quoted(place)));
     });
   }
   for (const StoredStudy& study : all.studies())

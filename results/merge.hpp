@@ -23,7 +23,7 @@ struct Merged {
   std::int64_t added = 0;
   std::int64_t known = 0;             // there already, with the same bits
   std::vector<std::string> lacks;     // of the studies that are not complete
-  std::vector<std::string> left_out;  // why, of stores that no reader takes
+  std::vector<std::string> left_out;  // why, of stores that no reader takes; solves that no study of their store has
 };
 
 // Makes the check of a study's solves.
@@ -35,9 +35,10 @@ using MergeProgress = std::function<void(std::int64_t done, std::int64_t all)>;
 // numbers; those of which no solve is new are left out, so merging again changes nothing. A store that a kill left
 // half-written is mended first; one that is empty, of a shard that was killed at once, is left out.
 // A store with a solve that the check refuses, or that cannot be read, is left out, unless it is `out` or none remains.
-// A store is added whole or not at all; a merge that fails or is killed has added those before, and may be given again.
-// Throws std::invalid_argument if two stores have different studies of one name or different bits of one solve (columns
-// of the fingerprint), and as store.hpp says.
+// Solves that no study of their store has, as those of former keys, are left out: nothing says what they should be.
+// Of a store all else is added, or nothing; a merge that fails or is killed has added those before, and may be given
+// again. Throws std::invalid_argument if two stores have different studies of one name or different bits of one solve
+// (columns of the fingerprint), and as store.hpp says.
 Merged merge(const std::filesystem::path& out, std::vector<std::filesystem::path> stores, const CheckOf& check_of,
              const MergeProgress& progress = {});
 

@@ -48,3 +48,10 @@ sqlite3 endless/store.sqlite "UPDATE studies SET definition = json_set(definitio
 for command in verify "report --figures none"; do refused "stops by iterations" $command endless/store.sqlite; done
 ends 1 merge others drawn/7/shards/2-of-7 endless
 has "$err" "left out: 'endless/store.sqlite'"
+
+# What a store's own tables do not name was not checked: it is told and left out, and the merged store is read.
+cp -r drawn/7/shards/3-of-7 nameless
+sqlite3 nameless/store.sqlite "UPDATE solves SET position_error_cm = position_error_cm / 2; DELETE FROM studies; DELETE FROM series"
+ends 1 merge named drawn/7/shards/2-of-7 nameless
+[[ ${err//$'\n ' /} == *"left out: "*" solves in 'nameless/store.sqlite', which none of its studies has"* ]] || fail "not told: $err"
+succeeds report named/store.sqlite --figures none

@@ -122,10 +122,51 @@ TEST_CASE("a store with a solve that the check refuses is named and left out, an
              StartsWith(quoted(folder.path / "out")));
 }
 
+TEST_CASE("solves that no study of their store has are counted and left out, with what belongs to them", "[merge]") {
+  for (const char* change : {"DELETE FROM studies; DELETE FROM series", "UPDATE studies SET name = 'other'",
+                             "UPDATE studies SET name = 'other'; UPDATE series SET study = 'other', key = key || 'x'",
+                             "UPDATE solves SET point = 21"}) {
+    CAPTURE(change);
+    const ScratchFolder folder;
+    make_store(folder.path / "a", "one", {1});
+    make_store(folder.path / "b", "two", {1, 2});  // the first has other bits than in a
+    edit(folder.path / "b", std::string("UPDATE solves SET evaluations = 7; ") + change);
+    const Merged merged = merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
+    CHECK(merged.added == 1);
+    CHECK(merged.known == 0);
+    REQUIRE(merged.left_out.size() == 1);
+    CHECK(merged.left_out[0] == "2 of 2 solves in " + quoted(folder.path / "b") + ", which none of its studies has");
+    const Store store(folder.path / "out", Store::Mode::read);
+    CHECK(series_of(store, "key-a").size() == 1);
+    CHECK(machines(store) == std::vector<std::string>{"one"});
+    CHECK(store.study("table-3").series.size() == 2);
+  }
+}
+
+TEST_CASE("a solve is checked by each study that takes it, whatever the study is called that brings it", "[merge]") {
+  const ScratchFolder folder;
+  make_store(folder.path / "a", "one", {1});
+  make_store(folder.path / "b", "two", {2});
+  edit(folder.path / "b", "UPDATE studies SET name = 'lenient'; UPDATE series SET study = 'lenient'");
+  edit(folder.path / "b", "UPDATE solves SET evaluations = 7");
+  const CheckOf check_of = [](const StoredStudy& study) {
+    return [is_lenient = study.name == "lenient"](const SolveRecord& solve) {
+      if (solve.evaluations == 7 && !is_lenient) throw std::invalid_argument("wrong");
+    };
+  };
+  CHECK(complaint<std::invalid_argument>([&] {
+          results::merge(folder.path / "out", {folder.path / "a", folder.path / "b"}, check_of);
+        }) == quoted(folder.path / "b") + ": wrong");
+  const Store store(folder.path / "out", Store::Mode::read);
+  CHECK(series_of(store, "key-a").size() == 1);
+  CHECK(store.studies().size() == 1);
+}
+
 TEST_CASE("times and studies may differ, and what a NaN was be the same", "[merge]") {
   const ScratchFolder folder;
   for (const char* name : {"a", "b"}) {
     Store store(folder.path / name, Store::Mode::write);
+    store.save_study(sample_study());
     store.begin_session({{"machine", name}});
     SolveRecord record = sample_record();
     record.position_error_cm = std::numeric_limits<double>::quiet_NaN();
@@ -261,7 +302,9 @@ TEST_CASE("a text with a NUL character in it is not cut off there and taken for 
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1});
   make_store(folder.path / "b", "two", {1});
-  edit(folder.path / "b", "UPDATE solves SET series = series || char(0) || 'x'");
+  edit(folder.path / "b",
+       "UPDATE studies SET name = 'other'; UPDATE series SET study = 'other', key = key || char(0) || 'x'; "
+       "UPDATE solves SET series = series || char(0) || 'x'");
   CHECK(merge(folder.path / "out", {folder.path / "a", folder.path / "b"}).added == 2);
 }
 
