@@ -97,8 +97,8 @@ int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem
   return error;
 }
 
-void bury(pid_t process, int* status = nullptr) {
-  while (::waitpid(process, status, 0) < 0 && errno == EINTR) {
+void bury(pid_t process) {
+  while (::waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
   }
 }
 
@@ -161,6 +161,8 @@ ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem
     });
   if (guard_ < 0) throw std::runtime_error(fmt::format("no process starts: {}; raise ulimit -u", std::strerror(errno)));
   ::close(told.take(1));
+  pollfd of_guard{.fd = told.ends[0], .events = POLLIN, .revents = 0};
+  while (::poll(&of_guard, 1, 100) <= 0) ::kill(guard_, SIGCONT);  // the program may have stopped it already
   while (::read(told.ends[0], &process_, sizeof(process_)) < 0 && errno == EINTR) {
   }
   if (process_ < 0) {
@@ -197,7 +199,7 @@ ChildProcess::Ran ChildProcess::run(const std::vector<std::string>& words, const
 }
 
 bool ChildProcess::is_running() {
-  if (!has_ended_) has_ended_ = ::waitpid(guard_, &status_, WNOHANG) == guard_;
+  if (!has_ended_) has_ended_ = ::waitpid(guard_, &status_, WNOHANG) != 0;  // or nobody keeps how it ended
   return !has_ended_;
 }
 
@@ -278,8 +280,11 @@ void ChildProcess::end(std::chrono::milliseconds patience) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   close_one(lifeline_);
-  if (!has_ended_) bury(guard_, &status_);
-  has_ended_ = true;
+  // Which the guard sees within two seconds of its own, but the program may have stopped it, and do so again.
+  for (const auto until = Clock::now() + std::chrono::seconds(5); is_running();) {
+    ::kill(guard_, Clock::now() < until ? SIGCONT : SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   if (WIFSIGNALED(status_)) ::kill(-process_, SIGKILL);  // the guard may have been killed, and not it
   if (errors_ >= 0) drain(errors_, wrote_);
   guard_ = -1;

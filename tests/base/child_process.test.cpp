@@ -30,3 +30,20 @@ TEST_CASE("what a program leaves behind ends with it, also what has a session of
   }
 #endif
 }
+
+TEST_CASE("a program that stops its parent, once or for ever, ends within some seconds") {
+#ifdef __linux__
+  for (const char* stops :
+       {"kill -STOP $PPID; echo $$; exec sleep 1000", "echo $$; while kill -STOP $PPID; do :; done"}) {
+    const Clock::time_point began = Clock::now();
+    pid_t left = 0;
+    {
+      ChildProcess child({"sh", "-c", stops}, {}, {});
+      left = std::stoi(child.read_line(began + std::chrono::minutes(1)));
+      child.end(std::chrono::milliseconds(0));
+    }
+    CHECK(Clock::now() - began < std::chrono::seconds(60));
+    CHECK(::kill(left, 0) != 0);
+  }
+#endif
+}

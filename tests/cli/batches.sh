@@ -52,13 +52,13 @@ equal "sizes after a stop" "$(column stopped/store.sqlite repeats sleeps | count
 # Each fault is of one message, the second: whoever gives the others' answers loses none.
 batches faults "$(of few "one too few" 5)" "$(of many "one too many" 5)" "$(of order "another order" 5)" \
   "$(of list "no list" 5)" "$(of year "seconds of a year" 5)" "$(of asks "a question" 5)" "$(of null "a null" 5)" \
-  "$(of declines "declines one" 5)" "$(of falls falls 5)" "$(of never never 5 2)" "$(of always "always falls" 5)" "$(of wrong "three wrong" 5)"
+  "$(of declines "declines one" 5)" "$(of falls falls 5)" "$(of never never 5 2)" "$(of stops "stops its parent" 5 2)" "$(of always "always falls" 5)" "$(of wrong "three wrong" 5)"
 succeeds run faults.toml --no-report --out faults
 for label in few many order list year asks; do is faults $label "(5 broke_protocol $any|${any}5 broke_protocol.*)"; done
 is faults null ".*1 not_finite.*"
 is faults declines "1 declined $any"
 is faults falls "5 crashed $any"
-is faults never "${any}5 timed_out"
+for label in never stops; do is faults $label "${any}5 timed_out"; done
 is faults always "16 crashed"
 equal "wrong answers of a message" "$(column faults/store.sqlite status wrong | grep -c broke_protocol)" 3
 equal "of whom the others keep their time" "$(column faults/store.sqlite seconds wrong | grep -c NaN || true)" 0

@@ -67,7 +67,7 @@ sqlite3 edited.sqlite "UPDATE solves SET status = 'invalid' WHERE status = 'ok'"
 refused "check gives" report edited.sqlite --out edited --figures none
 
 # What goes wrong names the answer, and what is stored is kept; a number that is no number, too few and too many, too.
-for fault in hangs dies "is nonsense" "is no verdict" "says no why" "lacks the number" "has another number" "is NaN" "is null"; do
+for fault in hangs "stops its parent" dies "is nonsense" "is no verdict" "says no why" "lacks the number" "has another number" "is NaN" "is null"; do
   checked wrong "$fault"
   refused ", run 3, point 1: it " run wrong.toml --no-report --out "wrong $fault"
   equal "kept where it $fault" "$(sqlite3 "wrong $fault/store.sqlite" "SELECT count(*) FROM solves")" 4

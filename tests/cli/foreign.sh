@@ -21,7 +21,8 @@ alone=$(column plain/store.sqlite position_error_cm DLS)
 runs faults "$(entry good fine)" "$(entry hangs hangs "" 2)" "$(entry dies dies)" "$(entry noise noise)" "$(entry lies lies)" \
   "$(entry nonsense nonsense)" "$(entry declines declines)" "$(entry deep deep)" "$(entry json "not JSON")" "$(entry twice twice)" \
   "$(entry eats eats "memory_mb = 400")" "$(entry names "new names")" "$(entry null "no extras")" \
-  "$(entry years "takes years")" "$(entry again "late twice")" "$(entry warms "warms badly")"
+  "$(entry years "takes years")" "$(entry again "late twice")" "$(entry warms "warms badly")" \
+  "$(entry stops "stops its parent" "" 2)" "$(entry on "stops it and answers")"
 has "$err" "no more"                          # the last words of what died
 has "$err" '"q", a list of 7 numbers'         # what was expected of what made no sense
 has "$err" "a number that is not finite is null"
@@ -30,8 +31,8 @@ has "$err" "its last words: MemoryError"
 has "$err" '"seconds" from 0 to '
 has "$err" "this answers another solve"
 store=faults/store.sqlite
-for label in good noise null; do is faults $label "$any"; done
-is faults hangs ".*1 timed_out"
+for label in good noise null on; do is faults $label "$any"; done
+for label in hangs stops; do is faults $label ".*1 timed_out"; done
 is faults dies "1 crashed $any"
 is faults eats "[12] crashed $any"
 is faults lies "16 claimed_but_wrong"
@@ -47,7 +48,7 @@ equal "moves of solves without an answer" "$(sqlite3 $store "SELECT count(*) FRO
   status IN ('crashed', 'timed_out', 'broke_protocol', 'declined') AND start_rad <> answer_rad")" 0
 ends 3 run faults.toml --figures none --out faults --json # since some answer in no solve
 [[ $err == *"years gave no answer in any solve"* ]] || fail "not told: $err"
-equal "solves of a second run" "$(solves $store)" 272
+equal "solves of a second run" "$(solves $store)" 304
 json 'any("lies" in doubt and "claimed" in doubt for doubt in of["doubts"])'
 ends 3 compare good declines --store $store --json
 json 'of["newly_missing"]["declines"] > 0'
@@ -71,6 +72,19 @@ has "$err" "changed while it ran"
 runs stuck "$(printf '[[solvers]]\nlabel = "stuck"\nprocess = ["python3", "stuck.py", "of-%s"]\npatience_s = 0.1\n' $$)"
 is stuck stuck "16 timed_out"
 equal "stuck programs left" "$(pgrep -f "stuck.py of-$$\$" | wc -l)" 0
+
+# Nor does one that stopped its parent keep a run that is told to end.
+rm "stops its parent once"
+study parent "$(entry stops "stops its parent" "" 2)"
+"$program" run parent.toml --no-report --out parent >/dev/null 2>&1 &
+process=$!
+until [ -e "stops its parent once" ]; do
+  kill -0 $process || fail "it ended before it was told to"
+  sleep 0.02
+done
+kill -TERM $process
+wait $process
+equal "exit code of a run that is told to end" $? 143
 
 # Who asks counts here. Who asks too little to have found its answer, or answers another one, has kinematics of its own.
 cp "$root/solvers/helpers/ikbench.py" .

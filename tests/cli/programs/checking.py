@@ -1,5 +1,5 @@
 """A check by the first joint's sign, and a number. Its argument says what goes wrong, if that is so at the fifth answer."""
-import json, sys, time
+import json, os, signal, sys, time
 
 FAULT = sys.argv[1]
 if FAULT == "begins late": time.sleep(1.5)
@@ -14,7 +14,8 @@ for line in sys.stdin:
     valid = {"all": True, "none": False}.get(FAULT, told["q"][0] > 0)
     said = {"message": "checked", "valid": valid, "why": "left", "numbers": {"lean": told["q"][1]}}
     if asked == 5:
-        if FAULT == "hangs": time.sleep(1000)
+        if FAULT == "stops its parent": os.kill(os.getppid(), signal.SIGSTOP)
+        if FAULT in ("hangs", "stops its parent"): time.sleep(1000)
         if FAULT == "dies": sys.exit("no more")
         if FAULT == "is nonsense": said = "{"
         if FAULT == "is no verdict": said["valid"] = "yes"

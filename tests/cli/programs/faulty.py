@@ -1,5 +1,5 @@
 """A solver with own kinematics: of one joint after the other. Its fault and the number of the solve decide what it does."""
-import json, math, os, sys, time
+import json, math, os, signal, sys, time
 
 FAULT = sys.argv[1] if len(sys.argv) > 1 else ""
 held = None  # the answers of a batch
@@ -12,6 +12,10 @@ def once(fault):
     if FAULT != fault or os.path.exists(fault + " once"): return False  # its own name would be a file of it
     open(fault + " once", "w").close()
     return True
+
+def stop_parent(*, answers):
+    os.kill(os.getppid(), signal.SIGSTOP)
+    if not answers: time.sleep(1000)
 
 def batch(problems):
     global held, batches
@@ -33,6 +37,7 @@ def batch(problems):
         if once("declines one"): answers[1] = {"message": "declined", "why": "not this", "seed": problems[1]["seed"]}
         if once("falls"): os._exit(3)
         if once("never"): time.sleep(1000)
+        if once("stops its parent"): stop_parent(answers=False)
     if FAULT == "always falls" and batches: os._exit(3)
     if FAULT == "sleeps" and batches: time.sleep(0.5)
     say(message="solved_batch", answers=answers, **told)
@@ -89,6 +94,8 @@ for line in sys.stdin:
         if FAULT == "hangs" and solves == 7 and not os.path.exists("hung"):
             open("hung", "w").close()
             time.sleep(1000)
+        if solves == 7 and once("stops its parent"): stop_parent(answers=False)
+        if FAULT == "stops it and answers": stop_parent(answers=True)
         if FAULT == "dies" and solves == 11 and not os.path.exists("died"):
             open("died", "w").close()
             print("no more", file=sys.stderr)
