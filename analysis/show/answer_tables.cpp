@@ -7,8 +7,10 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <set>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "analysis/show/tell.hpp"
@@ -63,17 +65,34 @@ bool are_means(const Answer& answer) { return answer.decisive().plan.test == res
 
 std::string average_shown(const Answer& answer) { return are_means(answer) ? "mean" : "median"; }
 
+// What the cells of a metric have in common: with many solvers each would look through all pairs for it.
+struct OfMetric {
+  OfMetric(const JudgedMetric& its, const std::string& reference)
+      : judged(its), are_ratios(show::are_ratios(its, reference)) {
+    for (const Finding& finding : its.findings) {
+      if (finding.first == reference) pairs[finding.second] = &finding;
+      if (finding.second == reference) pairs[finding.first] = &finding;
+    }
+  }
+
+  const JudgedMetric& judged;
+  bool are_ratios;
+  std::map<std::string_view, const Finding*> pairs = {};  // with the reference, by the other
+};
+
 // A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
 // with the reference. Where the numbers of two are of other targets, the finding of the pair stands in its place.
-Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::string& solver,
+Cell result_cell(const Answer& answer, const OfMetric& metric, const std::string& solver,
                  const std::set<std::string>& losers, const std::vector<std::string>& apart) {
+  const JudgedMetric& judged = metric.judged;
   const std::vector<Group>& groups = judged.observations.groups;
   const std::size_t i = place_of(judged.observations, solver);
   if (i == groups.size()) return Absent{"not in it"};
   const Group& group = groups[i];
   if (lost_in(group) > 0 && !judged.observations.tells_incomplete) return Absent{"values are missing"};
   const std::string reference = reference_of(answer);
-  const Finding* const pair = finding_of(judged, solver, reference);
+  const auto found = metric.pairs.find(solver);
+  const Finding* const pair = found == metric.pairs.end() ? nullptr : found->second;
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const Verdict verdict = pair ? verdict_of(finding) : Verdict::undecided;
   const auto* const tested = std::get_if<Tested>(&finding.what);
@@ -90,7 +109,7 @@ Cell result_cell(const Answer& answer, const JudgedMetric& judged, const std::st
   const bool is_worse = is_of_all ? losers.contains(solver) : matters && verdict == Verdict::worse;
   const bool is_better = matters && verdict == Verdict::better;
   Marked cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
-  if (are_ratios(judged, reference) && solver != reference && is_told(solver)) {
+  if (metric.are_ratios && solver != reference && is_told(solver)) {
     if (is_untested) return Absent{std::string(words_of(std::get<Open>(finding.what).why).of_solver)};
     if (const auto& amount = finding.amount) cell.value = amount->value, cell.to_reference = finding.scale;
     return tested || cell.to_reference ? Cell(cell) : Absent{"too few to compare"};
@@ -262,12 +281,13 @@ Table results_table(const Answer& answer, bool is_brief) {
     table.columns.push_back({.name = (is_average ? average_shown(answer) + " " : "") + observed.quantity,
                              .unit = observed.unit,
                              .ends = ends_of_shares(judged)});
-    const bool are_ratios_here = are_ratios(judged, reference),
+    const OfMetric metric(judged, reference);
+    const bool are_ratios_here = metric.are_ratios,
                are_counted = observed.is_of_solved && !are_ratios_here && !judged.findings.empty();
     if (are_ratios_here) occurring.ratios.push_back(observed.quantity);
     if (are_counted) occurring.counted.push_back(observed.quantity);
     for (auto& row : table.rows) {
-      row.push_back(result_cell(answer, judged, std::get<std::string>(row[0]), losers, apart));
+      row.push_back(result_cell(answer, metric, std::get<std::string>(row[0]), losers, apart));
       if (const auto* const absent = std::get_if<Absent>(&row.back()))
         occurring.reasons.add(absent->why, observed.quantity);
       if (const auto* const marked = std::get_if<Marked>(&row.back()))

@@ -114,9 +114,10 @@ const JudgedMetric* metric_of(const Answer& answer, const Words& words) {
 // busy)".
 std::string why_not(const Answer& answer, const JudgedMetric& judged, const Names& who) {
   std::set<std::string> reasons;
+  const std::set<std::string_view> named(who.begin(), who.end());
   for (const Finding& finding : judged.findings) {
     const auto* const open = std::get_if<Open>(&finding.what);
-    if (!open || (!has(who, finding.first) && !has(who, finding.second))) continue;
+    if (!open || (!named.contains(finding.first) && !named.contains(finding.second))) continue;
     std::string reason = reason_of(*open, noun_of(answer, judged));
     for (const Doubt& doubt : judged.observations.doubts) {
       if (open->why == Open::Why::apart && doubt.kind == DoubtKind::times_not_comparable) reason = doubt.what;
@@ -245,7 +246,8 @@ class First {
     }
   }
   bool who_are_equal(const Names& who) const {
-    return all_pairs(who, who, [&](auto& one, auto& other) { return are_equal(*finding_of(judged_, one, other)); });
+    const Pairs pairs(judged_, who);
+    return all_pairs(who, who, [&](auto& one, auto& other) { return are_equal(*pairs.finding(one, other)); });
   }
 
   // "LM and DLS solved all 100 targets, SLSQP 99 (not decided)"
