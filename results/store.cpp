@@ -87,6 +87,20 @@ std::string our_schema() {
   return schema_of(empty);
 }
 
+// True if the file is made while it is read, so that it says to be empty: of /proc/kmsg SQLite would wait for the first
+// bytes for ever.
+bool is_made_by_reading(const fs::path& path) {
+  std::error_code none;
+  const auto says_to_be_empty = [&] { return fs::file_size(path, none) == 0 && !none; };
+  if (!says_to_be_empty()) return false;
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return false;
+  char first = 0;
+  const bool is_empty = ::read(descriptor, &first, 1) == 0;
+  ::close(descriptor);
+  return !is_empty && says_to_be_empty();  // else another process has just begun the store
+}
+
 // The path for SQLite, absolute so that it has no special meaning (":memory:").
 std::string checked_path(const fs::path& file, Store::Mode mode) {
   std::error_code error;
@@ -95,7 +109,7 @@ std::string checked_path(const fs::path& file, Store::Mode mode) {
   if (file.empty() || fs::is_directory(status))
     throw std::invalid_argument(
         fmt::format("'{}' is a folder; expected a store, as '{}'", file.string(), (file / "store.sqlite").string()));
-  if (fs::exists(status) && !fs::is_regular_file(status))
+  if (fs::exists(status) && (!fs::is_regular_file(status) || is_made_by_reading(path)))
     throw std::invalid_argument(fmt::format("'{}' is not a regular file; expected a store", file.string()));
   if (mode != Store::Mode::read && fs::is_symlink(path, error))
     throw std::invalid_argument(fmt::format("'{}' is a link; name the store that it leads to", file.string()));

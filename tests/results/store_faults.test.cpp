@@ -191,6 +191,15 @@ TEST_CASE("a store with other tables, views, indexes or triggers than ours is re
   }
 }
 
+TEST_CASE("what the system makes while it is read is no store, and is not waited for", "[store][faults]") {
+#ifdef __linux__
+  for (const auto mode : {Store::Mode::read, Store::Mode::write, Store::Mode::write_shared}) {
+    CHECK_THAT(refusal("/proc/self/status", mode), ContainsSubstring("is not a regular file"));
+    CHECK_FALSE(refusal("/proc/kmsg", mode).empty());  // which some may not open
+  }
+#endif
+}
+
 TEST_CASE("studies that no study file makes are damage", "[store][faults]") {
   const std::pair<const char*, const char*> changes[]{
       {"UPDATE studies SET definition = '5'", "is no JSON object"},
