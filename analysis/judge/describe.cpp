@@ -42,12 +42,14 @@ std::vector<TestOfAll> anova_of_blocks(std::vector<Group> groups) {
   for (Group& group : groups) columns.push_back(std::get<Measured>(group.sample).values);
   const std::size_t k = columns.size(), n = columns.front().size();
   if (n < 2) return {};
-  const double shift = columns.front().front();
+  // What the values of a block have in common comes off before any sum: it decides nothing, and a huge one, such as a
+  // penalty in all groups, would leave its rounding in the sums.
+  const std::vector<double> common = columns.front();
   std::vector<double> of_block(n), of_group(k);
   double mean = 0;
   for (std::size_t g = 0; g < k; ++g) {
     for (std::size_t i = 0; i < n; ++i) {
-      const double value = columns[g][i] -= shift;
+      const double value = columns[g][i] -= common[i];
       of_group[g] += value / static_cast<double>(n), of_block[i] += value / static_cast<double>(k);
     }
     mean += of_group[g] / static_cast<double>(k);

@@ -118,6 +118,16 @@ TEST_CASE("tests of all have the numbers of R, also in blocks", "[describe]") {
   CHECK(corrected.epsilon == Approx(0.4984314915).epsilon(1e-9));
   CHECK(corrected.df == 7 * corrected.epsilon);
   CHECK(corrected.p == Approx(2.80996383e-07).epsilon(1e-6));
+  // A row in which all are alike decides the same, however large its values are.
+  const auto with_row = [&](double value) {
+    Observations longer = orchard;
+    for (Group& group : longer.groups) values_in(group).push_back(value);
+    return anova(longer);
+  };
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(with_row(1e30)[i].statistic == Approx(with_row(0)[i].statistic).epsilon(1e-12));
+    CHECK(with_row(1e30)[i].p == Approx(with_row(0)[i].p).epsilon(1e-12));
+  }
   orchard.groups.resize(2);
   CHECK(anova(orchard).size() == 1);  // one difference has one spread
 }
