@@ -76,17 +76,25 @@ Table for_article(const Table& whole, const Report& report) {
 
 std::string methods_of(const Report& report, const std::string& program) {
   const Answer& answer = report.answer;
-  std::vector<std::string> facts;
+  const bool is_of_file = report.study.series.empty();
+  std::vector<std::string> facts, sentences;
   for (const Table& table : set_up(report))
     for (const auto& row : table.rows)
       facts.push_back(fmt::format("{}: {}", std::get<std::string>(row[0]), std::get<std::string>(row[1])));
-  return fmt::format(
-      "{} were compared{}. {}{}Made with {}",
-      report.study.series.empty()
-          ? fmt::format("{} of {}", base::counted(std::ssize(answer.decisive().described), "groups"), report.study.name)
-          : listed(report.study.labels),
-      report.study.series.empty() ? fmt::format("; {}. {}", answer.direction, fmt::join(answer.notes, " ")) : "",
-      as_sentence(fmt::format("{}", fmt::join(facts, "; "))), facts.empty() ? "" : ". ", program);
+  if (is_of_file) {
+    sentences.push_back(fmt::format("{} of {} were compared; {}",
+                                    base::counted(std::ssize(answer.decisive().described), "groups"), report.study.name,
+                                    answer.direction));
+    sentences.insert(sentences.end(), answer.notes.begin(), answer.notes.end());
+  } else {
+    sentences.push_back(listed(report.study.labels) + " were compared");
+  }
+  sentences.push_back(as_sentence(fmt::format("{}", fmt::join(facts, "; "))));
+  sentences.push_back("Made with " + program);
+  std::erase(sentences, "");
+  for (std::string& sentence : sentences)
+    if (sentence.ends_with('.')) sentence.pop_back();  // as notes do
+  return fmt::format("{}", fmt::join(sentences, ". "));
 }
 
 std::vector<std::string> results_of(const Answer& answer) {

@@ -36,6 +36,7 @@ golden stats-comma .input
 
 # A report, and its files.
 succeeds stats comma.csv --better smaller --out new/report --json
+has_no "$(<new/report/article/methods.tex)" ".." # sentences of which one brought its own full stop
 golden stats-comma
 golden stats-comma new/report/results.json
 json '{"report.html", "tables/descriptives.tex", "figures/boxes.pdf", "figures/source/boxes.gp", "figures/differences.pdf"} <= set(of["files"])'
