@@ -43,7 +43,8 @@ struct TestOfAll {
   double ss_between = unknown, ss_within = unknown;  // within: of blocks the error, group x block
   double epsilon = unknown;  // of blocks: how far the spreads of differences are alike, 1 / (k - 1) to 1
 
-  double partial_eta_squared() const { return ss_between / (ss_between + ss_within); }
+  // Of blocks it is called partial, since the share of the blocks is left out.
+  double eta_squared() const { return ss_between / (ss_between + ss_within); }
 };
 
 // One-way, of paired groups that of repeated measures (Fisher 1925), which assume equal spreads. None for fewer than

@@ -431,8 +431,8 @@ Table descriptives_table(const Answer& answer) {
 Table anova_table(const Answer& answer) {
   Table table{.name = "anova",
               .caption = "Do the solvers differ at all?",
-              .columns = columns_of(
-                  {"metric", "test", "source", "SS", "df", "MS", "statistic", "p", "partial eta squared", "epsilon"})};
+              .columns = columns_of({"metric", "test", "source", "SS", "df", "MS", "statistic", "p", "eta squared",
+                                     "partial eta squared", "epsilon"})};
   table.columns[7].role = Role::p;
   ByWord left_out;
   for (const JudgedMetric& judged : answer.metrics) {
@@ -440,14 +440,15 @@ Table anova_table(const Answer& answer) {
     const std::string& quantity = judged.observations.quantity;
     const auto known = [](double value) { return std::isnan(value) ? Cell() : Cell(value); };
     const auto degrees = [](double df) { return df == std::round(df) ? Cell(std::llround(df)) : Cell(df); };
+    const bool is_of_blocks = judged.observations.is_paired;
     for (const TestOfAll& test : tests) {
+      const Cell eta = known(test.eta_squared());
       table.rows.push_back({quantity, std::string(test.name), "between", known(test.ss_between), degrees(test.df),
-                            known(test.ss_between / test.df), test.statistic, test.p, known(test.partial_eta_squared()),
-                            known(test.epsilon)});
-      table.rows.push_back({quantity, std::string(test.name),
-                            judged.observations.is_paired ? "error (solver x block)" : "within", known(test.ss_within),
-                            degrees(test.df_within), known(test.ss_within / test.df_within), Cell(), Cell(), Cell(),
-                            Cell()});
+                            known(test.ss_between / test.df), test.statistic, test.p, is_of_blocks ? Cell() : eta,
+                            is_of_blocks ? eta : Cell(), known(test.epsilon)});
+      table.rows.push_back({quantity, std::string(test.name), is_of_blocks ? "error (solver x block)" : "within",
+                            known(test.ss_within), degrees(test.df_within), known(test.ss_within / test.df_within),
+                            Cell(), Cell(), Cell(), Cell(), Cell()});
     }
     if (!without.empty() && !tests.empty()) left_out.add(names_of(without), quantity);
   }

@@ -283,10 +283,11 @@ std::string ratios_told(const std::vector<std::pair<std::string, double>>& ratio
   for (const auto& [name, ratio] : ratios)
     told.push_back(fmt::format("{} {}{}", name, told.empty() ? fmt::format("{} ", words.takes) : "", times(ratio)));
   const auto [least, most] = std::ranges::minmax(ratios, {}, &std::pair<std::string, double>::second);
+  const std::string from = times(least.second) == times(most.second) ? "" : number_text(least.second, 2) + " to ";
   return fmt::format("; {} {}{}",
-                     told.size() < most_named ? fmt::format("{}", fmt::join(told, ", "))
-                                              : fmt::format("{} others {} {} to {}", told.size(), words.take,
-                                                            number_text(least.second, 2), times(most.second)),
+                     told.size() < most_named
+                         ? fmt::format("{}", fmt::join(told, ", "))
+                         : fmt::format("{} others {} {}{}", told.size(), words.take, from, times(most.second)),
                      words.as, as_whom);
 }
 

@@ -367,7 +367,17 @@ TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
   const results::Plan by_means{.test = results::Plan::Test::means};
   CHECK(anova_table(answer_of({judged(of, by_means)})).rows.size() == 4);
   CHECK(anova_table(answer_of({judged(of)})).rows.size() == 4);
+  // The share of the groups is partial where that of blocks is left out.
+  const auto has = [&](const char* title) {
+    const Table table = anova_table(answer_of({judged(of)}));
+    const auto column = std::ranges::find(table.columns, title, &Column::name) - table.columns.begin();
+    return std::holds_alternative<double>(table.rows[0].at(static_cast<std::size_t>(column)));
+  };
+  CHECK(has("eta squared"));
+  CHECK_FALSE(has("partial eta squared"));
   of.is_paired = true;
+  CHECK_FALSE(has("eta squared"));
+  CHECK(has("partial eta squared"));
   CHECK(std::get<std::string>(anova_table(answer_of({judged(of)})).rows[0][1]) == "ANOVA of repeated measures");
   of.groups[1].sample = judge::Measured{.values = {2}, .repeats_itself = true};
   CHECK(anova_table(answer_of({judged(of)})).rows.empty());

@@ -35,6 +35,21 @@ TEST_CASE("of whom the first metric leaves open the first of the plan that is ju
         "Time is not judged (not comparable). A needs the fewest evaluations; B takes 2 times as many.");
 }
 
+TEST_CASE("ratios of many are told from the least to the largest, or once", "[show]") {
+  const auto said = [](double time_of_b) {
+    std::vector<std::pair<std::string, std::vector<double>>> all_solved, times;
+    for (const char* name : {"A", "B", "C", "D", "E", "F", "G"}) {
+      all_solved.emplace_back(name, solved(20));
+      times.emplace_back(name, values_around(*name == 'A' ? 0.01 : *name == 'B' ? time_of_b : 0.1, 0.2));
+    }
+    Answer answer = answer_of(std::vector{judged(shares(all_solved)), judged(numbers("time", "time", "ms", times))});
+    answer.then = results::all_thens;
+    return second_sentence(answer);
+  };
+  CHECK(said(0.02) == "A is the fastest; 6 others take 2 to 10 times as long.");
+  CHECK(said(0.0999) == "A is the fastest; 6 others take 10 times as long.");
+}
+
 TEST_CASE("one that is best alone, and what is no study, have no second question", "[show]") {
   Answer answer = answer_of_three(values_around(0.03, 0.3));
   answer.then = {};
