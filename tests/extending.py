@@ -1,5 +1,6 @@
 """extending.py PROGRAM CMAKE: every addition of the table of docs/extending.md is one file and one line. In a copy of the
-sources each file is added and found by the build, which reads each list; arm, study and poses of the page are run."""
+sources each file is added and found by the build, which reads each list, and all of them together leave each room below its
+ceiling of lines; arm, study and poses of the page are run."""
 import pathlib, re, shutil, subprocess, sys, tempfile
 
 program, cmake = sys.argv[1:]
@@ -23,7 +24,7 @@ with tempfile.TemporaryDirectory() as scratch:
                 (root / path).is_file() or sys.exit(f"{what}: there is no {path}")
                 continue
             new = copy / path.replace("NAME", f"added_{len(added)}")
-            shutil.copy(next(f for f in sorted(new.parent.glob("*" + new.suffix))), new)
+            shutil.copy(min(new.parent.glob("*" + new.suffix), key=lambda f: (f.stat().st_size, f)), new)  # as a beginning is
             added.append(new.name)
         for entry in re.findall(r"`([\w/]+\.(?:inc|bib))`", line):
             found = list(copy.rglob(entry))
@@ -31,6 +32,7 @@ with tempfile.TemporaryDirectory() as scratch:
             for macro in re.findall(r"`([A-Z]+)\(NAME\)`", line):
                 f"{macro}(" in found[0].read_text() or sys.exit(f"{what}: no {macro} in {entry}")
                 found[0].open("a").write(f"{macro}(added_{len(added) - 1})\n")
+    run("bash", root / "tests/tools/size-and-shape", copy)
     run(cmake, "-S", copy, "-B", built, "-G", "Ninja", "-DCMAKE_DISABLE_FIND_PACKAGE_benchmark=ON")  # whose programs are of tests
     read = "".join(file.read_text() for pattern in ("build.ninja", "Unity/*.cxx", "*.inc") for file in built.rglob(pattern))
     lost = [name for name in added if name not in read]
