@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -21,19 +20,20 @@ namespace ikbench::cli {
 
 namespace {
 
-// A store that was checked, with the seals of its studies, as one file.
-void write_archive(const std::filesystem::path& store, const std::filesystem::path& file) {
+// Writes a store that was checked as one file, and returns its seal, which the file has, too.
+std::string write_archive(const std::filesystem::path& store, const std::filesystem::path& file) {
   const TemporaryFolder folder(std::filesystem::absolute(file).parent_path(), file);
   const std::filesystem::path made = folder.path() / "store.sqlite";
   merge(made, {store}, check_of);
+  std::string seal;
   {
     Store archive(made, Store::Mode::write_shared);
-    std::map<std::string, std::string> seals;
-    for (const StoredStudy& study : archive.studies())
-      seals[fmt::format("{}{}", seal_fact, study.name)] = seal_of(archive, study);
-    archive.begin_session(seals);
+    const std::int64_t session = archive.begin_session({});  // which the seal covers
+    seal = seal_of(archive);
+    archive.add_to_session(session, {{std::string(seal_fact), seal}});
   }
   write_through(file, [&](const Write& write) { write(read_file(made).value()); });
+  return seal;
 }
 
 }  // namespace
@@ -46,8 +46,10 @@ void add_export(const Command& command, Invocation&) {
   command.add("STORE", &arguments->store, "path of a store.sqlite").required();
   add_study_option(command, arguments->study);
   command
-      .add("--format", &arguments->format,
-           "csv: a row for each solve; fingerprint: a hash of every bit but of times; archive: one file, sealed")
+      .add(
+          "--format", &arguments->format,
+          "csv: a row for each solve; fingerprint: a hash of every bit but of times; archive: one file with its seal, a "
+          "hash of all that is in it")
       .one_of({"csv", "fingerprint", "archive"});
   add_out_option(command, arguments->file, "file to write; - for standard output");
   command.footer(
@@ -60,7 +62,8 @@ void add_export(const Command& command, Invocation&) {
       if (arguments->file == "-") throw std::invalid_argument("--format archive: expected -o FILE, as mine.sqlite");
       if (!arguments->study.empty())
         throw std::invalid_argument("an archive has all studies of its store; leave out --study");
-      return write_archive(arguments->store, arguments->file);
+      fmt::print("{}: seal {}\n", printable(arguments->file), write_archive(arguments->store, arguments->file));
+      return;
     }
     const Store store(arguments->store, Store::Mode::read);
     const StoredStudy study = store.study(arguments->study);

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <type_traits>
 
+#include "base/sha256.hpp"
+
 namespace ikbench::results {
 
 namespace {
@@ -100,12 +102,18 @@ Fingerprint fingerprint(const Store& store, StoredStudy study) {
   return {hash.text(), solves};
 }
 
-std::string seal_of(const Store& store, const StoredStudy& study) {
+std::string fingerprint_line(const Store& store, const StoredStudy& study) {
   const Fingerprint its = fingerprint(store, study);
   const auto runs = study.definition.runs, points = study.definition.points;
   const auto solvers = std::ssize(study.series);
   return fmt::format("{}: {} of {} solves (runs x targets x solvers: {} x {} x {}), fingerprint {}", study.name,
                      its.solves, solvers * runs * points, runs, points, solvers, its.text);
+}
+
+std::string seal_of(const Store& store) {
+  base::Sha256 digest;
+  store.each_value(seal_fact, [&](std::string_view bytes) { digest.add(bytes); });
+  return digest.text();
 }
 
 std::string_view reference_fingerprint(std::string_view study) {

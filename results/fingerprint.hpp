@@ -1,4 +1,5 @@
-// One hash of all results of a study, to compare the bits of two machines, compilers or versions in one line.
+// One hash of all results of a study, to compare the bits of two machines, compilers or versions in one line, and one
+// of all that a store holds, to see whether it was changed.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +36,14 @@ struct Fingerprint {
 Fingerprint fingerprint(const Store& store, StoredStudy study);
 
 // A line to cite: "mine: 600 of 600 solves (runs x targets x solvers: 100 x 1 x 6), fingerprint 0123...".
-std::string seal_of(const Store& store, const StoredStudy& study);
-constexpr std::string_view seal_fact = "seal.";  // so begins its name, before the study's, in an archive's environment
+std::string fingerprint_line(const Store& store, const StoredStudy& study);
+
+// The SHA-256 digest of all that a store holds, times, sessions and extras too, but for the fact that keeps it in an
+// archive: who has seen it elsewhere can tell that no row was changed.
+std::string seal_of(const Store& store);
+constexpr std::string_view seal_fact = "seal";
+// Archives used to keep a fingerprint_line of each study instead, under this name and the study's.
+constexpr std::string_view fingerprint_fact = "seal.";
 
 // The committed fingerprint of a built-in study (results/reference.inc); empty if there is none.
 std::string_view reference_fingerprint(std::string_view study);

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <chrono>
 #include <limits>
@@ -69,6 +70,34 @@ std::string create_views() {
       "avg(iif(counted_by = 'nobody', NULL, evaluations)) AS evaluations "
       "FROM current_solves GROUP BY study, label, run;\n",
       columns);
+}
+
+// The tables, with the keys by which their rows have one order.
+constexpr std::pair<std::string_view, std::string_view> ordered_tables[] = {
+    {"studies", "position"},         {"series", "study, position"},    {"sessions", "id"},
+    {"environment", "session, key"}, {"solves", "series, run, point"}, {"extras", "series, run, point, name"}};
+
+// The bytes of a number, the same on every machine.
+std::string bytes_of(std::uint64_t number) {
+  std::string bytes;
+  for (int i = 0; i < 8; ++i) bytes += static_cast<char>(number >> (8 * i));
+  return bytes;
+}
+
+// A value with its type, and a text with its length, so that no two rows have the same bytes.
+std::string bytes_of(const SQLite::Column& value) {
+  switch (value.getType()) {
+    case SQLITE_INTEGER:
+      return "i" + bytes_of(static_cast<std::uint64_t>(value.getInt64()));
+    case SQLITE_FLOAT:
+      return "r" + bytes_of(std::bit_cast<std::uint64_t>(value.getDouble()));
+    case SQLITE_NULL:
+      return "n";
+    default: {
+      const std::string text = value.getString();
+      return "t" + bytes_of(text.size()) + text;
+    }
+  }
 }
 
 // All that is in a database, but extras: its tables and views, letter by letter.
@@ -525,6 +554,24 @@ void Store::write_from(const fs::path& source, const std::function<void(SQLite::
     const bool is_of_writing = code == SQLITE_FULL || code == SQLITE_READONLY || code == SQLITE_IOERR;
     refuse(is_of_writing ? database_->name : blamed, error);
   }
+}
+
+void Store::each_value(std::string_view left_out, const std::function<void(std::string_view)>& take) const {
+  guarded(database_->name, [&] {
+    for (const auto& [table, keys] : ordered_tables) {
+      if (!database_->sqlite.tableExists(std::string(table))) continue;  // a store without extras has no such table
+      const bool has_facts = table == "environment";
+      SQLite::Statement rows(database_->sqlite, fmt::format("SELECT * FROM {}{} ORDER BY {}", table,
+                                                            has_facts ? " WHERE key <> ?" : "", keys));
+      if (has_facts) rows.bind(1, std::string(left_out));
+      take(table);
+      while (rows.executeStep()) {
+        std::string bytes = "row";
+        for (int column = 0; column < rows.getColumnCount(); ++column) bytes += bytes_of(rows.getColumn(column));
+        take(bytes);
+      }
+    }
+  });
 }
 
 void Store::at_one_moment(const std::function<void()>& action) const {

@@ -86,6 +86,10 @@ class Store {
   // Lets `action` write by SQL, in one transaction, in which `source` has the tables of another store. For a merge.
   void write_from(const std::filesystem::path& source, const std::function<void(SQLite::Database&)>& action);
 
+  // Passes on every value of every row of every table as bytes, in an order that depends on the rows alone, but for the
+  // facts of sessions of this name.
+  void each_value(std::string_view left_out, const std::function<void(std::string_view bytes)>& take) const;
+
   // Lets `action` read the store as of one moment, whatever others write meanwhile.
   void at_one_moment(const std::function<void()>& action) const;
   // May move from the record, or change it.

@@ -76,8 +76,35 @@ same_fingerprint archived.sqlite made/store.sqlite
 succeeds report archived.sqlite --out archived --figures none
 succeeds run slim2023 "${small[@]}" --set trace=best_error --only IK-BA --beside archived.sqlite --figures none --out beside
 sqlite3 archived.sqlite "DELETE FROM solves WHERE run = 2"
-refused "archived as" verify archived.sqlite
+refused "when it was archived" verify archived.sqlite
+
+# The seal covers times, which no reader can compute again, and one that was printed elsewhere decides.
 succeeds export made/store.sqlite --format archive -o archived.sqlite
+[[ $out =~ ^archived\.sqlite:\ seal\ ([0-9a-f]{64})$ ]] || fail "no seal: $out"
+seal=${BASH_REMATCH[1]}
+succeeds verify archived.sqlite
+has "$(xargs <.out)" "by whoever archived it: seal $seal"
+line=$(tail -n 1 .out)
+succeeds verify archived.sqlite --seal "${seal^^}"
+has "$(xargs <.out)" "It has the given seal"
+refused "64 hexadecimal digits" verify archived.sqlite --seal 1234
+refused "another archive" verify made/store.sqlite --seal "$seal"
+forge="UPDATE solves SET seconds = seconds * 0.8, cpu_seconds = cpu_seconds * 0.8 WHERE label = 'BA'"
+cp archived.sqlite forged.sqlite
+sqlite3 forged.sqlite "$forge"
+refused "its seal was $seal when" verify forged.sqlite
+succeeds export forged.sqlite --format archive -o again.sqlite # by somebody else
+succeeds verify again.sqlite
+refused "not the given $seal" verify again.sqlite --seal "$seal"
+
+# Archives that have a line of each study instead say that times are not covered.
+cp archived.sqlite older.sqlite
+sqlite3 older.sqlite "UPDATE environment SET key = 'seal.slim2023', value = '$line' WHERE key = 'seal'"
+sqlite3 older.sqlite "$forge"
+succeeds verify older.sqlite
+has "$(xargs <.out)" "does not cover times"
+sqlite3 older.sqlite "DELETE FROM solves WHERE run = 2"
+refused "was slim2023: 36 of 36 solves" verify older.sqlite
 sqlite3 near/store.sqlite "UPDATE solves SET status = 'limit_violated'"
 cp archived.sqlite before.sqlite
 refused "status" export near/store.sqlite --format archive -o archived.sqlite

@@ -114,6 +114,58 @@ TEST_CASE("a store keeps the fingerprint, of numbers that are not finite too", "
   CHECK(fingerprint(store, sample_study()).text == fingerprint(records));  // solve by solve
 }
 
+namespace {
+
+// Writes a store with a row in every table; its sessions have a fact `seal`.
+void write_full_store(const std::filesystem::path& file) {
+  Store store(file, Store::Mode::write_shared);
+  store.save_study(sample_study());
+  store.begin_session({{"cpu", "one"}, {std::string(seal_fact), "0"}});
+  std::vector<SolveRecord> records = sample_records();
+  records[0].extras = {{"stalls", 3}};
+  store.append(records);
+}
+
+std::string seal_after(const std::string& sql) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.path / "store.sqlite";
+  write_full_store(file);
+  // The moment of writing is another in each store.
+  edit(file, "UPDATE studies SET saved = ''; UPDATE sessions SET began = ''; " + sql);
+  return seal_of(Store(file, Store::Mode::read));
+}
+
+}  // namespace
+
+TEST_CASE("every column of every table counts in a seal", "[fingerprint]") {
+  const ScratchFolder folder;
+  write_full_store(folder.path / "store.sqlite");
+  SQLite::Database store((folder.path / "store.sqlite").string());
+  SQLite::Statement columns(store,
+                            "SELECT tables.name, columns.name, columns.type FROM sqlite_master AS tables, "
+                            "pragma_table_info(tables.name) AS columns WHERE tables.type = 'table'");
+  std::set<std::string> seals{seal_after("")};
+  while (columns.executeStep()) {
+    const std::string table = columns.getColumn(0), column = columns.getColumn(1), type = columns.getColumn(2);
+    CAPTURE(table, column);
+    const std::string value = type == "TEXT" ? column + " || 'x'" : fmt::format("coalesce({}, 0) + 9", column);
+    const std::string first = table == "extras" ? "true" : fmt::format("rowid IN (SELECT min(rowid) FROM {})", table);
+    CHECK(seals.insert(seal_after(fmt::format("UPDATE {} SET {} = {} WHERE {}", table, column, value, first))).second);
+  }
+  CHECK(seals.size() > 50);
+  for (const char* sql : {"DELETE FROM extras", "DELETE FROM solves WHERE run = 2", "DELETE FROM environment",
+                          "INSERT INTO sessions VALUES (9, '')"})
+    CHECK(seals.insert(seal_after(sql)).second);
+}
+
+TEST_CASE("a seal depends on the rows alone, and not on the fact that keeps it", "[fingerprint]") {
+  const std::string seal = seal_after("");
+  CHECK(seal.size() == 64);
+  CHECK(seal_after("UPDATE environment SET value = 'another' WHERE key = 'seal'") == seal);
+  CHECK(seal_after("CREATE TABLE copy AS SELECT * FROM solves; DELETE FROM solves; "
+                   "INSERT INTO solves SELECT * FROM copy ORDER BY rowid DESC; DROP TABLE copy; VACUUM") == seal);
+}
+
 TEST_CASE("the studies of the papers have a reference, others none", "[fingerprint]") {
   for (const char* study : {"slim2023", "slim2023-context", "beeson2015", "haviland2023"}) {
     const std::string_view reference = reference_fingerprint(study);
