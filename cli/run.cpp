@@ -1,5 +1,6 @@
 // ikbench run: runs a study, built-in or from a file.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "analysis/judge/beside.hpp"
 #include "analysis/judge/observe.hpp"
+#include "base/files.hpp"
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
@@ -22,8 +24,15 @@ namespace {
 
 constexpr const char* study_of_any_arm = "any-arm";
 
+// True of a file that begins as SQLite's do.
+bool is_store(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return false;
+  return read_file(file, 16).value_or("").starts_with("SQLite format 3");
+}
+
 struct StudyToRun {
-  std::string study, robot, shard;
+  std::string study, study_of_store, robot, shard;
   robots::UrdfChoice urdf;
   double limit = 0;  // [s]
   std::vector<std::string> set, sweep, only;
@@ -55,12 +64,31 @@ Overrides overrides_of(const StudyToRun& arguments) {
   return overrides;
 }
 
+// The study of a store, to be solved again into another.
+Study study_of_store(const StudyToRun& arguments) {
+  const std::string& file = arguments.study;
+  if (arguments.run.out.empty())
+    throw std::invalid_argument(fmt::format(
+        "{0} is a store; expected --out NEW, a folder where its study is solved again: ikbench run {0} --out NEW; or "
+        "ikbench report {0}, which shows what it has",
+        file));
+  const Store store(file, Store::Mode::read);
+  const StoredStudy stored = store.study(arguments.study_of_store);
+  std::vector<std::string> commands;
+  for (const std::vector<std::string>& process : programs_of(stored))
+    if (!process.empty()) commands.push_back(shell_command(process[0], {process.begin() + 1, process.end()}));
+  if (!commands.empty()) warn(fmt::format("{} starts these programs: {}", file, fmt::join(commands, "; ")));
+  return load_study(store, stored, overrides_of(arguments));
+}
+
 Study study_of(const StudyToRun& arguments) {
   const bool is_of_any_arm = arguments.study.empty();
   if (is_of_any_arm && arguments.robot.empty())
     throw std::invalid_argument("no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");
   const std::string name = is_of_any_arm ? study_of_any_arm : arguments.study;
-  Study study = load_study(name, overrides_of(arguments));
+  if (!arguments.study_of_store.empty() && !is_store(name))
+    throw std::invalid_argument(fmt::format("--study is about a store, but {} is none", name));
+  Study study = is_store(name) ? study_of_store(arguments) : load_study(name, overrides_of(arguments));
   // A built-in study, whose name is no file's, keeps its store for its own arm.
   if (!arguments.robot.empty() && study.name == name)
     study.name = (is_of_any_arm ? "" : study.name + '-') + arm_of(study).name;
@@ -105,11 +133,13 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
 
 void add_run(const Command& command, Invocation& invocation) {
   auto arguments = std::make_shared<StudyToRun>();
-  command.add("STUDY", &arguments->study,
-              fmt::format("name of a built-in study (ikbench list studies), or path of a TOML file; with "
-                          "--robot {}",
-                          study_of_any_arm));
+  command.add(
+      "STUDY", &arguments->study,
+      fmt::format("name of a built-in study (ikbench list studies), or path of a TOML file, or of a store, whose "
+                  "study is solved again; with --robot {}",
+                  study_of_any_arm));
   command.add("--robot", &arguments->robot, "solve it on this arm: my_arm.urdf, my_arm.toml, ur5e");
+  add_study_option(command, arguments->study_of_store);
   add_link_options(command, arguments->urdf.base, arguments->urdf.tip);
   command
       .add("--limit", &arguments->limit,
@@ -132,6 +162,7 @@ void add_run(const Command& command, Invocation& invocation) {
       "  ikbench run my.toml --beside libraries\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
       "  ikbench run my.toml --sweep population=10,20,50 --sweep IK-BA.alpha=0.5,0.9,0.97\n"
+      "  ikbench run theirs.sqlite --out here     solves their study again\n"
       "  ikbench run slim2023 --shard 3/12        a twelfth, then:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n\n"
       "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"

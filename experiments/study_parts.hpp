@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -34,6 +35,11 @@ auto at_key(const base::TomlReader& reader, std::string_view key, Make&& make) {
     throw reader.mistake(key, error.what());
   }
 }
+
+// study_reader.cpp: reads a study. The arm of a stored study is made by `arm_of_store`, unless --robot or --set says
+// another.
+using ArmOfStore = std::function<Robot(const robots::UrdfChoice&)>;
+Study read_study(const toml::table& table, std::string_view source, const ArmOfStore& arm_of_store = {});
 
 // study_reader.cpp: the folder of a file that a key names: the study's, or the current one if --set gave the key.
 std::filesystem::path folder_of(const base::TomlReader& reader, std::string_view key);

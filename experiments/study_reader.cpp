@@ -98,8 +98,13 @@ void read_part(TomlReader reader, Part& part) {
   reader.refuse_unknown_keys();
 }
 
-// Reads the study's arm: a built-in one, or a file in the study's folder (for --set in the current one).
-Robot read_arm(const TomlReader& reader, Study& study) {
+// Reads the study's arm: that of a store, a built-in one, or a file in the study's folder (for --set in the current
+// one).
+Robot read_arm(const TomlReader& reader, Study& study, const ArmOfStore& arm_of_store) {
+  if (arm_of_store && !reader.table().get("robot")->source().path) {
+    study.robot_of_file = std::make_shared<const Robot>(arm_of_store(study.urdf));
+    return *study.robot_of_file;
+  }
   if (!is_arm_file(study.robot)) return at_key(reader, "robot", [&] { return robot(study.robot); });
   const std::filesystem::path file = folder_of(reader, "robot") / study.robot;
   std::error_code error;
@@ -206,7 +211,9 @@ void drop_lost_control(Study& study) {
   control.clear();
 }
 
-Study read_study(const toml::table& table, std::string_view source) {
+}  // namespace
+
+Study read_study(const toml::table& table, std::string_view source, const ArmOfStore& arm_of_store) {
   Study study;
   study.name = std::filesystem::path(source).stem().string();  // so that two files are two studies
   TomlReader reader(table, source, "");
@@ -238,7 +245,7 @@ Study read_study(const toml::table& table, std::string_view source) {
   check_stop(stop, study);
   read_part(reader.part("loop"), study.loop);
   if (reader.find("check") != nullptr) read_check(reader.part("check"), study);
-  const Robot arm = read_arm(reader, study);
+  const Robot arm = read_arm(reader, study, arm_of_store);
   const Configuration units = joint_units(arm.chain);
   if (study.initial.size() == 0) {
     study.initial = nearest_to_zero(arm);
@@ -262,6 +269,8 @@ Study read_study(const toml::table& table, std::string_view source) {
   check_study(reader, study, arm);
   return study;
 }
+
+namespace {
 
 // A study that names no targets is solved as any arm is (ikbench run --robot): what it does not say, that study says.
 void add_protocol(toml::table& study) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/study.hpp"
+#include "results/store.hpp"
 
 namespace ikbench::experiments {
 
@@ -24,6 +25,11 @@ Study parse_study(std::string_view toml, std::string_view source, const Override
 std::vector<Study> studies();
 // Loads a built-in study by its name, or else a file. Throws as parse_study does.
 Study load_study(const std::string& name_or_file, const Overrides& overrides = {});
+// The study of a store, to be solved again: what its study file said, with all options as they were in effect. Its
+// programs are started, in the current folder; who calls it says so before (programs_of). Throws as parse_study does.
+Study load_study(const results::Store& store, const results::StoredStudy& stored, const Overrides& overrides = {});
+// The programs of a stored study, each with its arguments: of its solvers and of its check.
+std::vector<std::vector<std::string>> programs_of(const results::StoredStudy& stored);
 // Keeps the entries with these labels, or that a sweep made of these: lists with commas. Throws std::invalid_argument
 // for an unknown one.
 void keep_only(Study& study, const std::vector<std::string>& lists);

@@ -125,6 +125,30 @@ Study as_in_files(Study study) {
   return study;
 }
 
+// How a program is started: what it does not say is as by default.
+OrderedJson start_of(ProgramChoice choice) {
+  ProgramChoice by_default;
+  const FieldsWritten fields = written(choice), defaults = written(by_default);
+  OrderedJson json;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (fields[i].text != defaults[i].text) json[fields[i].key] = fields[i].json;
+  return json;
+}
+
+// An entry, as in a study file; its colour is among those of the figures.
+OrderedJson entry_definition(const SolverEntry& entry) {
+  OrderedJson json = {{"label", entry.label}};
+  if (entry.program)
+    json.update(start_of(entry.program->choice));
+  else
+    json["solver"] = entry.solver;
+  if (entry.population > 0) json["population"] = entry.population;
+  if (entry.if_missing == IfMissing::leave_out) json["if_missing"] = "leave_out";
+  for (const auto& [name, setting] : entry.options)
+    std::visit([&](const auto& value) { json["options"][name] = value; }, setting);
+  return json;
+}
+
 OrderedJson definition(const Study& study) {
   Study fields = as_in_files(study);
   OrderedJson json = json_of(written(fields));
@@ -139,7 +163,9 @@ OrderedJson definition(const Study& study) {
   if (study.checker) {
     json["check"] = json_of(written(fields.check));
     json["check"]["process"] = study.check.process, json["check"]["files"] = study.checker->choice.files;
+    json["check"].update(start_of(study.checker->choice));
   }
+  for (const SolverEntry& entry : study.solvers) json["solvers"].push_back(entry_definition(entry));
   if (is_urdf_file(study.robot)) json["urdf"] = json_of(written(fields.urdf));
   json["path"] = json_of(written(fields.path), {{"kind", fields.path->name()}});
   if (fields.path->is_drawn())
@@ -178,7 +204,8 @@ std::optional<Study> original_of(const Study& study) {
 }
 
 // The settings in which a study differs from the original. These may differ freely: name, title, seed, trace, turns,
-// the analysis, further solvers, and the arm where each has random targets of its own, as a row of a table.
+// the analysis, further solvers (of which options are compared below), and the arm where each has random targets of its
+// own, as a row of a table.
 std::vector<std::string> departures(const Study& study, const Study& original) {
   std::vector<std::string> keys;
   const auto ours = definition(study).flatten(), theirs = definition(original).flatten();
@@ -186,7 +213,8 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
     const bool of_arm = pointer == "/robot" || pointer.starts_with("/initial_deg");  // which its limits may move
     const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
                          pointer == "/turns" || (of_arm && original.path->name() == "random") ||
-                         pointer.starts_with("/analysis/") || pointer.starts_with("/figures/");
+                         pointer.starts_with("/analysis/") || pointer.starts_with("/figures/") ||
+                         pointer.starts_with("/solvers/");
     if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
     std::string name = pointer.substr(1);
     std::replace(name.begin(), name.end(), '/', '.');
@@ -316,6 +344,8 @@ std::string to_json(const Study& study) {
   if (const auto beyond = unreachable(study).size(); beyond > 0) json["out_of_reach"]["points"] = beyond;
   return base::text_of(json);
 }
+
+Json arm_json(const Robot& arm) { return parsed_json(base::text_of(arm_definition(arm))); }
 
 std::string to_json(results::Plan plan) { return base::text_of(json_of(written(plan))); }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/fields.hpp"
+#include "base/json.hpp"
 #include "base/units.hpp"
 #include "experiments/study.hpp"
 #include "results/store.hpp"
@@ -19,6 +20,8 @@ std::string to_toml(Path path);
 std::string to_toml(results::FigureStyle style);
 // The study without its solvers, with its number of points and its arm, as the store keeps it.
 std::string to_json(const Study& study);
+// An arm, as in the definition at "/arm".
+base::Json arm_json(const Robot& arm);
 // A plan, as in the definition at "/analysis".
 std::string to_json(results::Plan plan);
 

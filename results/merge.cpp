@@ -35,9 +35,9 @@ Store opened(const fs::path& place) {
 }
 
 // Parts of a definition that may differ: how it is judged and drawn, which targets are out of reach, how often; and
-// what follows from the rest.
-const std::set<std::string> decide_no_solve{"analysis", "departures", "figures", "name",  "out_of_reach", "published",
-                                            "repeats",  "runs",       "tables",  "title", "turns"};
+// what follows from the rest or, as how programs are started, is compared by the keys of series.
+const std::set<std::string> decide_no_solve{"analysis",  "departures", "figures", "name",   "out_of_reach", "solvers",
+                                            "published", "repeats",    "runs",    "tables", "title",        "turns"};
 
 std::vector<std::string> keys_of(const StoredStudy& study) {
   std::vector<std::string> keys;
