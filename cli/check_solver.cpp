@@ -173,7 +173,7 @@ class Checks {
     const Tried tried = solving.once();
     const Account& account = tried.account;
     const double outside = solving.arm.limits.violation(tried.q);
-    const bool is_untrue = std::abs(account.claimed_error - tried.error) > claim_slack(solving.arm);  // NaN: no claim
+    const bool is_untrue = std::abs(account.claimed_error - tried.error) > claim_slack_of_programs;  // NaN: no claim
     const std::string wrong =
         account.failure        ? solving.all.last_failure()
         : !tried.q.allFinite() ? "its answer is not finite"

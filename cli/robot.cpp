@@ -45,6 +45,8 @@ std::string frame_line(std::string_view name, const Frame& frame) {
 std::string joint_table(const Robot& arm) {
   const std::vector<std::string> names = joint_names(arm.description);
   Rows rows{{"JOINT", "", "from", "to", "", "a [m]", "alpha [deg]", "d [m]", "offset [deg]"}};
+  const bool has_beta = std::ranges::any_of(arm.chain.links(), [](const DhLink& link) { return link.beta != 0; });
+  if (has_beta) rows.front().insert(rows.front().begin() + 7, "beta [deg]");
   const bool has_velocities = arm.velocity.size() > 0;
   if (has_velocities) rows.front().emplace_back("velocity");
   if (!names.empty()) rows.front().emplace_back("name");
@@ -60,6 +62,7 @@ std::string joint_table(const Robot& arm) {
                     is_endless ? "without" : number(arm.limits.lower[j], units[j]),
                     is_endless ? "end" : number(arm.limits.upper[j], units[j]), is_endless ? "" : unit, number(link.a),
                     number(link.alpha, degree), number(link.d), number(link.offset, degree)});
+    if (has_beta) rows.back().insert(rows.back().begin() + 7, number(link.beta, degree));
     if (has_velocities)
       rows.back().push_back(arm.velocity[j] == 0 ? "not known"
                                                  : fmt::format("{} {}/s", number(arm.velocity[j], units[j]), unit));

@@ -252,7 +252,7 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
   const bool claims = timed.account && !std::isnan(timed.account->claimed_error);
   const Status status =
       status_by(verified, {.claimed_error = claims ? timed.account->claimed_error : timed.solution.position_error,
-                           .claim_slack = timed.account ? claim_slack(arm_) : 0,
+                           .claim_slack = timed.account ? claim_slack_of_programs : 0,
                            .claimed_pose_error = timed.solution.best.error,
                            .rotation_weight = task_.goal(target).rotation_weight,
                            .stop = study_.stop,

@@ -239,7 +239,12 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
     throw reader.mistake("urdf", fmt::format("[urdf] is about a URDF file, but robot is \"{}\"; expected one such as "
                                              "\"my_arm.urdf\"",
                                              study.robot));
-  read_part(reader.part("urdf"), study.urdf);
+  TomlReader urdf = reader.part("urdf");
+  if (urdf.find("snap_deg") != nullptr)
+    throw urdf.mistake("snap_deg",
+                       "no angle of a URDF file is snapped any more: the arm is judged as the file prints "
+                       "it; expected no snap_deg");
+  read_part(urdf, study.urdf);
   const TomlReader stop = reader.part("stop"), analysis = reader.part("analysis"), figures = reader.part("figures");
   read_part(stop, study.stop);
   check_stop(stop, study);

@@ -178,6 +178,7 @@ OrderedJson arm_definition(const Robot& arm) {
   OrderedJson json;
   for (Eigen::Index j = 0; j < arm.joints(); ++j) {
     LimitedLink link{arm.chain.links()[static_cast<std::size_t>(j)], {arm.limits.lower[j], arm.limits.upper[j]}};
+    link.has_beta = link.link.beta != 0;
     json["links"].push_back(json_of(written(link)));
   }
   std::size_t joint = 0;

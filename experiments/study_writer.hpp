@@ -53,11 +53,6 @@ inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
   io.text("tip", urdf.tip, "link to which it is read, the tool; \"\": the end behind the most joints", InKey::in_text);
   io.choice("limits", urdf.limits, {"hard", "soft"},
             "hard: the joints' <limit>; soft: the tighter of it and <safety_controller>", InKey::in_text);
-  io.number(
-      "snap_deg", urdf.snap, base::degree, {0, 1},
-      "angles this near a multiple of 15 deg, and axes this near parallel, are meant to be it: up to 0.001 only if "
-      "the printed digits may mean it",
-      InKey::in_text);
 }
 
 inline void list_fields(Fields& io, Study& study) {

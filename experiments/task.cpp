@@ -21,7 +21,7 @@ Chain without_last(const Chain& whole) {
 
 bool only_turns_tool(const Chain& whole) {
   const DhLink& last = whole.links().back();
-  return whole.joints() > 1 && last.joint == Joint::turns && last.a == 0 && last.alpha == 0 &&
+  return whole.joints() > 1 && last.joint == Joint::turns && last.a == 0 && last.alpha == 0 && last.beta == 0 &&
          whole.tool().position.head<2>().isZero(0);
 }
 

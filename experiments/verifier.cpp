@@ -116,7 +116,8 @@ Matrix past(const DhLink& link, double joint, const Matrix& before) {
   Matrix pose = product(before, turned_about(is_coupled ? y_axis : z_axis, angle));
   pose = product(pose, moved(link.a, 0, along_z));
   if (is_coupled) pose = product(pose, turned_about(y_axis, -angle));  // a parallelogram turns back after the link
-  return product(pose, turned_about(x_axis, link.alpha));
+  pose = product(pose, turned_about(x_axis, link.alpha));
+  return link.beta == 0 ? pose : product(pose, turned_about(y_axis, link.beta));
 }
 
 }  // namespace

@@ -45,9 +45,8 @@ struct Requirement {
   bool limits_are_enforced = false;   // otherwise a violation is only recorded
 };
 
-// What the claim of a program on this arm may be off [m]: rounding to single precision, and as far as snapping moves
-// the tool, since the program may have the file's own numbers. Snapping was sampled, so it counts twice.
-inline double claim_slack(const robots::Robot& arm) { return 1e-6 + 2 * arm.snapped; }
+// What the claim of a program may be off [m]: rounding to single precision.
+constexpr double claim_slack_of_programs = 1e-6;
 
 constexpr double most_of_budget = 1.5;
 struct Spent {

@@ -13,15 +13,15 @@
 namespace ikbench::robots {
 
 constexpr std::string_view no_limits = "none";
-// Bounds of what people write: 400 m are millimetres. The table of a URDF file may be longer, because axes that are
-// almost parallel have their common normal far away.
-constexpr std::pair<double, double> lengths_m{-100, 100}, angles_deg{-3600, 3600};
+// Bounds of what people write: 400 m are millimetres. The table that is made of a URDF file may be longer.
+constexpr std::pair<double, double> lengths_m{-100, 100}, stored_lengths_m{-1e6, 1e6}, angles_deg{-3600, 3600};
 
 // A link in a file, with its joint's limits: [rad], or [m] if it slides; infinite if it has none.
 struct LimitedLink {
   DhLink link;
   Eigen::Vector2d limits{-180 * base::degree, 180 * base::degree};
   std::pair<double, double> lengths = lengths_m;
+  bool has_beta = true;  // false leaves out a beta of 0
 };
 
 inline void list_fields(base::Fields& io, LimitedLink& one) {
@@ -32,6 +32,8 @@ inline void list_fields(base::Fields& io, LimitedLink& one) {
   io.number("d_m", link.d, 1, one.lengths, "along z");
   io.number("a_m", link.a, 1, one.lengths, "along x");
   io.number("alpha_deg", link.alpha, base::degree, angles_deg, "about x");
+  if (one.has_beta)
+    io.number("beta_deg", link.beta, base::degree, angles_deg, "about y, after alpha, if axes are almost parallel");
   if (link.joint == Joint::slides) {
     io.numbers("limits_m", one.limits, 1, 2, "from, to");
   } else if (!one.limits.allFinite()) {

@@ -24,7 +24,8 @@ double exact_if_tiny(double value) { return std::abs(value) < 1e-15 ? 0.0 : valu
 
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
-KernelLink::Twist kind(double cosine, double sine) {
+KernelLink::Twist kind(double cosine, double sine, double beta) {
+  if (beta != 0) return KernelLink::leaning;
   if (cosine == 0) return sine > 0 ? KernelLink::quarter : KernelLink::minus_quarter;
   return cosine == 1 && sine == 0 ? KernelLink::none : KernelLink::general;
 }
@@ -51,16 +52,19 @@ Chain::Chain(std::vector<DhLink> links, Frame base, Frame tool)
     throw std::invalid_argument(fmt::format("the arm has {} joints; expected at most {}", links_.size(), most_joints));
   }
   for (const DhLink& link : links_) {
-    const SinCos alpha = sin_cos(link.alpha);
+    const SinCos alpha = sin_cos(link.alpha), beta = sin_cos(link.beta);
     const double cosine = exact_if_tiny(alpha.cosine), sine = exact_if_tiny(alpha.sine);
-    kernel_links_.push_back({kind(cosine, sine), true, link.joint, cosine, sine, link.a, link.d, link.offset});
+    kernel_links_.push_back({kind(cosine, sine, link.beta), true, link.joint, cosine, sine, link.a, link.d, link.offset,
+                             beta.cosine, beta.sine});
     all_turn_ = all_turn_ && link.joint == Joint::turns;
   }
   // Finds coordinates of the point that are 0 for all angles: a joint turns nothing that lies on its axis.
   const Eigen::Vector3d& tip = tool_.position;
   bool x_is_0 = tip.x() == 0, y_is_0 = tip.y() == 0, z_is_0 = tip.z() == 0;
   for (auto link = kernel_links_.rbegin(); link != kernel_links_.rend(); ++link) {
-    if (link->twist == KernelLink::general) {
+    if (link->twist == KernelLink::leaning) {
+      x_is_0 = y_is_0 = z_is_0 = x_is_0 && y_is_0 && z_is_0;
+    } else if (link->twist == KernelLink::general) {
       y_is_0 = z_is_0 = y_is_0 && z_is_0;
     } else if (link->twist != KernelLink::none) {
       std::swap(y_is_0, z_is_0);
@@ -101,26 +105,29 @@ Pose Chain::follow_kind(const ConfigurationRef& q, Visit& visit) const {
   const auto moved = [&](const Eigen::Vector3d& by) -> Eigen::Vector3d {
     return p + (by.x() * x + by.y() * y + by.z() * z);
   };
-  const auto twist = [&](double ca, double sa, const Eigen::Vector3d untwisted) {
-    y = ca * untwisted + sa * z;
-    z = ca * z - sa * untwisted;
+  const auto twist = [&](const KernelLink& by, const Eigen::Vector3d untwisted) {
+    y = by.cosine * untwisted + by.sine * z;
+    z = by.cosine * z - by.sine * untwisted;
+    if (by.twist != KernelLink::leaning) return;
+    const Eigen::Vector3d upright = x;
+    x = by.lean_cosine * upright - by.lean_sine * z;
+    z = by.lean_cosine * z + by.lean_sine * upright;
   };
   for (int j = 0; j < joints(); ++j) {
     const DhLink& link = links_[static_cast<std::size_t>(j)];
     const KernelLink& twisted = kernel_links_[static_cast<std::size_t>(j)];
-    const double ca = twisted.cosine, sa = twisted.sine;
     const double c = cosines[j], s = sines[j];
     if constexpr (kind == Kind::any) {
       if (link.joint == Joint::coupled) {
         const Eigen::Vector3d by(link.a * c + link.d * s, 0, link.d * c - link.a * s);
         visit(j, x, z, p, &by);
         run += by;
-        if (ca == 1 && sa == 0) continue;
+        if (twisted.twist == KernelLink::none) continue;
       }
       if (!run.isZero(0)) p = moved(run);
       run.setZero();
       if (link.joint == Joint::coupled) {
-        twist(ca, sa, y);
+        twist(twisted, y);
         continue;
       }
     }
@@ -130,7 +137,7 @@ Pose Chain::follow_kind(const ConfigurationRef& q, Visit& visit) const {
     x = c * x + s * y;
     p += link.d * z + link.a * x;
     if (kind == Kind::any && link.joint == Joint::slides) p += q[j] * z;
-    twist(ca, sa, turned);
+    twist(twisted, turned);
   }
   Pose T = Pose::Identity();
   T.linear() << x, y, z;
@@ -219,8 +226,7 @@ KernelChain Chain::kernel_chain() const {
 std::vector<double> Chain::points_on_axes(Start start) const {
   std::vector<double> at(links_.size(), 0);
   if (start == Start::frames && links_.front().joint == Joint::turns) at.front() = links_.front().d;
-  for (std::size_t j = 1; start == Start::nearest && j < at.size(); ++j)
-    at[j] = kernel_links_[j - 1].cosine * (at[j - 1] - links_[j - 1].d);
+  for (std::size_t j = 1; start == Start::nearest && j < at.size(); ++j) at[j] = before(j, at[j - 1]).along;
   if (!all_turn_) return at;
   constexpr int most_sweeps = 200;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
@@ -229,12 +235,10 @@ std::vector<double> Chain::points_on_axes(Start start) const {
       const Seen next = after(j, j + 1 < at.size() ? at[j + 1] : 0);
       double best = next.along;
       if (j > 0) {
-        const double d = at[j - 1] - links_[j - 1].d;  // the previous axis' point, seen from this axis
-        const KernelLink& link = kernel_links_[j - 1];
-        const Seen before{link.cosine * d, length(link.a, link.sine * d)};
-        const double sum = before.beside + next.beside;
-        best = sum > 0 ? (before.along * next.beside + next.along * before.beside) / sum  // as light is reflected
-                       : std::clamp(at[j], std::min(before.along, next.along), std::max(before.along, next.along));
+        const Seen last = before(j, at[j - 1]);
+        const double sum = last.beside + next.beside;
+        best = sum > 0 ? (last.along * next.beside + next.along * last.beside) / sum  // as light is reflected
+                       : std::clamp(at[j], std::min(last.along, next.along), std::max(last.along, next.along));
       }
       moved = std::max(moved, std::abs(best - at[j]));
       at[j] = best;
@@ -248,8 +252,19 @@ Chain::Seen Chain::after(std::size_t joint, double along_next) const {
   const KernelLink& link = kernel_links_[joint];
   Eigen::Vector3d next(0, 0, along_next);
   if (all_turn_ && joint + 1 == links_.size()) next = tool_.position;
+  if (link.twist == KernelLink::leaning)
+    next = {link.lean_cosine * next.x() + link.lean_sine * next.z(), next.y(),
+            link.lean_cosine * next.z() - link.lean_sine * next.x()};
   return {link.d + link.sine * next.y() + link.cosine * next.z(),
           length(link.a + next.x(), link.cosine * next.y() - link.sine * next.z())};
+}
+
+Chain::Seen Chain::before(std::size_t joint, double along_last) const {
+  const KernelLink& link = kernel_links_[joint - 1];
+  const double d = along_last - link.d, along = link.cosine * d;
+  if (link.twist != KernelLink::leaning) return {along, length(link.a, link.sine * d)};
+  return {link.lean_cosine * along - link.lean_sine * link.a,
+          length(link.lean_cosine * link.a + link.lean_sine * along, link.sine * d)};
 }
 
 Chain::Ball Chain::ball_through(const std::vector<double>& at) const {
@@ -279,6 +294,7 @@ std::string Chain::definition() const {
     text += fmt::format("{} {} {} {} ", link.a, link.alpha, link.d, link.offset);
     if (link.joint == Joint::slides) text += "slides ";
     if (link.joint == Joint::coupled) text += "coupled ";
+    if (link.beta != 0) text += fmt::format("leans {} ", link.beta);
   }
   text += numbers(tool_.position);
   if (tool_is_turned_) text += "turned " + numbers(tool_.rpy);

@@ -1,4 +1,5 @@
 // An arm as a serial chain of links in standard Denavit-Hartenberg form, with its tool. Metres and radians throughout.
+// Where axes are almost parallel, their common normal is far away; there a link has Hayati's form, with a second turn.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -28,6 +29,7 @@ struct DhLink {
   double d = 0;       // [m] along z
   double offset = 0;  // [rad] added to the joint's angle
   Joint joint = Joint::turns;
+  double beta = 0;  // [rad] about y, after alpha: Hayati's parameter; 0 in a table of Denavit and Hartenberg
 
   bool operator==(const DhLink&) const = default;
 };
@@ -108,6 +110,8 @@ class Chain {
   };
   // The point on the next axis (or the tool), seen from a joint's axis.
   Seen after(std::size_t joint, double along_next) const;
+  // The point on the axis before, seen from a joint's axis.
+  Seen before(std::size_t joint, double along_last) const;
   // A point on each axis, as a distance from its joint's frame, such that the sum of the lengths between them is small:
   // moved from the frames of the table, which are far away if axes are nearly parallel; or from the points that are
   // each nearest to the one before.

@@ -8,7 +8,6 @@
 
 #include "base/number.hpp"
 #include "numerics/functions.hpp"
-#include "numerics/random.hpp"
 
 namespace ikbench::robots {
 
@@ -19,19 +18,19 @@ namespace {
 
 using Motion = DescribedJoint::Motion;
 
-constexpr double all_but_parallel = 5e-10;  // [rad]: moves a tool a metre away by less than `allowed`
-constexpr double tiny = 1e-12;              // [rad], [m]: rounding of computations, not of printed numbers
+constexpr double tiny = 1e-14;            // [rad], [m]: rounding of computations, not of printed numbers
+constexpr double almost_parallel = 0.05;  // the sine below which two axes have no common normal that is near
 
 double meant_length(double length) { return std::abs(length) < tiny ? 0 : length; }
 
-// The nearest multiple of 15 degrees, if it is within `within`.
-double meant_angle(double angle, double within) {
+// The nearest multiple of 15 degrees, if it is that but for rounding.
+double meant_angle(double angle) {
   const double multiple = std::round(angle / (15 * degree)) * 15 * degree;
-  return std::abs(angle - multiple) < within ? multiple : angle;
+  return std::abs(angle - multiple) < tiny ? multiple : angle;
 }
 
 // Meant, and one that a file in degrees can say, so that a stored arm is the same to the bit.
-double angle_in_files(double angle) { return in_unit(meant_angle(angle, tiny), degree) * degree; }
+double angle_in_files(double angle) { return in_unit(meant_angle(angle), degree) * degree; }
 
 Eigen::Matrix3d turned_about(const Eigen::Vector3d& axis, double angle) {
   const auto [sine, cosine] = sin_cos(angle);
@@ -58,15 +57,32 @@ Pose first_frame(const Axis& first) {
   return frame;
 }
 
+// The link from a frame, whose z is its joint's axis, to an axis almost parallel to it. The common normal of the two is
+// far away, and where it is hangs on the last digits; so this link goes straight to the point of the axis, and turns
+// about x and then about y.
+DhLink leaning_link_to(const Axis& next, const Eigen::Vector3d& way, const Eigen::Matrix3d& axes) {
+  const Eigen::Vector3d x = axes.col(0), y = axes.col(1), z = axes.col(2), beside = way - dot(z, way) * z;
+  DhLink link{.a = meant_length(beside.norm()), .d = meant_length(dot(way, z))};
+  if (link.a > 0) link.offset = angle_in_files(arc_tangent(dot(beside, y), dot(beside, x)));
+  const auto [sine, cosine] = sin_cos(link.offset);
+  const double along_x = dot(next.direction, cosine * x + sine * y),
+               along_y = dot(next.direction, cosine * y - sine * x);
+  const double along_z = dot(next.direction, z);
+  link.alpha = angle_in_files(arc_tangent(-along_y, along_z));
+  link.beta = angle_in_files(arc_tangent(along_x, std::sqrt(along_y * along_y + along_z * along_z)));
+  return link;
+}
+
 // The link from a frame, whose z is its joint's axis, to the next axis along the common normal. The normal points along
 // the frame's x if possible.
 DhLink link_to(const Axis& next, const Pose& frame) {
   const Eigen::Vector3d x = frame.linear().col(0), y = frame.linear().col(1), z = frame.linear().col(2);
   const Eigen::Vector3d way = next.point - frame.translation(), cross = z.cross(next.direction);
   const double sine = cross.norm(), cosine = dot(z, next.direction);
+  if (sine >= tiny && sine < almost_parallel) return leaning_link_to(next, way, frame.linear());
   DhLink link;
   Eigen::Vector3d normal;
-  if (sine < all_but_parallel) {
+  if (sine < tiny) {
     normal = way - dot(z, way) * z;
     normal = normal.norm() < tiny ? x : normal.normalized();
   } else {
@@ -133,65 +149,7 @@ Chain chain_of(const Description& description) {
     if (axes[i].motion == Motion::slides) link.joint = Joint::slides;
     links.push_back(link);
   }
-  Chain chain(links, base, frame_of(frame.inverse() * pose));
-
-  constexpr double allowed = 1e-9;  // [m], [rad]
-  const auto farthest = std::ranges::max_element(links, {}, [](const DhLink& link) { return std::abs(link.d); });
-  const bool is_bounded = std::max(std::abs(farthest->d), chain.tool().position.norm()) <= longest_m;
-  Random random(Key(1).with("conversion"));
-  Configuration q(chain.joints());
-  for (int trial = 0; trial < 100; ++trial) {
-    for (double& joint : q) joint = random.uniform(-180 * degree, 180 * degree);
-    const double difference = (chain.forward(q).matrix() - pose_of(description, q).matrix()).cwiseAbs().maxCoeff();
-    if (is_bounded && difference < allowed) continue;
-    throw std::invalid_argument(fmt::format(
-        "the axes of joints {} and {} are almost parallel, to {:.2g} deg: too little for a common normal, too much for "
-        "none; expected axes that are parallel, or a snap_deg of [urdf] above it",
-        farthest - links.begin() + 1, farthest - links.begin() + 2,
-        std::abs(farthest->alpha - std::round(farthest->alpha / std::numbers::pi) * std::numbers::pi) / degree));
-  }
-  return chain;
-}
-
-std::vector<std::string> snap(Description& description, double within) {
-  std::vector<std::string> changed;
-  const auto allowed = [&](double digits) {
-    return within > least_snap ? within : std::min(within, std::max(tiny, 0.99 * digits));
-  };
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // from the last moving joint
-  double squares = 0;                               // of the digits of its axis and of the angles since
-  const DescribedJoint* last = nullptr;
-  for (DescribedJoint& joint : description) {
-    for (int i = 0; i < 3; ++i) {
-      double& angle = joint.origin.rpy[i];
-      const double meant = meant_angle(angle, allowed(joint.rpy_digits[i]));
-      if (std::abs(meant - angle) > tiny) changed.push_back(joint.name);
-      if (meant != angle) joint.rpy_digits[i] = 0;
-      angle = meant;
-    }
-    R = (R * rotation_from_rpy(joint.origin.rpy)).eval();
-    squares += joint.rpy_digits.squaredNorm();
-    if (joint.motion == Motion::none) continue;
-    const auto set_axis = [&](const Eigen::Vector3d& meant, double digits) {
-      const double angle = (meant - joint.axis).norm();
-      if (angle >= allowed(digits)) return;
-      if (angle > tiny) changed.push_back(joint.name);
-      joint.axis = meant;
-      joint.axis_digits.setZero();
-    };
-    Eigen::Index largest = 0;
-    joint.axis.cwiseAbs().maxCoeff(&largest);
-    set_axis(Eigen::Vector3d::Unit(largest) * (joint.axis[largest] < 0 ? -1 : 1), joint.axis_digits.norm());
-    if (last != nullptr) {
-      const Eigen::Vector3d before = R.transpose() * last->axis;
-      set_axis((dot(before, joint.axis) < 0 ? -before : before).normalized(),
-               std::sqrt(squares + joint.axis_digits.squaredNorm()));
-    }
-    last = &joint;
-    R.setIdentity();
-    squares = joint.axis_digits.squaredNorm();
-  }
-  return changed;
+  return Chain(links, base, frame_of(frame.inverse() * pose));
 }
 
 }  // namespace ikbench::robots

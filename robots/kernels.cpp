@@ -33,7 +33,12 @@ IKBENCH_LANES void twist(Vector& v, const KernelLink& link) {
   } else if (link.twist == KernelLink::minus_quarter) {
     v.y = v.z;
     v.z = -y_before;
-  } else if (link.twist == KernelLink::general) {
+  } else if (link.twist != KernelLink::none) {
+    if (link.twist == KernelLink::leaning) {
+      const Reals x_before = v.x;
+      v.x = fused(all(link.lean_cosine), v.x, all(link.lean_sine) * v.z);
+      v.z = fused_less(all(link.lean_cosine), v.z, all(link.lean_sine) * x_before);
+    }
     v.y = fused_less(all(link.cosine), v.y, all(link.sine) * v.z);
     v.z = fused(all(link.sine), y_before, all(link.cosine) * v.z);
   }

@@ -18,12 +18,13 @@ enum class Joint : unsigned char {
 
 // A link on the way from the tip to the base; plain data, as kernels need.
 struct KernelLink {
-  enum Twist { none, quarter, minus_quarter, general };
+  enum Twist { none, quarter, minus_quarter, general, leaning };  // leaning: general, and then about y
   Twist twist;
   bool turns;  // false if the point lies on the joint's axis whatever the other angles
   Joint joint;
-  double cosine, sine;  // of the twist
-  double a, d, offset;  // as in DhLink
+  double cosine, sine;                    // of the twist
+  double a, d, offset;                    // as in DhLink
+  double lean_cosine = 1, lean_sine = 0;  // of beta, where the twist is leaning
 };
 
 constexpr int most_joints = 64;

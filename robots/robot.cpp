@@ -96,6 +96,8 @@ Robot read_robot(TomlReader reader, std::string name, Bounds lengths) {
   if (table == Table::modified) {
     if (std::ranges::count(links, Joint::coupled, &DhLink::joint) > 0)
       throw reader.mistake("dh", "a modified table has no coupled joints; expected dh = \"standard\"");
+    if (std::ranges::count(links, 0.0, &DhLink::beta) < std::ssize(links))
+      throw reader.mistake("dh", "a modified table has no beta_deg; expected dh = \"standard\"");
     make_standard(links, base);
   }
   const auto joints = std::ssize(links);
@@ -189,7 +191,7 @@ std::optional<Robot> stored_arm(std::string_view json) {
     if (arm.at("links").size() > most_joints) return std::nullopt;
     for (Json& link : arm.at("links")) link.erase("name");
     const toml::table table = toml_of(arm);
-    return read_robot(TomlReader(table, "stored arm", ""), "stored", {-longest_m, longest_m});
+    return read_robot(TomlReader(table, "stored arm", ""), "stored", stored_lengths_m);
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   } catch (const nlohmann::json::exception&) {

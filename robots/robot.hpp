@@ -41,7 +41,6 @@ struct Robot {
   std::vector<std::string> notes = {};        // parts of its file that were not taken as they stand
   std::string base_link = {}, tip_link = {};  // of a URDF file
   std::string other_tip = {};                 // that moves with tip_link, which was chosen between them
-  double snapped = 0;                         // [m] largest move of the tool by what was read as rounded
 
   int joints() const { return chain.joints(); }
 };
@@ -63,7 +62,6 @@ struct UrdfChoice {
   std::string base;  // a link; empty: the root of the tree, or the link after the last joint that floats
   std::string tip;   // a link; empty: the end behind the most joints, without a hand
   Limits limits = Limits::hard;
-  double snap = least_snap;  // see snap() in description.hpp
 };
 
 // True if a name means a file, by its ending: .toml, or a URDF file (urdf.hpp).

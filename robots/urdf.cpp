@@ -15,14 +15,12 @@
 
 #include "base/names.hpp"
 #include "base/number.hpp"
-#include "numerics/random.hpp"
 #include "robots/arm_fields.hpp"
 #include "robots/description.hpp"
 
 namespace ikbench::robots {
 
 using namespace base;
-using namespace numerics;
 using tinyxml2::XMLAttribute;
 using tinyxml2::XMLElement;
 
@@ -88,34 +86,29 @@ class Place {
     }
   }
 
-  // Numbers, and what their last digits stand for; 0 of a whole number, which is exact.
-  struct Printed {
-    Eigen::Vector4d values = Eigen::Vector4d::Zero(), digits = Eigen::Vector4d::Zero();
-  };
-  Printed numbers(const XMLElement& at, const char* attribute, int count, double most = 1e6) const {
+  Eigen::Vector4d numbers(const XMLElement& at, const char* attribute, int count, double most = 1e6) const {
     const char* const given = at.Attribute(attribute);
     if (given == nullptr) fail(at, fmt::format("<{}> has no {}", at.Name(), attribute));
     const std::string_view text = given;
     refuse_xacro(at, text);
-    Printed printed;
+    Eigen::Vector4d values = Eigen::Vector4d::Zero();
     std::istringstream words{std::string(text)};
     std::string number;
     int found = 0;
     for (; words >> number; ++found) {
       const std::optional<double> value = number_from(number);
       if (found == count || !value || !(std::abs(*value) <= most)) break;
-      printed.values[found] = *value;
-      printed.digits[found] = *value == std::round(*value) ? 0 : last_digit(number);
+      values[found] = *value;
     }
     if (found != count || words)
       fail(at, fmt::format("{} of <{}> is \"{}\"; expected {}", attribute, at.Name(), shown(text),
                            count == 1 ? "a number" : fmt::format("{} numbers within +-{:g}", count, most)));
-    return printed;
+    return values;
   }
 
   double limit(const XMLElement& at, const char* attribute, double if_none) const {
     constexpr double any = std::numeric_limits<double>::infinity();
-    return at.Attribute(attribute) == nullptr ? if_none : numbers(at, attribute, 1, any).values[0];
+    return at.Attribute(attribute) == nullptr ? if_none : numbers(at, attribute, 1, any)[0];
   }
 
   static std::string shown(std::string_view text) { return is_plain(text) ? std::string(text) : "(not printable)"; }
@@ -405,21 +398,19 @@ void read_origin(const XMLElement& origin, const Place& place, DescribedJoint& j
   place.refuse_unknown(origin, {"xyz", "rpy", "quat_xyzw"}, false);
   if (has("rpy") && has("quat_xyzw")) place.fail(origin, "<origin> has rpy and quat_xyzw; expected one");
   if (has("rpy")) {
-    const auto [values, digits] = place.numbers(origin, "rpy", 3);
-    for (const double value : values)
+    const Eigen::Vector3d rpy = place.numbers(origin, "rpy", 3).head<3>();
+    for (const double value : rpy)
       if (const std::string_view doubt = doubt_of_angle(value, 1); !doubt.empty())
         place.fail(origin, fmt::format("rpy has {}, which {}", value, doubt));
-    joint.origin.rpy = values.head<3>();
-    joint.rpy_digits = digits.head<3>();
+    joint.origin.rpy = rpy;
   } else if (has("quat_xyzw")) {
-    const auto [values, digits] = place.numbers(origin, "quat_xyzw", 4);
+    const Eigen::Vector4d values = place.numbers(origin, "quat_xyzw", 4);
     if (!(values.norm() > 1e-6)) place.fail(origin, "quat_xyzw is 0; expected a quaternion");
     Pose turned = Pose::Identity();
     turned.linear() = Eigen::Quaterniond(values / values.norm()).toRotationMatrix();
     joint.origin.rpy = frame_of(turned).rpy;
-    joint.rpy_digits.setConstant(2 * digits.norm() / values.norm());
   }
-  if (has("xyz")) joint.origin.position = place.numbers(origin, "xyz", 3, lengths_m.second).values.head<3>();
+  if (has("xyz")) joint.origin.position = place.numbers(origin, "xyz", 3, lengths_m.second).head<3>();
 }
 
 DescribedJoint described(const XMLElement& joint, const Place& place) {
@@ -429,10 +420,9 @@ DescribedJoint described(const XMLElement& joint, const Place& place) {
   if (const XMLElement* const origin = joint.FirstChildElement("origin")) read_origin(*origin, place, read);
   const XMLElement* const axis = joint.FirstChildElement("axis");
   if (read.motion == Motion::none || axis == nullptr) return read;  // the axis of a fixed joint is often 0 0 0
-  const auto [values, digits] = place.numbers(*axis, "xyz", 3);
-  if (!(values.norm() > 1e-6)) place.fail(*axis, "its axis has no direction; expected one such as 0 0 1");
-  read.axis = values.head<3>().normalized();
-  read.axis_digits = digits.head<3>() / values.norm();
+  const Eigen::Vector3d direction = place.numbers(*axis, "xyz", 3).head<3>();
+  if (!(direction.norm() > 1e-6)) place.fail(*axis, "its axis has no direction; expected one such as 0 0 1");
+  read.axis = direction.normalized();
   return read;
 }
 
@@ -466,20 +456,6 @@ Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoic
                fmt::format("its limits are {} and {}; expected the lower and then the upper, within +-{:.6g} {}; {}",
                            shown(limits[0]), shown(limits[1]), most, slides ? "m" : "rad", advice));
   return limits;
-}
-
-// The largest move of the tool by snapping, over a thousand configurations [m].
-double moved_by_snapping(const Description& printed, const Description& snapped, const JointLimits& limits) {
-  Random random(Key(1).with("snapping"));
-  Configuration q = Configuration::Zero(limits.lower.size());
-  const JointLimits range = limits.around(q);
-  double farthest = 0;
-  for (int trial = 0; trial < 1000; ++trial) {
-    for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = random.uniform(range.lower[j], range.upper[j]);
-    const Eigen::Vector3d moved = pose_of(printed, q).translation() - pose_of(snapped, q).translation();
-    farthest = std::max(farthest, moved.norm());
-  }
-  return farthest;
 }
 
 // The parser compares each attribute of an element with all before it.
@@ -547,50 +523,38 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
   const std::string& tip = end.link;
   const std::string base = choice.base.empty() ? tree.root_of(tip) : choice.base;
 
-  Description printed;
+  Description joints;
   std::vector<double> lower, upper, velocity;
   int wide = 0;  // joints whose limits are more than a turn
   for (const XMLElement* const joint : tree.path(base, tip)) {
-    printed.push_back(described(*joint, place));
-    if (printed.back().motion == Motion::none) continue;
+    joints.push_back(described(*joint, place));
+    if (joints.back().motion == Motion::none) continue;
     const Eigen::Vector2d limits = limits_of(*joint, place, choice.limits);
-    const double unit = printed.back().motion == Motion::slides ? 1 : degree;  // as a stored arm has them
+    const double unit = joints.back().motion == Motion::slides ? 1 : degree;  // as a stored arm has them
     lower.push_back(in_unit(limits[0], unit) * unit);
     upper.push_back(in_unit(limits[1], unit) * unit);
     const XMLElement* const limit = joint->FirstChildElement("limit");
     const double fastest = limit == nullptr ? 0 : place.limit(*limit, "velocity", 0);
     velocity.push_back(fastest > 0 && fastest < 1000 ? fastest : 0);  // 1000, as we write, or a million stands for none
-    if (printed.back().motion == Motion::turns && limits.allFinite() &&
-        limits.cwiseAbs().maxCoeff() > 1.01 * whole_turn)
+    if (joints.back().motion == Motion::turns && limits.allFinite() && limits.cwiseAbs().maxCoeff() > 1.01 * whole_turn)
       ++wide;
   }
   if (lower.empty())
     place.fail(1, fmt::format("no joint moves between links \"{}\" and \"{}\"; name others: --base LINK --tip LINK, "
                               "after ikbench robot FILE --links",
                               base, tip));
-  Description snapped = printed;
-  std::vector<std::string> changed = snap(snapped, choice.snap);
   try {
     Robot arm{.name = file.stem().string(),
               .summary = fmt::format("{} from {} to {}", name, base, tip),
               .source = file.filename().string(),
-              .chain = chain_of(snapped),
-              .description = snapped,
+              .chain = chain_of(joints),
+              .description = joints,
               .base_link = base,
               .tip_link = tip};
     arm.limits = {Configuration::Map(lower.data(), arm.joints()), Configuration::Map(upper.data(), arm.joints())};
     if (std::ranges::max(velocity) > 0) arm.velocity = Configuration::Map(velocity.data(), arm.joints());
     if (end.other != tip) arm.other_tip = end.other;
     if (wide > 0) arm.notes.push_back(fmt::format("{} may turn by more than a turn each way", counted(wide, "joints")));
-    if (!changed.empty()) {
-      changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-      arm.snapped = moved_by_snapping(printed, snapped, arm.limits);
-      arm.notes.push_back(fmt::format(
-          "{} are rounded in the file: taken as the quarter turns or parallel axes meant, which moves the tool by at "
-          "most {:.3g} {}",
-          counted(static_cast<std::int64_t>(changed.size()), "joints"), arm.snapped * (arm.snapped < 1e-3 ? 1e6 : 1e3),
-          arm.snapped < 1e-3 ? "um" : "mm"));
-    }
     return arm;
   } catch (const std::invalid_argument& error) {
     place.fail(robot, error.what());

@@ -100,6 +100,7 @@ std::string urdf_of(const Robot& arm, const Chain& chain) {
       before = turned(0, -link.offset, 0);
     }
     before = before * turned(link.alpha, 0, 0);
+    if (link.beta != 0) before = before * turned(0, link.beta, 0);
   }
   writer.joint(writer.unused("to_" + tip_link_of(arm)), "fixed", tip_link_of(arm), before * chain.tool().pose(), "");
   return writer.text();

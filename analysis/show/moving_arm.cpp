@@ -79,7 +79,8 @@ Json drawn(const robots::Chain& chain) {
                      {"offset_rad", link.offset},
                      {"d_m", link.d},
                      {"a_m", link.a},
-                     {"alpha_rad", link.alpha}});
+                     {"alpha_rad", link.alpha},
+                     {"beta_rad", link.beta}});
   }
   return {{"links", std::move(links)}, {"base", drawn(chain.base())}, {"tool", drawn(chain.tool())}};
 }

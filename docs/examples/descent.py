@@ -18,7 +18,10 @@ def frames(arm, q):
     for joint, value in zip(arm.joints, q):
         t, al, a, d = joint["theta"] + value, joint["alpha"], joint["a"], joint["d"]
         c, s, ca, sa = math.cos(t), math.sin(t), math.cos(al), math.sin(al)
-        all.append(times(all[-1], [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]))
+        cb, sb = math.cos(joint["beta"]), math.sin(joint["beta"])
+        link = times([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]],
+                     [[cb, 0, sb, 0], [0, 1, 0, 0], [-sb, 0, cb, 0], [0, 0, 0, 1]])
+        all.append(times(all[-1], link))
     return all[:-1] + [times(all[-1], square(arm.tool))]
 
 

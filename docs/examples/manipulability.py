@@ -18,6 +18,8 @@ def manipulability(robot, answer):
         c, s, ca, sa = math.cos(turn), math.sin(turn), math.cos(joint["alpha"]), math.sin(joint["alpha"])
         frame = product(frame, [[c, -s * ca, s * sa, joint["a"] * c], [s, c * ca, -c * sa, joint["a"] * s],
                                 [0, sa, ca, along], [0, 0, 0, 1]])
+        cb, sb = math.cos(joint["beta"]), math.sin(joint["beta"])
+        frame = product(frame, [[cb, 0, sb, 0], [0, 1, 0, 0], [-sb, 0, cb, 0], [0, 0, 0, 1]])
     tool = [row[3] for row in product(frame, [robot.tool[i:i + 4] for i in (0, 4, 8, 12)])[:3]]
     columns = [z if slides else [z[i - 2] * (tool[i - 1] - p[i - 1]) - z[i - 1] * (tool[i - 2] - p[i - 2]) for i in range(3)]
                for slides, z, p in axes]

@@ -9,7 +9,6 @@
 
 #include "base/json.hpp"
 #include "base/names.hpp"
-#include "experiments/verifier.hpp"
 #include "results/export.hpp"
 #include "robots/urdf.hpp"
 #include "solvers/bounds.hpp"
@@ -240,6 +239,7 @@ std::string robot_message(const Robot& arm, const Chain& searched, const Goal& g
                       {"d", link.d},
                       {"a", link.a},
                       {"alpha", link.alpha},
+                      {"beta", link.beta},
                       {"lower", arm.limits.lower[index]},
                       {"upper", arm.limits.upper[index]}});
   }
@@ -248,7 +248,6 @@ std::string robot_message(const Robot& arm, const Chain& searched, const Goal& g
                   {"options", values},
                   {"goal", goal_names[static_cast<std::size_t>(goal.kind)]},
                   {"rotation_weight", goal.rotation_weight},
-                  {"claim_slack", claim_slack(arm)},
                   {"joints", joints},
                   {"base_link", base_link_of(arm)},
                   {"base", numbers(searched.base().pose().matrix().transpose().reshaped())},

@@ -41,7 +41,8 @@ KDL::Chain kdl_chain(const Chain& arm) {
   chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), kdl_frame(arm.base().pose())));
   for (const DhLink& link : arm.links()) {
     const KDL::Joint joint(link.joint == Joint::slides ? KDL::Joint::TransZ : KDL::Joint::RotZ);
-    chain.addSegment(KDL::Segment(joint, KDL::Frame::DH(link.a, link.alpha, link.d, link.offset)));
+    chain.addSegment(KDL::Segment(
+        joint, KDL::Frame::DH(link.a, link.alpha, link.d, link.offset) * KDL::Frame(KDL::Rotation::RotY(link.beta))));
   }
   chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), kdl_frame(arm.tool().pose())));
   return chain;

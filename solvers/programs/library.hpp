@@ -27,7 +27,9 @@ inline Eigen::Matrix4d target_of(const ikbench::Problem& problem) {
 inline Eigen::Matrix4d link(const ikbench::Json& joint) {
   const double t = joint["theta"].number, al = joint["alpha"].number, a = joint["a"].number, d = joint["d"].number;
   const double c = std::cos(t), s = std::sin(t), ca = std::cos(al), sa = std::sin(al);
-  return matrix({c, -s * ca, s * sa, a * c, s, c * ca, -c * sa, a * s, 0, sa, ca, d, 0, 0, 0, 1});
+  const double cb = std::cos(joint["beta"].number), sb = std::sin(joint["beta"].number);
+  return matrix({c, -s * ca, s * sa, a * c, s, c * ca, -c * sa, a * s, 0, sa, ca, d, 0, 0, 0, 1}) *
+         matrix({cb, 0, sb, 0, 0, 1, 0, 0, -sb, 0, cb, 0, 0, 0, 0, 1});
 }
 
 // What `from` answers from the start, then from random ones, while it is {} and time is left (without a budget of time

@@ -8,8 +8,10 @@ def frames(robot, q):
     for joint, angle in zip(robot.joints, q):
         t, al = joint["theta"] + angle, joint["alpha"]
         c, s, ca, sa = np.cos(t), np.sin(t), np.cos(al), np.sin(al)
+        cb, sb = np.cos(joint["beta"]), np.sin(joint["beta"])
         found.append(found[-1] @ [[c, -s * ca, s * sa, joint["a"] * c], [s, c * ca, -c * sa, joint["a"] * s],
-                                  [0, sa, ca, joint["d"]], [0, 0, 0, 1]])
+                                  [0, sa, ca, joint["d"]], [0, 0, 0, 1]]
+                               @ np.array([[cb, 0, sb, 0], [0, 1, 0, 0], [-sb, 0, cb, 0], [0, 0, 0, 1]]))
     return found[:-1] + [found[-1] @ np.array(robot.tool).reshape(4, 4)]
 
 

@@ -249,8 +249,8 @@ void textbook_floor(benchmark::State& state) {
   Eigen::Matrix<double, 7, 1> q;
   Eigen::Matrix<double, 7, 4> links;
   for (int j = 0; j < 7; ++j) {
-    const auto& [a, alpha, d, offset, joint] = arm.chain.links()[static_cast<std::size_t>(j)];
-    links.row(j) << a, d, std::cos(alpha), std::sin(alpha);
+    const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
+    links.row(j) << link.a, link.d, std::cos(link.alpha), std::sin(link.alpha);
   }
   std::int64_t turn = 0;
   for (auto _ : state) {

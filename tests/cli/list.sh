@@ -37,7 +37,7 @@ for study in $("$program" list studies | grep -E '^[a-z]' | cut -d' ' -f1); do
   diff <(grep "^[^#]" .out) <(grep "^[^#]" "$study.toml") || fail "the listed study, listed again, is another"
 done
 # The page on study files names each of these keys, and those of a URDF file.
-for key in base tip limits snap_deg $(sed -n 's/^\([a-z_]*\) = .*/\1/p' slim2023-time.toml any-arm.toml); do
+for key in base tip limits $(sed -n 's/^\([a-z_]*\) = .*/\1/p' slim2023-time.toml any-arm.toml); do
   grep -qE "\`$key(\`| =)" "$root/docs/reference/study-file.md" || fail "study-file.md lacks $key"
 done
 study theirs '[[solvers]]' 'label = "X"' 'process = ["touch", "ran"]'

@@ -2,7 +2,8 @@
 # An arm is a name, a file of joints, or a URDF: shown, run, and its mistakes.
 source "$(dirname "$0")/common.sh"
 cp "$scripts"/studies/{my_*.toml,two.urdf} .
-cp "$root"/tests/data/urdf/{fetch,ur5e,gen3}.urdf .
+cp "$root"/tests/data/urdf/{fetch,gen3}.urdf .
+sed 's/1\.57079632[0-9]*/1.5707963267948966/g; s/3\.14159265[0-9]*/3.141592653589793/g' "$root/tests/data/urdf/ur5e.urdf" >ur5e.urdf
 
 unwrapped() { sed -z 's/\n  / /g' .out; }
 # shows JOINTS PLACE ARGUMENTS...: the number of joints and where the tool is.

@@ -85,7 +85,7 @@ arms = {  # joints of each: type, xyz, rpy, axis
 class File:
     def __init__(self, name, joints):
         self.name, self.joints, self.extra, self.links = name, [], "", ["base"]
-        self.base, self.tip, self.options, self.asks, self.ending, self.near = "base", "tool", [], "", "urdf", 1e-9
+        self.base, self.tip, self.options, self.asks, self.ending = "base", "tool", [], "", "urdf"
         self.write = repr
         for i, each in enumerate(joints, 1):
             self.add("base" if i == 1 else f"link{i - 1}", f"link{i}", *each)
@@ -166,7 +166,7 @@ def capitals(f):
     for joint in f.joints: joint[0], joint[1] = joint[0].upper(), joint[1].upper()
     f.base, f.tip = "BASE", "TOOL"
 def rounded(f):
-    f.write, f.near = (lambda value: "%.5g" % value), 1e-4
+    f.write = lambda value: "%.5g" % value
 def calibrated(f):
     for joint in f.joints[:-1]: joint[4] = (joint[4][0] + 1.5e-5, joint[4][1] - 2.5e-5, joint[4][2])
 def placeholder(f):
@@ -228,7 +228,7 @@ def check(arm, feature):
                    re.search(r"the tool is at \((.*?)\) m, roll pitch yaw \((.*?)\) deg", out).groups())
     ours, theirs = product(moved(*place), turned_by_rpy(*map(math.radians, turn))), pose_of(chain, q)
     far = max(abs(a - b) for row, other in zip(ours, theirs) for a, b in zip(row, other))
-    assert far < f.near, f"{f.name}: the tool is {far} off"
+    assert far < 1e-9, f"{f.name}: the tool is {far} off"
     lengths = sum(math.hypot(*numbers(joint.find("origin"), "xyz", "0 0 0")) for joint in chain)
     if reach := re.search(r"reach: at most (\S+) m", out):
         assert float(reach[1]) <= 1.005 * lengths + 1e-5, f"{f.name}: reach {reach[1]} of {lengths}"

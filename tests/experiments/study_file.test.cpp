@@ -248,8 +248,14 @@ TEST_CASE("a study's arm may be a URDF file, read as its table urdf says", "[stu
   CHECK(keys_of(parse_study(to_toml(soft), "again")) == keys_of(soft));
   CHECK(contains(said_of(solver_entry, {robot, "urdf.tip=tol"}),
                  "tip is \"tol\", which is no link; did you mean \"tool\"?"));
-  CHECK(
-      contains(said_of(solver_entry, {robot, "urdf.snap_deg=2"}), "urdf.snap_deg is 2; expected a number from 0 to 1"));
+  CHECK(contains(said_of(solver_entry, {robot, "urdf.snap_deg=0"}), "the arm is judged as the file prints it"));
+  // The turns of axes that are almost parallel are stored where there are some.
+  const Study calibrated = read("search = \"pose\"\n" + solver_entry,
+                                {"robot=" + std::filesystem::absolute("tests/data/urdf/ur5_calibrated.urdf").string()});
+  const nlohmann::json stored = nlohmann::json::parse(to_json(calibrated))["arm"];
+  CHECK(stored["links"][1].contains("beta_deg"));
+  CHECK_FALSE(json["arm"]["links"][1].contains("beta_deg"));
+  CHECK(robots::stored_arm(stored.dump())->chain.definition() == arm_of(calibrated).chain.definition());
 }
 
 TEST_CASE("a study says how it will be judged, by default by ranks at 5 %, the paper's studies by means",

@@ -32,8 +32,8 @@ inline LongMatrix product(const LongMatrix& left, const LongMatrix& right) {
   return result;
 }
 
-// Eq. 18; a coupled link is turned about y, and after it back.
-inline LongMatrix reference_matrix(const robots::DhLink& link, long double joint) {
+// Eq. 18; a coupled link is turned about y, and after it back. Without the turn by beta.
+inline LongMatrix unleaning_matrix(const robots::DhLink& link, long double joint) {
   const long double theta = link.joint == robots::Joint::slides ? link.offset : joint + link.offset;
   const long double d = link.joint == robots::Joint::slides ? joint + link.d : link.d, alpha = meant_twist(link.alpha);
   const long double c = std::cos(theta), s = std::sin(theta), ca = std::cos(alpha), sa = std::sin(alpha);
@@ -41,6 +41,12 @@ inline LongMatrix reference_matrix(const robots::DhLink& link, long double joint
     return {{{1, 0, 0, c * link.a + s * d}, {0, ca, -sa, 0}, {0, sa, ca, c * d - s * link.a}, {0, 0, 0, 1}}};
   }
   return {{{c, -s * ca, s * sa, link.a * c}, {s, c * ca, -c * sa, link.a * s}, {0, sa, ca, d}, {0, 0, 0, 1}}};
+}
+
+inline LongMatrix reference_matrix(const robots::DhLink& link, long double joint) {
+  const long double c = std::cos(static_cast<long double>(link.beta)),
+                    s = std::sin(static_cast<long double>(link.beta));
+  return product(unleaning_matrix(link, joint), {{{c, 0, s, 0}, {0, 1, 0, 0}, {-s, 0, c, 0}, {0, 0, 0, 1}}});
 }
 
 inline LongMatrix reference_matrix(const robots::Frame& frame) {
@@ -105,7 +111,8 @@ inline std::vector<robots::DhLink> random_links(Dice& dice, int joints) {
             .alpha = dice.below(3) == 0 ? dice.between(-pi, pi) : turns * (pi / 2),
             .d = dice.below(2) == 0 ? 0 : dice.between(-1, 1),
             .offset = dice.below(2) == 0 ? 0 : dice.between(-pi, pi),
-            .joint = all_turn ? robots::Joint::turns : static_cast<robots::Joint>(dice.below(3))};
+            .joint = all_turn ? robots::Joint::turns : static_cast<robots::Joint>(dice.below(3)),
+            .beta = dice.below(5) == 0 ? dice.between(-pi, pi) : 0};
   }
   return links;
 }

@@ -145,6 +145,8 @@ TEST_CASE("what is new in an arm is said in its definition, and nothing of what 
   coupled[0].joint = Joint::coupled;
   CHECK(Chain(slides).definition() == "0.5 1 0.25 2 slides 0 0 0 ");
   CHECK(Chain(coupled).definition() == "0.5 1 0.25 2 coupled 0 0 0 ");
+  CHECK(Chain({{.a = 0.5, .alpha = 1, .d = 0.25, .offset = 2, .beta = 3}}).definition() ==
+        "0.5 1 0.25 2 leans 3 0 0 0 ");
   CHECK(Chain(one, {{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 0, 0}}).definition() ==
         "0.5 1 0.25 2 7 8 9 turned 1 0 0 base 1 2 3 4 5 6 ");
   // Older stores know the Dobot by the words of its closed form.

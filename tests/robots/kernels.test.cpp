@@ -16,10 +16,21 @@ KernelLink kernel_link(const DhLink& link) {
   const long double alpha = meant_twist(link.alpha);
   const auto exact = [](long double x) { return std::abs(x) < 1e-15L ? 0.0 : static_cast<double>(x); };
   const double c = exact(std::cos(alpha)), s = exact(std::sin(alpha));
-  const KernelLink::Twist twist = c == 0             ? s > 0 ? KernelLink::quarter : KernelLink::minus_quarter
-                                  : s == 0 && c == 1 ? KernelLink::none
-                                                     : KernelLink::general;
-  return {twist, true, link.joint, c, s, link.a, link.d, link.offset};
+  KernelLink::Twist twist = KernelLink::general;
+  if (c == 0) twist = s > 0 ? KernelLink::quarter : KernelLink::minus_quarter;
+  if (s == 0 && c == 1) twist = KernelLink::none;
+  if (link.beta != 0) twist = KernelLink::leaning;
+  const auto beta = static_cast<long double>(link.beta);
+  return {twist,
+          true,
+          link.joint,
+          c,
+          s,
+          link.a,
+          link.d,
+          link.offset,
+          static_cast<double>(std::cos(beta)),
+          static_cast<double>(std::sin(beta))};
 }
 
 struct Arm {

@@ -34,7 +34,7 @@
         frame.multiply(moved(link.a_m, 0, 0));
       }
       if (link.joint === 'coupled') frame.multiply(turned(-angle));  // it holds what comes after it in its direction
-      frame.multiply(turnedAbout.x(link.alpha_rad));
+      frame.multiply(turnedAbout.x(link.alpha_rad)).multiply(turnedAbout.y(link.beta_rad));
     });
     here(-1);
     enter(frame, arm.tool);
