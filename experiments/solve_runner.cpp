@@ -83,9 +83,7 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, std::stri
       is_counted_(entry.program || info_of(entry).is_counted) {
   if (!entry.program) return;
   conversations_ = std::make_unique<Conversations>(
-      entry.program, robot_message(arm, task_.arm(), task_.goal(Pose::Identity()),
-                                   task_.arm().joints() == arm.joints() ? own_urdf(*entry.program, study.robot) : "",
-                                   entry.program->hello, options_));
+      entry.program, robot_message(arm, task_.arm(), task_.goal(Pose::Identity()), "", entry.program->hello, options_));
 }
 
 std::unique_ptr<Solver> SolveRunner::make_solver() const {

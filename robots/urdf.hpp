@@ -32,8 +32,9 @@ struct LinkQuestion : std::invalid_argument {
 // ending.
 Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const UrdfChoice& choice);
 
-// An arm as a URDF file's text: of `chain`, its joints or the first of them, and its limits. A coupled joint is
-// followed by one that mimics it.
+// The arm that is judged as a URDF file's text, and nothing else: the joints of `chain`, which are its own or the first
+// of them, and its limits. An arm of a URDF file has the numbers of that file. A coupled joint is followed by one that
+// mimics it.
 std::string urdf_of(const Robot& arm, const Chain& chain);
 // The names in it: those of the arm's own file, else joint_1, ..., from "base" to "tool".
 std::vector<std::string> joint_names(const Robot& arm);

@@ -221,7 +221,7 @@ std::int64_t Message::count(const char* key) const {
   return static_cast<std::int64_t>(value);
 }
 
-std::string robot_message(const Robot& arm, const Chain& searched, const Goal& goal, const std::string& urdf,
+std::string robot_message(const Robot& arm, const Chain& searched, const Goal& goal, const std::string& own_urdf,
                           const Hello& hello, const Settings& options) {
   OrderedJson values = OrderedJson::object(), joints = OrderedJson::array();
   for (const HelloOption& option : hello.options) {
@@ -253,7 +253,7 @@ std::string robot_message(const Robot& arm, const Chain& searched, const Goal& g
                   {"base", numbers(searched.base().pose().matrix().transpose().reshaped())},
                   {"tip_link", tip_link_of(arm)},
                   {"tool", numbers(searched.tool().pose().matrix().transpose().reshaped())},
-                  {"urdf", urdf.empty() ? urdf_of(arm, searched) : urdf}});
+                  {"urdf", own_urdf.empty() ? urdf_of(arm, searched) : own_urdf}});
 }
 
 std::string solve_message(const Problem& problem, const Goal& goal, const StopRule& stop, std::uint32_t seed) {

@@ -74,9 +74,10 @@ class Message {
 };
 
 // What is the same for all solves. `searched` has the joints before the wrist, or all; of `goal` the target does not
-// matter; `urdf` is the text of the arm's file; empty: it is written here.
+// matter. A solver gets the arm that is judged as text, a check its file with the bodies in it: `own_urdf`, if not
+// empty.
 std::string robot_message(const robots::Robot& arm, const robots::Chain& searched, const solvers::Goal& goal,
-                          const std::string& urdf, const Hello& hello, const solvers::Settings& options);
+                          const std::string& own_urdf, const Hello& hello, const solvers::Settings& options);
 // Without the end of its line.
 std::string solve_message(const solvers::Problem& problem, const solvers::Goal& goal, const solvers::StopRule& stop,
                           std::uint32_t seed);

@@ -56,5 +56,5 @@ refused 5ms run ur5e --limit 5
 rm two.urdf
 
 # Files with the features of public URDF files, held against other kinematics, and run.
-cp "$root"/tests/data/urdf/*.urdf "$scripts"/programs/snapped/*.urdf .
+cp "$root"/tests/data/urdf/*.urdf .
 python3 "$scripts/urdfs.py" "$program" *.urdf || fail "see above"

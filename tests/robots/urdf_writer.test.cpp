@@ -44,6 +44,34 @@ Eigen::Matrix4d pose_by_text(const std::string& urdf, const Eigen::VectorXd& q) 
 
 }  // namespace
 
+TEST_CASE("The URDF text of an arm from a file has that arm alone, in the numbers of the file") {
+  ikbench::numerics::Random random(ikbench::numerics::Key(1));
+  for (const char* const name : {"fetch", "gen3", "iiwa14", "panda", "ur5_calibrated", "ur5e"}) {
+    INFO(name);
+    const Robot arm =
+        load_robot(std::string("tests/data/urdf/") + name + ".urdf", {.limits = UrdfChoice::Limits::soft});
+    const std::string text = urdf_of(arm, arm.chain);
+    const Robot read = parse_urdf(text, "arm.urdf", {.base = arm.base_link, .tip = arm.tip_link});
+    CHECK(joint_names(read) == joint_names(arm));
+    CHECK(read.limits.lower == arm.limits.lower);
+    CHECK(read.limits.upper == arm.limits.upper);
+    CHECK(static_cast<int>(read.description.size()) == arm.joints() + 1);  // and one that leads to the tip
+    // Of the first joints, as before a wrist, with the tool where the searched chain has it.
+    const std::vector<DhLink>& links = arm.chain.links();
+    const Chain first({links.begin(), links.end() - 3}, arm.chain.base(), {.position = {0, 0, 0.1}});
+    const std::string of_first = urdf_of(arm, first);
+    Configuration q(arm.joints());
+    for (int trial = 0; trial < 20; ++trial) {
+      for (double& joint : q) joint = random.uniform(-3, 3);
+      const Eigen::Matrix4d judged = pose_of(arm.description, q).matrix();
+      CHECK((pose_by_text(text, q) - judged).cwiseAbs().maxCoeff() <= 1e-14);
+      CHECK((pose_of(read.description, q).matrix() - judged).cwiseAbs().maxCoeff() <= 1e-14);
+      const Eigen::VectorXd q_first = q.head(first.joints());
+      CHECK((pose_by_text(of_first, q_first) - first.forward(q_first).matrix()).cwiseAbs().maxCoeff() <= 1e-13);
+    }
+  }
+}
+
 TEST_CASE("The URDF text of each built-in arm is that arm, to 1e-12") {
   ikbench::numerics::Random random(ikbench::numerics::Key(1));
   for (const Robot& arm : all_robots()) {
