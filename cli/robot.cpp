@@ -103,13 +103,17 @@ std::string tool_text(const Robot& arm, const Configuration& q) {
   return text;
 }
 
+std::string wrist_text(const Robot& arm) {
+  if (SphericalWrist::fits(arm.chain)) return "spherical; search = \"wrist\", \"all_joints\", \"axis\" or \"pose\"";
+  const std::string misfit = SphericalWrist::misfit(arm.chain);
+  return fmt::format("not spherical{}; search = \"all_joints\", \"axis\" or \"pose\"",
+                     misfit.empty() ? "" : ", " + misfit);
+}
+
 std::string robot_text(const Robot& arm) {
   const std::string head = fmt::format("{}: {}\nsource: {}\n\n{}{}", arm.name, arm.summary, arm.source,
                                        frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()));
-  std::string rest = fmt::format("\n{}\nwrist: {}\n", reach_text(arm),
-                                 SphericalWrist::fits(arm.chain)
-                                     ? "spherical; search = \"wrist\", \"all_joints\", \"axis\" or \"pose\""
-                                     : "not spherical; search = \"all_joints\", \"axis\" or \"pose\"");
+  std::string rest = fmt::format("\n{}\nwrist: {}\n", reach_text(arm), wrist_text(arm));
   if (!arm.other_tip.empty()) rest += fmt::format("note: --tip {} for another end\n", arm.other_tip);
   for (const std::string& note : arm.notes) rest += fmt::format("note: {}\n", note);
   return wrapped(head) + joint_table(arm) + wrapped(rest);

@@ -189,10 +189,12 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
   refuse_if(study.motion_joints > arm.joints(), "motion_joints",
             fmt::format("motion_joints is {}, but {} has {}; expected at most that, or 0 for all", study.motion_joints,
                         arm.name, counted(arm.joints(), "joints")));
-  refuse_if(
-      study.search == Search::wrist && !SphericalWrist::fits(arm.chain), "search",
-      fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\", \"axis\" or \"pose\"",
-                  arm.name));
+  if (study.search == Search::wrist && !SphericalWrist::fits(arm.chain)) {
+    const std::string misfit = SphericalWrist::misfit(arm.chain);
+    throw reader.mistake("search", fmt::format("search is \"wrist\", but {} has no spherical wrist{}; expected "
+                                               "\"all_joints\", \"axis\" or \"pose\"",
+                                               arm.name, misfit.empty() ? "" : ": " + misfit));
+  }
   refuse_if(study.search == Search::flange && !only_turns_tool(arm.chain), "search",
             fmt::format("search is \"flange\", but the last joint of {} moves the tool's point; expected "
                         "\"all_joints\", \"axis\" or \"pose\"",

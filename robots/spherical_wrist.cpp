@@ -1,10 +1,13 @@
 #include "robots/spherical_wrist.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "base/units.hpp"
 #include "numerics/functions.hpp"
 
 namespace ikbench::robots {
@@ -12,6 +15,29 @@ namespace ikbench::robots {
 using namespace numerics;
 
 namespace {
+
+constexpr double exact = 1e-10;  // [m], [rad]: so little stays below what an answer may be off by rounding
+
+// How far the axes of the last three joints are from a common point [m], and from right angles to the next [rad].
+struct Misfit {
+  double length, angle;
+};
+Misfit misfit_of(const Chain& whole) {
+  const DhLink* last = &whole.links().back();
+  const DhLink &first = last[-2], &middle = last[-1];
+  const auto from_right_angle = [](const DhLink& link) {
+    const double cosine = sin_cos(link.alpha).cosine * sin_cos(link.beta).cosine;  // of the angle between the axes
+    return std::abs(arc_tangent(cosine, std::sqrt(1 - cosine * cosine)));
+  };
+  return {std::max({std::abs(first.a), std::abs(middle.a), std::abs(middle.d)}),
+          std::max(from_right_angle(first), from_right_angle(middle))};
+}
+
+bool ends_in_turns(const Chain& whole) {
+  if (whole.joints() < 4) return false;
+  return std::all_of(whole.links().end() - 3, whole.links().end(),
+                     [](const DhLink& link) { return link.joint == Joint::turns; });
+}
 
 Chain arm_of(const Chain& whole) {
   if (!SphericalWrist::fits(whole))
@@ -23,25 +49,35 @@ Chain arm_of(const Chain& whole) {
 }  // namespace
 
 bool SphericalWrist::fits(const Chain& whole) {
-  if (whole.joints() < 4) return false;
-  const DhLink* last = &whole.links().back();
-  const DhLink &first = last[-2], &middle = last[-1];
-  const auto near = [](double a, double b) { return std::abs(a - b) < 1e-12; };
-  const bool turn = std::all_of(last - 2, last + 1, [](const DhLink& link) { return link.joint == Joint::turns; });
-  return turn && first.a == 0 && middle.a == 0 && middle.d == 0 && near(std::abs(first.alpha), std::numbers::pi / 2) &&
-         near(first.alpha, -middle.alpha);
+  if (!ends_in_turns(whole)) return false;
+  const Misfit off = misfit_of(whole);
+  return off.length < exact && off.angle < exact;
+}
+
+std::string SphericalWrist::misfit(const Chain& whole) {
+  if (!ends_in_turns(whole) || fits(whole)) return "";
+  const Misfit off = misfit_of(whole);
+  const double length = off.length < exact ? 0 : off.length, angle = off.angle < exact ? 0 : off.angle;
+  const bool may_be_rounded = length < 1e-4 && angle < 1e-3;
+  return fmt::format(
+      "its last three axes are {:.3g} mm from a common point and {:.3g} deg from right angles{}", 1000 * length,
+      angle / base::degree,
+      may_be_rounded ? " (with exact angles in its file, such as 1.5707963267948966, it may have one)" : "");
 }
 
 SphericalWrist::SphericalWrist(const Chain& whole) : arm_(arm_of(whole)) {
   const DhLink* last = &whole.links().back();
   const DhLink &first = last[-2], &middle = last[-1], &third = last[0];
   offsets_ = {first.offset, middle.offset, third.offset};
+  if (first.alpha * middle.alpha > 0)
+    offsets_ += Eigen::Vector3d(0, std::numbers::pi, -std::numbers::pi);  // as with -middle.alpha
   sense_ = first.alpha < 0 ? 1 : -1;
   tool_in_tool_ = whole.tool().position + Eigen::Vector3d(0, 0, third.d);
-  if (whole.tool().rpy.isZero(0) && third.alpha == 0 && third.a == 0) return;
+  if (whole.tool().rpy.isZero(0) && third.alpha == 0 && third.beta == 0 && third.a == 0) return;
   // Everything behind the last axis as one frame: it counts as a tool that is turned.
   const Pose T_axis_tool =
-      Chain({{.a = third.a, .alpha = third.alpha, .d = third.d}}, {}, whole.tool()).forward(Eigen::VectorXd::Zero(1));
+      Chain({{.a = third.a, .alpha = third.alpha, .d = third.d, .beta = third.beta}}, {}, whole.tool())
+          .forward(Eigen::VectorXd::Zero(1));
   R_tool_last_ = T_axis_tool.linear().transpose();
   tool_in_tool_ = *R_tool_last_ * T_axis_tool.translation();
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "robots/chain.hpp"
 
@@ -11,10 +12,13 @@ namespace ikbench::robots {
 
 class SphericalWrist {
  public:
-  // True if the last three axes meet in a point, each at right angles to the next: twists of -90 and 90 degrees (or 90
-  // and -90) without lengths between them; and if joints are left for the arm. What is behind the last axis counts as
-  // the tool.
+  // True if the last three axes meet in a point, each at right angles to the next, to 1e-10 m and rad, as a file of
+  // eleven digits has them: twists of 90 or -90 degrees without lengths between them; and if joints are left for the
+  // arm. What is behind the last axis counts as the tool.
   static bool fits(const Chain& whole);
+  // "its last three axes are 1.2 mm from a common point and 0.0002 deg from right angles"; "" if they fit, or are not
+  // of three joints that turn behind another one.
+  static std::string misfit(const Chain& whole);
 
   // Throws std::invalid_argument if it does not fit.
   explicit SphericalWrist(const Chain& whole);

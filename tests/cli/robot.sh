@@ -20,6 +20,7 @@ has "$out" " velocity "
 has "$out" " 0.1 m/s "
 shows 6 "0.929, 0, 0.06) m" fetch.urdf --base shoulder_pan_link --tip wrist_roll_link
 shows 7 "0, -0.02485" gen3.urdf
+has "$(tr -s '\n ' ' ' <.out)" "last three axes are 0.35 mm from a common point and 0.00021 deg from right angles" # of 1.5708
 
 # The arm that is written from the numbers of the screen has the same tool, to every digit that is shown. A conversion
 # leaves no digits of its own.

@@ -249,6 +249,9 @@ TEST_CASE("a study's arm may be a URDF file, read as its table urdf says", "[stu
   CHECK(contains(said_of(solver_entry, {robot, "urdf.tip=tol"}),
                  "tip is \"tol\", which is no link; did you mean \"tool\"?"));
   CHECK(contains(said_of(solver_entry, {robot, "urdf.snap_deg=0"}), "the arm is judged as the file prints it"));
+  const std::string rounded = std::filesystem::absolute("tests/data/urdf/gen3.urdf").string();
+  CHECK(contains(said_of("search = \"wrist\"\n" + solver_entry, {"robot=" + rounded}),
+                 "0.35 mm from a common point and 0.00021 deg from right angles; expected \"all_joints\""));
   // The turns of axes that are almost parallel are stored where there are some.
   const Study calibrated = read("search = \"pose\"\n" + solver_entry,
                                 {"robot=" + std::filesystem::absolute("tests/data/urdf/ur5_calibrated.urdf").string()});

@@ -125,3 +125,40 @@ TEST_CASE("an arm without a spherical wrist is refused", "[wrist]") {
   links[5].d = 0.01;
   CHECK_THROWS_WITH(SphericalWrist(Chain(links)), "the last three axes of this arm do not form a spherical wrist");
 }
+
+TEST_CASE("by how much a wrist is not spherical is told", "[wrist]") {
+  const auto misfit = [](double length, double angle) {
+    std::vector<DhLink> links = robot("kuka_iiwa14").chain.links();
+    links[4].a = length;
+    links[5].alpha += angle;
+    return SphericalWrist::misfit(Chain(links));
+  };
+  CHECK(contains(misfit(0.0025, 0), "are 2.5 mm from a common point and 0 deg from right angles"));
+  CHECK(contains(misfit(0, -pi / 180), "are 0 mm from a common point and 1 deg from right angles"));
+  CHECK_FALSE(contains(misfit(0.0025, 0), "1.5707963267948966"));
+  CHECK(contains(misfit(0, 4e-6), "0.000229 deg from right angles (with exact angles in its file, such as 1.57079632"));
+  CHECK(misfit(0, 0).empty());
+  CHECK(misfit(5e-11, 5e-11).empty());
+  CHECK_FALSE(misfit(0, 2e-10).empty());
+  CHECK(SphericalWrist::misfit(robot("planar_2").chain).empty());  // it has no three axes at the end
+}
+
+TEST_CASE("a wrist whose outer axes are opposite at zero has the closed form, too", "[wrist]") {
+  std::vector<DhLink> links = robot("kuka_iiwa14").chain.links();
+  for (const double sign : {1, -1}) {
+    links[4].alpha = links[5].alpha = sign * pi / 2;
+    const Chain chain(links, robot("kuka_iiwa14").chain.base(), robot("kuka_iiwa14").chain.tool());
+    REQUIRE(SphericalWrist::fits(chain));
+    const SphericalWrist wrist(chain);
+    Dice dice;
+    for (int trial = 0; trial < 100; ++trial) {
+      const Eigen::VectorXd q = random_joints(chain, dice);
+      const Pose pose = chain.forward(q);
+      for (const Eigen::Vector3d& angles : wrist.angles(q.head(4), pose.linear(), Eigen::Vector3d::Zero())) {
+        Eigen::VectorXd again(7);
+        again << q.head(4), angles;
+        REQUIRE((chain.forward(again).matrix() - pose.matrix()).cwiseAbs().maxCoeff() < 1e-13);
+      }
+    }
+  }
+}
