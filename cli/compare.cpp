@@ -184,7 +184,7 @@ std::string targets_of(const Gate& gate) {
   const auto rest = gate.judged.metrics.back().described.front().n - static_cast<int>(changed);
   const std::string same = gate.same == rest ? fmt::format("the other {} are the same to the bit", rest)
                                              : fmt::format("the same to the bit: {} of the other {}", gate.same, rest);
-  return fmt::format("{}Lost: {}; won: {}; {}.", gate.label.empty() ? "" : gate.label + ": ", names(gate.lost),
+  return fmt::format("{}: {}; won: {}; {}.", gate.label.empty() ? "Lost" : gate.label + " lost", names(gate.lost),
                      names(gate.won), same);
 }
 
