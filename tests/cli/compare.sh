@@ -61,7 +61,7 @@ for one in labels:
                 checked += row[0] is not None
 assert checked > 50, checked
 END
-succeeds run --robot ur5e --only "LM,DLS,Newton,SLSQP" --set path.points=60 --no-report --out several
+succeeds run --robot ur5e --only "LM,DLS,Newton, restarts,SLSQP" --set path.points=60 --no-report --out several
 python3 pairs.py "$program" several/store.sqlite || fail "report and compare tell another p of one pair"
 # The plan's metrics decide, and --metric asks fewer of them.
 run_it compare LM SLSQP --store several/store.sqlite --json
