@@ -119,6 +119,10 @@ void add_stats(const Command& command, Invocation& invocation) {
   command.add("--where", &csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
   command.add("--summaries", &csv.are_summaries,
               "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
+  command
+      .add("--missing", &csv.missing,
+           "rows without a value: drop leaves them out, worst counts each as no answer; asked for if there are such")
+      .one_of({"drop", "worst"});
   command.add("--decimal", &arguments->decimal, "mark in numbers [found]").one_of({".", ","});
   command.add("--test", &arguments->test, "of ranks or means [ranks]").one_of({"ranks", "means"});
   command.add("--control", &arguments->plan.control, "compares with this group alone");
@@ -135,10 +139,16 @@ void add_stats(const Command& command, Invocation& invocation) {
   command.callback([arguments, &invocation] {
     if (arguments->test == "means" || arguments->csv.are_summaries) arguments->plan.test = results::Plan::Test::means;
     if (!arguments->decimal.empty()) arguments->csv.decimal = arguments->decimal[0];
+    arguments->csv.are_means = arguments->plan.test == results::Plan::Test::means;
+    if (arguments->csv.are_means && arguments->csv.missing == "worst")
+      throw std::invalid_argument(
+          "--missing worst: a mean cannot count a value without an answer; use --missing drop, or --test ranks");
     try {
       stats(*arguments);
     } catch (const csv::Question& question) {
       say_mistake(question.what());
+      for (const std::vector<std::string>& answer : question.answers)
+        say_command(shell_command(invocation.command, answer));
       if (!question.columns.empty()) {
         const std::string table = aligned(question.columns);
         say(std::string_view(table).substr(0, table.size() - 1));

@@ -22,6 +22,8 @@ struct Request {
   std::string run = {};                  // rows of a run (of a block) are averaged; `row`: each row is one
   std::vector<std::string> where = {};   // "metric=error": takes these rows alone
   std::vector<std::string> better = {};  // "smaller" or "larger", of one column "quality=larger"
+  std::string missing = {};              // what rows without a value are: "drop", "worst"; empty: it is asked
+  bool are_means = false;                // are compared, which cannot count what has no answer
   char decimal = 0;                      // mark of decimals; 0: found
   bool are_summaries = false;            // rows have printed means and standard deviations
 };
@@ -33,11 +35,12 @@ struct Layout {
 };
 
 // Something was not said: a sentence, the columns of the file as a table, what to say in one sentence, and the options
-// to add, with what is open in capitals.
+// to add, with what is open in capitals. Or, where nothing is open, the options of each possible answer.
 struct Question : std::invalid_argument {
   explicit Question(const std::string& what) : invalid_argument(what) {}
   std::vector<std::vector<std::string>> columns = {};
   std::vector<std::string> options = {};
+  std::vector<std::vector<std::string>> answers = {};
   std::string advice = {};
 };
 

@@ -30,8 +30,9 @@ struct Value {
 };
 
 struct Mean {
-  Index group, unit, first, rows = 0;  // first: of its rows
-  long double sum = 0;                 // by which the same rows in another order have the same mean
+  Index group, unit, first;     // first: of its rows
+  Index rows = 0, missing = 0;  // with and without a value
+  long double sum = 0;          // by which the same rows in another order have the same mean
 };
 
 struct Items {
@@ -90,7 +91,13 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
       sheet.refuse(item.row, *layout.block,
                    fmt::format("is a second row of {}; --run says which are its runs (--run row: each row is one)",
                                in_quotes(items.groups[item.group])));
-    items.means.back().sum += item.value, ++items.means.back().rows;
+    Mean& mean = items.means.back();
+    if (std::isnan(item.value)) {
+      ++mean.missing;
+    } else {
+      mean.sum += item.value;
+      ++mean.rows;
+    }
     for (const std::size_t column : texts)  // which may name quantities
       if (const auto first = sheet.cell(items.means.back().first, column); first != sheet.cell(item.row, column))
         sheet.refuse(item.row, column,
@@ -128,64 +135,163 @@ std::vector<Better> better_of(const Sheet& sheet, const Request& request, const 
 
 Observations quantity_of(const std::string& title) {
   const base::Title parts(title);
-  Observations observed{.metric = "", .quantity = parts.name, .unit = parts.unit, .tells_incomplete = true};
+  Observations observed{.metric = "", .quantity = parts.name, .unit = parts.unit};
   for (const char c : base::lower_case(title))
     observed.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
   return observed;
 }
 
-// The values of each group.
-void fill(const Layout& layout, const Items& items, Observations& observed) {
-  // In a block all groups need as many rows, since they had the same problems. A run without a block may end early.
-  std::vector<Index> needed_rows(items.units);
-  if (layout.block)
-    for (const Mean& mean : items.means) needed_rows[mean.unit] = std::max(needed_rows[mean.unit], mean.rows);
-  const auto is_complete = [&](const Mean& mean) { return !layout.block || mean.rows == needed_rows[mean.unit]; };
-  observed.is_paired = layout.block.has_value();
-  if (observed.scale == Scale::share)
-    observed.trials = static_cast<int>(std::ranges::max(items.means, {}, &Mean::rows).rows);
-  std::vector<std::size_t> groups_of(items.units), all(items.groups.size());  // complete ones of a block; of a group
-  std::vector<Measured> measured(items.groups.size());
-  for (const Mean& mean : items.means) {
-    const auto value = static_cast<double>(mean.sum / mean.rows);
-    ++all[mean.group];
-    if (std::isnan(value) || !is_complete(mean)) continue;
-    measured[mean.group].values.push_back(value);
-    if (layout.block) ++groups_of[mean.unit];
+// Rows without a value, of those that a group should have: in a block as many as any group has, since all had the same
+// problems; a run without a block may end early.
+struct Gaps {
+  std::vector<Index> rows_of_unit;         // where there are blocks
+  std::vector<std::size_t> missing, rows;  // by group
+
+  bool are_any() const {
+    return std::ranges::any_of(missing, [](std::size_t count) { return count > 0; });
   }
-  Doubt lost{.kind = DoubtKind::incomplete,
-             .what = layout.block ? "blocks incomplete"
-                     : layout.run ? "runs incomplete"
-                                  : "values missing"};
+  double share(std::size_t group) const {
+    return static_cast<double>(missing[group]) / static_cast<double>(std::max<std::size_t>(1, rows[group]));
+  }
+};
+
+Gaps gaps_of(const Layout& layout, const Items& items) {
+  Gaps gaps{.rows_of_unit = std::vector<Index>(layout.block ? items.units : 0),
+            .missing = std::vector<std::size_t>(items.groups.size()),
+            .rows = std::vector<std::size_t>(items.groups.size())};
+  if (layout.block) {
+    std::size_t all = 0;
+    for (const Mean& mean : items.means) {
+      Index& rows = gaps.rows_of_unit[mean.unit];
+      rows = std::max(rows, mean.rows + mean.missing);
+    }
+    for (const Index rows : gaps.rows_of_unit) all += rows;
+    std::ranges::fill(gaps.rows, all);
+    std::ranges::fill(gaps.missing, all);
+    for (const Mean& mean : items.means) gaps.missing[mean.group] -= mean.rows;
+    return gaps;
+  }
+  for (const Mean& mean : items.means) {
+    gaps.rows[mean.group] += mean.rows + mean.missing;
+    gaps.missing[mean.group] += mean.missing;
+  }
+  return gaps;
+}
+
+// Asks what missing values count as, if nobody said it.
+void ask_about(const Gaps& gaps, const Sheet& sheet, const Items& items, const Request& request) {
+  if (!request.missing.empty() || !gaps.are_any()) return;
+  std::vector<std::string> who;
+  std::size_t missing = 0, rows = 0;
+  for (std::size_t i = 0; i < items.groups.size(); ++i) {
+    missing += gaps.missing[i];
+    rows += gaps.rows[i];
+    if (gaps.missing[i] > 0) who.push_back(fmt::format("{} {}", items.groups[i], gaps.missing[i]));
+  }
+  const std::string drop = "--missing drop leaves them out", worst = "--missing worst counts them as no answer";
+  Question question(sheet.said(fmt::format("{} of {} rows have no value ({}). What do they count as? {}", missing, rows,
+                                           base::front(base::listed(who, ", "), 300),
+                                           request.are_means ? drop : drop + "; " + worst)));
+  question.answers = {{"--missing", "drop"}};
+  if (!request.are_means) question.answers.push_back({"--missing", "worst"});
+  throw question;
+}
+
+// The value of a group in a unit in which rows are missing, each as no answer.
+double worst_value(const Observations& observed, double sum, double rows, double missing) {
+  const bool is_larger_better = observed.better == Better::larger;
+  if (observed.scale == Scale::share) return (sum + (is_larger_better ? 0 : missing)) / (rows + missing);
+  return is_larger_better ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+}
+
+// Of one group, by unit.
+Measured measured_in(const Layout& layout, std::span<const Mean> means, const Gaps& gaps, const Request& request,
+                     const Observations& observed) {
+  Measured measured;
+  const bool is_worst = request.missing == "worst";
+  const auto add = [&](Index unit, double value) {
+    measured.values.push_back(value);
+    if (layout.block && request.missing == "drop" && gaps.are_any()) measured.blocks.push_back(static_cast<int>(unit));
+  };
+  Index next = 0;  // unit of a block that was not seen
+  const auto add_absent = [&](Index end) {
+    for (; next < end; ++next) add(next, worst_value(observed, 0, 0, gaps.rows_of_unit[next]));
+  };
+  for (const Mean& mean : means) {
+    if (layout.block && is_worst) add_absent(mean.unit);
+    next = mean.unit + 1;
+    const Index missing = layout.block ? gaps.rows_of_unit[mean.unit] - mean.rows : mean.missing;
+    const auto sum = static_cast<double>(mean.sum);
+    if (missing > 0 && is_worst)
+      add(mean.unit, worst_value(observed, sum, mean.rows, missing));
+    else if (mean.rows > 0)
+      add(mean.unit, static_cast<double>(mean.sum / mean.rows));
+  }
+  if (layout.block && is_worst) add_absent(static_cast<Index>(gaps.rows_of_unit.size()));
+  // Such as time-outs have no end that anybody knows, so they repeat nothing.
+  const std::vector<double>& values = measured.values;
+  measured.may_be_copies = values.size() > 1 && std::isfinite(values.front()) &&
+                           std::ranges::count(values, values.front()) == std::ssize(values);
+  return measured;
+}
+
+// The warnings about values that are missing, no answers, or without a label.
+void add_doubts(const Items& items, const Gaps& gaps, const Request& request, Observations& observed) {
+  Doubt missing{.kind = DoubtKind::incomplete,
+                .what = request.missing == "worst" ? "rows have no value and count as no answer"
+                                                   : "rows have no value and are left out"};
   Doubt without{.kind = DoubtKind::without_answer, .what = "values are no answers"};
-  const auto add = [](Doubt& doubt, const std::string& group, auto count, std::size_t total) {
+  const auto add = [](Doubt& doubt, const std::string& group, std::size_t count) {
     if (count == 0) return;
     doubt.who.push_back(group);
-    doubt.count += static_cast<double>(count), doubt.of += static_cast<double>(total);
+    doubt.count += static_cast<double>(count);
   };
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    const std::string& name = items.groups[i];
-    std::vector<double>& values = measured[i].values;
-    const auto lacking = static_cast<int>((layout.block ? items.units : all[i]) - values.size());
-    // Such as time-outs have no end that anybody knows, so they repeat nothing.
-    measured[i].may_be_copies = values.size() > 1 && std::isfinite(values.front()) &&
-                                std::ranges::count(values, values.front()) == std::ssize(values);
-    add(lost, name, lacking, all[i]);
-    add(without, name, std::ranges::count_if(values, [](double value) { return std::isinf(value); }), values.size());
-    observed.groups.push_back({.name = name,
-                               .sample = lacking > 0 ? Untold{.lost = lacking, .values = std::move(values)}
-                                                     : Sample(std::move(measured[i]))});
+  std::vector<std::size_t> infinite(items.groups.size());
+  for (const Value& item : items.values) infinite[item.group] += std::isinf(item.value);
+  double least = 1, most = 0;
+  for (std::size_t i = 0; i < items.groups.size(); ++i) {
+    add(missing, items.groups[i], gaps.missing[i]);
+    add(without, items.groups[i], infinite[i]);
+    for (Doubt* const doubt : {&missing, &without}) doubt->of += static_cast<double>(gaps.rows[i]);
+    least = std::min(least, gaps.share(i));
+    most = std::max(most, gaps.share(i));
   }
-  if (layout.block) {
-    const auto in_all = std::ranges::count(groups_of, items.groups.size());
-    lost.of = items.units, lost.count = static_cast<double>(items.units - in_all);
-  }
+  Doubt favoured{.kind = DoubtKind::favoured_by_drop,
+                 .count = most > least + 0.1 && request.missing == "drop" ? 1.0 : 0.0,
+                 .what = fmt::format("{:.0f} to {:.0f} %", 100 * least, 100 * most)};
+  for (std::size_t i = 0; i < items.groups.size(); ++i)
+    if (gaps.share(i) > least + 0.1) favoured.who.push_back(items.groups[i]);
   Doubt stray{.kind = DoubtKind::runs_missing,
               .count = static_cast<double>(items.unlabelled),
               .of = static_cast<double>(items.unlabelled + items.values.size()),
               .what = "rows without a label, left out"};
-  for (Doubt* doubt : {&lost, &without, &stray})
+  for (Doubt* doubt : {&missing, &without, &stray, &favoured})
     if (doubt->count > 0) observed.doubts.push_back(std::move(*doubt));
+}
+
+// Where no number of a group differs from block to block, the blocks may be one measurement that was copied.
+void warn_of_copies(Observations& observed) {
+  if (observed.scale == Scale::share) return;
+  Doubt copies{.kind = DoubtKind::may_be_one_measurement};
+  for (const Group& group : observed.groups)
+    if (may_be_copies(group)) copies.who.push_back(group.name);
+  if (copies.who.size() > 1) observed.doubts.push_back(std::move(copies));
+}
+
+// The values of each group.
+void fill(const Layout& layout, const Items& items, const Gaps& gaps, const Request& request, Observations& observed) {
+  observed.is_paired = layout.block.has_value();
+  observed.may_hold_copies = !layout.block && request.run.empty() && observed.scale != Scale::share;
+  if (observed.scale == Scale::share)
+    observed.trials = static_cast<int>(std::ranges::max(items.means, {}, &Mean::rows).rows);
+  for (Index group = 0; group < items.groups.size(); ++group) {
+    const std::span means(std::ranges::lower_bound(items.means, group, {}, &Mean::group),
+                          std::ranges::upper_bound(items.means, group, {}, &Mean::group));
+    observed.groups.push_back(
+        {.name = items.groups[group], .sample = measured_in(layout, means, gaps, request, observed)});
+  }
+  add_doubts(items, gaps, request, observed);
+  if (layout.block) warn_of_copies(observed);
 }
 
 // Chooses shares, ratios or differences by all values.
@@ -262,7 +368,9 @@ Quantities values_in(Sheet& sheet, const Request& request) {
       if (std::isinf(item.value) && (item.value < 0 || observed.better == Better::larger))
         sheet.refuse(item.row, item.column,
                      "has no meaning: inf stands for no answer, where smaller is better; otherwise write NA");
-    fill(layout, items, observed);
+    const Gaps gaps = gaps_of(layout, items);
+    ask_about(gaps, sheet, items, request);
+    fill(layout, items, gaps, request, observed);
     quantities.observed.push_back(std::move(observed));
   }
   return quantities;
@@ -322,8 +430,9 @@ Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {
   for (const Group& group : observed.groups) {
     const auto* const summary = std::get_if<Summary>(&group.sample);
     for (const double value : summary ? std::span(&summary->mean, 1) : values_of(group)) {
+      if (!std::isfinite(value)) continue;
       least = std::min(least, value);
-      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+      largest = std::max(largest, std::abs(value));
     }
   }
   const bool has_no_share = observed.scale == Scale::difference && least < 0;

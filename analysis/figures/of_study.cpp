@@ -6,8 +6,10 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "analysis/judge/prepare.hpp"
 #include "base/names.hpp"
 #include "base/units.hpp"
 
@@ -292,7 +294,30 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
       rows, are_ratios);
 }
 
-std::optional<Figure> ranks_of(const JudgedMetric& metric, const std::vector<std::string>& shown, const Look& look) {
+// The same metric on the blocks that all groups have, which mean ranks are of, with the verdicts of all blocks.
+JudgedMetric on_common_blocks(JudgedMetric metric) {
+  Observations& observed = metric.observations;
+  if (!observed.is_paired || observed.is_of_solved) return metric;
+  std::vector<Group*> groups;
+  std::set<std::vector<int>> blocks;
+  for (Group& group : observed.groups) {
+    groups.push_back(&group);
+    if (const Measured* const its = measured(group)) blocks.insert(its->blocks);
+  }
+  if (blocks.size() < 2) return metric;
+  keep_common_blocks(groups);
+  std::vector<Finding> common = compare(observed, metric.plan);
+  for (Finding& finding : common) {
+    const Finding* const of_all = finding_of(metric, finding.first, finding.second);
+    const auto* const all = of_all ? std::get_if<Tested>(&of_all->what) : nullptr;
+    if (auto* const tested = std::get_if<Tested>(&finding.what); tested && all) tested->verdict = all->verdict;
+  }
+  metric.findings = std::move(common);
+  return metric;
+}
+
+std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std::string>& shown, const Look& look) {
+  const JudgedMetric metric = on_common_blocks(judged);
   const Observations& observed = metric.observations;
   const bool are_shares = observed.scale == Scale::share;
   if (metric.plan.test == results::Plan::Test::means && !are_shares) return std::nullopt;

@@ -251,13 +251,14 @@ Finding judged(const Observations& observed, const Plan& plan, const Pair& pair,
   return judged_on_common(observed, plan, common, tests);
 }
 
-std::optional<Open::Why> why_not(const Method& method, const Group& a, const Group& b) {
+std::optional<Open::Why> why_not(const Method& method, const Group& a, const Group& b, bool may_hold_copies) {
   const auto is_none = [](double value) { return std::isinf(value); };
   const auto has_none = [&](const Group& group) {  // no answer at all
     return !values_of(group).empty() && std::ranges::all_of(values_of(group), is_none);
   };
   std::set<Open::Why> all;
   if (has_none(a) && has_none(b)) all.insert(Open::Why::no_answer);
+  if (may_hold_copies && may_be_copies(a) && may_be_copies(b)) all.insert(Open::Why::copies);
   for (const Group* const group : {&a, &b}) {
     if (method.by == By::means && std::ranges::any_of(values_of(*group), is_none)) all.insert(Open::Why::infinite);
     if (const Untold* const its = untold(*group)) all.insert(its->why);
@@ -279,7 +280,7 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
       const auto [m, n] = common_sizes(*a, *b);
       const std::size_t few = std::min(m, n), many = std::max(m, n);
       pair.n = static_cast<int>(few > 0 && pair.has_one() ? many : few);
-      if (const auto why = why_not(*pair.method, *a, *b))
+      if (const auto why = why_not(*pair.method, *a, *b, observed.may_hold_copies))
         pair.open = Open{.why = *why, .n = pair.n};
       else if (pair.n < observed.fewest)
         pair.open = Open{.why = Open::Why::too_few, .n = pair.n, .needed = observed.fewest};

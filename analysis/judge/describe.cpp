@@ -137,9 +137,10 @@ Description described(const std::vector<double>& values) {
   const Summary summary = summarise(values);
   std::vector<double> sorted = values;
   std::ranges::sort(sorted);
-  const bool is_finite = std::isfinite(sorted.back());
+  const bool is_finite = std::isfinite(sorted.front()) && std::isfinite(sorted.back());
+  const double infinite = std::isfinite(sorted.back()) ? sorted.front() : sorted.back();
   return {.n = summary.n,
-          .mean = is_finite ? summary.mean : sorted.back(),
+          .mean = is_finite ? summary.mean : infinite,
           .sd = summary.n > 1 && is_finite ? summary.sd : unknown,
           .median = quantile(sorted, 0.5),
           .lower_quartile = quantile(sorted, 0.25),

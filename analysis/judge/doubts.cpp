@@ -214,7 +214,7 @@ std::string words_of(const Doubt& doubt) {
   static constexpr std::string_view sentences[]{
       "the plan was changed after {share} solves were made{of_whom}: {what}",
       "{share} {what}{of_whom}",
-      "{share} {what}: no verdict on {who}; write inf for no answer, or drop them",
+      "{share} {what}{of_whom}",
       "ignored: {solves} of another version ({who})",
       "{share} solves claimed an error that is wrong, and do not count as solved ({who})",
       "{who} {was} stopped by the time limit in {share} solves, so not compared: {what}{to_do}",
@@ -226,7 +226,9 @@ std::string words_of(const Doubt& doubt) {
       "{share} targets of a run out of reach, so no solver can solve them",
       "{who} gave the same {what} {count} times, or its spread was rounded away: not tested",
       "few values decide the {what} of {who}; such pairs are left open",
-      "{first} is better than {last} by ranks, though its {what} is worse"};
+      "{first} is better than {last} by ranks, though its {what} is worse",
+      "leaving rows out favours {who}: solvers lack different shares of their values, {what}",
+      "{who} have the same value in every block, as if one measurement had been copied"};
   std::string_view sentence = sentences[static_cast<std::size_t>(doubt.kind)];
   if (doubt.kind == DoubtKind::repeats_itself && doubt.what.empty())
     sentence = "{who} gave the same answers in every run, which count as one";

@@ -11,21 +11,23 @@ struct StudyResults;
 
 // In the order of what they change.
 enum class DoubtKind {
-  plan_changed,          // after solves were seen
-  runs_missing,          // or rows of a file without a label
-  incomplete,            // values of a file are missing
-  other_version,         // another version of the program made solves, which are ignored
-  claimed_but_wrong,     // a solver says another error than its answer has
-  seconds_decide,        // what is reached in a limit of time, on a busy machine or several
-  budgets_differ,        // evaluations that solvers may make
-  counted_otherwise,     // evaluations: by the solver itself, or by nobody
-  outside_limits,        // answers
-  without_answer,        // solves, or infinite values of a file
-  times_not_comparable,  // measured in parallel, in too few sessions or apart, or on a busy machine
-  out_of_reach,          // targets
-  repeats_itself,        // every run gave the same, so they count as one
-  few_decide_mean,       // one value is most of a sum
-  ranks_disagree,        // better by ranks, worse by its median or mean
+  plan_changed,            // after solves were seen
+  runs_missing,            // or rows of a file without a label
+  incomplete,              // values of a file are missing
+  other_version,           // another version of the program made solves, which are ignored
+  claimed_but_wrong,       // a solver says another error than its answer has
+  seconds_decide,          // what is reached in a limit of time, on a busy machine or several
+  budgets_differ,          // evaluations that solvers may make
+  counted_otherwise,       // evaluations: by the solver itself, or by nobody
+  outside_limits,          // answers
+  without_answer,          // solves, or infinite values of a file
+  times_not_comparable,    // measured in parallel, in too few sessions or apart, or on a busy machine
+  out_of_reach,            // targets
+  repeats_itself,          // every run gave the same, so they count as one
+  few_decide_mean,         // one value is most of a sum
+  ranks_disagree,          // better by ranks, worse by its median or mean
+  favoured_by_drop,        // rows of a file are left out, and solvers lack different shares of them
+  may_be_one_measurement,  // every block of a file has the same values
 };
 
 struct Doubt {

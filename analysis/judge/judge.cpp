@@ -111,8 +111,8 @@ double average_of(const JudgedMetric& judged, std::size_t group) {
   const Description& its = judged.described[group];
   const bool is_mean =
       judged.observations.scale == Scale::share || judged.plan.test == Plan::Test::means || std::isnan(its.median);
-  const bool is_told = judged.observations.tells_incomplete || lost_in(judged.observations.groups[group]) == 0;
-  return !is_told ? unknown : is_mean ? its.mean : its.median;
+  if (lost_in(judged.observations.groups[group]) > 0) return unknown;
+  return is_mean ? its.mean : its.median;
 }
 
 std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vector<JudgedMetric>& all) {

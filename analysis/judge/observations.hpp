@@ -45,6 +45,7 @@ struct Untold {     // not compared; what there is can be described
     no_spread,      // a printed deviation of 0, which would decide everything
     none,           // nothing was solved, so nothing has a cost
     no_answer,      // all values of both groups are infinite
+    copies,         // both groups have one number each, and nothing tells measurements from copies
     // Of two groups that are both told:
     too_few,    // no data of this size could decide
     few_decide  // one value is so much of a group's sum that its mean shows nothing better
@@ -85,16 +86,16 @@ struct Observations {
   Measure measures = Measure::other;
   Better better = Better::smaller;
   Scale scale = Scale::ratio;
-  double absolute_margin = 0;     // of the plan, in this unit
-  double floor = 0;               // of ratios: a smaller value counts as this
-  double rounding = 0;            // values that differ by no more are equal
-  bool is_paired = false;         // values of one block belong together; without blocks, values[i]
-  bool tells_incomplete = false;  // tables have numbers of groups that lost values, though nothing is said of them
-  bool is_of_solved = false;      // so each group has its own targets: numbers of two are comparable in findings alone
-  bool is_spent = false;          // what all attempts took, by the number of targets solved
-  bool are_logs = false;          // values are logarithms, and their mean is compared: that of the ratio
-  int trials = 1;                 // of shares: attempts in an observation; one makes it 0 or 1
-  int fewest = 0;                 // common blocks that a pair needs
+  double absolute_margin = 0;    // of the plan, in this unit
+  double floor = 0;              // of ratios: a smaller value counts as this
+  double rounding = 0;           // values that differ by no more are equal
+  bool is_paired = false;        // values of one block belong together; without blocks, values[i]
+  bool may_hold_copies = false;  // rows of a file, of which nothing says that each is a measurement of its own
+  bool is_of_solved = false;     // so each group has its own targets: numbers of two are comparable in findings alone
+  bool is_spent = false;         // what all attempts took, by the number of targets solved
+  bool are_logs = false;         // values are logarithms, and their mean is compared: that of the ratio
+  int trials = 1;                // of shares: attempts in an observation; one makes it 0 or 1
+  int fewest = 0;                // common blocks that a pair needs
   std::vector<Group> groups = {};
   std::vector<Doubt> doubts = {};
 };

@@ -93,7 +93,10 @@ Prepared prepared(const Group& first, const Group& second, const Observations& o
   double most = std::max(observed.absolute_margin, takes_logs ? 100.0 : 0.0);
   for (const double value : all) most = std::isinf(value) ? most : std::max(most, std::abs(value));
   for (double& value : all)
-    if (std::isinf(value)) value = numbers.no_answer = most > 0 ? far * most : 1;
+    if (std::isinf(value)) {
+      numbers.no_answer = most > 0 ? far * most : 1;
+      value = std::copysign(numbers.no_answer, value);
+    }
   numbers.first.assign(all.begin(), all.begin() + std::ssize(of_first));
   numbers.second.assign(all.begin() + std::ssize(of_first), all.end());
   numbers.of_first = summary_of(first, numbers.first);

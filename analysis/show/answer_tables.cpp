@@ -89,7 +89,7 @@ Cell result_cell(const Answer& answer, const OfMetric& metric, const std::string
   const std::size_t i = place_of(judged.observations, solver);
   if (i == groups.size()) return Absent{"not in it"};
   const Group& group = groups[i];
-  if (lost_in(group) > 0 && !judged.observations.tells_incomplete) return Absent{"values are missing"};
+  if (lost_in(group) > 0) return Absent{"values are missing"};
   const std::string reference = reference_of(answer);
   const auto found = metric.pairs.find(solver);
   const Finding* const pair = found == metric.pairs.end() ? nullptr : found->second;
@@ -385,9 +385,17 @@ Table pairs_table(const Answer& answer) {
 Table tested_pairs(const Answer& answer) {
   Table table = without_pairs(answer);
   const std::size_t metrics = answer.decisive().described.size() > 2 ? 1 : answer.metrics.size();
-  for (const JudgedMetric& judged : std::span(answer.metrics).first(metrics))
-    for (const Finding& finding : judged.findings)
-      if (verdict_of(finding) != Verdict::not_tested) table.rows.push_back(row_of(finding, judged));
+  std::set<int> sizes;
+  for (const JudgedMetric& judged : std::span(answer.metrics).first(metrics)) {
+    for (const Finding& finding : judged.findings) {
+      if (verdict_of(finding) == Verdict::not_tested) continue;
+      table.rows.push_back(row_of(finding, judged));
+      if (const auto* const tested = std::get_if<Tested>(&finding.what)) sizes.insert(tested->n);
+    }
+  }
+  if (answer.direction.empty() || sizes.size() < 2) return table;
+  // Pairs of a file that have different blocks in common tell how many.
+  std::ranges::find(table.columns, "n", &Column::name)->role = Role::value;
   return table;
 }
 

@@ -71,13 +71,14 @@ const VerdictWords& words_of(Verdict verdict) {
 }
 
 ReasonWords words_of(Open::Why why) {
-  constexpr std::array<ReasonWords, 8> all{
+  constexpr std::array<ReasonWords, 9> all{
       {{"lost", "values are missing", "values are missing"},
        {"infinite", "infinite values have no mean", "infinite values have no mean"},
        {"apart", "not comparable", "not comparable (!)"},
        {"no_spread", "one has no spread", "not comparable (!)"},
        {"none", "one or both solved nothing", "nothing was solved"},
        {"no_answer", "neither has an answer", "no answer"},
+       {"copies", "each has one number, perhaps copied; --run row: each row is a measurement", "one number (!)"},
        {"too_few", "no values", "too few to compare"},
        {"few_decide", "few values decide", "too few to compare"}}};
   return all[static_cast<std::size_t>(why)];

@@ -200,16 +200,131 @@ TEST_CASE("values of 0 are what they are, and differences are compared") {
   CHECK(*finding(runs).estimate == -5);
 }
 
-TEST_CASE("missing values are lost, and such a group is not tested") {
+const Request dropped{.missing = "drop"}, worst{.missing = "worst"};
+
+TEST_CASE("what missing values count as is asked, with an answer that runs") {
   for (const std::string gap : {"", "NA", "-", "nan", "None", "null", "#N/A"}) {
     CAPTURE(gap);
     const std::string text = "s,v\nA," + gap + "\nA,2\nA,1\nA,3\nA,4\nB,5\nB,6\nB,7\nB,8\n";
-    const Observations observed = observations(text);
-    CHECK(lost_in(observed.groups.front()) == 1);
-    CHECK(observed.doubts.front().kind == DoubtKind::incomplete);
-    CHECK(observed.doubts.front().of == 5);
-    CHECK(finding(text).why == Why::lost);
+    CHECK(contains(said_of(text), "1 of 9 rows have no value (A 1)"));
+    const auto answers = [&](bool are_means) {
+      try {
+        csv::read(text, "data.csv", smaller({.are_means = are_means}));
+      } catch (const csv::Question& question) {
+        return question.answers;
+      }
+      return std::vector<std::vector<std::string>>();
+    };
+    CHECK(answers(false) == std::vector<std::vector<std::string>>{{"--missing", "drop"}, {"--missing", "worst"}});
+    CHECK(answers(true) == std::vector<std::vector<std::string>>{{"--missing", "drop"}});
+    const Observations without = observations(text, dropped), with = observations(text, worst);
+    CHECK(list_of(without.groups.front()) == std::vector{2.0, 1.0, 3.0, 4.0});
+    CHECK(std::isinf(list_of(with.groups.front()).front()));
+    CHECK(without.doubts.front().kind == DoubtKind::incomplete);
+    CHECK(without.doubts.front().of == 9);
+    CHECK(finding(text, dropped).verdict == Verdict::better);
   }
+}
+
+TEST_CASE("rows that are unrelated are compared without those that have no value") {
+  std::string text = "s,v\nA,NA\n", complete = "s,v\n";
+  for (int i = 1; i <= 11; ++i)
+    for (std::string* const each : {&text, &complete}) *each += fmt::format("A,{}\nB,{}\n", i, 20 + i);
+  CHECK(*finding(text, dropped).p == *finding(complete).p);
+  const Seen as_worst = finding(text, worst);
+  CHECK(as_worst.verdict == Verdict::better);
+  CHECK(*as_worst.p > *finding(complete).p);
+  Request larger = worst;
+  larger.better = {"larger"};
+  Observations of_larger = csv::read(text, "data.csv", larger).observed.front();
+  CHECK(std::isinf(list_of(of_larger.groups.front()).front()));
+  CHECK(list_of(of_larger.groups.front()).front() < 0);
+  const Seen turned = judge::compared(of_larger, {}).front();
+  CHECK(turned.verdict == Verdict::worse);
+  larger.better = {"smaller"};
+  CHECK(*turned.p < *as_worst.p);  // no answer is worse than any, here as there
+  CHECK(describe(of_larger.groups.front()).mean < 0);
+  const std::string shares = "s,v\nA,1\nA,NA\nA,1\nB,0\nB,0\nB,1\n";
+  for (const auto& [better, value] : {std::pair{"larger", 0.0}, {"smaller", 1.0}}) {
+    Request request = worst;
+    request.better = {better};
+    const Observations of = csv::read(shares, "data.csv", request).observed.front();
+    CHECK(of.scale == Scale::share);
+    CHECK(list_of(of.groups.front())[1] == value);
+  }
+}
+
+TEST_CASE("pairs are compared on the blocks that both have") {
+  std::string text = "s,p,v\n";
+  for (int p = 0; p < 12; ++p)
+    for (const char group : {'A', 'B', 'C'})
+      if (!(group == 'B' && p < 2) && !(group == 'C' && p > 9))
+        text += fmt::format("{},{},{}\n", group, p, 1 + p + (group - 'A') * 0.5 + 0.01 * ((3 * p + group) % 5));
+  const Request blocks{.block = {"p"}, .missing = "drop"};
+  CHECK(contains(said_of(text, {.block = {"p"}}), "4 of 36 rows have no value (C 2, B 2)"));
+  const Observations of = observations(text, blocks);
+  const std::vector<Seen> pairs = judge::compared(of, {});
+  REQUIRE(pairs.size() == 3);
+  CHECK(pairs[0].n == 10);
+  CHECK(pairs[1].n == 10);
+  CHECK(pairs[2].n == 8);
+  for (const Seen& pair : pairs) CHECK(pair.p.has_value());
+  const auto complete = [&](char one, char other) {  // the blocks that both have
+    std::string both = "s,p,v\n";
+    for (int p = 2; p < 10; ++p)
+      for (const char group : {one, other})
+        both += fmt::format("{},{},{}\n", group, p, 1 + p + (group - 'A') * 0.5 + 0.01 * ((3 * p + group) % 5));
+    return finding(both, {.block = {"p"}});
+  };
+  CHECK(*pairs[2].p == Approx(3 * *complete('C', 'B').p));
+  const auto [tests, without] = tests_of_all(of);  // of the eight blocks that all have
+  REQUIRE(!tests.empty());
+  CHECK(tests.front().df_within == 14);
+  const Observations none = observations(text, {.block = {"p"}, .missing = "worst"});
+  CHECK(list_of(none.groups[1]).size() == 12);
+  CHECK(none.groups[1].name == "C");
+  CHECK(std::isinf(list_of(none.groups[1]).back()));
+  CHECK(std::isinf(list_of(none.groups[2]).front()));
+}
+
+TEST_CASE("leaving rows out favours who lacks more of them, which is said") {
+  const auto kinds = [](int missing) {
+    std::string text = "s,v\n";
+    for (int i = 0; i < 20; ++i)
+      text += fmt::format("A,{}\nB,{}\n", i < missing ? "NA" : fmt::to_string(i + 1), 2 * i + 1);
+    const std::vector<judge::Doubt> doubts = observations(text, dropped).doubts;
+    return std::ranges::count(doubts, DoubtKind::favoured_by_drop, &judge::Doubt::kind);
+  };
+  CHECK(kinds(1) == 0);
+  CHECK(kinds(2) == 0);  // a tenth
+  CHECK(kinds(3) == 1);
+}
+
+TEST_CASE("one number for each label is no measurement, unless somebody says so") {
+  std::string text = "s,view,v\n", one_varies = text;
+  for (int i = 0; i < 8; ++i) {
+    text += fmt::format("A,{0},700\nB,{0},400\n", i);
+    one_varies += fmt::format("A,{0},{1}\nB,{0},400\n", i, 700 + i);
+  }
+  const Request unsaid{.values = {"v"}, .label = {"s"}};
+  Request rows = unsaid, views = unsaid;
+  rows.run = "row";
+  views.block = {"view"};
+  const auto unrelated = [](std::string its) {  // two columns alone say nothing of rows
+    std::string two = "s,v\n";
+    for (std::istringstream lines(its.substr(its.find('\n') + 1)); std::getline(lines, its);)
+      two += its.substr(0, 2) + its.substr(its.rfind(',') + 1) + '\n';
+    return two;
+  };
+  Observations of = observations(unrelated(text));
+  CHECK(is_open(judge::compare(of, {}).front(), Open::Why::copies));
+  CHECK(finding(unrelated(one_varies)).verdict == Verdict::worse);
+  CHECK(finding(text, rows).verdict == Verdict::worse);
+  CHECK(finding(text, views).verdict == Verdict::worse);
+  CHECK(observations(text, views).doubts.front().kind == DoubtKind::may_be_one_measurement);
+  CHECK(observations(one_varies, views).doubts.empty());
+  const Observations shares = observations("s,v\nA,1\nA,1\nA,1\nB,0\nB,0\nB,0\n");
+  CHECK_FALSE(is_open(judge::compare(shares, {}).front(), Open::Why::copies));
 }
 
 // A against B, the last values of a group being infinite.
@@ -243,7 +358,7 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(std::isinf(finding(differences, blocks).interval->low));
   CHECK(finding(with_infinite(2, 2), rows, "5%").verdict == Verdict::undecided);
   const Observations observed = observations(with_infinite(0, 3), rows);
-  CHECK(words_of(observed.doubts.front()) == "3 of 10 values are no answers (B)");
+  CHECK(words_of(observed.doubts.front()) == "3 of 20 values are no answers (B)");
   CHECK(is_open(judge::compare(observed, {.test = Plan::Test::means}).front(), Open::Why::infinite));
   CHECK(std::isinf(describe(observed.groups[1]).mean));
   CHECK(describe(observed.groups[1]).median == 11);
@@ -303,14 +418,15 @@ TEST_CASE("wide files have a group a column, which may end early where rows are 
   const std::string gaps = "seed,a,b\n1,1.5,4.5\n2,,5\n3,2.1,6\n4,1.7,6\n5,,\n6,,5\n";
   Request of_two = rows;
   of_two.values = {"a", "b"};
+  of_two.missing = "drop";
   const Observations of = observations(gaps, of_two);
   REQUIRE(of.groups.size() == 2);
-  CHECK(lost_in(of.groups[0]) == 1);  // not the two at its end
-  CHECK(lost_in(of.groups[1]) == 1);
+  CHECK(of.doubts.front().count == 2);  // not the two at the end of the first
+  CHECK(of.doubts.front().of == 10);
   const Seen unequal = finding(text_in("tests/data/csv/unequal-columns.csv"), rows);
   CHECK(unequal.p.has_value());
   CHECK(list_of(observations(text_in("tests/data/csv/unequal-columns.csv"), rows).groups[1]).size() == 15);
-  CHECK(lost_in(observations(text_in("tests/data/csv/unequal-columns.csv"), blocks).groups[1]) == 5);
+  CHECK(contains(said_of(text_in("tests/data/csv/unequal-columns.csv"), blocks), "--missing drop"));
   const Observations of_sets =
       observations("set,a,b\n2,1.5,4.5\n5,1.2,7\n3,2.1,6\n", {.label = {"columns"}, .block = {"set"}});
   CHECK(of_sets.is_paired);
@@ -339,7 +455,8 @@ TEST_CASE("tables of Markdown, org and MySQL, and thousands of the Swiss, are re
        {"\n\n| s | v |\n|---|---|\n| A | **7** |\n\n| B | 2 |\n", "=== ===\ns   v\n=== ===\nA   7\nB   2\n=== ===\n",
         "s v\nA 7\n# the second part\nB 2\n", "sep=;\ns;v, in kg, dry\nA;7\nB;2\n", "s,v\n#1,7\n#2,2\n"})
     CHECK(list_of(observations(text).groups[0]) == std::vector{7.0});
-  CHECK(lost_in(observations("A|B\n-|-\n1.5|2\n1.2|3\n", {.label = {"columns"}, .run = "row"}).groups[0]) == 1);
+  CHECK(
+      contains(said_of("A|B\n-|-\n1.5|2\n1.2|3\n", {.label = {"columns"}, .run = "row"}), "2 of 6 rows have no value"));
 }
 
 TEST_CASE("names are taken as they are, and none looks like another") {
@@ -402,11 +519,14 @@ TEST_CASE("rows of a run are averaged where asked, else refused") {
   CHECK(list_of(observed.groups[1]) == std::vector{9.0, 7.0});  // its second run has one row
   CHECK(list_of(observations("s,p,v\nA,x,1\nA,x,2\nB,x,3\nB,x,4\n", {.block = {"p"}, .run = "row"}).groups[0]) ==
         std::vector{1.5});
-  const Observations blocks = observations(text, {.block = {"point"}, .run = "run"});
+  // Of B's second run a point is missing.
+  CHECK(contains(said_of(text, {.block = {"point"}, .run = "run"}), "1 of 8 rows have no value (B 1)"));
+  const Observations blocks = observations(text, {.block = {"point"}, .run = "run", .missing = "drop"});
   CHECK(list_of(blocks.groups[0]) == std::vector{1.5, 4.5});
-  CHECK(lost_in(blocks.groups[1]) == 1);  // of its second run a point is missing
+  CHECK(list_of(blocks.groups[1]) == std::vector{8.0, 9.0});
   CHECK(blocks.doubts.front().kind == DoubtKind::incomplete);
-  CHECK(observations(text, {.values = {"e"}, .label = {"solver"}, .block = {"run"}, .run = "run"}).is_paired);
+  const Request runs{.values = {"e"}, .label = {"solver"}, .block = {"run"}, .run = "run", .missing = "drop"};
+  CHECK(observations(text, runs).is_paired);
 }
 
 TEST_CASE("a run counts by its mean, however many rows it has") {
@@ -423,11 +543,13 @@ TEST_CASE("a run counts by its mean, however many rows it has") {
   CHECK(*finding(longer, of_runs).p == *finding(equal, of_runs).p);
   CHECK(contains(csv::read(equal, "d.csv", smaller(of_runs)).notes[0], ", means of 3 rows"));
   CHECK(contains(csv::read(longer, "d.csv", smaller(of_runs)).notes[0], ", means of 3 to 5 rows"));
-  // A run that lacks a value has no mean.
-  const Observations lacking = observations(longer + "B,0,3,NA\n", of_runs);
-  CHECK(lost_in(lacking.groups[1]) == 1);
-  CHECK(lacking.doubts.front().kind == DoubtKind::incomplete);
-  CHECK(lacking.doubts.front().count == 1);
+  Request lacking = of_runs;
+  lacking.missing = "drop";
+  const std::string gap = longer + "B,0,3,NA\n";
+  CHECK(list_of(observations(gap, lacking).groups[1]) == list_of(observations(longer, of_runs).groups[1]));
+  CHECK(observations(gap, lacking).doubts.front().count == 1);
+  lacking.missing = "worst";
+  CHECK(std::isinf(list_of(observations(gap, lacking).groups[1]).front()));
 }
 
 TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
@@ -435,7 +557,8 @@ TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
   Observations of = observations("s,v\nA,1\nA,1\nA,0\nB,0\nB,0\nB,1\n", {.better = better});
   CHECK(of.scale == Scale::share);
   CHECK(of.trials == 1);
-  CHECK(observations("s,v\nA,1\nA,NA\nA,0\nB,0\nB,0\nB,1\n", {.better = better}).scale == Scale::share);
+  CHECK(observations("s,v\nA,1\nA,NA\nA,0\nB,0\nB,0\nB,1\n", {.better = better, .missing = "drop"}).scale ==
+        Scale::share);
   CHECK_THROWS_AS(csv::with_margin({}, "0.1", of), std::invalid_argument);
   const Observations several = observations("s,p,r,v\nA,1,1,1\nA,1,2,0\nB,1,1,1\nB,1,2,1\n",
                                             {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});
