@@ -211,6 +211,7 @@ class Tree {
     int joints = 0;          // behind a root, before another end
     std::string other = {};  // a link that moves with it, if there is one
     bool is_doubtful = false;
+    bool is_tool = false;  // by its name
   };
   std::string root() const {
     std::vector<End> all;
@@ -283,11 +284,14 @@ class Tree {
     return joints;
   }
 
-  // The one with the most joints; of two it asks.
+  // The one with the most joints. It asks if another has as many, or more than half as many where the first is not
+  // called a tool: a sensor may have more joints than an arm.
   End with_most(std::vector<End> ends, const char* option, std::string_view question) const {
     std::ranges::stable_sort(ends, std::greater(), &End::joints);
     const End& first = ends.front();
-    if (first.joints == 0 || (!first.is_doubtful && (ends.size() == 1 || ends[1].joints < first.joints))) return first;
+    const int rivals = ends.size() == 1 ? 0 : ends[1].joints;
+    const bool is_clear = rivals < first.joints && (first.is_tool || 2 * rivals <= first.joints);
+    if (first.joints == 0 || (is_clear && !first.is_doubtful)) return first;
     std::vector<LinkQuestion::Answer> answers;
     for (const End& each : ends)
       if (each.joints > 0 && answers.size() < 20) answers.push_back({option, each.link, each.joints});
@@ -339,16 +343,23 @@ class Tree {
       next.push_back(before_.at(seen.link));
       carriers.push_back(end(*next.back(), "parent"));
     }
-    const bool is_end = next.empty() || joints > most_joints || (joints > longest && are_fingers(next));
+    const auto is_jaw = [](const std::string& leaf) { return contains_any(leaf, {"jaw", "finger"}); };
+    const bool is_beside_jaw = joints > 0 && next.size() == 1 && longest == 1 && is_called_jaw(*next[0]) &&
+                               std::ranges::count_if(leaves, is_jaw) == 1;  // which is fixed, so it is the tool
+    const bool is_end =
+        next.empty() || joints > most_joints || is_beside_jaw || (joints > longest && are_fingers(next));
     const bool may_be_jaw = !is_end && joints > 0 && next.size() == 1 && longest == 1 &&
                             (is_called_jaw(*next[0]) || moves_like_jaw(*next[0]));
     if (is_end || may_be_jaw || (next.size() > 1 && joints > 0)) {
       const std::vector<std::string>& last = carriers.empty() ? leaves : carriers;
       End& at = ends.emplace_back(End{last.empty() ? link : fork_before(last.front(), last.back()), joints});
+      if (is_beside_jaw) at.link = *std::ranges::find_if(leaves, is_jaw);
       for (const auto& words :
            {std::vector<std::string_view>{"tool", "tcp", "end_effector", "ee_", "_ee", "eef"}, {"tool0"}}) {
         const auto is_tool = [&](const std::string& leaf) { return contains_any(leaf, words); };
-        if (std::ranges::count_if(leaves, is_tool) == 1) at.link = *std::ranges::find_if(leaves, is_tool);
+        if (std::ranges::count_if(leaves, is_tool) != 1) continue;
+        at.link = *std::ranges::find_if(leaves, is_tool);
+        at.is_tool = true;
       }
       at.other = at.link == link && !leaves.empty() ? leaves.front() : link;
     }

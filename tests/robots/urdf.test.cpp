@@ -218,6 +218,26 @@ TEST_CASE("base and tip are links of the user's, or the root and the end with th
   for (const auto& last : {with_last("jointGripper", limit), with_last("j2", "<limit lower='-0.2' upper='2'/>"),
                            with_last("j2", "<limit lower='-1.5' upper='0'/>")})
     CHECK(asked(last) == "--tip hand 2, --tip l1 1, ");
+  // A jaw that is fixed beside one that moves is the tool.
+  CHECK(ends_of({{"fixed", "l3", "fixed_jaw"}, {"revolute", "l3", "moving_jaw", limit}}) == "fixed_jaw!");
+  CHECK(ends_of({{"fixed", "l3", "camera"}, {"revolute", "l3", "moving_jaw", limit}}) ==
+        "--tip moving_jaw 3, --tip l3 2, ");
+  // A chain that is longer than another is asked about, unless it is called a tool or twice as long.
+  const auto branches = [&](int one, const std::string& its_end, int other) {
+    std::vector<More> more;
+    for (const auto& [count, prefix, end] :
+         {std::tuple{one, "a", its_end}, std::tuple{other, "b", std::string("b_end")}}) {
+      std::string from = "l0";
+      for (int i = 1; i <= count; ++i)
+        from = more.emplace_back(More{"revolute", from, prefix + std::to_string(i), limit}).to;
+      more.push_back({"fixed", from, end});
+    }
+    return ends_of(more);
+  };
+  CHECK(branches(7, "laser", 6) == "--tip laser 7, --tip b_end 6, --tip l4 2, ");
+  CHECK(branches(7, "tool0", 6) == "tool0!");
+  CHECK(branches(6, "hand", 3) == "hand!");
+  CHECK(branches(5, "hand", 3) == "--tip hand 5, --tip b_end 3, --tip l4 2, ");
   // A joint that floats ends the arm's tree, unless joints move on both sides of it.
   const std::string middle = urdf({{"revolute", limit}, {"planar"}, {"revolute", limit}, {"fixed", to_tool}});
   CHECK(
