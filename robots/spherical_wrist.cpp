@@ -33,7 +33,7 @@ Misfit misfit_of(const Chain& whole) {
           std::max(from_right_angle(first), from_right_angle(middle))};
 }
 
-bool ends_in_turns(const Chain& whole) {
+bool ends_in_revolute_joints(const Chain& whole) {
   if (whole.joints() < 4) return false;
   return std::all_of(whole.links().end() - 3, whole.links().end(),
                      [](const DhLink& link) { return link.joint == Joint::turns; });
@@ -49,13 +49,13 @@ Chain arm_of(const Chain& whole) {
 }  // namespace
 
 bool SphericalWrist::fits(const Chain& whole) {
-  if (!ends_in_turns(whole)) return false;
+  if (!ends_in_revolute_joints(whole)) return false;
   const Misfit off = misfit_of(whole);
   return off.length < exact && off.angle < exact;
 }
 
 std::string SphericalWrist::misfit(const Chain& whole) {
-  if (!ends_in_turns(whole) || fits(whole)) return "";
+  if (!ends_in_revolute_joints(whole) || fits(whole)) return "";
   const Misfit off = misfit_of(whole);
   const double length = off.length < exact ? 0 : off.length, angle = off.angle < exact ? 0 : off.angle;
   const bool may_be_rounded = length < 1e-4 && angle < 1e-3;

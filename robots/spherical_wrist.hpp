@@ -17,7 +17,7 @@ class SphericalWrist {
   // arm. What is behind the last axis counts as the tool.
   static bool fits(const Chain& whole);
   // "its last three axes are 1.2 mm from a common point and 0.0002 deg from right angles"; "" if they fit, or are not
-  // of three joints that turn behind another one.
+  // of three revolute joints behind another joint.
   static std::string misfit(const Chain& whole);
 
   // Throws std::invalid_argument if it does not fit.
