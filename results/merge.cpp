@@ -39,6 +39,9 @@ Store opened(const fs::path& place) {
 const std::set<std::string> decide_no_solve{"analysis",  "departures", "figures", "name",   "out_of_reach", "solvers",
                                             "published", "repeats",    "runs",    "tables", "title",        "turns"};
 
+// Links by which an arm was chosen: the arm has those that were taken, whether they were named or found.
+const std::set<std::string> settled_in_arm{"urdf.base", "urdf.tip"};
+
 std::vector<std::string> keys_of(const StoredStudy& study) {
   std::vector<std::string> keys;
   for (const Series& series : study.series) keys.push_back(series.key);
@@ -189,7 +192,7 @@ std::string difference_in_solves(const std::string& first, const std::string& se
   keys.erase("");                        // of an empty definition
   for (const std::string& key : keys) {  // "/stop/tolerance_cm"
     const std::string name = boost::replace_all_copy(key.substr(1), "/", ".");
-    if (decide_no_solve.contains(name.substr(0, name.find('.')))) continue;
+    if (decide_no_solve.contains(name.substr(0, name.find('.'))) || settled_in_arm.contains(name)) continue;
     if (left.contains(key) && right.contains(key) && left[key] == right[key]) continue;
     const std::string before = text_of(left, key), after = text_of(right, key);
     return before == after ? fmt::format("{} is another", name) : fmt::format("{} is {} and {}", name, before, after);

@@ -207,6 +207,12 @@ TEST_CASE("the difference of two definitions names the field, and values that fi
   CHECK(difference_in_solves(with(alike), with(alike)).empty());
   CHECK(difference_in_solves(R"({"stop":{"seconds":1}})", R"({"stop":{"seconds":2}})") == "stop.seconds is 1 and 2");
   CHECK(difference_in_solves(R"({"runs":3,"departures":["runs"]})", R"({"runs":20,"departures":[]})").empty());
+  const auto with_tip = [](const char* named, const char* taken) {
+    return fmt::format(R"({{"urdf":{{"tip":"{}"}},"arm":{{"tip_link":"{}"}}}})", named, taken);
+  };
+  CHECK(difference_in_solves(with_tip("", "tool0"), with_tip("tool0", "tool0")).empty());
+  CHECK(difference_in_solves(with_tip("", "tool0"), with_tip("flange", "flange")) ==
+        R"(arm.tip_link is "tool0" and "flange")");
   for (const char* key : {"figures", "name", "out_of_reach", "published", "repeats", "tables", "title", "turns"})
     CHECK(difference_in_solves(fmt::format(R"({{"{}":1}})", key), R"({})").empty());
 }
