@@ -165,7 +165,7 @@ std::string verdict_of(const Gate& gate, const show::Answer& answer) {
   if (!others.empty()) text += fmt::format(" Not asked for: {}.", fmt::join(others, "; "));
   const JudgedMetric& last = *show::questions_of(answer).back().of;
   if (gate.label.empty() && !gate.do_times_decide() && last.observations.measures == Measure::time)
-    text += " Times decide nothing here: " + show::second_sentence(answer);
+    text += " Times decide nothing here. " + show::second_sentence(answer);
   return text;
 }
 
