@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 
+#include "numerics/functions.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::solvers {
@@ -35,14 +36,20 @@ KDL::JntArray kdl_joints(const Configuration& q) {
   return array;
 }
 
+// The turn by beta about y, which KDL's rows of Denavit and Hartenberg lack.
+KDL::Frame leaning(double beta) {
+  const auto [sine, cosine] = numerics::sin_cos(beta);
+  return KDL::Frame(KDL::Rotation(cosine, 0, sine, 0, 1, 0, -sine, 0, cosine));
+}
+
 // The first segment is the frame of the base, which no joint moves.
 KDL::Chain kdl_chain(const Chain& arm) {
   KDL::Chain chain;
   chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), kdl_frame(arm.base().pose())));
   for (const DhLink& link : arm.links()) {
     const KDL::Joint joint(link.joint == Joint::slides ? KDL::Joint::TransZ : KDL::Joint::RotZ);
-    chain.addSegment(KDL::Segment(
-        joint, KDL::Frame::DH(link.a, link.alpha, link.d, link.offset) * KDL::Frame(KDL::Rotation::RotY(link.beta))));
+    const KDL::Frame row = KDL::Frame::DH(link.a, link.alpha, link.d, link.offset);
+    chain.addSegment(KDL::Segment(joint, row * leaning(link.beta)));
   }
   chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), kdl_frame(arm.tool().pose())));
   return chain;
