@@ -24,11 +24,16 @@ struct Table {
   std::vector<Reals> groups;  // means of runs; in the order of blocks
   bool is_paired = false, is_share = false, is_larger = false, by_means = false, by_ranks = false;
   bool has_low = false, is_huge = false;  // a value of 0 or below; one beyond 1e60
-  int runs = 1, lost = -1;                // lost: the group that lacks a value
+  int runs = 1, lost = -1;                // lost: the group that lacks a value, of its first block
   std::string text = "solver,block,run,v\n";
 
   bool is_ratio() const { return by_ranks && !has_low; }
   std::string name(std::size_t group) const { return fmt::format("s{}", group + 1); }
+  // The values of a group, in the blocks that it has in common with another.
+  Reals common(std::size_t group, std::size_t other) const {
+    const bool lacks_block = is_paired && runs == 1 && lost == static_cast<int>(other);
+    return {groups[group].begin() + (lacks_block ? 1 : 0), groups[group].end()};
+  }
   Real margin(Real a, Real b) const {  // of differences
     const auto has_negative = [](const Reals& its) { return std::ranges::min(its) < 0; };
     if (is_share) return 0.05L;
@@ -79,6 +84,7 @@ Table drawn_table(int number) {
     Reals& means = table.groups.emplace_back();
     for (int i = 0, size = table.is_paired || below(2) == 0 ? n : std::max(2, n - below(4)); i < size; ++i) {
       Real sum = 0;
+      int rows = 0;
       for (int run = 0; run < table.runs; ++run) {
         Real value = std::round(1000 * of_block[static_cast<std::size_t>(i)] * factor * std::exp(sigma * normal()));
         value = kind == ties ? 500 * std::max<Real>(1, std::round(value / 500)) : std::max<Real>(value, 1);
@@ -93,13 +99,17 @@ Table drawn_table(int number) {
         if ((kind == zero_and_penalty || kind == penalties) && uniform() < failing) value = 1000 * penalty;
         if (kind == hard_block && i == hard) value = 1000 * penalty;
         if (kind == hard_block && i == zero && number % 5 < 2) value = 0;
-        sum += value;
-        table.has_low |= value <= 0, table.is_share &= value == 0 || value == 1000, table.is_huge |= value > 1e63L;
-        const auto shown = static_cast<double>(value / 1000);
-        const std::string cell = g == table.lost && i + run == 0 ? "NA" : fmt::format("{}", shown);
+        const bool is_missing = g == table.lost && i + run == 0;
+        const std::string cell = is_missing ? "NA" : fmt::format("{}", static_cast<double>(value / 1000));
         table.text += fmt::format("s{},b{},r{},{}\n", g + 1, i, table.is_paired ? run : i, cell);
+        if (is_missing) continue;
+        sum += value;
+        ++rows;
+        table.has_low |= value <= 0;
+        table.is_share &= value == 0 || value == 1000;
+        table.is_huge |= value > 1e63L;
       }
-      if (g != table.lost || i > 0) means.push_back(sum / table.runs);
+      if (rows > 0) means.push_back(sum / rows);
     }
   }
   table.by_ranks = !table.is_share && !table.by_means;
@@ -381,8 +391,7 @@ Rights rights_of(const Table& table) {
   for (std::size_t i = 0; i < table.groups.size(); ++i) {
     for (std::size_t j = i + 1; j < table.groups.size(); ++j) {
       rights[{table.name(i), table.name(j)}] = rights[{table.name(j), table.name(i)}] = {};
-      if (table.lost != static_cast<int>(i) && table.lost != static_cast<int>(j))
-        family[{i, j}] = smallest_of(table, table.groups[i].size(), table.groups[j].size());
+      family[{i, j}] = smallest_of(table, table.common(i, j).size(), table.common(j, i).size());
     }
   }
   const auto p_of = [](const auto& its) { return its.second; };
@@ -393,7 +402,8 @@ Rights rights_of(const Table& table) {
   }
   for (const auto& [pair, p] : family) {
     const std::string one = table.name(pair.first), other = table.name(pair.second);
-    const Right right = right_of(table, table.groups[pair.first], table.groups[pair.second], real(family.size()));
+    const Right right = right_of(table, table.common(pair.first, pair.second), table.common(pair.second, pair.first),
+                                 real(family.size()));
     rights[{one, other}] = rights[{other, one}] = right;
     rights[{other, one}].verdict = turned(right.verdict);
   }
@@ -519,7 +529,8 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
     const Table table = drawn_table(number);
     const std::string run = table.runs > 1 ? "run" : table.is_paired ? "" : "row";
     const Names block(table.is_paired, "block"), better{table.is_larger ? "larger" : "smaller"};
-    const csv::Request request{.values = {"v"}, .label = {"solver"}, .block = block, .run = run, .better = better};
+    const csv::Request request{
+        .values = {"v"}, .label = {"solver"}, .block = block, .run = run, .better = better, .missing = "drop"};
     const auto check = [&](const char* what, bool is_so, const std::string& more) {
       ++compared[what];
       if (!is_so) contradictions.push_back(fmt::format("table {}, {}: {}", number, what, more));
