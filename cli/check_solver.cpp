@@ -28,7 +28,7 @@ struct CheckLine {
   std::string seen;
 };
 
-constexpr StopRule usual{.iterations = 100, .tolerance = 1e-4, .angle_tolerance = 1e-3, .evaluations = 3000};
+constexpr StopRule usual{.iterations = 3000, .tolerance = 1e-4, .angle_tolerance = 1e-3, .evaluations = 3000};
 
 // An arm about a metre long; each axis is at a right angle to the one before.
 Robot some_arm(Joint second = Joint::turns) {

@@ -116,6 +116,13 @@ Robot read_arm(const TomlReader& reader, Study& study, const ArmOfStore& arm_of_
   return *study.robot_of_file;
 }
 
+// As many iterations as no solver makes with these evaluations. A fixed number would cut short a solver that evaluates
+// one candidate in each of them.
+int iterations_of(std::int64_t evaluations) {
+  constexpr std::int64_t most = 1'000'000'000;
+  return static_cast<int>(std::min(evaluations, most));
+}
+
 void check_stop(const TomlReader& stop, const Study& study) {
   const double position = study.stop.tolerance / centimetre, angle = study.stop.angle_tolerance / degree;
   if (study.stop.iterations == 0)
@@ -249,6 +256,8 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
   read_part(urdf, study.urdf);
   const TomlReader stop = reader.part("stop"), analysis = reader.part("analysis"), figures = reader.part("figures");
   read_part(stop, study.stop);
+  if (study.stop.evaluations > 0 && !stop.table().contains("iterations"))
+    study.stop.iterations = iterations_of(study.stop.evaluations);
   check_stop(stop, study);
   read_part(reader.part("loop"), study.loop);
   if (reader.find("check") != nullptr) read_check(reader.part("check"), study);
@@ -287,6 +296,7 @@ void add_protocol(toml::table& study) {
   if (const std::optional search = study["search"].value<std::string>();
       search && *search != "pose" && *search != "axis")
     all["stop"].as_table()->erase("tolerance_deg");
+  if (study["stop"]["evaluations"]) all["stop"].as_table()->erase("iterations");     // read_study knows how many
   const auto put = [](toml::table& table, const toml::key& key, toml::node& node) {  // unless it is there
     node.visit([&](auto& value) { table.insert(key, std::move(value)); });
   };

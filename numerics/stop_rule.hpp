@@ -43,7 +43,8 @@ struct StopRule {
 };
 
 inline void list_fields(base::Fields& io, StopRule& stop) {
-  io.whole("iterations", stop.iterations, {0, 1'000'000'000}, "maximum number of iterations, 200 unless given",
+  io.whole("iterations", stop.iterations, {0, 1'000'000'000},
+           "maximum number of iterations; unless given as many as evaluations, or 200 where these have no maximum",
            base::InKey::in_text);
   io.number("tolerance_cm", stop.tolerance, base::centimetre, {0, 1e6},
             "a solve stops at this position error; 0: no tolerance", base::InKey::in_text);

@@ -19,3 +19,15 @@ has "$(<null.said)" 'expected "q"'
 "$program" check-solver printf '{"message":"hello\0"}\n' >.out 2>&1
 equal "code at a NUL" $? 1
 has "$(<.out)" "; expected JSON"
+
+# Who asks for one candidate at a time may spend all evaluations.
+cat >asked.py <<'END'
+import json, sys
+print(json.dumps({"message": "hello", "ikbench": 2, "name": "asked", "version": "1"}), flush=True)
+for line in sys.stdin:
+    if (asked := json.loads(line))["message"] == "solve":
+        json.dump(asked["budget"], open("budget.json", "w"))
+        sys.exit()
+END
+ends 1 check-solver -- python3 asked.py
+json 'of["iterations"] >= of["evaluations"] > 0' budget.json

@@ -97,6 +97,14 @@ for who in "many suite" "once nobody" "first nobody"; do
   [[ $(column many/store.sqlite counted_by ${who% *} | counted) =~ ^1[0-9]\ ${who#* } ]] || fail "not counted by: $who"
 done
 
+# Who asks for one candidate at a time has all evaluations, as others have.
+sed 's/size, joints = problem.population/size, joints = 1/' "$examples/pso.py" >one.py
+study one '[[solvers]]' 'process = ["python3", "one.py"]' 'label = "one"' '[[solvers]]' 'solver = "particle_swarm"' 'label = "PSO"'
+sed -i '/^iterations/d' one.toml
+succeeds run one.toml --set stop.evaluations=300 --figures none --out one
+for label in one PSO; do equal evaluations "$(column one/store.sqlite evaluations $label | counted)" "16 300"; done
+has_no "$out" "budgets differ"
+
 # Budgets: who overruns one has not solved, and its arm stays. On a busy machine others than late would overrun one of time.
 study late "$(entry late late)"
 succeeds run late.toml --set stop.seconds=0.05 --set stop.tolerance_cm=1000 --figures none --out late --json

@@ -387,6 +387,22 @@ TEST_CASE("a study without a path has the protocol of any arm, but for what it s
 
 // ---- overrides ----------------------------------------------------------------------------------------------------
 
+TEST_CASE("where evaluations limit a solve, iterations do not, unless the study says so", "[study]") {
+  const auto iterations = [](const std::string& stop) {
+    return read(arm_and_path + stop + solver_entry).stop.iterations;
+  };
+  CHECK(iterations("") == 200);
+  CHECK(iterations("stop.evaluations = 0\n") == 200);
+  CHECK(iterations("stop.evaluations = 4000\n") == 4000);
+  CHECK(iterations("stop.evaluations = 4000\nstop.iterations = 30\n") == 30);
+  CHECK(iterations("stop.evaluations = 9000000000000\n") == 1'000'000'000);
+  const auto of_any_arm = [](const std::string& stop) {
+    return parse_study("robot = \"ur5e\"\n" + stop + solver_entry, "my.toml").stop;
+  };
+  CHECK(of_any_arm("").iterations == 10000);
+  CHECK(of_any_arm("stop.evaluations = 40000\n").iterations == 40000);
+}
+
 TEST_CASE("an override sets a field of the study, of its path or of its stop rule", "[study][set]") {
   const Study study = load_study("slim2023", {"runs=5", "path.tool=eq27", "path.points=7", "stop.tolerance_cm=0.1",
                                               "search=\"all_joints\"", "initial_deg=[1, 2, 3, 4, 5, 6, 7]"});
