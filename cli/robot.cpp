@@ -9,6 +9,7 @@
 #include "base/names.hpp"
 #include "base/units.hpp"
 #include "cli/console.hpp"
+#include "cli/file_kind.hpp"
 #include "cli/options.hpp"
 #include "experiments/study.hpp"
 #include "robots/spherical_wrist.hpp"
@@ -144,6 +145,7 @@ void add_robot(const Command& command, Invocation&) {
     }
     if (arguments->shows_links)
       return fmt::print("{}", printable(link_tree(text_of_arm_file(arguments->robot), arguments->robot)));
+    refuse_as_arm(arguments->robot);
     const Robot arm =
         is_arm_file(arguments->robot) ? load_robot(arguments->robot, arguments->urdf) : robot(arguments->robot);
     if (arguments->shows_urdf) return fmt::print("{}", urdf_of(arm, arm.chain));

@@ -9,9 +9,9 @@
 
 #include "analysis/judge/beside.hpp"
 #include "analysis/judge/observe.hpp"
-#include "base/files.hpp"
 #include "base/names.hpp"
 #include "cli/console.hpp"
+#include "cli/file_kind.hpp"
 #include "cli/reporting.hpp"
 #include "cli/running.hpp"
 #include "experiments/runner.hpp"
@@ -23,13 +23,6 @@ namespace ikbench::cli {
 namespace {
 
 constexpr const char* study_of_any_arm = "any-arm";
-
-// True of a file that begins as SQLite's do.
-bool is_store(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return false;
-  return read_file(file, 16).value_or("").starts_with("SQLite format 3");
-}
 
 struct StudyToRun {
   std::string study, study_of_store, robot, shard;
@@ -82,6 +75,7 @@ Study study_of_store(const StudyToRun& arguments) {
 }
 
 Study study_of(const StudyToRun& arguments) {
+  refuse_as_arm(arguments.robot);
   const bool is_of_any_arm = arguments.study.empty();
   if (is_of_any_arm && arguments.robot.empty())
     throw std::invalid_argument("no study; expected run STUDY, or run --robot ARM (ikbench list studies, list robots)");
@@ -167,7 +161,10 @@ void add_run(const Command& command, Invocation& invocation) {
       "  ikbench merge out/slim2023 out/slim2023/shards\n\n"
       "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
-  command.callback([arguments, &invocation] { run_and_report(*arguments, invocation); });
+  command.callback([arguments, &invocation] {
+    if (arguments->robot.empty() && is_arm(arguments->study)) std::swap(arguments->robot, arguments->study);
+    run_and_report(*arguments, invocation);
+  });
 }
 
 }  // namespace ikbench::cli

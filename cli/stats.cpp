@@ -19,6 +19,7 @@
 #include "base/inputs.hpp"
 #include "base/json.hpp"
 #include "cli/console.hpp"
+#include "cli/file_kind.hpp"
 #include "cli/reporting.hpp"
 
 namespace ikbench::cli {
@@ -56,6 +57,7 @@ std::string direction_of(const std::vector<judge::JudgedMetric>& metrics) {
 // With figures, and the look that they have, if there is a folder for them.
 show::Report judged(const StatsArguments& arguments, FigureStyle& style) {
   const std::string text = contents_of(arguments.file), source = name_of_source(arguments.file);
+  refuse_no_table(text, arguments.file);
   csv::Quantities quantities = csv::read(text, source, arguments.csv);
   std::vector<judge::JudgedMetric> metrics;
   for (judge::Observations& observed : quantities.observed) {
@@ -156,6 +158,10 @@ void add_stats(const Command& command, Invocation& invocation) {
         say_command(shell_command(invocation.command, question.options) + (is_open ? "     (or larger)" : ""));
         say(question.advice + " Examples: docs/your-own-csv.md");
       }
+      invocation.exit_code = 1;
+    } catch (const NotATable& mistake) {
+      say_mistake(mistake.what());
+      if (!mistake.command.empty()) say_command(mistake.command);
       invocation.exit_code = 1;
     }
   });

@@ -59,3 +59,12 @@ rm two.urdf
 # Files with the features of public URDF files, held against other kinematics, and run.
 cp "$root"/tests/data/urdf/*.urdf .
 python3 "$scripts/urdfs.py" "$program" *.urdf || fail "see above"
+
+# An arm in the place of a study is that of --robot.
+cp "$root/tests/data/urdf/ur5e.urdf" "$scripts/studies/my_arm.toml" .
+for arm in ur5e.urdf my_arm.toml; do
+  more=(--set runs=1 --set search=all_joints --set stop.tolerance_deg=0 --only LM --no-report)
+  succeeds run $arm "${more[@]}" --out plain-$arm
+  succeeds run --robot $arm "${more[@]}" --out option-$arm
+  same_fingerprint plain-$arm/store.sqlite option-$arm/store.sqlite
+done
