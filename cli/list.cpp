@@ -31,7 +31,7 @@ namespace {
 std::string cited_for(std::string_view name) { return fmt::format("{}", fmt::join(references_of(name), ", ")); }
 
 std::string solver_details(std::string_view name) {
-  const SolverInfo& info = solver(name);
+  const SolverInfo& info = solver(solver_named(std::string(name)));
   Rows options{{"OPTION", "DEFAULT", "EXPECTED", "MEANING"}};
   info.describe([&](const OptionList& list) {
     for (const solvers::Option& option : list.options())

@@ -326,11 +326,40 @@ std::string no_study(const std::filesystem::path& file) {
 
 }  // namespace
 
+namespace {
+
+// The labels that a name means if none is written so: one in other cases of letters, else those of the solver that has
+// this name, or this abbreviation in tables.
+std::vector<std::string> labels_like(const Study& study, const std::string& name) {
+  std::vector<std::string> labels, by_solver;
+  const std::string wanted = lower_case(name), solver = solver_named(name);
+  for (const SolverEntry& entry : study.solvers) {
+    for (const std::string& label : {entry.label, entry.family})
+      if (!label.empty() && lower_case(label) == wanted) labels.push_back(label);
+    if (!entry.program && entry.solver == solver) by_solver.push_back(entry.label);
+  }
+  if (labels.empty()) labels = by_solver;
+  if (labels.empty()) throw std::invalid_argument(unknown_name("label", name, labels_of(study)));
+  return labels;
+}
+
+}  // namespace
+
 // The folder of a file that a key names: the study's, or the current one if --set gave the key.
 std::filesystem::path folder_of(const TomlReader& reader, std::string_view key) {
   const toml::node* const node = reader.table().get(key);
   const bool is_of_file = node != nullptr && node->source().begin.line > 0 && !node->source().path;
   return is_of_file ? reader.source().parent_path() : std::filesystem::path();
+}
+
+std::string solver_named(const std::string& name) {
+  const std::string wanted = lower_case(name);
+  for (const solvers::SolverInfo& info : solvers::all_solvers())
+    if (info.name == wanted) return info.name;
+  for (const Study& study : studies())
+    for (const SolverEntry& entry : study.solvers)
+      if (lower_case(entry.label) == wanted) return entry.solver;
+  return name;
 }
 
 void keep_only(Study& study, const std::vector<std::string>& lists) {
@@ -342,10 +371,10 @@ void keep_only(Study& study, const std::vector<std::string>& lists) {
         if (label.size() > longest.size() && (rest + ',').starts_with(label + ',')) longest = label;
       };
       for (const SolverEntry& entry : study.solvers) take(entry.label), take(entry.family);
-      if (longest.empty())
-        throw std::invalid_argument(unknown_name("label", rest.substr(0, rest.find(',')), labels_of(study)));
-      rest.erase(0, longest.size() + 1);
-      labels.insert(longest);
+      const std::vector<std::string> meant =
+          longest.empty() ? labels_like(study, rest.substr(0, rest.find(','))) : std::vector{longest};
+      rest.erase(0, longest.empty() ? std::min(rest.find(','), rest.size() - 1) + 1 : longest.size() + 1);
+      labels.insert(meant.begin(), meant.end());
     } while (!rest.empty());
   }
   std::erase_if(study.solvers, [&](const SolverEntry& entry) {

@@ -30,8 +30,11 @@ Study load_study(const std::string& name_or_file, const Overrides& overrides = {
 Study load_study(const results::Store& store, const results::StoredStudy& stored, const Overrides& overrides = {});
 // The programs of a stored study, each with its arguments: of its solvers and of its check.
 std::vector<std::vector<std::string>> programs_of(const results::StoredStudy& stored);
-// Keeps the entries with these labels, or that a sweep made of these: lists with commas. Throws std::invalid_argument
-// for an unknown one.
+// The registered name of a solver by its name or by the abbreviation that tables use, such as LM, in any case of
+// letters; the name itself if it is neither.
+std::string solver_named(const std::string& name);
+// Keeps the entries with these labels, or that a sweep made of these: lists with commas. What is no label may be one in
+// other cases of letters, or name a solver (solver_named). Throws std::invalid_argument for an unknown one.
 void keep_only(Study& study, const std::vector<std::string>& lists);
 
 }  // namespace ikbench::experiments

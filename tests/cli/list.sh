@@ -57,6 +57,10 @@ for command in $(sed -n 's/^COMMAND([^"]*"\([^"]*\)".*/\1/p' "$root/cli/commands
   [ -z "$err" ] || fail "$command --help wrote to the standard error: $err"
   quiet
 done
+succeeds list solvers levenberg_marquardt
+cp .out whole
+succeeds list solvers lm
+cmp .out whole || fail "an abbreviation of tables names no solver: $out"
 succeeds --version
 [[ $out =~ ^ikbench\ [0-9]+\.[0-9]+\.[0-9]+\ \(.+\)$ ]] || fail "--version says: $out"
 succeeds

@@ -89,6 +89,28 @@ TEST_CASE("a label that is kept may have commas", "[sweep]") {
                  "unknown label \" IK-BA\""));
 }
 
+TEST_CASE("what is no label may be one in other cases of letters, or name a solver", "[sweep]") {
+  const auto kept = [](const SweptLabels& lists) {
+    Study study = parse_study(
+        "robot = \"planar_3\"\nsearch = \"all_joints\"\n[path]\nkind = \"random\"\n"
+        "[[solvers]]\nsolver = \"levenberg_marquardt\"\n[[solvers]]\nlabel = \"lm\"\nsolver = \"newton\"\n"
+        "[[solvers]]\nlabel = \"Mine\"\nsolver = \"damped_least_squares\"\n"
+        "[[solvers]]\nlabel = \"Mine too\"\nsolver = \"damped_least_squares\"\n",
+        "study.toml");
+    keep_only(study, lists);
+    return labels_of(study);
+  };
+  CHECK(kept({"MINE"}) == SweptLabels{"Mine"});
+  CHECK(kept({"lm"}) == SweptLabels{"lm"});
+  CHECK(kept({"levenberg_MARQUARDT,mine"}) == SweptLabels{"levenberg_marquardt", "Mine"});
+  CHECK(kept({"dls"}) == SweptLabels{"Mine", "Mine too"});
+  CHECK(contains(complaint<std::invalid_argument>([&] { kept({"pso"}); }), "unknown label \"pso\""));
+  CHECK(contains(complaint<std::invalid_argument>([&] { kept({","}); }), "unknown label \"\""));
+  CHECK(solver_named("Lm") == "levenberg_marquardt");
+  CHECK(solver_named("ik-ba") == "ik_bat");
+  CHECK(solver_named("ik_bta") == "ik_bta");
+}
+
 TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]") {
   const std::string controlled = two_bats + "[analysis]\ncontrol = \"BA\"\n[figures]\nsolvers = [\"IK-BA\"]\n";
   Study split = read(controlled, {sweep_override("BA.alpha=0.5,0.9")}), whole = read(controlled);
