@@ -40,6 +40,23 @@ toml::array list_of(const Json& list) {
   return array;
 }
 
+std::string_view line_of(std::string_view text, std::size_t number) {
+  for (; number > 1 && text.find('\n') != std::string_view::npos; --number) text.remove_prefix(text.find('\n') + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+// What is wrong in a line that is no TOML; of usual mistakes in words of ours.
+std::string toml_mistake(std::string_view line, std::string_view description) {
+  const std::size_t begin = line.find_first_not_of(" \t\r");
+  if (begin != std::string_view::npos && line[begin] == '<')
+    return "not TOML, but perhaps XML such as URDF, since it begins with '<'; expected key = value";
+  std::ptrdiff_t quotes = 0;
+  for (std::size_t at = 0; at < line.size() && (line[at] != '#' || quotes % 2 != 0); ++at)
+    quotes += line[at] == '"' && (at == 0 || line[at - 1] != '\\');
+  if (quotes % 2 != 0) return "a quote is not closed in this line; expected one more \"";
+  return fmt::format("not TOML: {}", description);
+}
+
 }  // namespace
 
 std::string toml_string(std::string_view text) {
@@ -66,8 +83,8 @@ toml::table parse_toml(std::string_view text, std::string_view source) {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
     const toml::source_position& begin = error.source().begin;
-    throw std::invalid_argument(
-        fmt::format("{}:{}:{}: not TOML: {}", source, begin.line, begin.column, error.description()));
+    throw std::invalid_argument(fmt::format("{}:{}:{}: {}", source, begin.line, begin.column,
+                                            toml_mistake(line_of(text, begin.line), error.description())));
   }
 }
 

@@ -1,11 +1,14 @@
 #include "cli/options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <type_traits>
 
 #include "base/json.hpp"
+#include "base/names.hpp"
 #include "base/number.hpp"
 
 namespace ikbench::cli {
@@ -14,7 +17,12 @@ Option Option::required() const { return {in_cli11->required()}; }
 Option Option::separated_by_commas() const { return {in_cli11->delimiter(',')}; }
 Option Option::needs(const std::string& other) const { return {in_cli11->needs(other)}; }
 Option Option::excludes(const std::string& other) const { return {in_cli11->excludes(other)}; }
-Option Option::one_of(const std::vector<std::string>& texts) const { return {in_cli11->check(CLI::IsMember(texts))}; }
+Option Option::one_of(const std::vector<std::string>& texts) const {
+  const auto check = [texts](const std::string& text) {
+    return std::ranges::find(texts, text) != texts.end() ? "" : base::unknown_name("value", text, texts);
+  };
+  return {in_cli11->check(CLI::Validator(check, fmt::format("{{{}}}", fmt::join(texts, ","))))};
+}
 
 Option Option::time() const {
   const auto in_seconds = [](std::string& text) {

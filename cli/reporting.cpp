@@ -74,6 +74,19 @@ std::vector<std::string> never_answering(const judge::StudyResults& study) {
   return labels;
 }
 
+// Says which solvers gave no answer in any solve; returns whether there are such.
+bool tell_silent(const judge::StudyResults& solved, bool is_json) {
+  const std::vector<std::string> silent = never_answering(solved);
+  if (silent.empty()) return false;
+  const std::string text =
+      fmt::format("{} gave no answer in any solve (crash, time-out or protocol).", base::listed(silent));
+  if (is_json)
+    say(text);
+  else
+    fmt::print("{}\n", wrapped(text));
+  return true;
+}
+
 }  // namespace
 
 void add_report_options(const Command& command, ReportArguments& arguments, bool is_of_study) {
@@ -173,18 +186,21 @@ bool write_and_announce(const Store& store, const StoredStudy& study, const std:
   const FigureStyle style =
       styled(study.definition.figures, labels_of(study), arguments);  // refuses before the study is read
   judge::StudyResults solved = exported_study(store, study, folder);
-  const std::vector<std::string> silent = never_answering(solved);
-  if (!silent.empty()) {
-    const std::string text =
-        fmt::format("{} gave no answer in any solve (crash, time-out or protocol).", base::listed(silent));
-    arguments.is_json ? say(text) : fmt::print("{}\n", wrapped(text));
-  }
+  const bool are_silent = tell_silent(solved, arguments.is_json);
   if (beside) judge::put_beside(solved, *beside);
   judge::JudgedStudy judged = judge::judge(std::move(solved));
   const figures::Look look = figures::look_of(judged, style);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
   announce(show::report_of(std::move(judged), std::move(pictures)), folder, arguments, look.style);
-  return !silent.empty();
+  return are_silent;
+}
+
+bool show_answer(const Store& store, const StoredStudy& study, const std::optional<judge::StudyResults>& beside) {
+  judge::StudyResults solved = checked_study(store, study);
+  const bool are_silent = tell_silent(solved, true);
+  if (beside) judge::put_beside(solved, *beside);
+  show_json(show::to_json(show::report_of(judge::judge(std::move(solved)), {}).answer));
+  return are_silent;
 }
 
 std::optional<judge::StudyResults> beside_of(const StoredStudy& study, const ReportArguments& arguments) {

@@ -45,6 +45,10 @@ bool write_and_announce(const results::Store& store, const results::StoredStudy&
                         const std::filesystem::path& folder, const ReportArguments& arguments,
                         const std::optional<judge::StudyResults>& beside);
 
+// Prints the answer of a study of the store as JSON, without a report; returns as write_and_announce does.
+bool show_answer(const results::Store& store, const results::StoredStudy& study,
+                 const std::optional<judge::StudyResults>& beside);
+
 // Reads a study, computes the errors of all its solves again (experiments/runner.hpp), and passes each on to `also`.
 judge::StudyResults checked_study(const results::Store& store, const results::StoredStudy& entry,
                                   const results::TakeSolve& also = {});

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "base/names.hpp"
+#include "base/number.hpp"
 #include "base/units.hpp"
 #include "cli/console.hpp"
 #include "cli/file_kind.hpp"
@@ -24,7 +26,7 @@ namespace {
 struct RobotArguments {
   std::string robot;
   UrdfChoice urdf;
-  std::vector<double> at;
+  std::string at;
   bool shows_links = false, shows_urdf = false;
 };
 
@@ -81,8 +83,18 @@ std::string reach_text(const Robot& arm) {
 }
 
 // The configuration of --at.
-Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
-  if (at.empty()) return experiments::nearest_to_zero(arm);
+Configuration joints_at(const Robot& arm, const std::string& text) {
+  if (text.empty()) return experiments::nearest_to_zero(arm);
+  std::vector<double> at;
+  for (std::size_t from = 0; from <= text.size(); from = std::min(text.find(',', from), text.size()) + 1) {
+    const std::string_view value = std::string_view(text).substr(from, text.find(',', from) - from);
+    const std::optional<double> number = number_from(trimmed(value));
+    if (!number || !(std::abs(*number) <= 1e6))
+      throw std::invalid_argument(fmt::format(
+          "--at: joint {} is {}; expected a number from -1000000 to 1000000 for each of the {} joints of {}",
+          at.size() + 1, in_quotes(value), arm.joints(), arm.name));
+    at.push_back(*number);
+  }
   if (std::ssize(at) != arm.joints())
     throw std::invalid_argument(fmt::format("--at has {}; expected {}, one for each joint of {}",
                                             counted(std::ssize(at), "values"), arm.joints(), arm.name));
@@ -125,11 +137,8 @@ std::string robot_text(const Robot& arm) {
 void add_robot(const Command& command, Invocation&) {
   auto arguments = std::make_shared<RobotArguments>();
   command.add("ROBOT", &arguments->robot, "a name from ikbench list robots, or a file: arm.toml, arm.urdf").required();
-  command
-      .add("--at", &arguments->at,
-           "values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the limits")
-      .separated_by_commas()
-      .number_in({-1e6, 1e6});
+  command.add("--at", &arguments->at,
+              "values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the limits");
   add_link_options(command, arguments->urdf.base, arguments->urdf.tip);
   command.add("--links", &arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
   command.add("--urdf", &arguments->shows_urdf, "print the arm as a URDF file, and nothing else");

@@ -118,9 +118,11 @@ void run_and_report(const StudyToRun& arguments, Invocation& invocation) {
       run_study(study, stored, folder, {.jobs = arguments.run.jobs, .command = invocation.command, .shard = shard},
                 is_part ? Store::Mode::write_shared : Store::Mode::write);
   if (!has_report && !arguments.report.is_json) fmt::print("{}\n", wrapped(solved));
-  if (!has_report) return;
+  if (is_part || (!has_report && !arguments.report.is_json)) return;
   const Store store(store_in(folder), Store::Mode::read);
-  if (write_and_announce(store, stored, folder, arguments.report, beside)) invocation.exit_code = 3;
+  const bool are_silent = has_report ? write_and_announce(store, stored, folder, arguments.report, beside)
+                                     : show_answer(store, stored, beside);
+  if (are_silent) invocation.exit_code = 3;
 }
 
 }  // namespace

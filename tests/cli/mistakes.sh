@@ -5,6 +5,8 @@ printf 'robot = "ur5e"\npath.kind = "random"\n[[solvers]]\n  solver = "abt"\n' >
 : >empty.sqlite
 succeeds run slim2023 "${small[@]}" --no-report --out made
 head -c 5000 made/store.sqlite >truncated.sqlite
+printf 'robot = "ur5e\nsearch = "pose"\n' >quote.toml
+echo '<robot/>' >xml.toml
 printf 'solver,error\nA,1\n' >table.csv
 printf 'solver,error\nA\u0378,1\nA\u0378,3\nB,2\nB,5\n' >glyph.csv # which no font has
 echo "a file" >file

@@ -93,3 +93,12 @@ json 'len({row["solver"] for row in of["groups"]}) == 9'
 # A built-in study of another arm has a name of its own. (Labels with commas: sweep.test.cpp.)
 succeeds run baselines --robot ur5e --only LM --set runs=1 --set path.points=2 --no-report --out only
 equal "study" "$(sqlite3 only/store.sqlite "SELECT name FROM studies")" baselines-ur5e
+
+# The answer without a report: the same, and nothing but the store is written.
+unreported=(slim2023 --set runs=3 --set stop.iterations=5 --set path.points=4)
+succeeds run "${unreported[@]}" --json --no-report --out unreported
+equal files "$(ls unreported)" store.sqlite
+python3 -c 'import json; json.dump(json.load(open(".out")), open("alone.json", "w"))'
+succeeds report unreported/store.sqlite --json --figures none
+python3 -c 'import json; both = [json.load(open(name)) for name in ("alone.json", ".out")]; both[1].pop("files"); assert both[0] == both[1]' ||
+  fail "another answer than that of the report"
