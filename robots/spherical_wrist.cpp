@@ -26,17 +26,19 @@ Misfit misfit_of(const Chain& whole) {
   const DhLink* last = &whole.links().back();
   const DhLink &first = last[-2], &middle = last[-1];
   const auto from_right_angle = [](const DhLink& link) {
-    const double cosine = sin_cos(link.alpha).cosine * sin_cos(link.beta).cosine;  // of the angle between the axes
+    const double cosine = sin_cos(link.alpha).cosine;
     return std::abs(arc_tangent(cosine, std::sqrt(1 - cosine * cosine)));
   };
   return {std::max({std::abs(first.a), std::abs(middle.a), std::abs(middle.d)}),
           std::max(from_right_angle(first), from_right_angle(middle))};
 }
 
+// The closed form knows no beta, and takes the sense of an angle from the sign of its alpha.
 bool ends_in_revolute_joints(const Chain& whole) {
   if (whole.joints() < 4) return false;
-  return std::all_of(whole.links().end() - 3, whole.links().end(),
-                     [](const DhLink& link) { return link.joint == Joint::turns; });
+  return std::all_of(whole.links().end() - 3, whole.links().end(), [](const DhLink& link) {
+    return link.joint == Joint::turns && link.beta == 0 && std::abs(link.alpha) <= std::numbers::pi;
+  });
 }
 
 Chain arm_of(const Chain& whole) {
@@ -58,7 +60,7 @@ std::string SphericalWrist::misfit(const Chain& whole) {
   if (!ends_in_revolute_joints(whole) || fits(whole)) return "";
   const Misfit off = misfit_of(whole);
   const double length = off.length < exact ? 0 : off.length, angle = off.angle < exact ? 0 : off.angle;
-  const bool may_be_rounded = length < 1e-4 && angle < 1e-3;
+  const bool may_be_rounded = length < 1e-4 && angle > 0 && angle < 1e-3;
   return fmt::format(
       "its last three axes are {:.3g} mm from a common point and {:.3g} deg from right angles{}", 1000 * length,
       angle / base::degree,
