@@ -60,6 +60,8 @@ std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
   const std::string difference = difference_in_solves(study.definition.json, other.definition.json);
   if (!difference.empty()) return difference;
   if (configurations_of(study) != configurations_of(other)) return "its solvers or their options are others";
+  if (!std::ranges::equal(study.series, other.series, {}, &Series::label, &Series::label))
+    return "its solvers have other labels";
   if (keys_of(study) != keys_of(other))
     return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
   return "";
@@ -192,7 +194,9 @@ std::string difference_in_solves(const std::string& first, const std::string& se
   keys.erase("");                        // of an empty definition
   for (const std::string& key : keys) {  // "/stop/tolerance_cm"
     const std::string name = boost::replace_all_copy(key.substr(1), "/", ".");
-    if (decide_no_solve.contains(name.substr(0, name.find('.'))) || settled_in_arm.contains(name)) continue;
+    const bool is_name_of_joint = name.starts_with("arm.links.") && name.ends_with(".name");
+    if (decide_no_solve.contains(name.substr(0, name.find('.'))) || settled_in_arm.contains(name) || is_name_of_joint)
+      continue;
     if (left.contains(key) && right.contains(key) && left[key] == right[key]) continue;
     const std::string before = text_of(left, key), after = text_of(right, key);
     return before == after ? fmt::format("{} is another", name) : fmt::format("{} is {} and {}", name, before, after);

@@ -195,6 +195,10 @@ TEST_CASE("another study of the same name is refused with the field that differs
   CHECK_THAT(said("b"), ContainsSubstring("robot is \"iiwa14\" and \"iiwa7\""));
   CHECK_THAT(said("c"), ContainsSubstring("use one version of ikbench"));
   CHECK_THAT(said("d"), ContainsSubstring("its solvers or their options are others"));
+  other = sample_study();
+  other.series.front().label += " again";
+  Store(folder.path / "e", Store::Mode::write).save_study(other);
+  CHECK_THAT(said("e"), ContainsSubstring("its solvers have other labels"));
 }
 
 TEST_CASE("the difference of two definitions names the field, and values that fit", "[merge]") {
