@@ -24,7 +24,7 @@ namespace {
 std::string write_archive(const std::filesystem::path& store, const std::filesystem::path& file) {
   const TemporaryFolder folder(std::filesystem::absolute(file).parent_path(), file);
   const std::filesystem::path made = folder.path() / "store.sqlite";
-  merge(made, {store}, check_of);
+  for (const std::string& why : merge(made, {store}, check_of).left_out) say("left out: " + why);
   std::string seal;
   {
     Store archive(made, Store::Mode::write_shared);

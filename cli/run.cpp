@@ -31,7 +31,7 @@ struct StudyToRun {
   std::vector<std::string> set, sweep, only;
   RunArguments run;
   ReportArguments report;
-  bool without_report = false;
+  bool without_report = false, starts_programs = false;
 };
 
 // In the order of --set, which has the last word but for links and sweeps.
@@ -70,7 +70,10 @@ Study study_of_store(const StudyToRun& arguments) {
   std::vector<std::string> commands;
   for (const std::vector<std::string>& process : programs_of(stored))
     if (!process.empty()) commands.push_back(shell_command(process[0], {process.begin() + 1, process.end()}));
-  if (!commands.empty()) warn(fmt::format("{} starts these programs: {}", file, fmt::join(commands, "; ")));
+  if (!commands.empty() && !arguments.starts_programs)
+    throw std::invalid_argument(
+        fmt::format("{0} would start programs with your rights: {1}; to let it: {2}", file, fmt::join(commands, "; "),
+                    shell_command("ikbench", {"run", file, "--out", arguments.run.out, "--start-programs"})));
   return load_study(store, stored, overrides_of(arguments));
 }
 
@@ -149,6 +152,7 @@ void add_run(const Command& command, Invocation& invocation) {
   add_run_options(command, arguments->run);
   add_report_options(command, arguments->report, true);
   command.add("--no-report", &arguments->without_report, "solve, but write no report");
+  command.add("--start-programs", &arguments->starts_programs, "start the programs that the study of a store names");
   command.add("--shard", &arguments->shard,
               "I/N: solve the I-th of N parts, without a report; --out is then out/<study>/shards/I-of-N");
   command.footer(

@@ -140,8 +140,7 @@ Study load_study(const Store& store, const StoredStudy& stored, const Overrides&
   for (const std::string& text : overrides) override_one(table, text);
   const bool has_own_robot = bool(table.get("robot")) && table.get("robot")->source().path;
   if (!has_own_robot && table["urdf"].is_table() && *table["urdf"].as_table() != urdf)
-    throw std::invalid_argument(
-        "another base, tip, limits or snap_deg needs the file of the arm; expected --robot, too");
+    throw std::invalid_argument("another base, tip or limits need the file of the arm; expected --robot, too");
   const std::string source = fmt::format("study {}", stored.name);
   Study read = read_study(table, source, [&](const robots::UrdfChoice& choice) {
     try {

@@ -65,7 +65,7 @@ equal "errors" "$(sqlite3 urdf-there/store.sqlite "ATTACH 'urdf/store.sqlite' AS
 succeeds run paper/store.sqlite --no-report --set runs=3 --only DE --out changed
 equal "solves" "$(solves changed/store.sqlite)" 9
 
-# Programs run only if the user says run, and are named before.
+# Programs run only if the user says so, and are named before.
 cp "$root"/{solvers/helpers/ikbench,docs/examples/pso}.py .
 printf '[[solvers]]\nlabel = "a program"\nprocess = ["python3", "pso.py"]\nfiles = ["ikbench.py"]\npatience_s = 70\noptions = { w = 0.5 }\n' |
   cat poses.toml - >programs.toml
@@ -75,11 +75,13 @@ for command in "verify programs/store.sqlite" "report programs/store.sqlite --fi
   succeeds $command
   has_no "$err" "starts"
 done
-succeeds run programs/store.sqlite --no-report --out programs-again
-has "$err" "starts these programs: python3 pso.py"
+refused "python3 pso.py" run programs/store.sqlite --no-report --out programs-again
+has "$(tr -s ' \n' ' ' <.err)" "ikbench run programs/store.sqlite --out programs-again --start-programs"
+[ ! -e programs-again ] || fail "a refused study made a folder"
+succeeds run programs/store.sqlite --no-report --out programs-again --start-programs
 same_fingerprint programs/store.sqlite programs-again/store.sqlite
 cd elsewhere || exit 1
-refused "ikbench.py" run ../programs/store.sqlite --no-report --out ../other
+refused "ikbench.py" run ../programs/store.sqlite --no-report --out ../other --start-programs
 cd ..
 
 # What a store is, and what to do with it; a store of several studies has one named.
