@@ -124,7 +124,8 @@ void add_stats(const Command& command, Invocation& invocation) {
   command
       .add("--missing", &csv.missing,
            "rows without a value: drop leaves them out, worst counts each as no answer; asked for if there are such")
-      .one_of({"drop", "worst"});
+      .one_of({"drop", "worst"})
+      .excludes("--summaries");
   command.add("--decimal", &arguments->decimal, "mark in numbers [found]").one_of({".", ","});
   command.add("--test", &arguments->test, "of ranks or means [ranks]").one_of({"ranks", "means"});
   command.add("--control", &arguments->plan.control, "compares with this group alone");

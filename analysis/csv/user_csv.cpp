@@ -43,6 +43,34 @@ struct Items {
   std::size_t unlabelled = 0;
 };
 
+// Makes the means of each group and unit, of which all rows have the same texts.
+void add_means(const Sheet& sheet, const Layout& layout, const Request& request, Items& items) {
+  Columns texts = layout.unused;
+  std::erase_if(texts, [&](std::size_t column) { return sheet.has_numbers(column); });
+  std::ranges::sort(items.values, {}, [](const Value& item) { return std::tuple(item.group, item.unit, item.row); });
+  items.means.reserve(items.values.size());
+  for (const Value& item : items.values) {
+    if (items.means.empty() || items.means.back().group != item.group || items.means.back().unit != item.unit)
+      items.means.push_back({.group = item.group, .unit = item.unit, .first = item.row});
+    else if (layout.block && request.run.empty())
+      sheet.refuse(item.row, *layout.block,
+                   fmt::format("is a second row of {}; --run says which are its runs (--run row: each row is one)",
+                               in_quotes(items.groups[item.group])));
+    Mean& mean = items.means.back();
+    if (std::isnan(item.value)) {
+      ++mean.missing;
+    } else {
+      mean.sum += item.value;
+      ++mean.rows;
+    }
+    for (const std::size_t column : texts)  // which may name quantities
+      if (const auto first = sheet.cell(items.means.back().first, column); first != sheet.cell(item.row, column))
+        sheet.refuse(item.row, column,
+                     fmt::format("is not {}, as in the same mean; name it in --label, --block, --run or --where",
+                                 in_quotes(first)));
+  }
+}
+
 Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const Request& request) {
   const Column unit = layout.block ? layout.block : layout.run;
   std::unordered_map<std::string_view, Index> groups, units;  // numbered in the order of their first row
@@ -80,30 +108,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
     sheet.refuse(fmt::format("{} names each row, or none in {} of {} rows; did you mean --block, or are cells merged?",
                              in_quotes(sheet.titles()[*layout.label]), items.unlabelled, sheet.rows().size()));
   items.units = static_cast<Index>(units.size());
-  Columns texts = layout.unused;
-  std::erase_if(texts, [&](std::size_t column) { return sheet.has_numbers(column); });
-  std::ranges::sort(items.values, {}, [](const Value& item) { return std::tuple(item.group, item.unit, item.row); });
-  items.means.reserve(items.values.size());
-  for (const Value& item : items.values) {
-    if (items.means.empty() || items.means.back().group != item.group || items.means.back().unit != item.unit)
-      items.means.push_back({.group = item.group, .unit = item.unit, .first = item.row});
-    else if (layout.block && request.run.empty())
-      sheet.refuse(item.row, *layout.block,
-                   fmt::format("is a second row of {}; --run says which are its runs (--run row: each row is one)",
-                               in_quotes(items.groups[item.group])));
-    Mean& mean = items.means.back();
-    if (std::isnan(item.value)) {
-      ++mean.missing;
-    } else {
-      mean.sum += item.value;
-      ++mean.rows;
-    }
-    for (const std::size_t column : texts)  // which may name quantities
-      if (const auto first = sheet.cell(items.means.back().first, column); first != sheet.cell(item.row, column))
-        sheet.refuse(item.row, column,
-                     fmt::format("is not {}, as in the same mean; name it in --label, --block, --run or --where",
-                                 in_quotes(first)));
-  }
+  add_means(sheet, layout, request, items);
   return items;
 }
 
@@ -250,9 +255,11 @@ void add_doubts(const Items& items, const Gaps& gaps, const Request& request, Ob
   for (const Value& item : items.values) infinite[item.group] += std::isinf(item.value);
   double least = 1, most = 0;
   for (std::size_t i = 0; i < items.groups.size(); ++i) {
+    const bool has_values = gaps.missing[i] < gaps.rows[i];
     add(missing, items.groups[i], gaps.missing[i]);
     add(without, items.groups[i], infinite[i]);
     for (Doubt* const doubt : {&missing, &without}) doubt->of += static_cast<double>(gaps.rows[i]);
+    if (!has_values) continue;  // it is not compared
     least = std::min(least, gaps.share(i));
     most = std::max(most, gaps.share(i));
   }
@@ -260,7 +267,7 @@ void add_doubts(const Items& items, const Gaps& gaps, const Request& request, Ob
                  .count = most > least + 0.1 && request.missing == "drop" ? 1.0 : 0.0,
                  .what = fmt::format("{:.0f} to {:.0f} %", 100 * least, 100 * most)};
   for (std::size_t i = 0; i < items.groups.size(); ++i)
-    if (gaps.share(i) > least + 0.1) favoured.who.push_back(items.groups[i]);
+    if (gaps.share(i) > least + 0.1 && gaps.missing[i] < gaps.rows[i]) favoured.who.push_back(items.groups[i]);
   Doubt stray{.kind = DoubtKind::runs_missing,
               .count = static_cast<double>(items.unlabelled),
               .of = static_cast<double>(items.unlabelled + items.values.size()),
@@ -318,10 +325,13 @@ std::string how_read(const Sheet& sheet, const Layout& layout, const Items& item
   std::string text = base::counted(std::ssize(items.groups), layout.label ? "labels" : "columns") + of(layout.label);
   if (const Column unit = layout.block ? layout.block : layout.run)
     text += ", " + base::counted(items.units, layout.block ? "blocks" : "runs") + of(unit);
-  const auto [shortest, longest] = std::ranges::minmax(items.means, {}, &Mean::rows);
-  if (longest.rows > 1)
-    text += fmt::format(", means of {}{} rows",
-                        shortest.rows < longest.rows ? fmt::format("{} to ", shortest.rows) : "", longest.rows);
+  Index fewest = std::numeric_limits<Index>::max(), most = 0;  // of the means that have a value
+  for (const Mean& mean : items.means) {
+    if (mean.rows == 0) continue;
+    fewest = std::min(fewest, mean.rows);
+    most = std::max(most, mean.rows);
+  }
+  if (most > 1) text += fmt::format(", means of {}{} rows", fewest < most ? fmt::format("{} to ", fewest) : "", most);
   if (!layout.block && !layout.run) text += ", rows unrelated";
   std::vector<std::string> unused;
   for (const std::size_t column : layout.unused) unused.push_back(in_quotes(sheet.titles()[column]));
