@@ -301,8 +301,10 @@ JudgedMetric on_common_blocks(JudgedMetric metric) {
   std::vector<Group*> groups;
   std::set<std::vector<int>> blocks;
   for (Group& group : observed.groups) {
+    const Measured* const its = measured(group);
+    if (its == nullptr || its->values.empty()) continue;
     groups.push_back(&group);
-    if (const Measured* const its = measured(group)) blocks.insert(its->blocks);
+    blocks.insert(its->blocks);
   }
   if (blocks.size() < 2) return metric;
   keep_common_blocks(groups);

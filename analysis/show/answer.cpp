@@ -234,7 +234,8 @@ Shown shown(const JudgedMetric& judged, std::size_t group, double value) {
   const auto is_ratio = [](const Finding& finding) {
     return finding.scale == Scale::ratio && finding.amount.has_value();
   };
-  if (value < observed.floor && !observed.are_logs && std::ranges::any_of(judged.findings, is_ratio))
+  if (std::isfinite(value) && value < observed.floor && !observed.are_logs &&
+      std::ranges::any_of(judged.findings, is_ratio))
     return {observed.floor, true};
   return {value, at_most > 0 && value == at_most};
 }

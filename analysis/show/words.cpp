@@ -78,8 +78,9 @@ ReasonWords words_of(Open::Why why) {
        {"no_spread", "one has no spread", "not comparable (!)"},
        {"none", "one or both solved nothing", "nothing was solved"},
        {"no_answer", "neither has an answer", "no answer"},
-       {"copies", "each has one number, perhaps copied; --run row: each row is a measurement", "one number (!)"},
-       {"too_few", "no values", "too few to compare"},
+       {"copies", "each has a single number, which may have been copied; --run row says that each row is a measurement",
+        "one number (!)"},
+       {"too_few", "no values in common", "too few to compare"},
        {"few_decide", "few values decide", "too few to compare"}}};
   return all[static_cast<std::size_t>(why)];
 }

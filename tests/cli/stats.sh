@@ -72,6 +72,16 @@ succeeds stats names.csv --value remark --value verdict --better smaller --out n
 grep -q '^A & .*1.3.* & 11.3 ' names/tables/results.tex || fail "no numbers: $(cat names/tables/results.tex)"
 ! grep -q 'class="pill">1' names/report.html || fail "a number is shown as a verdict"
 
+# What has no answer is no bound, where larger is better, too; a label without values takes no picture from the others.
+printf 's,v\nA,\nA,\nA,3\nB,4\nB,5\nB,6\n' >worst.csv
+succeeds stats worst.csv --better larger --missing worst
+has_no "$out" "at most"
+if can gnuplot; then
+  { echo s,p,v; for p in 1 2 3 4 5 6 7 8; do echo "A,$p,1$p"; echo "B,$p,2$p"; echo "C,$p,3$p"; echo "D,$p,"; done; } >lacks.csv
+  succeeds stats lacks.csv --block p --better smaller --missing drop --out lacks
+  [ -s lacks/figures/source/ranks.gp ] || fail "no ranks: $(ls lacks/figures/source)"
+fi
+
 # Many pairs hold no values of their own: the same number of rows takes no more than twice the memory with 100 labels.
 cat >memory.py <<'END'
 import random, resource, subprocess, sys
