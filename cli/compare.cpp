@@ -75,7 +75,7 @@ std::vector<Gate> gates_of(const Source& a, const Source& b, const std::vector<s
     if (!b.has(label) || std::ranges::count(asked, label) > 0) continue;
     try {
       all.push_back(gate(a.study(arguments, label), b.study(arguments, label), options));
-    } catch (const std::invalid_argument&) {
+    } catch (const LacksSolves&) {
       continue;
     }
   }
@@ -103,6 +103,7 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
   std::vector<std::string> labels = arguments.labels;
   if (labels.empty()) {
     labels = a.labels();
+    if (labels.empty()) throw std::invalid_argument(fmt::format("{} has no solvers to compare", arguments.a));
     std::vector<std::string> missing = labels;
     std::erase_if(missing, [&](const std::string& label) { return std::ranges::count(b.labels(), label) > 0; });
     if (!missing.empty())
@@ -124,7 +125,8 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
 
 std::string why_open(const show::Answer& answer, const JudgedMetric& judged) {
   const auto* const open = std::get_if<Open>(&judged.findings.front().what);
-  return open ? show::reason_of(*open, show::noun_of(answer, judged)) : "the warnings say why";
+  if (open != nullptr) return show::reason_of(*open, show::noun_of(answer, judged));
+  return fmt::format("neither has {} any {}", judged.observations.quantity, answer.noun);
 }
 
 // "mine is worse than PSO: in solved and error. Not decided: joint motion.", "mine against PSO: new: 1 solve without an
@@ -162,9 +164,11 @@ std::string verdict_of(const Gate& gate, const show::Answer& answer) {
   std::vector<std::string> others;
   if (!gate.also_worse.empty()) others.push_back("worse in " + show::listed(gate.also_worse));
   if (!gate.also_better.empty()) others.push_back("better in " + show::listed(gate.also_better));
-  if (!others.empty()) text += fmt::format(" Not asked for: {}.", fmt::join(others, "; "));
-  const JudgedMetric& last = *show::questions_of(answer).back().of;
-  if (gate.label.empty() && !gate.do_times_decide() && last.observations.measures == Measure::time)
+  const char* const why = gate.options.metrics.empty() ? "Not in the plan" : "Not asked for";
+  if (!others.empty()) text += fmt::format(" {}: {}.", why, fmt::join(others, "; "));
+  const std::vector<show::Question> questions = show::questions_of(answer);
+  const bool is_then_of_times = questions.size() > 1 && questions.back().of->observations.measures == Measure::time;
+  if (gate.label.empty() && !gate.do_times_decide() && is_then_of_times)
     text += " Times decide nothing here. " + show::second_sentence(answer);
   return text;
 }
@@ -328,7 +332,7 @@ void add_compare(const Command& command, Invocation& invocation) {
       "solves without an answer are new; 1 after a mistake, or else if A and B, or the times that --time-margin asks for, could not be compared; else 4 with "
       "--strict, if something is not decided or not tested; else 0.\n"
       "What the plan of the study names decides: its metric, and its `then`. Times decide nothing without "
-      "--time-margin. Neither option changes a p: it is that of the report.");
+      "--time-margin. No option changes a p: of two labels of a store it is that of the report.");
   command.callback([arguments, &invocation] {
     const std::vector<Gate> all = compare_all(*arguments);
     invocation.exit_code = exit_code(all, arguments->is_strict);

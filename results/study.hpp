@@ -192,6 +192,8 @@ struct Definition : StudyData {
   std::string task;      // JSON: the first configuration, and how targets are drawn
   std::string json;      // all that was read, as the store has it
 
+  // [s] within which a solve counts as in time; 0: there is none.
+  double deadline() const { return plan.deadline > 0 ? plan.deadline : loop.period; }
   // What is compared is a run, else a target.
   bool compares_runs() const {
     return is_chained() ? plan.values == Plan::Values::runs : points == 1 && !draws_targets;

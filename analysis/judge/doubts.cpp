@@ -100,8 +100,9 @@ void add_of_budgets(Doubts& doubts, const StudyResults& study) {
 
 // By the stored plan: a command may judge by another.
 void add_of_plan(Doubts& doubts, const StudyResults& study) {
-  const base::Json plan = base::parsed_json(study.definition.json)["analysis"];
-  std::set<std::int64_t> others;  // sessions
+  const base::Json definition = base::parsed_json(study.definition.json);
+  const base::Json plan = definition.value("analysis", base::Json::object());  // a stranger's store may have none
+  std::set<std::int64_t> others;                                               // sessions
   std::set<std::string> fields;
   for (const Session& session : study.sessions) {
     const auto recorded = session.environment.find("analysis");

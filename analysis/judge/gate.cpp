@@ -128,34 +128,45 @@ int newly_missing(const JudgedMetric& judged) {
   return is_new ? static_cast<int>(std::lround((baseline.mean - candidate.mean) * baseline.n)) : 0;
 }
 
-// What a study has of two of its labels.
-StudyResults of_two(StudyResults study, const std::string& candidate, const std::string& baseline) {
-  const std::vector<std::string> labels{candidate, baseline};
-  const auto is_other = [&](const std::string& label) { return std::ranges::count(labels, label) == 0; };
-  std::vector<Solve> solves;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    for (Solve solve : study.of(labels[i])) {
+// What a study has of two of its labels, without what figures draw.
+StudyResults of_two(const StudyResults& study, const std::string& candidate, const std::string& baseline) {
+  StudyResults two;
+  static_cast<StoredStudy&>(two) = study;
+  two.sessions = study.sessions;
+  two.labels = {candidate, baseline};
+  for (std::size_t i = 0; i < two.labels.size(); ++i) {
+    const std::string& label = two.labels[i];
+    for (Solve solve : study.of(label)) {
       solve.label = static_cast<int>(i);
-      solves.push_back(std::move(solve));
+      two.solves.push_back(std::move(solve));
     }
+    if (const auto its = study.faults.find(label); its != study.faults.end()) two.faults.insert(*its);
+    if (const auto its = study.in_batches.find(label); its != study.in_batches.end()) two.in_batches.insert(*its);
+    if (std::ranges::count(study.other_version.who, label) > 0) two.other_version = study.other_version;
   }
-  study.labels = labels;
-  study.solves = std::move(solves);
-  std::erase_if(study.faults, [&](const auto& each) { return is_other(each.first); });
-  std::erase_if(study.in_batches, [&](const auto& each) { return is_other(each.first); });
-  if (std::ranges::all_of(study.other_version.who, is_other)) study.other_version.who.clear();
-  return study;
+  return two;
 }
 
-// Leaves the two labels of the gate, the candidate first, and what is in doubt of them.
+// Leaves the warnings that concern the two. The counts of a warning that names others, too, are those of the two alone.
+void keep_doubts(std::vector<Doubt>& doubts, const StudyResults& two) {
+  const auto is_other = [&](const std::string& name) { return std::ranges::count(two.labels, name) == 0; };
+  const std::vector<Doubt> own = doubts_of_evaluations(two);
+  std::erase_if(doubts,
+                [&](const Doubt& doubt) { return !doubt.who.empty() && std::ranges::all_of(doubt.who, is_other); });
+  for (Doubt& doubt : doubts) {
+    std::erase_if(doubt.who, is_other);
+    const auto its = std::ranges::find(own, doubt.kind, &Doubt::kind);
+    if (its == own.end()) continue;
+    doubt.count = its->count;
+    doubt.of = its->of;
+  }
+}
+
+// Leaves the groups and the finding of the two labels of the gate, the candidate first.
 void keep_two(const Gate& gate, Observations& observed, std::vector<Finding>& findings) {
   const auto is_one = [&](const std::string& name) { return name == gate.candidate || name == gate.baseline; };
   std::erase_if(observed.groups, [&](const Group& group) { return !is_one(group.name); });
   if (observed.groups.front().name != gate.candidate) std::swap(observed.groups.front(), observed.groups.back());
-  std::erase_if(observed.doubts,
-                [&](const Doubt& doubt) { return !doubt.who.empty() && std::ranges::none_of(doubt.who, is_one); });
-  for (Doubt& doubt : observed.doubts)
-    if (doubt.count == 0) std::erase_if(doubt.who, [&](const std::string& name) { return !is_one(name); });
   std::erase_if(findings, [&](const Finding& its) { return !is_one(its.first) || !is_one(its.second); });
   findings.front() = better_first(std::move(findings.front()), gate.baseline);
 }
@@ -210,7 +221,8 @@ std::vector<std::string>* list_of(Gate& gate, const JudgedMetric& judged) {
   return nullptr;
 }
 
-void tell(Gate& gate, const JudgedMetric& judged) {
+// Adds the quantity to the list of the gate that it belongs to.
+void add_to_lists(Gate& gate, const JudgedMetric& judged) {
   const std::string& quantity = judged.observations.quantity;
   if (const int missing = newly_missing(judged); missing > 0) {
     gate.newly_missing = missing;
@@ -238,7 +250,7 @@ Gate gate(StudyResults study, const std::string& candidate, const std::string& b
   const Solves ours = study.of(candidate), theirs = study.of(baseline);
   const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
   if (theirs.empty() || !std::ranges::equal(ours, theirs, {}, place, place))
-    throw std::invalid_argument(fmt::format(
+    throw LacksSolves(fmt::format(
         "not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
         label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
   Gate gate{.label = label, .candidate = candidate, .baseline = baseline, .options = std::move(options)};
@@ -254,14 +266,17 @@ Gate gate(StudyResults study, const std::string& candidate, const std::string& b
   std::string& control = study.definition.plan.control;
   if (control != candidate && control != baseline) control.clear();
   JudgedStudy& judged = gate.judged = observe_all(std::move(study));
-  const bool machine_decides = !doubts_of_clock(judged.study).empty();
+  StudyResults two = of_two(judged.study, candidate, baseline);
+  const bool machine_decides = !doubts_of_clock(two).empty();
   judged.metrics.push_back(
       {.observations = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
-  for (JudgedMetric& metric : judged.metrics)
+  for (JudgedMetric& metric : judged.metrics) {
     if (is_time(metric) && gate.do_times_decide()) metric.plan.margin = *gate.options.time_margin;
-  judged.study = of_two(std::move(judged.study), candidate, baseline);
-  judged.doubts = doubts_of(judged.study);
-  judged.study.solves = {}, judged.study.drawn = {};  // observed, and large
+    keep_doubts(metric.observations.doubts, two);
+  }
+  judged.doubts = doubts_of(two);
+  two.solves = {};  // observed, and large
+  judged.study = std::move(two);
   return gate;
 }
 
@@ -315,12 +330,13 @@ void decide(std::vector<Gate>& gates) {
       metric.plan.control = gate.baseline;  // is shown second
       metric = judge(std::move(metric.observations), metric.plan, std::move(findings));
       Finding& finding = metric.findings.front();
-      if (gate.are_same && !is_time(metric) && std::holds_alternative<Tested>(finding.what)) {
+      // Of two stores; two labels of one have the finding of its report.
+      if (gate.are_same && !gate.label.empty() && !is_time(metric) && std::holds_alternative<Tested>(finding.what)) {
         finding.what = Fact();
         finding.amount = Amount{amount_of_equal(finding.scale)};
       }
     }
-    for (const JudgedMetric& metric : gate.judged.metrics) tell(gate, metric);
+    for (const JudgedMetric& metric : gate.judged.metrics) add_to_lists(gate, metric);
     gate.is_compared |= !gate.worse.empty() || !gate.better.empty() || gate.newly_missing > 0;
   }
 }

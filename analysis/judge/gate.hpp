@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,11 @@ namespace ikbench::judge {
 struct GateOptions {
   std::optional<double> time_margin = {};  // times decide, by this margin
   std::vector<std::string> metrics = {};   // those of names_in_plan that decide; empty: all of them
+};
+
+// Two that cannot be compared, since one lacks solves that the other has.
+struct LacksSolves : std::invalid_argument {
+  using invalid_argument::invalid_argument;
 };
 
 struct Gate {
@@ -38,13 +44,14 @@ struct Gate {
 
 // Of two labels of a study: observed and not yet judged. All labels of the study take part, so that the pair has the p
 // that it has in the study's report; with a control that is neither of the two, the p of a report without a control.
-// Throws std::invalid_argument if the two have not the same solves, and for options that ask for what the plan lacks.
+// Throws LacksSolves if the two have not the same solves, and std::invalid_argument for options that ask for what the
+// plan lacks.
 Gate gate(StudyResults study, const std::string& candidate, const std::string& baseline, GateOptions options = {},
           const std::string& label = "");
 // Of one solver in two stores, by the baseline's plan; times decide only if the two were solved in turn. Throws also if
 // the tasks differ.
 Gate gate(StudyResults baseline, StudyResults candidate, GateOptions options = {});
-// Judges all. A metric's pairs of all gates are one family, and its significance is that of a report.
+// Judges all of at least one. A metric's pairs of all gates are one family, and its significance is that of a report.
 void decide(std::vector<Gate>& gates);
 
 // 3: something is worse, or answers are newly missing; 1: of a label nothing was compared, or not the times that were

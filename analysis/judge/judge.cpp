@@ -46,8 +46,8 @@ void add_doubt_of_ranks(JudgedMetric& judged) {
   }
 }
 
-// Pairs of the study's own labels have the p that they have without labels of another machine, and all of those have
-// the control, which stands for all that is compared with them.
+// The findings of a study beside which labels of another machine stand. Pairs of its own labels have the p that they
+// have without those. Each of those is compared with the control alone, and these pairs are a second family.
 std::vector<Finding> findings_of(const JudgedMetric& metric, const Beside& beside, std::size_t metrics) {
   if (beside.labels.empty()) return compare(metric.observations, metric.plan, metrics);
   Observations own = metric.observations;
@@ -58,9 +58,18 @@ std::vector<Finding> findings_of(const JudgedMetric& metric, const Beside& besid
   std::erase_if(findings, [&](const Finding& finding) {
     return finding.first != metric.plan.control && finding.second != metric.plan.control;
   });
-  for (Finding& finding : compare(metric.observations, metric.plan, metrics))
-    if (beside.has(finding.first) || beside.has(finding.second)) findings.push_back(std::move(finding));
+  Observations others = metric.observations;
+  std::erase_if(others.groups,
+                [&](const Group& group) { return !beside.has(group.name) && group.name != metric.plan.control; });
+  for (Finding& finding : compare(others, metric.plan, metrics)) findings.push_back(std::move(finding));
   return findings;
+}
+
+// Where time alone ends solves at the deadline, what is solved is solved in time: two columns would be one.
+bool is_solved_by_another_name(const Metric& metric, const results::Definition& study) {
+  const bool is_solved_in_time = metric.measures == Measure::time && metric.kind == Kind::share;
+  return is_solved_in_time && study.has_tolerance() && study.stop.only_time_limits() &&
+         study.stop.seconds <= study.deadline();
 }
 
 // The word by which `then` of a plan names a metric; empty if none does.
@@ -159,6 +168,7 @@ JudgedStudy observe_all(StudyResults study) {
     const bool is_told =
         metric.told == Told::always || metric.told == (do_some_fail ? Told::if_some_fail : Told::if_all_solve);
     if (!is_deciding && (!is_told || is_told_by_solved)) continue;
+    if (!is_deciding && is_solved_by_another_name(metric, definition)) continue;
     Observations observed = observe(study, metric);
     if (!is_deciding && !has_meaning(observed)) continue;
     if (is_deciding) judged.deciding = judged.metrics.size();
@@ -192,9 +202,14 @@ std::vector<std::string> names_in_plan(const results::Definition& study) {
 
 std::string name_in_plan(const JudgedStudy& study, const JudgedMetric& metric) {
   const std::vector<std::string> names = names_in_plan(study.study.definition);
-  if (&metric == &study.metrics[study.deciding]) return names.front();
-  const std::string word(then_word_of(metric.observations));
-  return std::ranges::count(names, word) > 0 ? word : "";
+  const JudgedMetric& deciding = study.metrics[study.deciding];
+  if (&metric == &deciding) return names.front();
+  const std::string_view word = then_word_of(metric.observations);
+  const auto has_word = [&](const JudgedMetric& each) { return then_word_of(each.observations) == word; };
+  // A word names one metric: else more of them would decide than share the significance.
+  const bool is_first = &metric == &*std::ranges::find_if(study.metrics, has_word);
+  const bool is_named = !word.empty() && is_first && !has_word(deciding) && std::ranges::count(names, word) > 0;
+  return is_named ? std::string(word) : "";
 }
 
 const JudgedMetric* judged_of(const JudgedStudy& judged, std::string_view column) {

@@ -32,15 +32,11 @@ double of_answer(const Solve& solve, double value) {
   return results::is_without_answer(solve.status) ? unknown : value;
 }
 
-// Unknown without a deadline, and where solves end at the deadline: then what is solved is solved in time.
+// Unknown without a deadline.
 double is_in_time(const Solve& solve, const StudyResults& study) {
-  const Plan& plan = study.definition.plan;
-  const numerics::StopRule& stop = study.definition.stop;
-  const double deadline = plan.deadline > 0 ? plan.deadline : study.definition.loop.period;
-  const bool ends_at_deadline = study.definition.has_tolerance() && stop.only_time_limits() && stop.seconds <= deadline;
-  if (deadline == 0 || ends_at_deadline) return unknown;
+  const double deadline = study.definition.deadline();
   const bool is_solved = study.definition.has_tolerance() ? solve.status == Status::ok : gave_answer(solve);
-  return double(is_solved && solve.seconds <= deadline);
+  return deadline == 0 ? unknown : double(is_solved && solve.seconds <= deadline);
 }
 
 constexpr std::array rows{
@@ -251,8 +247,9 @@ std::vector<Metric> metrics_of(const StudyData& study) {
        {std::pair(&study.check.larger, Better::larger), {&study.check.smaller, Better::smaller}}) {
     for (const std::string& name : *names) {
       for (const Metric& known : all)
-        if (const std::string its = base::lower_case(name);
-            its == known.column || its == known.slug || its == known.name || its == "answered")
+        if (const std::string its = base::lower_case(name); its == known.column || its == known.slug ||
+                                                            its == known.name || its == "answered" ||
+                                                            std::ranges::count(results::all_thens, its) > 0)
           throw std::invalid_argument(fmt::format("[check] has the number {}, which is a metric already", name));
       all.push_back({name, name, name, "", Kind::cost, Measure::other, 0, 0, Told::always, nullptr,
                      all.size() - rows.size(), better});

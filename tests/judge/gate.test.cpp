@@ -258,6 +258,22 @@ TEST_CASE("what the plan names decides, and what it does not name is told") {
   CHECK(exit_code({named}, false) == 3);
 }
 
+TEST_CASE("no more metrics decide than share the significance") {
+  Asked by_evaluations = of_100;
+  by_evaluations.rest = R"(, "analysis": {"metric": "evaluations", "then": ["time"]})";
+  const auto triple = [](SolveRecord& solve) { solve.evaluations *= 3; };
+  const Gate gate = gate_of(version(1, by_evaluations), version(1, by_evaluations, triple));
+  CHECK(gate.worse == Names{"evaluations"});
+  CHECK(gate.also_worse == Names{"evaluations per solved"});
+  for (const char* plan : {R"("then": [])", R"("then": ["motion", "time"])", R"("metric": "seconds")", ""}) {
+    Asked asked = of_100;
+    asked.rest = fmt::format(R"(, "analysis": {{{}}})", plan);
+    const JudgedStudy of = judge::judge(version(1, asked));
+    const auto is_named = [&](const JudgedMetric& metric) { return !name_in_plan(of, metric).empty(); };
+    CHECK(std::ranges::count_if(of.metrics, is_named) <= std::ssize(names_in_plan(of.study.definition)));
+  }
+}
+
 TEST_CASE("--metric chooses of the plan's metrics those that decide, and changes no p") {
   const auto triple = [](SolveRecord& solve) { solve.evaluations *= 3; };
   const StudyResults before = version(1), after = version(1, of_100, triple);
@@ -363,6 +379,13 @@ TEST_CASE("labels of another machine change no p of a study's own pairs") {
         CHECK(seen(*found).p == seen(finding).p);
         CHECK(verdict_of(*found) == verdict_of(finding));
       }
+      // Theirs are compared with the control alone, and no own pair takes a part of their significance.
+      Observations others = its->observations;
+      std::erase_if(others.groups, [](const Group& group) {
+        return group.name != "A" && group.name.find("of them") == std::string::npos;
+      });
+      for (const Finding& finding : compare(others, its->plan, names_in_plan(both.study.definition).size()))
+        CHECK(seen(*finding_of(*its, finding.first, finding.second)).p == seen(finding).p);
     }
   }
 }

@@ -373,7 +373,7 @@ TEST_CASE("Solved in time is a share of all solves, also of busy sessions") {
 }
 
 TEST_CASE("Where time alone ends solves at the deadline, what is solved is solved in time") {
-  const auto judged_with = [](double seconds, int iterations, int evaluations) {
+  const auto judged_with = [](double seconds, int iterations, int evaluations, const std::string& metric = "") {
     StudyResults of = study({.start = "middle",
                              .targets = "drawn",
                              .runs = 6,
@@ -384,9 +384,13 @@ TEST_CASE("Where time alone ends solves at the deadline, what is solved is solve
     of.definition.stop.seconds = seconds;
     of.definition.stop.iterations = iterations;
     of.definition.stop.evaluations = evaluations;
+    of.definition.plan.metric = metric;
     return judge::judge(std::move(of));
   };
   CHECK(judged_of(judged_with(0.002, 1'000'000, 0), "solved_in_time") == nullptr);
+  const JudgedStudy planned = judged_with(0.002, 1'000'000, 0, "solved_in_time");  // whoever asks for it has it
+  REQUIRE(judged_of(planned, "solved_in_time") == &planned.metrics[planned.deciding]);
+  CHECK(judged_of(planned, "solved_in_time")->described[0].mean == 1);
   CHECK(judged_of(judged_with(0.003, 1'000'000, 0), "solved_in_time") != nullptr);
   CHECK(judged_of(judged_with(0.002, 200, 0), "solved_in_time") != nullptr);
   CHECK(judged_of(judged_with(0.002, 1'000'000, 100), "solved_in_time") != nullptr);
