@@ -1,4 +1,5 @@
-// The open points of a paper, as data: each is a dimension, and its alternatives are settings for --set.
+// The open points of a paper as data. Each point is a dimension, and each alternative of it is a setting as `--set`
+// takes it. A claim of the paper is tested in every combination of alternatives.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +10,18 @@ namespace ikbench::results {
 
 struct Alternative {
   std::string set;          // "bounds=initial"
-  std::string where;        // a clause: "no solver is clamped"
+  std::string where;        // a clause for reports: "no solver is clamped"
   std::string except = {};  // an earlier alternative under which it has no effect, or which it contradicts
 };
 
-using Dimension = std::vector<Alternative>;  // the first is the default
+using Dimension = std::vector<Alternative>;  // the first alternative is the default
 
-// A reading is an alternative of each dimension. Solvers are independent, so each is solved by itself, and once for all
-// readings that say the same of it.
+// All interpretations of a paper. A reading (an interpretation) takes one alternative from each dimension. Solvers are
+// independent, so each is solved by itself, and only once for all readings that ask the same of it.
 struct Multiverse {
   struct Reading {
     std::vector<std::string> settings;
-    std::vector<std::vector<std::size_t>> parts = {};  // by solver and seed: the series that has its numbers
+    std::vector<std::vector<std::size_t>> parts = {};  // by solver and seed: index of the series with its numbers
   };
   std::vector<Dimension> dimensions;
   std::vector<std::string> solvers;

@@ -39,7 +39,7 @@ void append(std::string& text, const Value& value) {
   }
 }
 
-// Visits the columns of CSV.
+// Calls visit(name, member) for each column of CSV: all but the lists that only the store has.
 template <class Visit>
 void for_each_csv_column(Visit&& visit) {
   for_each_column([&](std::string_view name, auto member, std::string_view) {
@@ -47,7 +47,7 @@ void for_each_csv_column(Visit&& visit) {
   });
 }
 
-// Cells per column.
+// The number of cells of each column: of a list, its elements in the first solve.
 using Widths = std::vector<std::size_t>;
 
 Widths widths_of(const SolveRecord& record) {
@@ -113,7 +113,7 @@ std::vector<ColumnInfo> columns() {
 }
 
 void write_csv(const PassSolves& pass, const base::Write& write, const std::vector<std::string>& extras) {
-  constexpr std::size_t part = 1 << 20;  // written at a time
+  constexpr std::size_t part = 1 << 20;  // bytes that are written at a time
   Widths widths;
   std::string text;
   pass([&](const SolveRecord& record) {

@@ -1,5 +1,5 @@
-// The look of a study's figures: [figures] of a study, a file of its own (--style), and the colours of its solvers. It
-// decides no number.
+// The look of a study's figures. It comes from `[figures]` of a study, from a file of its own (`--style`), and from the
+// colours of the study's solvers. It decides no number.
 #pragma once
 
 #include <map>
@@ -17,24 +17,25 @@ class TomlReader;
 
 namespace ikbench::results {
 
-// Each has a contrast of at least 3 on white, and a grey of its own, about 8 of CIE's L* from the next. Any two are at
-// least 24 apart by CIEDE2000, and 18 under protanopia and deuteranopia (Machado, Oliveira and Fernandes 2009), which
-// is more than in Okabe and Ito's palette (2008).
+// The default colours. Each has a contrast of at least 3 on white, and a grey of its own, about 8 of CIE's L* from the
+// next. Any two are at least 24 apart by CIEDE2000, and 18 under protanopia and deuteranopia (Machado, Oliveira and
+// Fernandes 2009), which is more than in Okabe and Ito's palette (2008).
 inline const std::vector<std::string> own_palette{"#267195", "#9A3409", "#573B4B", "#1803A2",
                                                   "#EB365A", "#9B80FF", "#000000"};
 
 inline const std::vector<std::string> picture_formats{"svg", "pdf", "png"};
 
 struct FigureStyle {
-  double width_cm = 0, height_cm = 0;  // of every figure; 0: each its own
+  double width_cm = 0, height_cm = 0;  // size of every figure; 0: each figure has its own
   std::string font = "Liberation Sans";
   double text_pt = 8;
   std::vector<std::string> palette = own_palette;
-  std::vector<std::string> solvers = {};  // labels in the order of the figures; empty: all, as in the study
+  std::vector<std::string> solvers = {};  // labels to draw, in this order; empty: all, as in the study
   std::vector<std::string> formats = {"svg", "pdf"};
   enum class Background { white, dark } background = Background::white;
-  std::map<std::string, std::string> colours = {};  // of solvers, by label: `colour` of their entries
-  // Of a style file: words in place of a figure's own ("x", "y", "caption"), by its name, or how its name begins.
+  std::map<std::string, std::string> colours = {};  // by label: `colour` of a solver entry
+  // Words in place of a figure's own ("x", "y", "caption"), by the figure's name or the beginning of it. Only a style
+  // file has them.
   std::map<std::string, std::map<std::string, std::string>> words = {};
 
   bool operator==(const FigureStyle&) const = default;
@@ -54,15 +55,17 @@ inline void list_fields(base::Fields& io, FigureStyle& style) {
   io.texts("formats", style.formats, "pictures of each figure: svg, pdf, png; the page shows svg");
 }
 
-// "#1E8CF8" for "#1e8cf8"; nothing for what is no colour.
+// Returns "#1E8CF8" for "#1e8cf8", and nothing for text that is no colour.
 std::optional<std::string> hex_colour(std::string_view colour);
 
-// The key of a value that no figure may have, and what is expected; nothing if all may.
+// Returns the key of the first value that no figure may have, with what is expected there; nothing if all values are
+// allowed.
 std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle& style);
 
-// Sets the given keys and leaves the others. Throws std::invalid_argument (base/toml_table.hpp).
+// Sets the keys that the table has and keeps the others. Throws std::invalid_argument with the place of a mistake
+// (base/toml_table.hpp).
 void read_style(base::TomlReader reader, FigureStyle& style);
-// The same of a text, whose keys are those of [figures], and the tables [words.NAME], of a figure.
+// Does the same with a text, whose keys are those of `[figures]`, and `[words.NAME]` for the words of a figure.
 void read_style_text(std::string_view toml, std::string_view source, FigureStyle& style);
 
 }  // namespace ikbench::results

@@ -24,8 +24,8 @@ constexpr Reference references[] = {
 #include "results/reference.inc"
 };
 
-// Two hashes of 64 bits that mix the same words differently. Words are numbers, not bytes in memory, so every machine
-// sees the same.
+// Two hashes of 64 bits, which mix the same words differently. Words are numbers, not bytes in memory, so every machine
+// computes the same.
 class Hash {
  public:
   void add(std::uint64_t word) {
@@ -57,7 +57,7 @@ class Hash {
   std::uint64_t first_ = 1, second_ = 2;
 };
 
-// -0.0 outside of lists counts as 0.0, because a store cannot tell them apart.
+// Adds a value. -0.0 outside of lists counts as 0.0, because a store cannot tell them apart.
 template <class Value>
 void add_column(Hash& hash, const Value& value) {
   if constexpr (std::is_enum_v<Value>) {

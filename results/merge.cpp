@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 
 std::string quoted(const fs::path& place) { return fmt::format("'{}'", place.string()); }
 
-// Opens a store for reading; one that a kill left half-written is mended first.
+// Opens a store for reading. A store that a kill left half-written is opened for writing
+// instead, which mends it.
 Store opened(const fs::path& place) {
   try {
     return Store(place, Store::Mode::read);
@@ -34,8 +35,9 @@ Store opened(const fs::path& place) {
   }
 }
 
-// Parts of a definition that may differ: how it is judged and drawn, which targets are out of reach, how often; and
-// what follows from the rest or, as how programs are started, is compared by the keys of series.
+// The parts of a definition that may differ between two stores: how a study is judged and drawn, which targets are
+// unreachable, how often it is run; what follows from other parts; and what the keys of series compare, such as how
+// programs are started.
 const std::set<std::string> decide_no_solve{"analysis",  "departures", "figures", "name",   "out_of_reach", "solvers",
                                             "published", "repeats",    "runs",    "tables", "title",        "turns"};
 
@@ -54,8 +56,8 @@ std::vector<std::string> configurations_of(const StoredStudy& study) {
   return keys;
 }
 
-// Says why two studies of one name cannot be merged; empty if they can. Different numbers of runs can: the larger
-// counts.
+// Returns why two studies of one name cannot be merged; empty if they can. Different numbers of runs are no reason,
+// since the larger one counts.
 std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
   const std::string difference = difference_in_solves(study.definition.json, other.definition.json);
   if (!difference.empty()) return difference;
@@ -67,12 +69,13 @@ std::string why_not_one(const StoredStudy& study, const StoredStudy& other) {
   return "";
 }
 
-// The first study of each name, with its place.
+// The first study of each name, with the store that has it.
 using Studies = std::map<std::string, std::pair<StoredStudy, fs::path>>;
 
 // Throws std::invalid_argument, with the place of the store, if the check refuses a solve of the study.
 void check_solves(const Store& store, StoredStudy study, const CheckOf& check_of, const fs::path& place) {
-  study.definition.runs = std::numeric_limits<int>::max();  // with another store's definition all may count
+  // Another store's definition may have more runs, with which all of these solves count.
+  study.definition.runs = std::numeric_limits<int>::max();
   try {
     store.each_of_study(study, check_of(study));
   } catch (const std::invalid_argument& error) {
@@ -81,7 +84,7 @@ void check_solves(const Store& store, StoredStudy study, const CheckOf& check_of
   }
 }
 
-// The studies of a store, of which the check takes every solve.
+// Returns the studies of a store after the check of every solve. Throws as `check_solves`.
 std::vector<StoredStudy> checked_studies(const fs::path& place, const CheckOf& check_of) {
   const Store store = opened(place);
   std::vector<StoredStudy> studies = store.studies();
@@ -100,8 +103,8 @@ void refuse_another_study(Studies& known, const std::vector<StoredStudy>& studie
   }
 }
 
-// The solves of the database `source` that its studies have, so that they were checked: rows of former keys, and of
-// targets beyond a study's, were not. The order of joining keeps that of the rows.
+// The rows of solves in the database `source` that belong to its studies, and so were checked. Rows of former keys, and
+// of targets beyond those of a study, were not. CROSS JOIN keeps the order of the rows.
 constexpr std::string_view checked_solves =
     "source.solves CROSS JOIN (SELECT key, max(json_extract(definition, '$.points')) AS points FROM source.series "
     "JOIN source.studies ON study = name GROUP BY key) ON key = series AND point <= points";
@@ -110,9 +113,10 @@ std::int64_t number_of(SQLite::Database& sqlite, std::string_view rows) {
   return sqlite.execAndGet(fmt::format("SELECT count(*) FROM {}", rows)).getInt64();
 }
 
-// Refuses a solve that has other bits in the database `source` than in `main`.
+// Throws std::invalid_argument if a solve in the database `source` has other bits than the same one in `main`.
 void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs::path& theirs) {
-  if (sqlite.execAndGet("SELECT NOT EXISTS (SELECT 1 FROM main.solves)").getInt() != 0) return;  // spares a whole scan
+  // An empty store differs in nothing, and needs no scan of the other one.
+  if (sqlite.execAndGet("SELECT NOT EXISTS (SELECT 1 FROM main.solves)").getInt() != 0) return;
   std::vector<std::string> differ;
   for_each_column_of_fingerprint([&](std::string_view column, auto) {
     if (column != "study")  // the same solve may belong to two studies
@@ -131,8 +135,8 @@ void refuse_other_bits(SQLite::Database& sqlite, const fs::path& ours, const fs:
       quoted(theirs), quoted(ours), query.getColumn(3).getString().substr(1)));
 }
 
-// Checks the studies of `main` that took solves of the database `source` by their keys, while that has no study of
-// their name: another one, which may ask for something else, has checked them.
+// Checks studies of `main` that took solves of the database `source` by their keys, although `source` has no study of
+// their name. These solves were checked only for another study, which may ask for something else.
 void check_taken(SQLite::Database& sqlite, const Store& ours, const CheckOf& check_of, const fs::path& theirs) {
   SQLite::Statement query(
       sqlite,
@@ -143,8 +147,8 @@ void check_taken(SQLite::Database& sqlite, const Store& ours, const CheckOf& che
       check_solves(ours, study, check_of, theirs);
 }
 
-// Copies from the database `source` what `main` lacks, sessions of new solves under new numbers. Of two numbers of runs
-// the larger stays. Returns how many solves are new.
+// Copies what `main` lacks from the database `source`, sessions of new solves under new numbers. The larger number of
+// runs stays. Returns how many solves are new.
 std::int64_t copy_missing(SQLite::Database& sqlite) {
   const std::string session = sqlite.execAndGet("SELECT coalesce(max(id), 0) FROM main.sessions").getString();
   const std::string row = sqlite.execAndGet("SELECT coalesce(max(rowid), 0) FROM main.solves").getString();
@@ -191,8 +195,8 @@ std::string difference_in_solves(const std::string& first, const std::string& se
   std::set<std::string> keys;
   for (const auto* json : {&left, &right})
     for (const auto& [key, value] : json->items()) keys.insert(key);
-  keys.erase("");                        // of an empty definition
-  for (const std::string& key : keys) {  // "/stop/tolerance_cm"
+  keys.erase("");                        // the key of an empty definition
+  for (const std::string& key : keys) {  // such as "/stop/tolerance_cm"
     const std::string name = boost::replace_all_copy(key.substr(1), "/", ".");
     const bool is_name_of_joint = name.starts_with("arm.links.") && name.ends_with(".name");
     if (decide_no_solve.contains(name.substr(0, name.find('.'))) || settled_in_arm.contains(name) || is_name_of_joint)
@@ -217,7 +221,7 @@ Merged merge(const fs::path& out, std::vector<fs::path> stores, const CheckOf& c
   std::error_code none;
   const auto is_empty = [&](const fs::path& place) { return fs::file_size(place, none) == 0 && !none; };
   if (std::ranges::all_of(stores, is_empty))
-    for (const fs::path& place : stores) static_cast<void>(Store(place, Store::Mode::read));  // which refuses it
+    for (const fs::path& place : stores) static_cast<void>(Store(place, Store::Mode::read));  // throws, and says why
   std::erase_if(stores, is_empty);
   if (fs::exists(out, none)) refuse_another_study(studies, checked_studies(out, check_of), out);
   std::erase_if(stores, [&](const fs::path& place) {

@@ -1,4 +1,4 @@
-// Published tables: the CSV files of results/published, which the build embeds here (packaging/embed.cmake).
+// The published tables: CSV files of results/published, which the build embeds here (packaging/embed.cmake).
 #include "results/published.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ using namespace base;
 
 namespace {
 
-// No constant: some are longer than clang++ counts.
+// Not a constant expression, because some tables are longer than clang++ counts.
 const base::EmbeddedFile files[]{
 #include "published_tables.inc"
 };

@@ -1,4 +1,5 @@
-// Published tables, embedded in the program: results/published/<paper>/<table>.csv.
+// The printed tables of papers, embedded in the program from results/published/<paper>/<table>.csv. Reports show them
+// beside repeated numbers.
 #pragma once
 
 #include <string_view>
@@ -8,8 +9,9 @@
 
 namespace ikbench::results::published {
 
-// The table as printed, e.g. table("slim2023", "table-3"); without rows if there is none.
+// Returns the table as printed, e.g. table("slim2023", "table-3"); without rows if there is none.
 base::CsvTable table(std::string_view paper, std::string_view name);
+// Returns the names of all papers with a table.
 std::vector<std::string_view> papers();
 
 }  // namespace ikbench::results::published

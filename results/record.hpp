@@ -1,5 +1,6 @@
-// One row per solve: everything that the store keeps of it. columns.inc lists the columns once; this struct, the
-// store's schema, its reader, CSV and `ikbench list columns` derive from that list.
+// The solve record: everything that the store keeps of one solve. The runner makes it, the store keeps it, and reports
+// read it. columns.inc lists the columns once; this struct, the store's schema, its reader, CSV and `ikbench list
+// columns` derive from that list.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,29 +21,30 @@ namespace ikbench::results {
 
 using numerics::StopReason;
 
-// The verifier's judgement of an answer: the first that applies of not_finite, claimed_but_wrong, refused,
-// limit_violated, tolerance_missed, ok; the last may become invalid by the study's own check. From crashed on there is
-// none in time: the arm stays where it was, and so does the record's answer.
+// The verifier's judgement of an answer. It is the first that applies of not_finite, claimed_but_wrong, refused,
+// limit_violated, tolerance_missed, ok; the study's own check may turn ok into invalid. From crashed on there was no
+// answer in time: the arm stays where it was, and the record's answer is that place.
 enum class Status : std::uint8_t {
   ok,                 // within the tolerance, if there is one
-  invalid,            // the same, but the study's own check refuses it
-  tolerance_missed,   // farther off
+  invalid,            // within the tolerance, but the study's own check refuses it
+  tolerance_missed,   // farther off than the tolerance
   limit_violated,     // a joint is outside its limits, which the study only records
-  refused,            // the same where the study enforces them: the arm stays
-  claimed_but_wrong,  // the solver says another error than its answer has
-  not_finite,         // no numbers, or an arithmetic that differs from the C library's
+  refused,            // a joint is outside its limits, which the study enforces: the arm stays
+  claimed_but_wrong,  // the solver reports another error than its answer has
+  not_finite,         // the answer is not finite, or sines differ from the C library's
   crashed,            // the program ended, could not be started, or was given up
-  timed_out,          // it did not answer within its patience
-  broke_protocol,     // its message made no sense
-  declined,           // it says that it cannot solve this
+  timed_out,          // the program did not answer within its patience
+  broke_protocol,     // the program's message broke the protocol
+  declined,           // the program says that it cannot solve this
   over_budget         // a program or library took far more time or evaluations than the study gives
 };
 
-// The circumstances of a solve's times. Only `clean` times are comparable, and `process`, those of another program,
-// which include its messages. batch: the time of a batch, divided by its size, wherever that was solved.
+// The circumstances in which a solve was timed. Only `clean` times can be compared, and `process` ones, those of
+// another program, which include its messages. `batch`: the time of a batch divided by its size, wherever it was
+// solved.
 enum class Timing : std::uint8_t { clean, parallel, debug_build, process, batch };
 
-// Tells who counted the evaluations.
+// The side that counted the evaluations: ikbench (`suite`), the solver itself, or nobody.
 enum class CountedBy : std::uint8_t { suite, solver, nobody };
 
 constexpr std::array<std::string_view, 12> names_of(Status) {
@@ -54,17 +56,17 @@ constexpr std::array<std::string_view, 5> names_of(Timing) {
 }
 constexpr std::array<std::string_view, 3> names_of(CountedBy) { return {"suite", "solver", "nobody"}; }
 
-// The least time [s] that a program may tell of a solve that took so much processor time [s]: with two threads, and a
-// millisecond of messages.
+// Returns the smallest credible time [s] that a program may report of a solve that used `cpu_seconds`. It allows two
+// threads and 1 ms for messages. A smaller report is ignored.
 constexpr double least_told(double cpu_seconds) { return cpu_seconds / 2.2 - 0.001; }
 
-// True if the solver gave no answer within its budget.
+// Returns true if the solver gave no answer within its budget.
 constexpr bool is_without_answer(Status status) { return status >= Status::crashed; }
-// True if the arm stayed where it was, and the record's answer is that.
+// Returns true if the arm stayed where it was, which is then the record's answer.
 constexpr bool stays(Status status) { return status == Status::refused || is_without_answer(status); }
-// True if the verifier finds the target reached.
+// Returns true if the verifier finds the target reached.
 constexpr bool is_reached(Status status) { return status == Status::ok || status == Status::invalid; }
-// Nothing is wrong with the answer, near enough or not.
+// Returns true if nothing is wrong with the answer, whether it is near enough or not.
 constexpr bool is_in_order(Status status) { return status == Status::ok || status == Status::tolerance_missed; }
 
 template <class Enum>
@@ -72,8 +74,10 @@ constexpr std::string_view name_of(Enum value) {
   return names_of(value)[static_cast<std::size_t>(value)];
 }
 
-// The key of a series is CONFIGURATION@SOURCE: a hash of what the study asks for, and one of the code that solved it.
+// The key of a series is CONFIGURATION@SOURCE: a hash of what the study asks for, and a hash of the code that solved
+// it.
 constexpr char before_source = '@';
+// Returns the part of a key before the source.
 constexpr std::string_view configuration_of(std::string_view series) {
   return series.substr(0, series.find(before_source));
 }
@@ -82,12 +86,12 @@ struct SolveRecord {
 #define COLUMN(type, name, initial, meaning) type name = initial;
 #include "results/columns.inc"
 #undef COLUMN
-  std::map<std::string, double> extras = {};  // numbers of the solver's own, by name; in a table of their own
+  std::map<std::string, double> extras = {};  // the solver's own numbers, by name; the store has a table for them
 };
 
 using TakeSolve = std::function<void(const SolveRecord&)>;
 
-// Calls visit(name, member, meaning) for every column, in their order.
+// Calls visit(name, member, meaning) for every column, in the order of columns.inc.
 template <class Visit>
 constexpr void for_each_column(Visit&& visit) {
 #define COLUMN(type, name, initial, meaning) visit(#name, &SolveRecord::name, meaning);
@@ -95,9 +99,9 @@ constexpr void for_each_column(Visit&& visit) {
 #undef COLUMN
 }
 
-// Says the first number that no solve has, "seconds is 0"; empty: there is none. Only an error that is claimed may be
-// below 0. No time is infinite, and the wall time is not 0, since it divides and has a logarithm; where there is no
-// time it is NaN.
+// Returns the first impossible number, such as "seconds is 0"; empty if there is none. Only a reported error may be
+// negative, and no time is infinite: a missing one is NaN. The wall time is not 0, because it divides and has a
+// logarithm.
 inline std::string wrong_number(const SolveRecord& solve) {
   std::string found;
   for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {

@@ -32,8 +32,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t application_id = 0x494B424E;  // "IKBN" in the header of the file
-constexpr int patience_ms = 10'000;                  // with another process that has the file locked
-constexpr int folding_patience_ms = 5'000;           // with readers, until the log is folded in
+constexpr int patience_ms = 10'000;                  // how long to wait for a process that has locked the file
+constexpr int folding_patience_ms = 5'000;           // how long to wait for readers before the log stays
 
 std::string create_tables() {
   return fmt::format(
@@ -50,12 +50,12 @@ std::string create_tables() {
       application_id, store_version, solve_declarations());
 }
 
-// Of the extras of solves; only a store with some has it.
+// The table of extras. Only a store whose solves have some has this table.
 constexpr const char* create_extras =
     "CREATE TABLE extras (series TEXT NOT NULL, run INTEGER NOT NULL, point INTEGER NOT NULL, name TEXT NOT NULL, "
     "value REAL, PRIMARY KEY (series, run, point, name)) STRICT, WITHOUT ROWID";
 
-// For whoever asks the file without us.
+// Returns views for readers who query the file without ikbench.
 std::string create_views() {
   std::string columns = solve_columns();
   columns.replace(columns.find("study, robot, label,"), std::string_view("study, robot, label,").size(),
@@ -72,19 +72,19 @@ std::string create_views() {
       columns);
 }
 
-// The tables, with the keys by which their rows have one order.
+// The tables, each with the columns that give its rows one order.
 constexpr std::pair<std::string_view, std::string_view> ordered_tables[] = {
     {"studies", "position"},         {"series", "study, position"},    {"sessions", "id"},
     {"environment", "session, key"}, {"solves", "series, run, point"}, {"extras", "series, run, point, name"}};
 
-// The bytes of a number, the same on every machine.
+// Returns the bytes of a number, the same on every machine.
 std::string bytes_of(std::uint64_t number) {
   std::string bytes;
   for (int i = 0; i < 8; ++i) bytes += static_cast<char>(number >> (8 * i));
   return bytes;
 }
 
-// A value with its type, and a text with its length, so that no two rows have the same bytes.
+// Returns a value with its type, and a text with its length, so that no two rows have the same bytes.
 std::string bytes_of(const SQLite::Column& value) {
   switch (value.getType()) {
     case SQLITE_INTEGER:
@@ -100,7 +100,7 @@ std::string bytes_of(const SQLite::Column& value) {
   }
 }
 
-// All that is in a database, but extras: its tables and views, letter by letter.
+// Returns the SQL text of all tables and views except extras, letter by letter.
 std::string schema_of(SQLite::Database& sqlite) {
   return sqlite
       .execAndGet(fmt::format(
@@ -116,8 +116,8 @@ std::string our_schema() {
   return schema_of(empty);
 }
 
-// True if the file is made while it is read, so that it says to be empty: of /proc/kmsg SQLite would wait for the first
-// bytes for ever.
+// Returns true for a file that the system makes while it is read, such as /proc/kmsg: its size is 0 but it has bytes.
+// SQLite would wait for its first bytes for ever.
 bool is_made_by_reading(const fs::path& path) {
   std::error_code none;
   const auto says_to_be_empty = [&] { return fs::file_size(path, none) == 0 && !none; };
@@ -127,10 +127,10 @@ bool is_made_by_reading(const fs::path& path) {
   char first = 0;
   const bool is_empty = ::read(descriptor, &first, 1) == 0;
   ::close(descriptor);
-  return !is_empty && says_to_be_empty();  // else another process has just begun the store
+  return !is_empty && says_to_be_empty();  // if the size is no longer 0, another process has just begun the store
 }
 
-// The path for SQLite, absolute so that it has no special meaning (":memory:").
+// Returns the path for SQLite, which is absolute so that no name has a special meaning (":memory:").
 std::string checked_path(const fs::path& file, Store::Mode mode) {
   std::error_code error;
   const fs::path path = fs::absolute(file, error);
@@ -162,7 +162,8 @@ std::string checked_path(const fs::path& file, Store::Mode mode) {
                   file));
 }
 
-// SQLite calls this busy, too: network file systems without a lock daemon.
+// Returns true if the file system has no locks, as a network file system without a lock daemon. SQLite reports that as
+// busy.
 bool lacks_locks(const std::string& file) {
   struct flock anything {};
   anything.l_type = F_RDLCK;
@@ -172,9 +173,9 @@ bool lacks_locks(const std::string& file) {
   return lacks;
 }
 
-// Throws `error` as a sentence about the file (store.hpp says which exception).
+// Throws `error` as a sentence about the file. store.hpp says which exception means what.
 [[noreturn]] void refuse(const std::string& file, const SQLite::Exception& error) {
-  // SQLite calls it damage, too, if the system fails to read a page.
+  // SQLite also reports damage if the system fails to read a page.
   for (const int code : {error.getErrorCode(), error.getExtendedErrorCode()})
     if (code == SQLITE_IOERR_READ || code == SQLITE_IOERR_CORRUPTFS || (code == SQLITE_CORRUPT && errno == EIO))
       base::refuse_place("read", file, EIO);
@@ -188,7 +189,7 @@ bool lacks_locks(const std::string& file) {
             "another ikbench is running the same study into '{}'; wait until it has ended, then run again", file));
       [[fallthrough]];
     case SQLITE_CORRUPT:
-    case SQLITE_ERROR:  // our SQL is right, so the tables are wrong
+    case SQLITE_ERROR:  // the SQL of ikbench is right, so the tables are wrong
       refuse(file, Damage(error.what()));
     case SQLITE_READONLY:
       if (error.getExtendedErrorCode() == SQLITE_READONLY_DBMOVED) refuse_taken_away(file);
@@ -200,7 +201,7 @@ bool lacks_locks(const std::string& file) {
       [[fallthrough]];
     case SQLITE_CANTOPEN:
       if (errno == EMFILE || errno == EIO) base::refuse_place("read", file, errno);
-      try {  // SQLite forgets why it could not: a full disk refuses this, too
+      try {  // SQLite does not say why it could not open; a full disk also refuses a new folder
         base::TemporaryFolder(fs::absolute(file).parent_path(), file);
       } catch (const std::invalid_argument&) {
       }
@@ -227,7 +228,7 @@ bool lacks_locks(const std::string& file) {
   }
 }
 
-// Executes a statement that returns nothing, any number of times.
+// Executes a statement that returns nothing. It can be executed again.
 template <class... Values>
 void execute(SQLite::Statement& statement, const Values&... values) {
   SQLite::bind(statement, values...);
@@ -241,7 +242,7 @@ std::string name_of_extra(const SQLite::Column& column) {
   return name;
 }
 
-// Calls `action` and returns its result; refuses the file if SQLite fails or finds damage.
+// Calls `action` and returns its result. Throws as `refuse` if SQLite fails or finds damage.
 template <class Action>
 auto guarded(const std::string& file, Action&& action) {
   errno = 0;  // SQLite sets it where a call fails
@@ -266,7 +267,7 @@ struct Store::Database {
                patience_ms),
         identity(identity_there()) {
     for (const char* part : {"", "-wal", "-shm", "-journal"}) base::note_input(name + part);
-    if (mode != Mode::read) sqlite.exec("PRAGMA page_size = 16384");  // of a new file; fewer pages are faster
+    if (mode != Mode::read) sqlite.exec("PRAGMA page_size = 16384");  // applies to a new file; fewer pages are faster
     using enum SQLite::TransactionBehavior;
     SQLite::Transaction transaction(sqlite, mode == Mode::read ? DEFERRED : IMMEDIATE);
     const bool is_new = number("SELECT count(*) FROM sqlite_master") == 0 && number("PRAGMA application_id") == 0;
@@ -282,7 +283,8 @@ struct Store::Database {
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
-  // Where another process changes the kind of journal, too, SQLite is busy at once, whatever its patience.
+  // Sets the journal. If another process changes it at the same time, SQLite is busy at once, whatever its timeout; so
+  // this waits itself.
   void keep_journal(const char* statements) {
     for (int waited_ms = 0;; waited_ms += 10) {
       const int code = sqlite.tryExec(statements);
@@ -308,11 +310,11 @@ struct Store::Database {
           "'{}' is a store of version {}, and this ikbench reads version {} alone; read it with the ikbench "
           "that made it, or run its studies into a new store",
           name, version, store_version));
-    // SQLite takes missing bytes of the last page for zeros. A kill while the log is folded in leaves half a page that
-    // the log still has.
+    // SQLite reads missing bytes of the last page as zeros, so check the size. A kill while the log is folded in may
+    // leave half a page, which is no damage if the log still has that page.
     const auto size = fs::file_size(name), page = static_cast<std::uintmax_t>(number("PRAGMA page_size"));
     if (size % page != 0 && !log_has(size / page + 1, page)) throw Damage("it is truncated");
-    // A view may be endless, and a column be computed.
+    // A stranger's view may be endless, and a column may be computed.
     if (schema_of(sqlite) != our_schema()) throw Damage("its tables and views are not those that ikbench makes");
     std::string verdict = sqlite.execAndGet("PRAGMA quick_check(1)").getString();
     verdict.erase(0, verdict.rfind('\n') + 1);
@@ -322,8 +324,9 @@ struct Store::Database {
     if (verdict != "ok") throw Damage(verdict);
   }
 
-  // Whether the log has a page, from 1, which SQLite then takes from there: frames of 24 bytes and a page, behind 32
-  // bytes whose salt they repeat (sqlite.org/walformat.html).
+  // Returns true if the log has this page, counted from 1, because SQLite then reads the page from the log. The log is
+  // 32 bytes, then frames of 24 bytes and a page; valid frames repeat the salt of the first 32 bytes
+  // (sqlite.org/walformat.html).
   bool log_has(std::uintmax_t which, std::size_t page) const {
     const std::string log = base::read_file(name + "-wal").value_or("");
     for (std::size_t frame = 32; frame + 24 + page <= log.size(); frame += 24 + page) {
@@ -334,13 +337,13 @@ struct Store::Database {
     return false;
   }
 
-  // The file at the path, by device and number.
+  // Returns the device and number of the file that is now at the path.
   std::optional<std::pair<dev_t, ino_t>> identity_there() const {
     struct stat status {};
     if (::stat(sqlite.getFilename().c_str(), &status) != 0) return std::nullopt;
     return std::pair(status.st_dev, status.st_ino);
   }
-  // False if the file was unlinked or moved away; SQLite would go on writing it.
+  // Returns false if the file was unlinked or moved away. SQLite would continue to write it.
   bool is_in_place() const { return identity && identity_there() == identity; }
   void check_place() const {
     if (!is_in_place()) refuse_taken_away(name);
@@ -356,12 +359,13 @@ struct Store::Database {
     });
   }
 
-  // Folds the log in, unless another process goes on reading or writing. The committed data are safe even then, and the
+  // Folds the log in, unless another process continues to read or write. Even then the committed data are safe, and the
   // next writer folds it in.
   void fold(int wait_ms) {
     sqlite.setBusyTimeout(wait_ms);
     sqlite.tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
-    // Elsewhere it would remove another file's log. A read undoes what failed half-way.
+    // If the file is no longer in its place, this would remove the log of another file. A read undoes what failed
+    // half-way.
     for (int tries = 0; tries < 2 && is_in_place(); ++tries)
       if (sqlite.tryExec("SELECT 1 FROM sqlite_master; PRAGMA journal_mode = DELETE") != SQLITE_IOERR) break;
     sqlite.setBusyTimeout(patience_ms);
@@ -372,9 +376,9 @@ struct Store::Database {
     for (const auto& [key, value] : environment) execute(add, session, key, value);
   }
 
-  // Passes on the solves of a query.
+  // Calls `take` with each solve of a query.
   void read_solves(SQLite::Statement& query, const Take& take) {
-    SolveRecord solve;  // one for all, so that its lists keep their memory
+    SolveRecord solve;  // one record for all solves, so that its lists keep their memory
     std::optional<SQLite::Statement> extras;
     if (sqlite.tableExists("extras"))
       extras.emplace(sqlite, "SELECT name, value FROM extras WHERE series = ? AND run = ? AND point = ?");
@@ -401,8 +405,8 @@ struct Store::Database {
   const std::string name;  // as the user gave it
   const Mode mode;
   SQLite::Database sqlite;
-  const std::optional<std::pair<dev_t, ino_t>> identity;  // of the opened file
-  std::optional<SolveInsert> insert;                      // from the first solve on
+  const std::optional<std::pair<dev_t, ino_t>> identity;  // identity of the file that was opened
+  std::optional<SolveInsert> insert;                      // made with the first solve
 };
 
 Store::Store(const fs::path& file, Mode mode)
@@ -538,7 +542,7 @@ void Store::write_from(const fs::path& source, const std::function<void(SQLite::
   try {
     {
       SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
-      SQLite::Statement attach(sqlite, "ATTACH ? AS source");  // now, so that the transaction locks this store alone
+      SQLite::Statement attach(sqlite, "ATTACH ? AS source");  // now, so that the transaction locks only this store
       attach.bind(1, fs::absolute(source).string());
       blamed = source.string();
       attach.exec();
@@ -626,7 +630,7 @@ void Store::each_of_study(const StoredStudy& study, const Take& take) const {
       database_->read_solves(query, [&](SolveRecord& record) {
         if (record.label != series.label)
           throw Damage(fmt::format("the label of {} is another in its solves", base::in_quotes(series.label)));
-        record.study = study.name;  // also if another study's name solved it first
+        record.study = study.name;  // a solve has the name of the study that solved it first
         take(record);
       });
       query.reset();

@@ -17,8 +17,8 @@ using namespace base;
 
 namespace {
 
-// A list of numbers as a JSON array. JSON has neither NaN nor infinity: they are null and 1e999, which every reader
-// rounds to infinity.
+// Returns a list of numbers as a JSON array. JSON has neither NaN nor infinity, so they become null and 1e999, which
+// every reader rounds to infinity.
 constexpr std::string_view json_nan = "null";
 constexpr std::string_view json_infinity = "1e999";
 constexpr std::string_view json_minus_infinity = "-1e999";
@@ -59,7 +59,7 @@ void read_numbers(std::string_view array, std::vector<double>& numbers) {
   if (array.ends_with(",]")) throw Damage("an empty place in a list of numbers");
 }
 
-// The SQL type of a member of the record. SQLite has no NaN: NULL stands for it.
+// Returns the SQL type of a member of the record. SQLite has no NaN; NULL stands for it.
 template <class Value>
 constexpr std::string_view sql_type() {
   if constexpr (std::is_integral_v<Value>) return "INTEGER NOT NULL";
@@ -67,7 +67,7 @@ constexpr std::string_view sql_type() {
   return "TEXT NOT NULL";
 }
 
-// SQLite copies no text: names are literals, and the record outlives the insertion.
+// Binds a text without a copy: names are literals, and the record outlives the insertion.
 template <class Value>
 void bind(SQLite::Statement& insert, int index, const Value& value, std::string& list) {
   if constexpr (std::is_arithmetic_v<Value>) {
@@ -82,9 +82,9 @@ void bind(SQLite::Statement& insert, int index, const Value& value, std::string&
   }
 }
 
-// The text of a column; valid as long as its row.
+// Returns the text of a column, which is valid as long as its row.
 std::string_view text_in(const SQLite::Column& column) {
-  const char* const text = column.getText();  // call it before getBytes
+  const char* const text = column.getText();  // has to be called before getBytes
   return {text, static_cast<std::size_t>(column.getBytes())};
 }
 
@@ -108,7 +108,7 @@ void read(const SQLite::Column& column, Value& value) {
   }
 }
 
-// All columns, each through `format`, separated by commas.
+// Returns all columns, each through `format`, separated by commas.
 template <class Format>
 std::string listed(Format&& format) {
   std::string text;
@@ -135,7 +135,7 @@ SolveInsert::SolveInsert(SQLite::Database& store)
       lists_(static_cast<std::size_t>(insert_.getBindParameterCount())) {}
 
 void SolveInsert::operator()(const SolveRecord& record) {
-  insert_.tryReset();  // also after a failure
+  insert_.tryReset();  // the statement may have failed before
   int index = 0;
   for_each_column([&](std::string_view, auto member, std::string_view) {
     std::string& list = lists_[static_cast<std::size_t>(index)];

@@ -1,4 +1,5 @@
-// Converts a solve to a row of the store and back: the SQL columns and their values.
+// Converts a solve to a row of the store and back: the SQL columns and their values. Only the store and its merge use
+// it.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -13,18 +14,18 @@
 
 namespace ikbench::results {
 
-// A value in the file that ikbench does not write.
+// The error for a value in the file that ikbench does not write. The message says what was found.
 struct Damage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 constexpr std::int64_t store_version = 3;
 
-// The names of the columns, and of those columns with their SQL types, separated by commas.
+// Returns the names of the columns, or these with their SQL types, separated by commas.
 std::string solve_columns();
 std::string solve_declarations();
 
-// Adds solves to a store, prepared once for all.
+// Adds solves to a store by one statement, which is prepared once.
 class SolveInsert {
  public:
   explicit SolveInsert(SQLite::Database& store);
@@ -32,10 +33,10 @@ class SolveInsert {
 
  private:
   SQLite::Statement insert_;
-  std::vector<std::string> lists_;  // the texts of lists of numbers, a place for each column
+  std::vector<std::string> lists_;  // per column, the text of a list of numbers
 };
 
-// Reads the present row of a statement that selects solve_columns(). Damage names the column.
+// Reads the current row of a statement that selects solve_columns(). Throws Damage, which names the column.
 void read_solve(SQLite::Statement& row, SolveRecord& record);
 
 }  // namespace ikbench::results

@@ -1,5 +1,6 @@
-// A study as plain data: what is asked, as study files say it and the store keeps it (JSON), and what judging needs
-// beside it.
+// A study as plain data: what is asked, as study files say it and the store keeps it (JSON), and what judging needs of
+// its arm and targets. `experiments` makes it from a study file; `analysis` reads it from the store and needs no
+// solver.
 #pragma once
 
 #include <array>
@@ -17,26 +18,26 @@
 
 namespace ikbench::results {
 
-// What a headline can go on to: the first of those that a plan names and that is judged.
+// The metrics that `then` of a plan may name, in any order. The headline goes on to the first of those that is judged.
 inline const std::vector<std::string> all_thens{"time", "evaluations", "motion"};
 
-// How a study will be judged, said before its data are seen. It decides no number of a solve.
+// The rules by which a study is judged, fixed before its data. They decide no number of a solve.
 struct Plan {
   enum class Test { ranks, means } test = Test::ranks;
-  enum class Values { runs, points } values = Values::runs;  // of a path: means over its points, or over the runs
-  std::string metric = {};  // of the headline; empty: solved where any target is solved, else the error
-  std::vector<std::string> then = {"time", "evaluations"};  // for those that solved does not tell apart; empty: nothing
-  std::string control = {};                                 // compares with this group alone; empty: all pairs
+  enum class Values { runs, points } values = Values::runs;  // along a path: means over its points, or over the runs
+  std::string metric = {};  // of the headline; empty: solved if any target is solved, otherwise the error
+  std::vector<std::string> then = {"time", "evaluations"};  // for solvers that the metric does not separate
+  std::string control = {};                                 // compares only with this group; empty: all pairs
   double significance = 0.05;
-  double margin = 0.05;  // that matters: relative, 1 / 1.05 to 1.05; of shares points; a smaller one does not
-  double deadline = 0;   // [s] of a solve, what is solved within it is a metric; 0: the loop's period, if there is one
+  double margin = 0.05;  // smallest difference that matters: a ratio outside 1 / 1.05 to 1.05; for shares, points
+  double deadline = 0;   // [s] per solve; what is solved within it is a metric; 0: the loop's period, if any
 
   bool operator==(const Plan&) const = default;
 };
 
 constexpr std::pair<double, double> margins_percent{0, 99};
 
-// The fields, listed once for study files, the store's JSON and the command line: name, member, range and meaning.
+// Lists the fields once for study files, the store's JSON and the command line: name, member, range and meaning.
 inline void list_fields(base::Fields& io, Plan& plan) {
   constexpr double percent = 0.01;
   io.choice("test", plan.test, {"ranks", "means"}, "what decides: ranks, or means as papers compare them");
@@ -61,9 +62,9 @@ inline void list_fields(base::Fields& io, Plan& plan) {
             "tells what is solved within this time; 0: within loop.period_ms, if there is one");
 }
 
-// A control loop along a path: each solve has a period. It decides no number of a solve.
+// A control loop along a path, where each solve has a period. It decides no number of a solve.
 struct Loop {
-  double period = 0;  // [s]; 0: there is none
+  double period = 0;  // [s]; 0: no loop
 };
 inline void list_fields(base::Fields& io, Loop& loop) {
   io.number(
@@ -72,11 +73,11 @@ inline void list_fields(base::Fields& io, Loop& loop) {
       "0: no loop");
 }
 
-// A program of the user's own that says which answers that reached their target are valid.
+// A program of the user that says which answers are valid. It is asked only about answers that reached their target.
 struct Check {
-  std::vector<std::string> larger = {}, smaller = {};  // its numbers, by which of them are better
+  std::vector<std::string> larger = {}, smaller = {};  // names of its numbers, by the direction that is better
   std::vector<std::string> process = {};               // empty: there is no check
-  std::string digest = {};                             // of its program, which is of the series; not in a store
+  std::string digest = {};                             // hash of its program, a part of the series' key; not stored
 
   std::vector<std::string> numbers() const {
     std::vector<std::string> all = larger;
@@ -90,43 +91,50 @@ inline void list_fields(base::Fields& io, Check& check) {
   io.texts("smaller", check.smaller, "the same, of which smaller ones are better");
 }
 
-// wrist: the solver searches the joints before a spherical wrist, whose angles follow in closed form (Eqs. 15-17).
-// all_joints: it searches all joints for the position alone.
-// flange: so does it, but for the last joint, which turns the tool about its own point and stays where it is.
-// pose: it searches all joints for position and orientation.
-// axis: it searches all joints for the position and the direction of the tool's z axis.
+// The joints that a solver searches, and for what.
+// wrist: the joints before a spherical wrist, for the position; the wrist's angles follow in closed form (Eqs. 15-17).
+// all_joints: all joints, for the position only.
+// flange: all but the last joint, which turns the tool about its own point and stays where it is; for the position.
+// pose: all joints, for position and orientation.
+// axis: all joints, for the position and the direction of the tool's z axis.
 enum class Search { wrist, all_joints, pose, axis, flange };
 
-// The rule that picks one of the wrist's two branches for an answer. nearest: the smaller move. positive, negative: the
-// sign of the middle joint.
-// inside: the nearer of those inside the joint limits, or the nearer of both if none is. With enforced limits, a branch
-// outside always gives way to one inside.
+// The rule that picks one of the wrist's two branches for an answer. With enforced limits, a branch outside always
+// gives way to one inside.
+// nearest: the branch with the smaller move.
+// positive, negative: the branch with this sign of the middle joint.
+// inside: the nearer of the branches inside the joint limits, or the nearer of both if none is inside.
 enum class WristBranch { nearest, positive, negative, inside };
 
-// principal: the wrist's angles are those of the arc tangent, in [-180, 180] deg. nearest: they are turned by whole
-// turns to where they move least.
+// The whole turns of the wrist's angles.
+// principal: angles of the arc tangent, in [-180, 180] deg.
+// nearest: angles turned by whole turns to where they move least.
 enum class WristTurns { principal, nearest };
 
-// Joint limits of candidates: as each solver's own option says, or the same for all solvers with that option.
+// The joint limits of candidates: as each solver's own option says, or the same for all solvers with that option.
 enum class StudyBounds { per_solver, initial, clamp };
 
-// recorded: an answer outside the joint limits is kept and reported. enforced: limits hold for every solver and for the
-// wrist; an answer outside is refused, and the arm stays where it was.
+// The joint limits of answers.
+// recorded: an answer outside is kept and reported.
+// enforced: limits hold for every solver and for the wrist; an answer outside is refused, and the arm stays where it
+// was.
 enum class Limits { recorded, enforced };
 
-// into_limits: turns revolute joints of an answer back inside their limits by whole turns, where possible. nearest: to
-// the whole turn inside that is nearest to the start, as controllers do. No pose changes.
+// The whole turns by which revolute joints of an answer are turned afterwards. No pose changes.
+// into_limits: back inside the limits, where possible.
+// nearest: to the whole turn inside the limits that is nearest to the start, as controllers do.
 enum class Wrap { no, into_limits, nearest };
 
 // The start of each solve of a run: the previous answer, the initial configuration, the middle of the limits, a
 // configuration drawn from seed, run and point, or one near the configuration that the target was made of.
 enum class Start { previous, initial, middle, random, near };
 
-// What a timed call finds. first: it is the first call on its target, after other solvers' work, as in a program that
-// does other things. hot: the second, as in a loop over many targets.
+// The state in which a timed call begins.
+// first: the first call on its target, after other solvers' work, as in a program that does other things.
+// hot: the second call on its target, with warm caches, as in a loop over many targets.
 enum class State { first, hot };
 
-// As in files, in their order.
+// The names as in files, in the order of the enumerators.
 constexpr std::array<std::string_view, 5> names_of(Search) { return {"wrist", "all_joints", "pose", "axis", "flange"}; }
 constexpr std::array<std::string_view, 3> names_of(StudyBounds) { return {"per_solver", "initial", "clamp"}; }
 constexpr std::array<std::string_view, 2> names_of(Limits) { return {"recorded", "enforced"}; }
@@ -135,14 +143,15 @@ constexpr std::array<std::string_view, 5> names_of(Start) {
 }
 constexpr std::array<std::string_view, 2> names_of(State) { return {"first", "hot"}; }
 
+// The settings of a study, as its file has them. docs/reference/study-file.md explains each.
 struct StudyData {
   std::string name = "study";
   std::string title;
-  std::string published;              // the paper whose printed tables stand beside the results, or empty
+  std::string published;              // paper whose printed tables are shown with the results, or empty
   std::string robot = "kuka_iiwa14";  // a built-in arm, or a file
   Search search = Search::wrist;
-  // The weight of a radian in a pose error [m]. The error compares three points that are about as far apart as the
-  // parts of a tool and of what it holds. With 0.1 m or 1 m, swarms find fewer poses of a UR5e.
+  // Weight of a radian in a pose error [m]. The error compares three points that are about as far apart as the parts of
+  // a tool and of what it holds. With 0.1 m or 1 m, swarms find fewer poses of a UR5e.
   double rotation_weight = 0.25;
   StudyBounds bounds = StudyBounds::per_solver;
   WristBranch wrist_branch = WristBranch::nearest;
@@ -154,25 +163,25 @@ struct StudyData {
   double near = 5 * base::degree;  // [rad] for Start::near: largest distance of a joint from the solution
   int population = 50;
   int runs = 20;
-  int turns = 6;  // sessions of their own; decides only times (experiments/runner.hpp)
+  int turns = 6;  // sessions; decides only times (experiments/runner.hpp)
   State state = State::first;
   std::uint64_t seed = 1;
   numerics::StopRule stop;
   Loop loop;
   Check check;
-  Plan plan;            // how the solves will be judged; decides no number of them
-  FigureStyle figures;  // the look of its figures; in a study file without the colours of its entries
+  Plan plan;            // decides no number of a solve
+  FigureStyle figures;  // colours of solver entries are in these entries of a study file
 
-  // Each solve begins where the last one left the arm.
+  // Returns true if each solve begins where the last one left the arm.
   bool is_chained() const { return start == Start::previous; }
   bool has_direction() const { return search == Search::pose || search == Search::axis; }
   bool has_tolerance() const { return stop.tolerance > 0 || stop.angle_tolerance > 0; }
 };
 
 constexpr std::pair<std::int64_t, std::int64_t> populations{1, 100'000};
-constexpr std::size_t most_solvers = 400;  // of a study, whose pairs all stand in its report
+constexpr std::size_t most_solvers = 400;  // per study, because its report has all pairs
 
-// The fields, listed once: name, member, range, meaning, and whether each decides a number of a solve. Readers and
+// Lists the fields once: name, member, range, meaning, and whether each decides a number of a solve. Readers and
 // writers of study files and of the store follow this list, and so does the key of a series. A new option of a study is
 // a member above and an entry there. `stop`, `plan` and `figures` have lists of their own.
 void list_fields(base::Fields& io, StudyData& study);
@@ -180,28 +189,28 @@ void list_fields(base::Fields& io, StudyData& study);
 // A study as the store keeps it, with what judging needs of its arm and targets.
 struct Definition : StudyData {
   int points = 0;
-  std::string path;                     // the kind
-  bool draws_targets = false;           // for every run anew
-  std::string base_link, tip_link;      // of an arm from a URDF file
-  std::vector<std::string> arm_notes;   // what of the file was not taken as it stands
+  std::string path;                     // kind of the target set
+  bool draws_targets = false;           // draws new targets for every run
+  std::string base_link, tip_link;      // if the arm is from a URDF file
+  std::vector<std::string> arm_notes;   // sentences on what was not taken from the file as it stands
   std::vector<std::string> departures;  // settings that differ from the published study
-  // Of each joint, how far it can move in a period of the loop [rad, m], and if it turns without end; else none.
+  // How far each joint can move in a period of the loop [rad, m], and whether it is continuous; empty without a loop.
   std::vector<std::pair<double, bool>> steps;
   int out_of_reach = 0;  // targets that no configuration reaches
   std::string arm;       // JSON, as robots/robot.hpp reads it
-  std::string task;      // JSON: the first configuration, and how targets are drawn
-  std::string json;      // all that was read, as the store has it
+  std::string task;      // JSON: the initial configuration, and how targets are drawn
+  std::string json;      // the whole definition, as the store has it
 
   // [s] within which a solve counts as in time; 0: there is none.
   double deadline() const { return plan.deadline > 0 ? plan.deadline : loop.period; }
-  // What is compared is a run, else a target.
+  // Returns true if values are means of runs, otherwise of targets.
   bool compares_runs() const {
     return is_chained() ? plan.values == Plan::Values::runs : points == 1 && !draws_targets;
   }
 };
 
-// Members that the text lacks keep their defaults. Throws std::invalid_argument if it is no JSON object, or with the
-// study's name and the member whose value cannot be.
+// Reads a definition. Members that the text lacks keep their defaults. Throws std::invalid_argument if the text is no
+// JSON object, or if a value is impossible; the message has the study's name and the member.
 Definition definition_of(std::string_view json);
 
 }  // namespace ikbench::results
