@@ -24,7 +24,7 @@
 
 #include "base/names.hpp"
 
-extern char** environ;  // which the headers of some systems leave to us
+extern char** environ;  // the headers of some systems do not declare it
 
 namespace ikbench::base {
 
@@ -33,14 +33,14 @@ namespace {
 constexpr std::size_t kept_errors = 4000;  // bytes
 
 #ifndef __GLIBC__
-// Elsewhere no call closes all descriptors: a forked process closes one after the other, and what starts a program
-// leaves each to close itself.
+// Other C libraries have no call that closes all descriptors. So a forked process closes one after the other, and a
+// started program closes them itself.
 void closefrom(int first) {
   for (int descriptor = ::getdtablesize(); descriptor-- > first;) ::close(descriptor);
 }
 int posix_spawn_file_actions_addclosefrom_np(posix_spawn_file_actions_t*, int) { return 0; }
 #endif
-#ifdef __APPLE__  // whose programs start without our descriptors when told so
+#ifdef __APPLE__  // a flag starts programs there without our descriptors
 int pipe2(int* ends, int) { return ::pipe(ends); }
 int clock_getcpuclockid(pid_t, clockid_t*) { return ENOSYS; }
 constexpr short start_flags = POSIX_SPAWN_CLOEXEC_DEFAULT;
@@ -102,9 +102,9 @@ void bury(pid_t process) {
   }
 }
 
-// The program's parent: waits until the program ends or nobody holds the other end of the lifeline, ends all that is
-// left of it, and ends as it did. It survives whatever happens to our process, and calls nothing that needs a lock, but
-// for malloc, which C libraries hand over in order.
+// Runs as the parent of the program. Waits until the program ends or our process is gone, which closes the lifeline;
+// ends all that is left of the program, and ends as it did. The guard survives whatever happens to our process. It
+// calls nothing that needs a lock except malloc, which C libraries keep usable after a fork.
 template <class Spawn>
 [[noreturn]] void guard(int lifeline, int told, Spawn&& start) {
   ::setpgid(0, 0);
@@ -112,13 +112,13 @@ template <class Spawn>
   ::signal(SIGCHLD, [](int) {});
 #ifdef PR_SET_CHILD_SUBREAPER
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
-  ::prctl(PR_SET_DUMPABLE, 0);  // one core is enough
+  ::prctl(PR_SET_DUMPABLE, 0);  // the program's core dump is enough
 #endif
   sigset_t none, of_children;
   sigemptyset(&none);
   of_children = none;
   sigaddset(&of_children, SIGCHLD);
-  ::sigprocmask(SIG_SETMASK, &of_children, nullptr);  // it comes while we wait, and then alone
+  ::sigprocmask(SIG_SETMASK, &of_children, nullptr);  // the signal comes only during pselect
   pid_t process = 0;
   const int error = start(process);
   const pid_t said = error == 0 ? process : -error;
@@ -128,7 +128,7 @@ template <class Spawn>
   bool is_over = false;
   int status = 0;
   pid_t ended = 0;
-  for (int tries = 0; ended >= 0 && tries < 1000;) {  // a second, as one may wait for a disk for ever
+  for (int tries = 0; ended >= 0 && tries < 1000;) {  // one second, since a process may wait for a disk for ever
     fd_set ends;
     FD_ZERO(&ends);
     FD_SET(STDIN_FILENO, &ends);
@@ -137,8 +137,8 @@ template <class Spawn>
     while ((ended = ::waitpid(-1, &its, WNOHANG)) > 0)
       if (ended == process) is_over = true, status = its;
     if (!is_over) continue;
-    ::kill(-process, SIGKILL), ::kill(process, SIGKILL);   // it may have left the group
-    std::ifstream children("/proc/thread-self/children");  // with those whose parents have just ended
+    ::kill(-process, SIGKILL), ::kill(process, SIGKILL);   // the program may have left its group
+    std::ifstream children("/proc/thread-self/children");  // also those whose parents have just ended
     for (pid_t child = 0; children >> child;) ::kill(child, SIGKILL);
     ::usleep(1000);
     ++tries;
@@ -162,7 +162,7 @@ ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem
   if (guard_ < 0) throw std::runtime_error(fmt::format("no process starts: {}; raise ulimit -u", std::strerror(errno)));
   ::close(told.take(1));
   pollfd of_guard{.fd = told.ends[0], .events = POLLIN, .revents = 0};
-  while (::poll(&of_guard, 1, 100) <= 0) ::kill(guard_, SIGCONT);  // the program may have stopped it already
+  while (::poll(&of_guard, 1, 100) <= 0) ::kill(guard_, SIGCONT);  // the program may have stopped the guard
   while (::read(told.ends[0], &process_, sizeof(process_)) < 0 && errno == EINTR) {
   }
   if (process_ < 0) {
@@ -199,7 +199,8 @@ ChildProcess::Ran ChildProcess::run(const std::vector<std::string>& words, const
 }
 
 bool ChildProcess::is_running() {
-  if (!has_ended_) has_ended_ = ::waitpid(guard_, &status_, WNOHANG) != 0;  // or nobody keeps how it ended
+  // An error means that nobody keeps how the guard ended.
+  if (!has_ended_) has_ended_ = ::waitpid(guard_, &status_, WNOHANG) != 0;
   return !has_ended_;
 }
 
@@ -235,7 +236,7 @@ void ChildProcess::wait(int input, Clock::time_point deadline, const char* what)
   if (ready > 0 && files[0].revents != 0) drain(errors_, wrote_);
   if (wrote_.size() > kept_errors) wrote_.erase(0, wrote_.size() - kept_errors);
   if (ready > 0 && files[1].revents != 0) drain(output_, read_);
-  if (ready == 0 && !is_running()) close_one(output_);  // its children may hold the other end
+  if (ready == 0 && !is_running()) close_one(output_);  // children of the program may hold the other end
 }
 
 bool ChildProcess::has_line() {
@@ -244,7 +245,7 @@ bool ChildProcess::has_line() {
 }
 
 void ChildProcess::write(std::string_view text, Clock::time_point deadline) {
-  // Writing to a program that has ended is then an error of write(), not the end of our process.
+  // Without the signal, writing to a program that has ended is an error of write(), not the end of our process.
   [[maybe_unused]] static const auto before = ::signal(SIGPIPE, SIG_IGN);
   while (!text.empty()) {
     const ssize_t size = ::write(input_, text.data(), text.size());
@@ -280,12 +281,13 @@ void ChildProcess::end(std::chrono::milliseconds patience) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   close_one(lifeline_);
-  // Which the guard sees within two seconds of its own, but the program may have stopped it, and do so again.
+  // The guard sees the closed lifeline within two seconds of running time. But the program may have stopped the guard,
+  // and may do so again.
   for (const auto until = Clock::now() + std::chrono::seconds(5); is_running();) {
     ::kill(guard_, Clock::now() < until ? SIGCONT : SIGKILL);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  if (WIFSIGNALED(status_)) ::kill(-process_, SIGKILL);  // the guard may have been killed, and not it
+  if (WIFSIGNALED(status_)) ::kill(-process_, SIGKILL);  // the guard may have been killed, but not the program
   if (errors_ >= 0) drain(errors_, wrote_);
   guard_ = -1;
   for (int* descriptor : {&output_, &errors_}) close_one(*descriptor);
@@ -294,7 +296,8 @@ void ChildProcess::end(std::chrono::milliseconds patience) {
 std::string ChildProcess::end_after(Trouble::Kind trouble) {
   const bool by_itself = trouble == Trouble::Kind::crashed;
   end(std::chrono::seconds(by_itself ? 1 : 0));
-  // Who ends all processes of a job may have met it before us: then we are ended, or hear the signal, meanwhile.
+  // A signal to all processes of a job may have reached the program before us. During this pause it ends our process,
+  // or we hear it.
   if (by_itself) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   std::string told;
   if (by_itself && WIFSIGNALED(status_))

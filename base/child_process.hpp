@@ -1,5 +1,6 @@
-// Another program, run without a shell. It has its own process group and none of our descriptors. It ends when our
-// process ends, for whatever reason, and what it started ends with it, on Linux also what left its group.
+// Another program, run without a shell: an external solver, a check, gnuplot. It has its own process group and none of
+// our descriptors. It ends when our process ends, for whatever reason. All that it started ends with it, on Linux even
+// what left its group.
 #pragma once
 
 #include <sys/types.h>
@@ -15,23 +16,25 @@ namespace ikbench::base {
 
 using Clock = std::chrono::steady_clock;
 
-// The reason why a program gives no answer; `why` is a sentence about "it".
+// The error for a program that gives no answer. `why` is a sentence about "it".
 struct Trouble {
   enum class Kind { crashed, timed_out, broke_protocol, declined } kind;
   std::string why;
 };
 
+// A program that runs, and its standard input, output and error.
 class ChildProcess {
  public:
   static constexpr std::size_t longest_line = 1'000'000;  // bytes
 
-  // Starts a program, found as a shell finds it, with its arguments in a folder (empty: the current one). It gets our
-  // environment with these variables, "LC_ALL=C". Throws std::invalid_argument if it cannot be started.
+  // Starts the program `words[0]`, found as a shell finds it, with the other words as arguments, in a folder (empty:
+  // the current one). The program gets our environment with these variables, "LC_ALL=C". Throws std::invalid_argument
+  // if it cannot be started.
   ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder, std::vector<std::string> variables);
-  // Runs a program to its end, of at most a minute. It reads nothing.
+  // Runs a program to its end, for at most a minute. It has no input.
   struct Ran {
     bool succeeded = false;
-    std::string output = {};  // both streams; or why it did not run
+    std::string output = {};  // both streams, or why the program did not run
   };
   static Ran run(const std::vector<std::string>& words, const std::filesystem::path& folder,
                  std::vector<std::string> variables);
@@ -39,33 +42,35 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  // Both throw Trouble at the deadline and when it has ended, and meanwhile read its standard error.
+  // Write a text, or read a line without its end. Both throw Trouble at the deadline, or when the program has ended.
+  // Meanwhile they read its standard error, so that it never waits for us.
   void write(std::string_view text, Clock::time_point deadline);
   std::string read_line(Clock::time_point deadline);
-  bool has_line();  // one can be read without waiting
+  bool has_line();  // true if a line can be read without waiting
   void end_input() { close_one(input_); }
 
   bool is_running();
-  double cpu_seconds() const;  // of all its threads; 0 if unknown
-  // Closes its standard input, waits for `patience`, then ends it and all that it started by force.
+  double cpu_seconds() const;  // [s] of all its threads; 0: not known
+  // Closes the program's standard input, waits for `patience`, then ends it by force with all that it started.
   void end(std::chrono::milliseconds patience);
-  // Ends it after a trouble; returns how it ended by itself and its last words, " (exit code 3); its last words: x". If
-  // it ended by itself, takes 0.1 s more, in which a signal to all processes of a job reaches ours, too.
+  // Ends the program after a failure. Returns how it ended by itself and its last words: " (exit code 3); its last
+  // words: x". If it ended by itself, this takes 0.1 s more, in which a signal to all processes of a job also reaches
+  // ours.
   std::string end_after(Trouble::Kind trouble);
 
  private:
   static void close_one(int& descriptor);
   static void drain(int& from, std::string& into);
-  // Waits until it can write (to `input`, if that is open) or has read something.
+  // Waits until a text can be written (to `input`, if that is open) or something was read.
   void wait(int input, Clock::time_point deadline, const char* what);
 
-  pid_t guard_ = -1;  // its parent, which ends it when our process is gone, and then as it did
+  pid_t guard_ = -1;  // parent of the program; ends it when our process is gone, then ends as it did
   pid_t process_ = -1;
-  int lifeline_ = -1;  // open as long as our process lives
+  int lifeline_ = -1;  // open while our process lives
   int input_ = -1, output_ = -1, errors_ = -1;
   int status_ = 0;  // as waitpid gives it
   bool has_ended_ = false;
-  std::string read_, wrote_;  // output that is not taken yet; the end of its standard error
+  std::string read_, wrote_;  // output that was not taken yet; the end of standard error
 };
 
 }  // namespace ikbench::base

@@ -19,7 +19,7 @@ namespace ikbench::base {
 
 namespace {
 
-// Reads the text once, row by row, and counts lines for its messages.
+// Reads the text once, row by row, and counts lines for messages.
 class Reader {
  public:
   Reader(std::string_view text, std::string_view source, const CsvForm& form,
@@ -29,7 +29,7 @@ class Reader {
     take(byte_order_mark);
   }
 
-  // The next row that is not an empty line; empty at the end.
+  // Returns the next row that is not an empty line; empty at the end.
   const std::vector<std::string_view>& row() {
     while (take_line_end()) {
     }
@@ -69,14 +69,14 @@ class Reader {
     return take_front(length);
   }
 
-  // Reads a quoted cell, after its opening quote.
+  // Reads a quoted cell behind its opening quote.
   std::string_view quoted_cell() {
     std::string cell;
     do {
       const std::size_t length = rest_.find('"');
       if (length == std::string_view::npos) refuse_row("a quote is never closed; expected a closing quote");
       line_ += static_cast<std::size_t>(std::count(rest_.begin(), rest_.begin() + static_cast<long>(length), '\n'));
-      cell += take_front(length + 1);  // with the quote, which belongs to the text if another follows
+      cell += take_front(length + 1);  // includes the quote, which is text if another one follows
     } while (take("\""));
     cell.pop_back();
     return *unquoted_.emplace_back(std::make_unique<const std::string>(std::move(cell)));
@@ -114,7 +114,7 @@ class Reader {
   const char* row_ = nullptr;
 };
 
-// Spreadsheets take such a text for a formula, which may do anything.
+// Returns true if spreadsheets take the text for a formula, which may do anything.
 bool is_formula(std::string_view cell) {
   return !cell.empty() && std::string_view("=+-@").find(cell.front()) != std::string_view::npos && !number_from(cell);
 }
@@ -162,9 +162,9 @@ std::string csv_text(std::istream& stream, const std::string& source) {
     stream.read(buffer.data(), buffer.size());
     const std::string_view part(buffer.data(), static_cast<std::size_t>(stream.gcount()));
     text += part;
-    if (part.find('\0') != std::string_view::npos) break;  // no text, perhaps without an end
+    if (part.find('\0') != std::string_view::npos) break;  // this is no text, and may have no end
   }
-  // A failed read of standard input is its end to the stream, and a fault to C alone.
+  // To the stream, a failed read of standard input is its end; only C tells that it was a fault.
   if (stream.bad() || (&stream == &std::cin && std::ferror(stdin) != 0)) refuse_place("read", source, errno);
   return text;
 }
@@ -202,7 +202,8 @@ bool is_rule(std::string_view text) {
 }
 
 void append_csv_row(std::string& text, const std::vector<std::string>& cells) {
-  const bool lone_empty_cell = cells.size() == 1 && cells.front().empty();  // else an empty line, which is no row
+  // Without quotes a lone empty cell would be an empty line, which is no row.
+  const bool lone_empty_cell = cells.size() == 1 && cells.front().empty();
   if (lone_empty_cell) text += "\"\"";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i > 0) text += ',';

@@ -1,5 +1,6 @@
-// The fields of settings, one by one. A function list_fields names each field of a struct once, with its range and its
-// meaning. A class derived from Fields visits that list to read or write them.
+// The fields of settings, one by one. A function list_fields(io, settings) names each field of a struct once, with its
+// range and its meaning. A class derived from Fields visits that list to read or write the fields: TOML, JSON, the
+// command line, help texts and the key of a series. So a new setting is one member and one line.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +18,15 @@ namespace ikbench::base {
 
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 
-// Says how a field enters the key of a series (experiments/study_writer.hpp).
+// How a field of a study contributes to the key of a series (experiments/study_writer.hpp). A change of this, or of a
+// name, makes stored solves obsolete.
 enum class InKey {
-  by_name,  // "name value" if it is not the default: the usual case
-  in_text,  // always: configuration_key writes it out, or the effective settings that it decides
-  no        // never: the field decides no number
+  by_name,  // as "name value", unless it has its default: the usual case
+  in_text,  // always: configuration_key writes the field, or the settings that follow from it
+  no        // never: the field decides no number of a solve
 };
 
+// A visitor of fields. The public functions take a field of any type; a derived class implements the private ones.
 class Fields {
  public:
   struct Name {
@@ -42,7 +45,7 @@ class Fields {
     on_texts({key, meaning, in_key}, field);
   }
 
-  // `choices` are the names of an enum, in its order.
+  // A field with the value of an enum. `choices` are the names of its values, in their order.
   template <class Enum, class Names = std::initializer_list<std::string_view>>
   void choice(std::string_view key, Enum& field, const Names& choices, std::string_view meaning = "",
               InKey in_key = InKey::by_name) {
@@ -51,6 +54,7 @@ class Fields {
     field = static_cast<Enum>(chosen);
   }
 
+  // A field with a whole number; `range` has the smallest and the largest value.
   template <class Whole>
   void whole(std::string_view key, Whole& field, std::pair<std::int64_t, std::int64_t> range,
              std::string_view meaning = "", InKey in_key = InKey::by_name) {
@@ -59,13 +63,14 @@ class Fields {
     field = static_cast<Whole>(value);
   }
 
-  // `range` is in units.
+  // A field with a number in metres, radians or seconds. `unit` is the unit of its text, such as 0.01 for cm, in which
+  // `range` is given.
   void number(std::string_view key, double& field, double unit, std::pair<double, double> range,
               std::string_view meaning = "", InKey in_key = InKey::by_name) {
     on_number({key, meaning, in_key}, field, unit, range);
   }
 
-  // `size` 0 allows any number of values.
+  // A field with a list of numbers; `size` 0 allows any number of values.
   template <class Vector>
   void numbers(std::string_view key, Vector& field, double unit, int size, std::string_view meaning = "",
                InKey in_key = InKey::by_name) {
@@ -75,7 +80,7 @@ class Fields {
     std::ranges::copy(values, field.begin());
   }
 
-  // Eigen::Isometry3d, which lists without poses do not include.
+  // A field with a list of poses, Eigen::Isometry3d. Lists without poses do not include Eigen.
   template <class Pose>
   void poses(std::string_view key, std::vector<Pose>& field) {
     on_poses({key, "", InKey::by_name}, &field);

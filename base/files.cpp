@@ -50,14 +50,14 @@ void write_text(int descriptor, const fs::path& file, std::string_view text) {
 
 fs::path folder_of(const fs::path& place) { return place.has_parent_path() ? place.parent_path() : fs::path("."); }
 
-// The folders of this process; they must not stay when a signal ends it.
+// The temporary folders of this process. They must not stay when a signal ends it.
 std::mutex temporary_mutex;
 std::set<fs::path> temporary_folders;
 
 constexpr std::string_view scratch_name = ".ikbench-scratch-XXXXXX";
 
-// Removes what killed processes left: scratch folders of ours a day older than this new one, by the clock of the file
-// system. Younger ones may be those of another machine or container.
+// Removes folders that killed processes left: those a day older than the new folder `scratch`, by the clock of the file
+// system. Younger ones may belong to another machine or container.
 void remove_litter(const fs::path& folder, const fs::path& scratch) {
   std::error_code error, ignored;
   const fs::file_time_type now = fs::last_write_time(scratch, error);
@@ -72,7 +72,7 @@ void remove_litter(const fs::path& folder, const fs::path& scratch) {
   }
 }
 
-// Replaces `former`, or writes a new file; whole or not at all.
+// Writes a new file, or replaces `former`. The file is whole, or stays as it was.
 std::error_code replace(const fs::path& file, const Contents& contents, const struct stat* former, bool syncs) {
   const TemporaryFolder scratch(folder_of(file), file);
   const fs::path half = scratch.path() / file.filename();
@@ -86,14 +86,14 @@ std::error_code replace(const fs::path& file, const Contents& contents, const st
   }
   std::error_code error;
   if (former != nullptr) ::fchmod(descriptor, former->st_mode & 07777);
-  // A name that outlives a power cut must not be that of a file without contents.
+  // Contents first: otherwise the name could survive a power cut, and the contents not.
   if (syncs && ::fsync(descriptor) != 0) error = last_error();
   if (::close(descriptor) != 0 && !error) error = last_error();
   const std::scoped_lock lock(temporary_mutex);
   if (!error) fs::rename(half, file, error);
   if (error || !syncs) return error;
   const int folder = ::open(folder_of(file).c_str(), O_RDONLY | O_CLOEXEC);
-  ::fsync(folder);  // which not all file systems can
+  ::fsync(folder);  // not all file systems can do this, so errors are ignored
   ::close(folder);
   return {};
 }
@@ -102,7 +102,7 @@ void write_whole(const fs::path& file, const Contents& contents, bool syncs) {
   refuse_input(file);
   std::error_code error;
   if (file.has_parent_path()) {
-    const std::scoped_lock lock(temporary_mutex);  // a folder that a signal has removed stays away
+    const std::scoped_lock lock(temporary_mutex);  // do not make a folder again that a signal has removed
     fs::create_directories(file.parent_path(), error);
   }
   struct stat there {};
@@ -124,7 +124,7 @@ void write_file(const fs::path& file, const Contents& contents) { write_whole(fi
 void write_through(const fs::path& file, const Contents& contents) {
   std::error_code none;
   const bool is_there = fs::exists(file, none);
-  if (is_there && !fs::is_regular_file(file, none))  // before its name is resolved, which a pipe has not
+  if (is_there && !fs::is_regular_file(file, none))  // checked first, since the name of a pipe cannot be resolved
     throw std::invalid_argument(
         fmt::format("'{}' is no regular file; choose one, or redirect the output", file.string()));
   write_whole(is_there ? fs::canonical(file, none) : file, contents, true);
@@ -133,10 +133,11 @@ void write_through(const fs::path& file, const Contents& contents) {
 std::optional<std::string> read_file(const fs::path& file, std::uintmax_t enough) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  if (error == std::errc::io_error) refuse_place("read", file, error.value());  // else there can be none of this name
+  // Any other error means that no such file exists.
+  if (error == std::errc::io_error) refuse_place("read", file, error.value());
   if (!fs::is_regular_file(status)) return std::nullopt;
   const int descriptor =
-      ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // nor waits for news, as in /proc/kmsg
+      ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // O_NONBLOCK: some files, as /proc/kmsg, wait for news
   if (descriptor < 0) refuse_place("read", file, errno);
   std::string text;
   if (const std::uintmax_t all = fs::file_size(file, error); !error) text.reserve(std::min(all, enough));
@@ -172,7 +173,7 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 void remove_temporary_folders() {
-  temporary_mutex.lock();  // to the end of the process: no half file gets its name meanwhile
+  temporary_mutex.lock();  // never unlocked, so that no half-written file gets its name
   for (const fs::path& folder : temporary_folders) {
     std::error_code error;
     fs::remove_all(folder, error);

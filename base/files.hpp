@@ -1,4 +1,4 @@
-// Writes files that are either whole or absent: under another name beside their place, then renamed.
+// Writes files that are either whole or absent: under another name in the same folder, then renamed.
 #pragma once
 
 #include <cstdint>
@@ -10,30 +10,31 @@
 
 namespace ikbench::base {
 
-// Creates the folder if it is missing. Keeps the permissions of a replaced file. Replaces a link, a pipe or a device,
-// and opens none, since somebody else may have put it into a folder of results. Throws as refuse_place, and
-// std::invalid_argument if the file is an input (base/inputs.hpp).
+// Writes a file of results. Creates the folder if it is missing, and keeps the permissions of a file that it replaces.
+// A link, a pipe or a device is replaced and never opened, since a stranger may have put it into a folder of results.
+// Throws as refuse_place, and std::invalid_argument if the file is an input (base/inputs.hpp).
 void write_file(const std::filesystem::path& file, std::string_view text);
-// The same in parts, which `contents` writes one after another. If it throws, a file that would be replaced stays as it
-// was.
+// Writes the same in parts, which `contents` passes one after another. If `contents` throws, a file that would be
+// replaced stays as it was.
 using Write = std::function<void(std::string_view)>;
 using Contents = std::function<void(const Write&)>;
 void write_file(const std::filesystem::path& file, const Contents& contents);
-// The same for a file that the user named: follows a link, refuses a pipe or a device, and waits for the disk, which a
-// report of forty files, which a store makes again, does not.
+// Writes a file that the user named: follows a link, refuses a pipe or a device, and waits for the disk. The files of a
+// report need no such wait, because the store makes them again.
 void write_through(const std::filesystem::path& file, const Contents& contents);
-// Says that a place cannot be written or read: std::invalid_argument for a mistake of the user, as a place that is not
-// theirs, std::runtime_error for others, as a full disk or a limit.
+// Throws that a place cannot be written or read: std::invalid_argument for a mistake of the user, such as a place that
+// is not theirs; std::runtime_error otherwise, such as for a full disk or a limit. `error` is an errno.
 [[noreturn]] void refuse_place(std::string_view verb, const std::filesystem::path& place, int error);
-// Reads a regular file, where a link leads too, until it has more than `enough` bytes; nothing if there is none. Throws
-// as refuse_place if it cannot be read. A user's own: base/inputs.hpp.
+// Reads a regular file, also behind a link, until it has more than `enough` bytes. Returns nothing if there is no such
+// file. Throws as refuse_place if the file cannot be read. A file that the user names is read by base/inputs.hpp.
 std::optional<std::string> read_file(const std::filesystem::path& file, std::uintmax_t enough = UINTMAX_MAX);
 
-// A new folder .ikbench-XXXXXX inside another, for unfinished work; removed at the end, and what a killed process left
-// a day ago when the next is made. Nobody else's link or file is in it.
+// A new folder .ikbench-XXXXXX inside another, for unfinished work. The destructor removes it. A folder that a killed
+// process left a day ago is removed when the next one is made. No link or file of others is in it.
 class TemporaryFolder {
  public:
-  // Throws as refuse_place, for the parent, or the file or folder that becomes of it.
+  // Creates the folder. Throws as refuse_place for the parent, or for `result`, the file or folder that will be made of
+  // it.
   explicit TemporaryFolder(const std::filesystem::path& parent, const std::filesystem::path& result = {});
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -45,7 +46,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-// Removes those of this process, for a sudden end: nothing after it makes, removes or renames such a folder.
+// Removes all such folders of this process, for a sudden end. Afterwards no thread makes, removes or renames one.
 void remove_temporary_folders();
 
 }  // namespace ikbench::base

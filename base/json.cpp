@@ -8,7 +8,8 @@ namespace ikbench::base {
 
 namespace {
 
-// Whether lists and objects are nested deeper than `deepest_json`. The library's callback tells it in quadratic time.
+// Returns true if lists and objects are nested deeper than `deepest_json`. The callback of the library would need
+// quadratic time.
 bool is_too_deep(std::string_view text) {
   int depth = 0;
   bool is_in_string = false;

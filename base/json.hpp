@@ -1,4 +1,5 @@
-// Reads and writes JSON text, compiled once here rather than wherever it is used.
+// Reads and writes JSON text. It is compiled once here, and not wherever it is used, because the library takes seconds
+// to compile.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,18 +9,18 @@
 namespace ikbench::base {
 
 using Json = nlohmann::json;
-using OrderedJson = nlohmann::ordered_json;  // members keep their order of insertion
+using OrderedJson = nlohmann::ordered_json;  // members stay in the order in which they were added
 
-constexpr int deepest_json = 100;  // levels; copies of deeper values would overflow the stack
-// Returns a discarded value (is_discarded()) if the text is not JSON or is nested deeper.
+constexpr int deepest_json = 100;  // levels; a copy of a deeper value could overflow the stack
+// Parses a text. Returns a discarded value (is_discarded()) if it is not JSON, or is nested deeper than `deepest_json`.
 Json parsed_json(std::string_view text);
 OrderedJson parsed_ordered_json(std::string_view text);
 
-// What results say of a number: null of NaN, and the text Inf or -Inf, since JSON has no such numbers.
+// Returns a number as results have it: null for NaN, and the texts Inf and -Inf, since JSON has no such numbers.
 OrderedJson json_of(double value);
 
-// Writes one line, or a member a line with `indent` spaces a level. Replaces bytes that are not UTF-8 by U+FFFD. What
-// keeps its order is for others, so it is ASCII with escapes.
+// Returns the value as one line, or with `indent` spaces per level and one member per line. Bytes that are not UTF-8
+// become U+FFFD. Ordered values are for other programs, so their text is ASCII with escapes.
 std::string text_of(const Json& json, int indent = -1);
 std::string text_of(const OrderedJson& json, int indent = -1);
 

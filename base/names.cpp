@@ -16,7 +16,7 @@ namespace {
 unsigned char byte(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-// Bytes of the first character of a text, if it is one of UTF-8 and of XML; else 0.
+// Returns the number of bytes of the first character, if it belongs to UTF-8 and to XML; 0 otherwise.
 std::size_t length_of_first(std::string_view text) {
   const unsigned char lead = byte(text, 0);
   const std::size_t length = lead < 0x80                   ? 1
@@ -33,7 +33,8 @@ std::size_t length_of_first(std::string_view text) {
   return is_overlong || is_no_character ? 0 : length;
 }
 
-// Controls, and characters that end a line, turn its direction or cannot be seen; LaTeX stops at them.
+// Returns true for controls, and for characters that end a line, turn its direction or cannot be seen. LaTeX stops at
+// them.
 bool is_control(std::string_view character) {
   const unsigned char lead = byte(character, 0);
   if (character.size() == 1) return lead < 0x20 || lead == 0x7F;
@@ -43,7 +44,7 @@ bool is_control(std::string_view character) {
          (character >= "\u2060" && character <= "\u206F") || character == "\uFEFF";
 }
 
-// Levenshtein's distance, one row of the table at a time.
+// Returns the Levenshtein distance. Only one row of the table is kept.
 std::size_t edit_distance(std::string_view from, std::string_view to) {
   std::vector<std::size_t> row(to.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -91,7 +92,7 @@ std::string shortened(std::string_view text, std::size_t length) {
   const std::size_t characters = character_count(line), head = length / 2;
   if (characters <= length) return line;
   std::string result;
-  std::size_t at = 0;  // of a character, from 1
+  std::size_t at = 0;  // position of a character, from 1
   for (const char c : line) {
     if (!is_continuation(c) && ++at == head + 1) result += "…";
     if (at <= head || at > characters - (length - head - 1)) result += c;
@@ -100,7 +101,7 @@ std::string shortened(std::string_view text, std::size_t length) {
 }
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
-  name = name.substr(0, 100);  // a longer one is no misspelling
+  name = name.substr(0, 100);  // a longer text is no misspelling
   std::string nearest;
   std::size_t smallest = name.size() / 3 + 2;
   for (const std::string& candidate : candidates) {
@@ -162,7 +163,7 @@ bool is_plain(std::string_view text) {
 
 std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length) {
   constexpr std::size_t longest = 60;
-  std::map<std::string, std::map<std::string, std::size_t>> counts;  // of words, by the first word of their names
+  std::map<std::string, std::map<std::string, std::size_t>> counts;  // counts of words, by the first word of the name
   const auto words_of = [](const std::string& name) {
     std::istringstream all(name);
     std::vector<std::string> words(std::istream_iterator<std::string>(all), {});
@@ -183,7 +184,7 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
         if (counts[words.front()][word] < counts[words.front()][words.front()]) own += ' ' + word;
       }
       const bool is_long = character_count(name) > length && !own.empty() && words.front() + own != name;
-      if (is_long) {  // who it is stays, at least in a few letters
+      if (is_long) {  // a few letters of the first word stay
         constexpr std::size_t few = 8;
         const std::size_t taken = character_count(" …" + own);
         own = shortened(words.front(), std::max(few, length - std::min(length, taken))) + " …" + own;
@@ -191,7 +192,7 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
       different.insert(short_of[name] = is_long ? shortened(own, longest) : shortened(name, length));
     }
     if (length < longest || different.size() == names.size()) continue;
-    for (const std::string& name : names) short_of[name] = name;  // they look the same, and stay as they are
+    for (const std::string& name : names) short_of[name] = name;  // names that would look the same stay as they are
   }
   return short_of;
 }

@@ -1,5 +1,5 @@
-// Names that people type: choices of them, lists of them in messages, the nearest one to a misspelt name, and any text
-// (labels and titles come from files of users) as one line of whole characters, short or cut.
+// Names that people type: choices among them, lists of them in messages, the nearest one to a misspelt name. And any
+// text from files of users, such as labels and titles, as one line of whole characters, short or cut.
 #pragma once
 
 #include <cstddef>
@@ -13,39 +13,39 @@
 
 namespace ikbench::base {
 
-// The candidate with the smallest edit distance, or else one that contains the name; empty if none is near.
+// Returns the candidate with the smallest edit distance, otherwise one that contains the name; empty if none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
-// `; did you mean "ik_bat"?`; empty if no candidate is near.
+// Returns `; did you mean "ik_bat"?`; empty if no candidate is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
-// "A, B and C"; "A; B, C and D" where one is "B, C".
+// Returns "A, B and C", or "A; B, C and D" if one name is "B, C".
 std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");
-// The same of a few, else "A, B, C and 5 more".
+// Returns the same for at most `most_named` names, otherwise "A, B, C and 5 more".
 constexpr std::size_t most_named = 4;
 std::string names_of(const std::vector<std::string>& names, std::string_view last = " and ");
 
-// "1 run" and "20 runs", of the plural.
+// Returns "1 run" or "20 runs", made of the plural.
 std::string counted(std::int64_t count, std::string_view nouns);
 
-// The first bytes, at most `most`, without a cut character of UTF-8 at the end.
+// Returns the first bytes, at most `most`, without a cut UTF-8 character at the end.
 std::string_view front(std::string_view text, std::size_t most);
 
-std::string_view trimmed(std::string_view text);  // without blanks and tabs at its ends
-std::string lower_case(std::string_view text);    // ASCII letters
+std::string_view trimmed(std::string_view text);  // without blanks and tabs at both ends
+std::string lower_case(std::string_view text);    // changes ASCII letters only
 
-// True for a text that is safe in a message, a table or a file's name.
+// Returns true for a text that is safe in a message, a table or the name of a file.
 bool is_plain(std::string_view text);
 constexpr std::string_view plain_text = "a text of at most 200 bytes without control characters";
 
-// Each name by a short one of about this length, all different. Of a name that is too long, the words go that all names
-// have that begin with the same word; else it is cut in the middle.
+// Returns a short name, of about this length, for each name; all are different. A name that is too long loses the words
+// that all names with the same first word have; otherwise it is cut in the middle.
 std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length = 32);
 
-// `unknown solver "ik_bta"; did you mean "ik_bat"? There are: ik_bat, bat, ...`
+// Returns `unknown solver "ik_bta"; did you mean "ik_bat"? There are: ik_bat, bat, ...`
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates);
 
-// The one of all that has this name. Throws std::invalid_argument, which lists all, if there is none.
+// Returns the element with this name. Throws std::invalid_argument, which lists all names, if there is none.
 template <class All, class NameOf>
 const auto& find_named(std::string_view kind, std::string_view name, const All& all, NameOf name_of) {
   std::vector<std::string> names;
@@ -56,13 +56,15 @@ const auto& find_named(std::string_view kind, std::string_view name, const All& 
   throw std::invalid_argument(unknown_name(kind, name, names));
 }
 
-// One line of valid UTF-8: control characters become blanks, bytes that are none U+FFFD.
+// Returns one line of valid UTF-8: control characters become blanks, and bytes that belong to no character become
+// U+FFFD.
 std::string one_line(std::string_view text);
-std::string in_quotes(std::string_view text);  // one line, cut, for messages
-// The first byte that is of no character; npos: all are.
+std::string in_quotes(std::string_view text);  // one line in quotes, cut, for messages
+// Returns the position of the first byte that belongs to no character; npos if all do.
 std::size_t first_broken(std::string_view text);
 std::size_t character_count(std::string_view utf8);
-// One line of at most so many characters; an ellipsis stands for its middle, because variants differ at their ends.
+// Returns one line of at most so many characters. An ellipsis replaces the middle, because names of variants differ at
+// their ends.
 std::string shortened(std::string_view text, std::size_t length);
 
 }  // namespace ikbench::base

@@ -1,4 +1,4 @@
-// Numbers as text and back, by std::to_chars and std::from_chars, which know no locale.
+// Numbers as text and back, by std::to_chars and std::from_chars, which use no locale.
 #include "base/number.hpp"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ std::from_chars_result read_number(const char* begin, const char* end, double& v
 
 std::optional<double> number_from(std::string_view text) {
   text = trimmed(text);
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);  // from_chars takes no plus
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);  // from_chars accepts no plus
   double value = 0;
   const auto [end, error] = read_number(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;

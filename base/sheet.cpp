@@ -21,7 +21,7 @@ bool means_none(std::string_view cell) {
          is_one_of(cell, {"", "-", "--", "na", "n/a", "#n/a", "nan", "-nan", "null", "none", "<na>"});
 }
 
-// "1,234,567"
+// Returns true for digits in groups of three, such as "1,234,567".
 bool is_grouped(std::string_view whole, char mark) {
   whole.remove_prefix(whole.starts_with('-') || whole.starts_with('+') ? 1 : 0);
   const std::size_t first = whole.find(mark);
@@ -32,12 +32,12 @@ bool is_grouped(std::string_view whole, char mark) {
   return true;
 }
 
-constexpr char of_truth = 't';  // in place of a mark of decimals
+constexpr char of_truth = 't';  // stands in `decimals_` for a column of True and False
 
 bool has_mark(std::string_view text) { return text.find_first_of(".,") != std::string_view::npos; }
 
-// Of a text with this mark of decimals; the other one marks thousands, as do ' and blanks: 1'234.5. A minus may be as
-// it is printed, and an exponent as in Fortran: 1.5D-01.
+// Returns the number of a text with this mark of decimals. The other mark separates thousands, as do ' and blanks:
+// 1'234.5. A minus may be the printed one, and an exponent may be as in Fortran: 1.5D-01.
 std::optional<double> parsed(std::string_view text, char decimal) {
   std::string plain(text);
   if (text.find_first_of("' \xE2\xC2") != text.npos) {
@@ -45,7 +45,7 @@ std::optional<double> parsed(std::string_view text, char decimal) {
     for (const char* of_thousands : {"\u2019", "\u00a0", "\u2007", "\u2009", "\u202f", " "})
       boost::replace_all(plain, of_thousands, "'");
   }
-  if (has_mark(text))  // no "2D-1"
+  if (has_mark(text))  // without a mark, "2D-1" is no number
     for (const char* exponent : {"D-", "D+", "d-", "d+"})
       boost::replace_first(plain, exponent, std::string{'e', exponent[1]});
   for (const char thousand : {decimal == '.' ? ',' : '.', '\''}) {
@@ -60,14 +60,14 @@ std::optional<double> parsed(std::string_view text, char decimal) {
 
 bool is_number(std::string_view text) { return parsed(text, '.') || parsed(text, ','); }
 
-// True and false as pandas and R write them.
+// Returns the value of true and false as pandas and R write them.
 std::optional<double> truth(std::string_view text) {
   if (is_one_of(text, {"true", "yes"})) return 1;
   if (is_one_of(text, {"false", "no"})) return 0;
   return std::nullopt;
 }
 
-// What the first line has most often outside quotes; blanks if nothing else parts it.
+// Returns the separator that occurs most often in the first line outside quotes; a blank if no other occurs.
 char separator_of(std::string_view text) {
   std::string header;
   bool is_quoted = false;
@@ -81,8 +81,8 @@ char separator_of(std::string_view text) {
   return count(most) == 0 && count(' ') > 0 ? ' ' : most;
 }
 
-// Takes comments, rules and empty lines from the front and returns how many lines these are. The last comment stays,
-// without its mark, if it has as many cells as the line that follows.
+// Removes comments, rules and empty lines from the front and returns their number. The last comment stays, without its
+// mark, if it has as many cells as the line that follows.
 std::size_t take_comments(std::string_view& text) {
   std::size_t lines = 0;
   for (;; ++lines) {
@@ -101,7 +101,7 @@ std::size_t take_comments(std::string_view& text) {
       if (separator == ' ') row.erase(std::unique(row.begin(), row.end()), row.end());
       return std::ranges::count(row, separator);
     };
-    if (names.starts_with(separator)) break;  // the mark is a name itself
+    if (names.starts_with(separator)) break;  // the mark is itself a name
     const auto has_number = [&](std::string_view row) {
       for (std::size_t at = 0, end = 0; at <= row.size(); at = end + 1) {
         end = std::min(row.find(separator, at), row.size());
@@ -109,9 +109,10 @@ std::size_t take_comments(std::string_view& text) {
       }
       return false;
     };
+    // A comment that begins with a number is a row that was taken out, and no header.
     const bool is_header = !is_comment(after) && cells(names) > 0 && cells(names) == cells(after) &&
                            has_number(after.substr(0, after.find('\n'))) &&
-                           !is_number(names.substr(0, names.find(separator)));  // a row that was taken out
+                           !is_number(names.substr(0, names.find(separator)));
     text.remove_prefix(is_header ? static_cast<std::size_t>(names.data() - text.data()) : text.size() - after.size());
     if (is_header) break;
   }
@@ -140,7 +141,7 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
     : source_(source), decimal_(decimal) {
   expect_text(text, source);
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  constexpr std::string_view sep = "sep=";  // of spreadsheets, also in quotes
+  constexpr std::string_view sep = "sep=";  // a line of spreadsheets, also in quotes
   const bool has_sep = text.substr(text.starts_with('"')).starts_with(sep) && text.find('\n') < sep.size() + 5;
   const char said = has_sep ? text[text.find(sep) + sep.size()] : '\0';
   if (has_sep) text.remove_prefix(text.find('\n') + 1);
@@ -159,7 +160,7 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   if (const auto empty = std::ranges::count(titles_, ""); empty > 1 && empty + 1 == std::ssize(titles_))
     refuse(fmt::format("{} stands alone in the header; begin a title above it with #", in_quotes(titles_.front())));
   for (std::size_t i = 0; i < titles_.size(); ++i)
-    if (titles_[i].empty()) titles_[i] = unnamed(i);  // as an index of pandas
+    if (titles_[i].empty()) titles_[i] = unnamed(i);  // such as the index of pandas
   const auto number = std::ranges::find_if(titles_, is_number);
   if (form.has_header && number != titles_.end())
     refuse(fmt::format("{} in the header; expected names of columns in the first line{}", in_quotes(*number),
@@ -186,7 +187,8 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
 std::size_t Sheet::choose(std::string_view condition) {
   std::size_t equals = condition.find('=');
   if (equals == std::string_view::npos) refuse(fmt::format("--where {}; expected COLUMN=VALUE", in_quotes(condition)));
-  for (std::size_t at = equals; at != std::string_view::npos; at = condition.find('=', at + 1))  // a title may have it
+  // A title may have the sign, too.
+  for (std::size_t at = equals; at != std::string_view::npos; at = condition.find('=', at + 1))
     if (std::ranges::count(titles_, trimmed(condition.substr(0, at))) > 0) equals = at;
   const std::size_t chosen = column(trimmed(condition.substr(0, equals)));
   const std::string_view value = trimmed(condition.substr(equals + 1));
@@ -202,7 +204,7 @@ std::string_view Sheet::cell(std::size_t row, std::size_t column) const {
   const std::size_t in_file = table_.header.size();
   std::string_view text = column < in_file ? trimmed(table_.cell(row, column)) : joined_[column - in_file][row];
   while (separator_ == '|' && text.size() > 2 && text.starts_with('*') && text.ends_with('*'))
-    text = text.substr(1, text.size() - 2);  // of Markdown
+    text = text.substr(1, text.size() - 2);  // a table of Markdown
   return text;
 }
 
@@ -268,8 +270,8 @@ char Sheet::decimal_of(std::size_t column) {
   const auto is_truth = [&](std::uint32_t row) { return means_none(cell(row, column)) || truth(cell(row, column)); };
   if (std::ranges::all_of(rows_, is_truth)) return of_truth;
   if (decimal_ != 0) return decimal_;
-  std::optional<std::uint32_t> doubtful;      // row of a cell that is two numbers
-  const auto mark_in = [&](std::size_t at) {  // of the first cell that is a number by one mark alone
+  std::optional<std::uint32_t> doubtful;      // row of a cell that is a number by both marks
+  const auto mark_in = [&](std::size_t at) {  // the mark of the first cell that is a number by one mark only
     for (const std::uint32_t row : rows_) {
       const std::string_view text = cell(row, at);
       if (!has_mark(text)) continue;
@@ -288,7 +290,7 @@ char Sheet::decimal_of(std::size_t column) {
   }
   if (marks_->size() == 1) return *marks_->begin();
   const std::string_view text = cell(*doubtful, column);
-  // Where commas part cells, points are of decimals.
+  // If commas separate cells, points are of decimals.
   if (marks_->empty() && separator_ == ',' && text.find(',') == std::string_view::npos) return '.';
   refuse(*doubtful, column,
          fmt::format("is {} with a decimal point and {} with a decimal comma, and no cell tells which: write a digit "
@@ -308,7 +310,7 @@ double Sheet::number(std::size_t row, std::size_t column) {
   if (!value)
     refuse(row, column,
            "is no number: write NA where there is none, inf where there was no answer, the unit in the header");
-  const double size = std::abs(*value);  // tests take squares of squares
+  const double size = std::abs(*value);  // tests compute squares of squares
   if (std::isfinite(size) && size != 0 && (size < 1e-60 || size > 1e60))
     refuse(row, column, "is beyond what can be compared, 1e-60 to 1e60");
   return *value;

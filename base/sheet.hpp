@@ -1,6 +1,6 @@
-// A user's table as pandas, R, spreadsheets and recorders write it: cells parted by a comma, semicolon, tab, bar or
-// blanks, point or comma in numbers, comments before the header or the header as the last of them. A mistake in it
-// throws std::invalid_argument: FILE:LINE:COLUMN, what is wrong and what to do.
+// A user's table as pandas, R, spreadsheets and recorders write it. Cells are separated by a comma, semicolon, tab, bar
+// or blanks; numbers have a point or a comma; comments may stand before the header, or the header may be the last of
+// them. A mistake throws std::invalid_argument: FILE:LINE:COLUMN, what is wrong and what to do.
 #pragma once
 
 #include <cstdint>
@@ -16,45 +16,50 @@
 
 namespace ikbench::base {
 
-constexpr std::ptrdiff_t most_lines = 10'000'000;  // of solves a study may have as many
+constexpr std::ptrdiff_t most_lines = 10'000'000;  // a study may have as many solves
 
 using Words = std::initializer_list<std::string_view>;
-bool is_one_of(std::string_view text, const Words& words);  // in any case
-std::string unnamed(std::size_t column);                    // the title of one that has none
+bool is_one_of(std::string_view text, const Words& words);  // in upper or lower case
+std::string unnamed(std::size_t column);                    // title of a column that has none
 
-// "error_cm", "error [cm]" and "error (cm)" have a unit, of lengths, angles or times; in [] any.
+// A title with its unit. "error_cm", "error [cm]" and "error (cm)" have the unit cm. Known units are those of lengths,
+// angles and times; in brackets [] any unit is taken.
 struct Title {
   std::string name, unit;
   explicit Title(std::string_view title);
 };
 
+// A table with its titles. Numbers are read cell by cell, when they are asked for.
 class Sheet {
  public:
-  // `optional`: columns are named "1", "2" ... where the first line has numbers alone.
+  // `optional`: if the first line has only numbers, columns are named "1", "2" ...
   enum class Header { required, optional };
-  // The mark of decimals is found where it is 0. The text must outlive the sheet.
+  // Reads the table. `decimal` is the mark of decimals; 0: it is found. The text has to outlive the sheet.
   Sheet(std::string_view text, std::string_view source, char decimal, Header header = Header::required);
 
-  // Takes the rows with this value in this column alone, "metric=error"; returns the column.
+  // Keeps only the rows with this value in this column, "metric=error". Returns the column.
   std::size_t choose(std::string_view condition);
 
   const std::vector<std::string>& titles() const { return titles_; }
-  // Rows that have a text: spreadsheets leave empty ones.
+  // Rows with at least one text. Spreadsheets leave empty rows.
   const std::vector<std::uint32_t>& rows() const { return rows_; }
-  std::string_view cell(std::size_t row, std::size_t column) const;  // without blanks at its ends
+  std::string_view cell(std::size_t row, std::size_t column) const;  // without blanks at both ends
 
-  // `row` is, where the file has none, a new one of the number of each row.
+  // Returns the column of this name. If the file has no column `row`, that name gives a new column with the number of
+  // each row.
   std::size_t column(std::string_view name);
-  // The column of this name; of several a new one, of their texts joined by " / ", empty where one of them is.
+  // Returns the column of one name. For several names, returns a new column of their texts, joined by " / " and empty
+  // where one of them is.
   std::size_t joined(const std::vector<std::string>& names);
-  std::optional<std::size_t> column_like(const Words& names) const;  // named so; earlier names first
-  // Of the first 1000 cells most but those missing, or all are True and False.
+  std::optional<std::size_t> column_like(const Words& names) const;  // by one of these names, the first that exists
+  // Returns true if most of the first 1000 cells that are not missing are numbers, or all are True and False.
   bool has_numbers(std::size_t column) const;
-  // Not a number where it is missing. "1.020" may be 1.02 or 1020: other cells of the column say which mark is of
-  // decimals, else those of the file, else the comma that parts cells, else the column is refused.
+  // Returns a cell as a number; NaN if it is missing. "1.020" may be 1.02 or 1020. Other cells of the column tell which
+  // mark is of decimals, otherwise those of the file. If commas separate cells, the mark is a point. If nothing tells,
+  // throws std::invalid_argument.
   double number(std::size_t row, std::size_t column);
 
-  std::string said(std::string_view what) const;  // of the file
+  std::string said(std::string_view what) const;  // a sentence that begins with the name of the file
   [[noreturn]] void refuse(std::string_view what) const;
   [[noreturn]] void refuse(std::size_t row, std::size_t column, std::string_view what) const;
 
@@ -64,9 +69,9 @@ class Sheet {
   CsvTable table_;
   std::vector<std::string> titles_;
   std::vector<std::uint32_t> rows_;
-  std::vector<std::vector<std::string>> joined_;  // columns after the file's
-  std::vector<char> decimals_;                    // of each column; 0: not known yet
-  std::optional<std::set<char>> marks_;           // of all columns, where they had to be asked
+  std::vector<std::vector<std::string>> joined_;  // columns behind those of the file
+  std::vector<char> decimals_;                    // mark of decimals per column; 0: not known yet
+  std::optional<std::set<char>> marks_;           // marks of all columns, if they were needed
 
   char decimal_of(std::size_t column);
 };
