@@ -49,7 +49,7 @@ std::string cpu_model(std::istream&& info) {
 std::map<std::string, std::string> environment() {
   utsname system{};
   uname(&system);
-  std::string boot = "unknown";  // one start of the system: all its containers share it, whatever their host names
+  std::string boot = "unknown";  // a start of the system; all its containers share this, whatever their host names
   std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
   return {{"boot", boot},
           {"build_type", build_info::build_type},

@@ -1,5 +1,6 @@
-// Facts about the program, the compiler and the machine, as text by name. Digests of the source that decides numbers,
-// so that an edited solver differs from the one before; comments and white space do not count.
+// Facts about the program, the compiler and the machine, as text by name, which each session of a store keeps. And
+// digests of the sources that decide numbers, so that an edited solver differs from the one before; comments and white
+// space do not count.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +11,20 @@
 
 namespace ikbench::experiments {
 
+// Returns all facts by name.
 std::map<std::string, std::string> environment();
-// The processor's name in /proc/cpuinfo; on ARM, where the kernel knows none, the numbers of its maker and part.
+// Returns the processor's name of /proc/cpuinfo. On ARM the kernel knows no name, so the numbers of maker and part are
+// returned.
 std::string cpu_model(std::istream&& info);
 double thread_seconds();  // processor time [s] of this thread
-// Times of a debug or sanitized build say nothing about a solver.
+// Returns true for a debug or sanitized build, whose times say nothing about a solver.
 bool is_debug_build();
 std::filesystem::path own_program();  // the file that runs
 std::string program_name();           // "ikbench 1.0.0 (COMMIT, source DIGEST)", for what it writes
-// Digest of what all solvers share: arms, kernels, random numbers, the loop, targets, the verifier (CMakeLists.txt
-// lists it).
+// Returns the digest of the sources that all solvers share: arms, kernels, random numbers, the loop, targets, the
+// verifier. CMakeLists.txt lists them.
 std::string shared_source_digest();
-// Digest of a registered solver's own file.
+// Returns the digest of a registered solver's own file.
 std::string solver_source_digest(std::string_view solver);
 
 }  // namespace ikbench::experiments

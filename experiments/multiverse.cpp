@@ -25,7 +25,7 @@ constexpr EmbeddedFile multiverse_files[]{
 
 constexpr std::size_t most_tables = 100;
 
-// All settings that are possible together, one of each dimension.
+// Returns all settings that are possible together, one of each dimension.
 std::vector<Overrides> combinations(const std::vector<Dimension>& dimensions) {
   std::vector<Overrides> all{{}};
   for (const Dimension& dimension : dimensions) {
@@ -42,8 +42,8 @@ std::vector<Overrides> combinations(const std::vector<Dimension>& dimensions) {
   return all;
 }
 
-// The key of the search alone: unless limits or wraps change where a solve starts, no search of a built-in solver sees
-// which way the wrist bends.
+// Returns the key of the search only. No search of a built-in solver depends on the way in which the wrist bends,
+// unless limits or wraps change where a solve starts.
 std::string search_key(Study study) {
   if (study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == Wrap::no &&
       study.start == Start::previous)
@@ -51,7 +51,7 @@ std::string search_key(Study study) {
   return series_key(study, study.solvers.front());
 }
 
-// Solves of one search with the wrist of another study: its errors and joint motion.
+// Returns the solves of one search as they are with the wrist of another study: with its errors and joint motion.
 std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveRecord> solves) {
   const robots::Robot arm = arm_of(study);
   const Task task(study, arm);

@@ -1,4 +1,4 @@
-// Paths: lists of target poses of the tool, in metres and radians. A kind of path is a class in a file of paths/ and
+// Paths: the sets of target poses of the tool, in metres and radians. A kind of path is a class in a file of paths/ and
 // one line of paths.inc (docs/extending.md).
 #pragma once
 
@@ -15,53 +15,56 @@ namespace ikbench::experiments {
 
 using base::Fields, base::InKey, numerics::Key, numerics::Random, robots::Configuration, robots::Pose, robots::Robot;
 
-// A kind of path, with the fields of one path of it. Its file defines NAME_path(), a path with the defaults.
+// A kind of path, with the fields of one path. Its file defines NAME_path(), which makes a path with the defaults.
 class PathKind {
  public:
   virtual ~PathKind() = default;
   virtual std::string_view name() const = 0;     // NAME, as in study files
   virtual std::string_view summary() const = 0;  // in `ikbench list paths`
   virtual void list_fields(Fields& io) = 0;
-  // Reads the files that the fields name, in the study's folder. std::invalid_argument says what is wrong and expected.
+  // Reads the files that the fields name, in the folder of the study. Throws std::invalid_argument, which says what is
+  // wrong and what is expected.
   virtual void load(const std::filesystem::path&) {}
   // Throws std::invalid_argument if the fields do not fit each other, or if the arm has no such targets.
   virtual void check(const Robot&) const {}
-  // True if every run draws its own targets, false if all runs have the same.
+  // Returns true if every run draws its own targets, false if all runs have the same.
   virtual bool is_drawn() const { return false; }
-  // True if a run's targets are made of the numbers that NumPy draws after those of the runs before.
+  // Returns true if a run's targets are made of the numbers that NumPy draws after those of the runs before.
   virtual bool is_of_numpy() const { return false; }
   virtual int points() const = 0;
-  // One pose per point. `random` belongs to the run; only random paths use it.
+  // Returns one pose per point. `random` belongs to the run; only random paths use it.
   virtual std::vector<Pose> poses(const Robot& arm, Random& random) const = 0;
-  // The configurations from which poses() makes its targets, by the same draws; empty if it uses none.
+  // Returns the configurations from which poses() makes its targets, by the same draws; empty if it uses none.
   virtual std::vector<Configuration> solutions(const Robot&, Random&) const { return {}; }
 };
 
-// A path of any kind. Copies share it, so change its fields only before anybody else has it.
+// A path of any kind. Copies share it, so its fields may be changed only before it is copied.
 using Path = std::shared_ptr<PathKind>;
 
-// A new path of each kind, with its defaults, in the order of paths.inc.
+// Returns a new path of each kind, with its defaults, in the order of paths.inc.
 std::vector<Path> paths();
 
-// Poses from a table of any origin (base/sheet.hpp). The header names the columns, in any order and case, with their
-// units: x, y and z in m, cm or mm, of one thing ("pose.position.x", "x [mm]"), without a unit m; and w, x, y, z of
-// another (of length 1 to 1 %, then made exact); or roll, pitch, yaw in deg or rad (Rz(yaw) Ry(pitch) Rx(roll)); or
-// nothing for a tool that points straight down. Stamps and all of a message's header are left out, by their names.
-// Without a header rows may also be 12 or 16 numbers of a matrix, whose names are "1" to "16". `columns` are the names
-// in place of the header's, of which those that are no part of a pose are left out. Anything else, a number that is not
-// finite, lengths and angles that seem to be in another unit, no row, or more than 100000 rows throws
-// std::invalid_argument with file, line and column.
+// Reads poses from a table of any origin (base/sheet.hpp). The header names the columns, in any order and case, with
+// their units:
+// - x, y and z in m, cm or mm, of one thing ("pose.position.x", "x [mm]"); without a unit m;
+// - w, x, y, z of another (of length 1 to 1 %, then made exact); or roll, pitch, yaw in deg or rad (Rz(yaw) Ry(pitch)
+// Rx(roll)); or nothing for a tool that points straight down.
+// Stamps and the header of a message are left out, by their names. Without a header rows may also be the 12 or 16
+// numbers of a matrix, whose names are "1" to "16". `columns` replaces the names of the header; columns whose new name
+// is no part of a pose are left out.
+// Throws std::invalid_argument with file, line and column for anything else: a number that is not finite, lengths and
+// angles that seem to be in another unit, no row, or more than 100000 rows.
 std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file,
                                  const std::vector<std::string>& columns = {});
 
 constexpr std::pair<std::int64_t, std::int64_t> point_counts{1, 100'000};
 
-// The tool's orientation along a path. down: R = diag(-1, 1, -1). eq27: its third column is (0, 1, 0), a horizontal
-// tool, as Eq. 27 prints; its other columns are our choice.
+// The tool's orientation along a path. down: R = diag(-1, 1, -1). eq27: the third column is (0, 1, 0), a horizontal
+// tool, as Eq. 27 prints; the other columns are our choice.
 enum class Tool { down, eq27 };
 Eigen::Matrix3d rotation(Tool tool);
 
-// The nine elements of a rotation, row by row.
+// Returns the nine elements of a rotation, row by row.
 std::vector<double> by_rows(const Eigen::Matrix3d& R);
 
 }  // namespace ikbench::experiments

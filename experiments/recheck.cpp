@@ -31,7 +31,7 @@ using namespace results;
 
 namespace {
 
-// A stored study without its solvers and path.
+// Returns a stored study without its solvers and path.
 Study study_in_store(const StoredStudy& stored) {
   const std::optional<Robot> arm = robots::stored_arm(stored.definition.arm);
   if (!arm)
@@ -56,7 +56,7 @@ Pose target_of(const SolveRecord& solve) {
       fmt::format("study {}, {}, run {}, point {}: {}", solve.study, solve.label, solve.run, solve.point, what));
 }
 
-// Says of what is refused that it was stored.
+// Calls `action`, and adds to its error that the solve was stored.
 template <class Action>
 void of_stored(Action&& action) {
   try {
@@ -67,18 +67,20 @@ void of_stored(Action&& action) {
   }
 }
 
-// The same number up to rounding, or no number twice. An arm from a URDF file was verified by its origins and axes, but
-// the store has its table, which may be 1e-9 m and rad off.
+// Refuses a stored number that differs from the computed one by more than rounding. Two numbers that are not finite are
+// alike. An arm from a URDF file was verified by its origins and axes; the store has its table, which may be 1e-9 m and
+// rad off.
 void expect(const char* column, const SolveRecord& solve, double stored, double computed, double rounding) {
   const bool is_same = std::isfinite(computed) ? std::abs(stored - computed) <= rounding * (1 + std::abs(computed))
                                                : !std::isfinite(stored);
   if (!is_same) refuse(solve, fmt::format("{} is {}, but {} follows from the answer", column, stored, computed));
 }
 
-// One of our solvers, a library or a class of anybody's, of which a step is one call, or a program.
+// The kind of a solver: built in (`ours`); a library or a class of a user, of which a step is one call (`called`); or a
+// program.
 enum class Kind { ours, called, program };
 
-// The entry of one of our own solvers; a program may have the name of one.
+// Returns the entry of a built-in solver; nothing for others. A program may have the name of one.
 std::optional<SolverEntry> built_in(const Series& series) {
   const Json options = parsed_json(series.options);
   const std::vector<solvers::SolverInfo>& known = solvers::all_solvers();
@@ -100,8 +102,8 @@ std::optional<SolverEntry> built_in(const Series& series) {
   return entry;
 }
 
-// True if a solve of the study may have spent this. Our solvers are stopped after each iteration; others stop
-// themselves, but only programs count their own iterations.
+// Returns true if a solve of the study may have spent this. Built-in solvers are stopped after each iteration. Others
+// stop themselves, but only programs count their own iterations.
 bool may_spend(const StopRule& stop, Kind kind, const SolveRecord& solve) {
   if (solve.evaluations == 0 && solve.counted_by == CountedBy::suite) return false;
   if (kind != Kind::program && solve.stop_reason == StopReason::iterations && solve.iterations != stop.iterations)
@@ -113,7 +115,8 @@ bool may_spend(const StopRule& stop, Kind kind, const SolveRecord& solve) {
          !is_over({.evaluations = solve.evaluations, .iterations = solve.iterations}, stop);
 }
 
-// What the study's check said of the answer, if it reached: all its numbers, and one fault if it is invalid.
+// Refuses a solve without the results of the study's check: all its numbers if the answer reached its target, and one
+// reason if the answer is invalid.
 void refuse_wrong_check(const Definition& study, const SolveRecord& solve) {
   const bool has_check = !study.check.process.empty(), is_invalid = solve.status == Status::invalid;
   const auto is_there = [&](const std::string& number) {
@@ -151,7 +154,7 @@ void check(const Definition& study, const Robot& arm, Kind kind, const SolveReco
   expect("variation_m", solve, solve.variation_m, computed.variation_m, 1e-9);
   expect("limit_violation_deg", solve, solve.limit_violation_deg, computed.limit_violation / degree, 1e-6);
   expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m, 1e-8);
-  const double far = computed.reached.norm();  // a slide may answer any way, whose rounding is that of all coordinates
+  const double far = computed.reached.norm();  // a prismatic joint may be far out; rounding grows with the distance
   for (Eigen::Index i = 0; i < 3; ++i)
     expect("reached_position_m", solve, solve.reached_position_m[static_cast<std::size_t>(i)], computed.reached[i],
            1e-8 * (1 + far));
@@ -160,8 +163,8 @@ void check(const Definition& study, const Robot& arm, Kind kind, const SolveReco
     refuse(solve, "its status is not_finite, but its numbers are finite");
   refuse_wrong_check(study, solve);
   if (!is_in_order(solve.status) && solve.status != Status::invalid && solve.status != Status::limit_violated)
-    return;                   // what was answered is not stored: the arm stayed, or the claim decided
-  if (kind != Kind::program)  // which may round, or know the arm from its own file
+    return;                   // the answer is not stored: the arm stayed, or the reported error decided
+  if (kind != Kind::program)  // a program may round, or have the arm from a file
     expect("claimed_error_cm", solve, solve.claimed_error_cm, computed.position_error / centimetre, 2e-7);
   const auto status = [&](double rounding) {
     constexpr double least = std::numeric_limits<double>::min();  // 0 would be no tolerance
@@ -233,7 +236,7 @@ TakeSolve redraw_of(const StoredStudy& stored) {
 
 namespace {
 
-// Throws where the key is of a built-in solver's source, and the name is not its own.
+// Throws std::invalid_argument if the key has the source of a built-in solver, and the name is another one.
 void check_name(const StoredStudy& study, const Series& series) {
   std::vector<std::string> names;
   for (const solvers::SolverInfo& info : solvers::all_solvers())
@@ -264,7 +267,7 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
       runners.try_emplace(series.label, study, entries[series.label] = *entry, series.key, *study.robot_of_file);
   }
   std::vector<SolveRecord> drawn;
-  std::mt19937_64 random(std::random_device{}());  // nobody knows before which
+  std::mt19937_64 random(std::random_device{}());  // so that nobody knows before which solves are drawn
   store.each_of_study(stored, [&](SolveRecord& solve) {
     if (!runners.contains(solve.label)) return;
     const auto place = std::uniform_int_distribution<std::int64_t>(0, found.of++)(random);
@@ -283,7 +286,7 @@ SolvedAgain solve_again(const Store& store, const StoredStudy& stored, std::int6
       const auto compare = [&](const char* column, const auto& made, const auto& of_store) {
         if (made != of_store) refuse(solve, fmt::format("made again, it has {} {}, not {}", column, made, of_store));
       };
-      const bool is_same = again.status == Status::ok && is_reached(solve.status);  // no check is asked again
+      const bool is_same = again.status == Status::ok && is_reached(solve.status);  // the check is not asked again
       compare("status", name_of(is_same ? solve.status : again.status), name_of(solve.status));
       compare("stop_reason", name_of(again.stop_reason), name_of(solve.stop_reason));
       compare("evaluations", again.evaluations, solve.evaluations);

@@ -27,12 +27,12 @@ using namespace results;
 
 namespace {
 
-// What is made together: a run, where each solve starts from the last, or one target.
+// The unit of scheduling: one run if each solve starts at the previous answer, otherwise one target.
 struct Part {
   int run = 1, first = 1, last = 1;  // points
 };
 
-// The work of a study, and what of it is stored.
+// The work of a study, and which of its solves are stored.
 struct Work {
   Work(const Study& asked, const std::vector<Series>& series, int jobs, Shard shard_of_it = {})
       : study(asked), shard(shard_of_it), arm(arm_of(asked)), points(asked.path->points()) {
@@ -47,13 +47,13 @@ struct Work {
     return static_cast<std::size_t>(run - 1) * static_cast<std::size_t>(points) + static_cast<std::size_t>(point - 1);
   }
   bool has(std::size_t solver, int run, int point) const { return stored[solver][place(run, point)]; }
-  // The first point of a part that is not stored; after its last if all are.
+  // Returns the first point of a part that is not stored, or the one after its last if all are.
   int next_point(std::size_t solver, const Part& part) const {
     int point = part.first;
     while (point <= part.last && has(solver, part.run, point)) ++point;
     return point;
   }
-  // Where the next solve of a run in a row begins.
+  // Returns the configuration where the next solve of a chained run begins.
   Configuration left_by(std::size_t solver, int run) const {
     const auto stored_chain = left_arm.find({solver, run});
     if (stored_chain == left_arm.end()) return study.initial;
@@ -70,7 +70,8 @@ struct Work {
         if (contains(its, study, run, point)) parts.push_back({run, point, study.is_chained() ? points : point});
     return parts;
   }
-  // Of a turn, by who misses them: in a session all have the same to do. A stop leaves those apart that it cut.
+  // Returns the missing parts of one turn, grouped by the solvers that lack them: within a session all solvers have the
+  // same targets to do. After an interruption the cut targets form a group of their own.
   std::map<std::vector<std::size_t>, std::vector<Part>> sessions_of(int turn) const {
     std::map<std::vector<std::size_t>, std::vector<Part>> sessions;
     for (const Part& part : parts_in(shard.count > 1 ? shard : Shard{.index = turn, .count = turns()})) {
@@ -91,7 +92,7 @@ struct Work {
   std::map<std::pair<std::size_t, int>, Configuration> left_arm;  // by solver and run, where a stored chain ends
 };
 
-// Throws if the study would not have made the stored solve next.
+// Throws std::invalid_argument if the study would not have made the stored solve next.
 void check_stored(const SolveRecord& record, const Work& work, std::size_t solver) {
   const bool is_chained = work.study.is_chained();
   const bool has_place = record.run >= 1 && record.point >= 1 && record.point <= work.points;
@@ -107,7 +108,7 @@ void check_stored(const SolveRecord& record, const Work& work, std::size_t solve
                   record.run, record.point, record.label));
 }
 
-// Notes which solves the store has; returns how many of them are in the shard.
+// Notes which solves the store has. Returns how many of them are in the shard.
 std::int64_t move_past_stored(Work& work, const Store& store) {
   std::int64_t stored = 0;
   for (std::size_t s = 0; s < work.solve_runners.size(); ++s) {
@@ -124,8 +125,9 @@ std::int64_t move_past_stored(Work& work, const Store& store) {
   return stored;
 }
 
-// Makes a solve that is only what the solver did: anew if the process stood still for a tenth of its time. None if a
-// stop came meanwhile, unless it solved: whoever stops us may have stopped its program first.
+// Runs `solve`, and repeats it (at most 10 times) if this process stood still for more than a tenth of its time.
+// Returns nothing if a stop was requested, unless the solve succeeded: who stops this process may have stopped the
+// program first.
 template <class Solve>
 std::optional<SolveRecord> undisturbed(PauseWatch& pauses, const IsOver& is_over, Solve&& solve) {
   constexpr int most_tries = 10;
@@ -142,7 +144,8 @@ std::optional<SolveRecord> undisturbed(PauseWatch& pauses, const IsOver& is_over
                   most_tries));
 }
 
-// Asks the study's check of an answer that reached, unless a stop comes meanwhile.
+// Asks the study's check about an answer that reached its target. Returns false if a stop was requested and the check
+// failed.
 bool is_checked(const Work& work, std::unique_ptr<ChildProcess>& checker, SolveRecord& record, const IsOver& is_over) {
   try {
     if (work.study.checker && record.status == Status::ok) check_answer(work.study, work.arm, checker, record);
@@ -155,7 +158,7 @@ bool is_checked(const Work& work, std::unique_ptr<ChildProcess>& checker, SolveR
   }
 }
 
-// A drawn order of the solvers; each second turn has that of the turn before, from its end.
+// Returns a drawn order of the solvers. Each second turn has the order of the turn before, reversed.
 std::vector<std::size_t> order_of(const Study& study, std::vector<std::size_t> solvers, int turn) {
   numerics::Random random(numerics::Key(study.seed).with("order").with(static_cast<std::uint64_t>((turn + 1) / 2)));
   for (std::size_t left = solvers.size(); left > 1; --left)
@@ -164,7 +167,8 @@ std::vector<std::size_t> order_of(const Study& study, std::vector<std::size_t> s
   return solvers;
 }
 
-// A worker's solvers for a session, and the targets and starts of the run that it is at, which may take long to draw.
+// The state of a worker in a session: its solvers, and the targets and starts of its current run, which may take long
+// to draw.
 struct Bench {
   std::vector<std::unique_ptr<solvers::Solver>> solvers = {};
   std::unique_ptr<ChildProcess> checker = {};  // null until it is needed
@@ -172,7 +176,7 @@ struct Bench {
   std::vector<Pose> poses = {};
   std::vector<Configuration> own_starts = {};
 
-  // What is asked at a point; `left_arm` is where a chain goes on.
+  // Returns the question at a point. A chain continues at `left_arm`.
   Call call_at(const Work& work, int run, int point, const Configuration& left_arm) {
     if (std::exchange(at_run, run) != run)
       poses = targets(work.study, work.arm, run), own_starts = starts(work.study, work.arm, run);
@@ -189,15 +193,15 @@ struct Bench {
   }
 };
 
-// Solves what these solvers, whose batches have one size, miss of the parts, `jobs` at once: of each part, or a batch,
-// or two of them where a call on the other comes between the two of a target, all solvers in turns at being first. What
-// is solved is passed on, whatever ends this, such as a solve that `check` refuses.
+// Solves what these solvers lack of the parts, `jobs` at once. Their batches have one size. A group is one part, the
+// parts of a batch, or two parts if a call on the other comes between the two calls on a target. All solvers take turns
+// at being first in a group. Solves are passed on whatever ends this, such as a solve that `check` refuses.
 void solve_alike(const Work& work, const std::vector<std::size_t>& solvers, const std::vector<Part>& parts, int jobs,
                  const std::atomic<bool>* cancelled, const TakeSolve& check, RecordQueue& record_queue) {
   const auto batch = static_cast<std::size_t>(work.solve_runners[solvers.front()].batch());
   const bool is_hot = work.study.state == State::hot && batch == 0;
   const std::size_t together = std::max<std::size_t>(batch, is_hot ? 2 : 1), rest = batch > 0 ? together - 1 : 0;
-  const std::size_t groups = std::max<std::size_t>(1, (parts.size() + rest) / together);  // a rest is a batch
+  const std::size_t groups = std::max<std::size_t>(1, (parts.size() + rest) / together);  // the rest is a batch, too
   PauseWatch pauses;
   std::vector<Bench> benches(static_cast<std::size_t>(jobs));
   const auto work_on = [&](std::size_t turn, std::size_t worker, const IsOver& is_over) {
@@ -214,8 +218,8 @@ void solve_alike(const Work& work, const std::vector<std::size_t>& solvers, cons
       record_queue.hand_in(std::move(record));
       return true;
     };
-    std::vector<SolveRecord> hot;  // are checked behind the last call, which that would cool
-    const IsOver is_cut = batch > 0 ? IsOver([] { return false; }) : is_over;  // a batch is stored whole, or not
+    std::vector<SolveRecord> hot;  // checked after the last call, since a check would cool the caches
+    const IsOver is_cut = batch > 0 ? IsOver([] { return false; }) : is_over;  // a batch is stored whole or not at all
     const auto heated = [&] {
       for (auto part = first; part != end && !is_cut(); ++part)
         solve_runner.heat(solver, bench.call_at(work, part->run, part->first, work.study.initial));
@@ -259,10 +263,10 @@ void solve_parts(const Work& work, const std::vector<std::size_t>& solvers, cons
   for (const auto& [batch, alike] : by_batch) solve_alike(work, alike, parts, jobs, cancelled, check, record_queue);
 }
 
-// What is odd about solvers that others wrote, by label.
+// The anomalies of programs and users' classes, by label.
 using Oddities = std::map<std::string, std::set<std::string>>;
 
-// Cuts what no reader takes of a solve by a class of whoever calls us, and notes what is to be told.
+// Cuts names of notes to what the store takes, and notes anomalies of a user's class.
 void tidy(SolveRecord& solve, std::set<std::string>& odd) {
   if (solve.status == Status::not_finite)
     odd.insert("errors or answers are not finite, or have not one number for each joint");
@@ -276,7 +280,7 @@ void tidy(SolveRecord& solve, std::set<std::string>& odd) {
   }
 }
 
-// Describes how programs and classes behaved, in the session and as sentences.
+// Returns sentences on the anomalies of programs and classes, and adds them to the session.
 std::vector<std::string> tell_of(const Work& work, Oddities& odd, Store& store, std::int64_t session) {
   std::vector<std::string> sentences;
   for (const SolveRunner& solve_runner : work.solve_runners)
@@ -304,7 +308,7 @@ void solve_missing(Work& work, const StoredStudy& stored, Store& store, const Ru
   session["command"] = request.command;
   if (request.shard.count > 1) session["shard"] = request.shard.text();
   session["study"] = work.study.name;
-  session["analysis"] = to_json(work.study.plan);  // this and the solvers: the study may be saved with others later
+  session["analysis"] = to_json(work.study.plan);  // with the solvers, because the study may be saved with others later
   session["solvers"] = base::text_of(base::Json(labels_of(work.study)));
   session["state"] = work.study.is_chained() ? std::string_view("runs in a row") : name_of(work.study.state);
   std::int64_t session_id = 0;

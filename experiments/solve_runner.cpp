@@ -28,14 +28,14 @@ namespace {
 
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
 
-// What a solver does to rounding, traps and subnormal numbers ends with its solve.
+// Restores rounding, traps and subnormal numbers after a solve, whatever the solver did to them.
 struct OwnArithmetic {
   OwnArithmetic() { std::fegetenv(&before); }
   ~OwnArithmetic() { std::fesetenv(&before); }
   std::fenv_t before;
 };
 
-// Names the solve that a thread makes wherever the solver, a class of anybody, does not come to its end.
+// Names the solve of a thread for errors, also if a user's class ends the process in it.
 class Place {
  public:
   Place(const std::string& label, int run, int point) : label_(label), run_(run), point_(point) {
@@ -51,7 +51,7 @@ class Place {
   }
 
  private:
-  // The run has not ended, so the process must not end as if all were well.
+  // Ends the process with an error, since a run that has not ended must not look as if all were well.
   static void refuse_to_exit() {
     if (current == nullptr) return;
     const std::string told = one_line((*current)("the solver ends the program (exit)"));
@@ -121,10 +121,10 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Call& call) const {
   const auto asked = std::chrono::steady_clock::now();
   if (program != nullptr) program->prepare(problem, objective);
   Timed timed;
-  const OwnArithmetic kept;  // which takes 0.1 us, and not of the solver's time
+  const OwnArithmetic kept;  // takes 0.1 us, outside the solver's time
   const Place place(entry_.label, run, point);
   try {
-    const bool has_failed = program != nullptr && program->account().failure;  // in a warm-up
+    const bool has_failed = program != nullptr && program->account().failure;  // a failure in the warm-up
     const auto started = has_failed ? asked : std::chrono::steady_clock::now();
     timed.solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
     timed.answer = task_.completed(timed.solution.best.q, target, start);
@@ -162,7 +162,7 @@ void SolveRunner::warm_up(Solver& solver, const Call& call, std::size_t together
   }
   try {
     solve_unrecorded([&](std::uint32_t) { timed(solver, call); });
-  } catch (const std::exception&) {  // which the solve itself will say
+  } catch (const std::exception&) {  // the solve itself will report it
   }
 }
 
@@ -176,14 +176,14 @@ SolveRecord SolveRunner::solve(Solver& solver, const Call& call) const {
   const Verification as_answered = verified(made.answer);
   const Status status = status_of(made, as_answered, call.target);
   constexpr int one_in = 10;
-  const auto ended_itself = [&](const Timed& its) {  // else the clock may have chosen its answer
+  const auto ended_itself = [&](const Timed& its) {  // otherwise the clock may have chosen the answer
     return study_.stop.seconds == 0 || its.seconds < study_.stop.seconds;
   };
   const bool may_repeat = (conversations_ || entry_.own) && !is_without_answer(status) && ended_itself(made);
   if (may_repeat && (call.run + call.point) % one_in == 0)
     if (const Timed again = timed(solver, call); ended_itself(again) && !(again.account && again.account->failure))
       ++asked_again_, differed_ += !same_bits(again.answer, made.answer);
-  if (stays(status))  // the arm stays, and that is recorded
+  if (stays(status))  // the record says that the arm stays
     return record_of(call, made, status, call.start, verified(call.start));
   return record_of(call, made, status, made.answer, as_answered);
 }
@@ -197,7 +197,7 @@ SolveRecord SolveRunner::record_of(const Call& call, const Timed& made, Status s
     stopped = *account->failure == Status::timed_out ? StopReason::time : StopReason::finished;
   else if (account != nullptr && stopped == StopReason::finished)
     stopped = account->stopped;
-  const bool is_counted = is_counted_ && solution.evaluations > 0;  // who never asks has kinematics of its own
+  const bool is_counted = is_counted_ && solution.evaluations > 0;  // a solver that never asks has its own kinematics
   SolveRecord record{
       .study = study_.name,
       .robot = arm_.name,
@@ -234,7 +234,7 @@ SolveRecord SolveRunner::record_of(const Call& call, const Timed& made, Status s
                                        : CountedBy::nobody,
       .restarts = solution.restarts,
       .extras = made.extras};
-  if (stays(status) && account != nullptr && !account->failure)  // what a program answered would be lost
+  if (stays(status) && account != nullptr && !account->failure)  // otherwise the answer of the program would be lost
     for (int j = 0; j < arm_.joints(); ++j) record.extras[fmt::format("{}{}", refused_extra, j + 1)] = made.answer[j];
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted) {
@@ -259,8 +259,8 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
   return is_in_order(status) && is_late(timed) ? Status::over_budget : status;
 }
 
-// Solvers that stop by themselves may take too much: programs and libraries. On a busy machine they wait, so processor
-// time counts where it is less.
+// Programs and libraries stop by themselves, so they may exceed their budget. On a busy machine they wait, so the
+// smaller of wall and processor time counts.
 bool SolveRunner::is_late(const Timed& timed) const {
   if (!entry_.program && info_of(entry_).library.empty()) return false;
   if (timed.account && timed.account->went_on) return true;

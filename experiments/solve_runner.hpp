@@ -1,4 +1,4 @@
-// One entry of a study: its solves, each timed, verified and recorded.
+// Makes the solves of one solver entry of a study: each is timed, verified and recorded.
 #pragma once
 
 #include <algorithm>
@@ -28,49 +28,52 @@ bool same_bits(const auto& a, const auto& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](double x, double y) { return bits(x) == bits(y); });
 }
 
-// What a solver is asked. The target outlives it; the start is its own, as it may be made of another type of vector.
+// The question to a solver. The target has to outlive it. The start is a copy, as it may be made of another type of
+// vector.
 struct Call {
   const Pose& target;
   Configuration start;
   int run, point;
 };
 
-// Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
+// Makes solves of one entry. Study, entry and arm have to outlive it. Several threads may use it at once, each with a
+// solver of its own.
 class SolveRunner {
  public:
-  // `key` is its series_key; `jobs` of solves at once.
+  // `key` is the series_key of the entry; `jobs` is the number of solves at once.
   SolveRunner(const Study& study, const SolverEntry& entry, std::string key, const Robot& arm, int jobs = 1);
 
   const std::string& label() const { return entry_.label; }
-  const std::string& key() const { return key_; }  // of its series
-  // Makes a solver for any number of solves, one after the other: starting it anew makes it forget all.
+  const std::string& key() const { return key_; }  // key of its series
+  // Makes a solver for any number of solves, one after the other. Starting it for a new solve makes it forget all.
   std::unique_ptr<solvers::Solver> make_solver() const;
-  // Of a program, which starts anew when it is asked again; call it when no solver is left.
+  // Ends the processes of a program, which starts again when it is asked. Call this when no solver is left.
   void end_processes() const;
-  // If it is a program that failed in its last solve, this becomes the last failure, and the third in a row gives it
-  // up. Not for a solve that is not stored.
+  // Counts a failure of a program in its last solve, which becomes the last failure. The third in a row gives the
+  // program up. Not for a solve that is not stored.
   void count_failure(solvers::Solver& solver) const;
-  std::string odd() const;  // of what others wrote: a failure, or answers that it does not repeat; empty: nothing
+  std::string odd() const;  // anomalies of code of others: a failure, answers that change; empty: none
   int batch() const { return entry_.program ? entry_.program->choice.batch : 0; }
-  // Asks an entry with a batch for all calls by `heat` since the last time; `solve` then has their answers. False: it
-  // failed, with all of them.
+  // Asks an entry with a batch for all calls that `heat` collected since the last time; `solve` then has their answers.
+  // Returns false if the batch failed, with all of its solves.
   bool ask(solvers::Solver& solver) const { return static_cast<ForeignSolver&>(solver).ask(); }
-  // Starts a program; solves a few times, unrecorded, whatever comes of it; so many calls together in a batch.
+  // Starts a program, and makes a few unrecorded solves, whatever comes of them; with a batch, `together` calls at
+  // once.
   void warm_up(solvers::Solver& solver, const Call& call, std::size_t together = 1) const;
   // Both throw std::runtime_error, with label, run and point, if the solver throws (std::invalid_argument, if it throws
-  // that). Solves once, unrecorded.
+  // that). This one solves once, unrecorded.
   void heat(solvers::Solver& solver, const Call& call) const { timed(solver, call); }
-  // One timed call. Of what others wrote one in ten is asked again, for `odd`. Where the solver ends the process by
-  // `exit`, that prints a sentence, and its code is 2.
+  // Makes one timed call. Of code of others one call in ten is asked again, for `odd`. If the solver ends the process
+  // by `exit`, that prints a sentence, and the exit code is 2.
   results::SolveRecord solve(solvers::Solver& solver, const Call& call) const;
 
  private:
   struct Timed {
     solvers::Solution solution = {};
     Configuration answer = {};            // all joints
-    double seconds = 0;                   // to solve, and to complete the answer
+    double seconds = 0;                   // [s] to solve, and to complete the answer
     std::optional<Account> account = {};  // if a program solved
-    double cpu_seconds = 0;               // of the program, else of this thread
+    double cpu_seconds = 0;               // [s] of the program, otherwise of this thread
     std::map<std::string, double> extras = {};
   };
   Timed timed(solvers::Solver& solver, const Call& call) const;
@@ -86,7 +89,7 @@ class SolveRunner {
   solvers::Settings options_;
   std::string key_;
   results::Timing timing_;
-  bool is_counted_;                               // we count its evaluations; false if the program does
+  bool is_counted_;                               // true: counted here; false: by the program
   std::unique_ptr<Conversations> conversations_;  // null if no program solves
   mutable std::atomic<int> asked_again_ = 0, differed_ = 0;
 };

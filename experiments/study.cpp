@@ -134,7 +134,7 @@ Shard shard_from(std::string_view text) {
 std::string Shard::text() const { return fmt::format("{}/{}", index, count); }
 
 bool contains(Shard shard, const Study& study, int run, int point) {
-  const std::int64_t part =  // from 0; all points of a chain are one
+  const std::int64_t part =  // from 0; all points of a chain are one part
       study.is_chained() ? run - 1 : std::int64_t{run - 1} * study.path->points() + point - 1;
   return part % shard.count == shard.index - 1;
 }

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> if_missing_choices{"refuse", "leave_out"};
 
-// Throws LeftOut if the entry of what is missing may be left out.
+// Throws LeftOut if an entry may be left out whose library or program is missing.
 void leave_out(TomlReader& entry, const std::string& what, const std::string& why) {
   IfMissing if_missing = IfMissing::refuse;
   entry.choice("if_missing", if_missing, if_missing_choices);
@@ -35,8 +35,8 @@ void leave_out(TomlReader& entry, const std::string& what, const std::string& wh
   throw left_out;
 }
 
-// Reads what an entry is: a built-in solver or a program. Throws LeftOut if a program does not start, or this one was
-// built without a library, and the entry may be left out.
+// Reads the kind of an entry: a built-in solver or a program. Throws LeftOut if the entry may be left out, and its
+// program does not start or this program was built without its library.
 void read_kind(TomlReader& reader, SolverEntry& entry) {
   reader.text("solver", entry.solver);
   const bool is_program = reader.find("process") != nullptr;
@@ -57,7 +57,7 @@ void read_kind(TomlReader& reader, SolverEntry& entry) {
   at_key(reader, "solver", [&] { return solver(entry.solver); });
 }
 
-// A value of a setting, the population or an option. `settings` has the entry's label before its keys.
+// The value of a setting: the population or an option. `settings` names the entry's label before its keys.
 Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std::string& setting,
                  const toml::node& node) {
   if (setting == population_key) {
@@ -81,7 +81,7 @@ Setting value_in(const TomlReader& settings, const SolverEntry& entry, const std
   } else if (const auto* const whole = node.as_integer()) {
     value = static_cast<double>(whole->get());
     const std::string written = std::to_string(whole->get());
-    if (fmt::format("{:.0f}", std::get<double>(value)) != written) value = written;  // no option is it: refused as such
+    if (fmt::format("{:.0f}", std::get<double>(value)) != written) value = written;  // which no option accepts
   } else if (const auto* const number = node.as_floating_point()) {
     value = number->get();
   } else {
@@ -102,10 +102,10 @@ void give(SolverEntry& entry, const std::string& setting, const Setting& value) 
     entry.options[setting] = value;
 }
 
-// Swept settings, each with its values.
+// The swept settings, each with its values.
 using Axes = std::map<std::string, std::vector<Setting>>;
 
-// Reads a setting of the entry: one value, or a list of them, an axis.
+// Reads a setting of the entry: one value, or a list of them, which is swept.
 void read_setting(const TomlReader& settings, SolverEntry& entry, Axes& axes, const std::string& setting,
                   const toml::node& node) {
   const toml::array* const list = node.as_array();
@@ -122,7 +122,8 @@ void read_setting(const TomlReader& settings, SolverEntry& entry, Axes& axes, co
 
 const std::string too_many_solvers = fmt::format("more than {0} solvers; expected at most {0}", most_solvers);
 
-// One entry per combination of the values; the last setting varies fastest. The entry itself if nothing is swept.
+// Returns one entry per combination of the values; the last setting varies fastest. Returns the entry itself if nothing
+// is swept.
 std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntry& entry, const Axes& axes) {
   const auto refuse_if = [&](bool is_wrong, std::string_view what) {
     if (is_wrong)
@@ -148,10 +149,10 @@ std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntr
   return entries;
 }
 
-// Checks an entry against the study. The keys of `at_entry` have its label before them.
+// Checks an entry against the study. `at_entry` names the label before its keys.
 void check_entry(const TomlReader& reader, const TomlReader& at_entry, const SolverEntry& entry, const Study& study,
                  const Robot& arm) {
-  if (entry.program) {  // which may decline further
+  if (entry.program) {  // a program may decline more later
     if (const Hello& hello = entry.program->hello; !hello.solves(goal_kind(study.search)))
       throw at_entry.mistake("process", fmt::format("{} solves for {}; expected another search", hello.name,
                                                     fmt::join(hello.goals, ", ")));

@@ -1,4 +1,4 @@
-// Reads a stored study as the study file that it was: what a store keeps otherwise is put where a file has it.
+// Reads a stored study as the study file that it was: what the store keeps in another form is put where a file has it.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,8 +22,8 @@ using namespace results;
 
 namespace {
 
-// The arm that was solved. A built-in arm, or the arm of a file in the current folder, is taken if it is still that
-// arm, since a store keeps an arm to the rounding of its degrees, and no URDF text for programs.
+// Returns the arm that was solved. A built-in arm, or the arm of a file in the current folder, is taken if it is still
+// that arm. The store keeps an arm only to the rounding of its degrees, and has no URDF text for programs.
 Robot arm_in(const StoredStudy& stored, const robots::UrdfChoice& urdf) {
   const std::string& name = stored.definition.robot;
   const auto is_same = [&](const Robot& arm) { return arm_json(arm) == parsed_json(stored.definition.arm); };
@@ -47,7 +47,7 @@ Robot arm_in(const StoredStudy& stored, const robots::UrdfChoice& urdf) {
   return *arm;
 }
 
-// The targets of the first run, as in a study file.
+// Returns the targets of the first run, as in a study file.
 Json targets_in(const Store& store, const StoredStudy& stored) {
   Json poses = Json::array();
   const auto points = static_cast<std::size_t>(stored.definition.points);
@@ -64,7 +64,7 @@ Json targets_in(const Store& store, const StoredStudy& stored) {
   return poses;
 }
 
-// A path whose targets were in a file: its fields, and the targets as the store has them.
+// Returns a path whose targets were in a file: its fields, and the targets as the store has them.
 class TargetsOfFile final : public PathKind {
  public:
   TargetsOfFile(Path fields, Path targets) : fields_(std::move(fields)), targets_(std::move(targets)) {}
@@ -79,8 +79,8 @@ class TargetsOfFile final : public PathKind {
   Path fields_, targets_;
 };
 
-// The path of a stored study, without the poses of a study file or of another file. Null if this program does not know
-// its kind.
+// Returns the path of a stored study, without the poses of a study file or of another file. Null if this program does
+// not know its kind.
 Path path_in(const StoredStudy& stored, const toml::table& definition) {
   for (const Path& path : paths()) {
     if (path->name() != stored.definition.path) continue;
@@ -97,7 +97,7 @@ void give_colours(toml::table& study, const std::map<std::string, std::string>& 
   toml::array* const entries = study["solvers"].as_array();
   for (std::size_t i = 0; entries != nullptr && i < entries->size(); ++i) {
     toml::table* const entry = entries->get(i)->as_table();
-    if (entry == nullptr) continue;  // which the reader of studies refuses
+    if (entry == nullptr) continue;  // the reader of studies refuses it
     const auto colour = colours.find((*entry)["label"].value_or(std::string()));
     if (colour != colours.end()) entry->insert_or_assign("colour", colour->second);
   }

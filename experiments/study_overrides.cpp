@@ -19,8 +19,8 @@ using namespace solvers;
 
 namespace {
 
-// Inserts the text as a TOML value, or else as a string: people type both `runs=5` and `path.tool=eq27`. The value
-// knows the option that gave it.
+// Inserts the text as a TOML value, otherwise as a string, since people type both `runs=5` and `path.tool=eq27`. The
+// value keeps the option that gave it.
 void insert(toml::table& table, std::string_view key, const std::string& text, std::string_view option) {
   refuse_deep_keys(text, option);
   for (const std::string& toml : {text, toml_string(text)}) {
@@ -45,7 +45,7 @@ toml::table& subtable(toml::table& table, std::string_view key, std::string_view
 
 constexpr std::string_view swept_owner = "sweep";
 
-// What can be swept of a solver: the population, and the options of one that is built in.
+// Returns the settings of a solver that can be swept: the population, and the options of a built-in one.
 std::set<std::string> settings_of(const std::string& solver) {
   std::set<std::string> settings{std::string(population_key)};
   for (const SolverInfo& info : all_solvers()) {
@@ -57,8 +57,8 @@ std::set<std::string> settings_of(const std::string& solver) {
 
 }  // namespace
 
-// Applies one override to a study's table. "IK-BA.alpha" is of the entries with that label or solver, and "sweep.alpha"
-// of those whose solver has that setting.
+// Applies one override to a study's table. "IK-BA.alpha" is for the entries with that label or solver, "sweep.alpha"
+// for those whose solver has that setting.
 void override_one(toml::table& study, const std::string& typed) {
   const std::size_t blank = typed.starts_with("--") ? typed.find(' ') : std::string::npos;
   const std::string option(blank == std::string::npos ? override_source : typed.substr(0, blank)),

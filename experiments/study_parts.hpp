@@ -1,4 +1,4 @@
-// Parts of the reader of studies, a source for each.
+// The parts of the reader of studies that its sources share. Only these sources include this file.
 #pragma once
 
 #include <filesystem>
@@ -17,16 +17,15 @@ constexpr std::string_view population_key = "population";
 constexpr std::string_view not_enforced =
     "bounds is \"initial\", but limits is \"enforced\"; expected bounds by which answers are inside the limits";
 
-// study_overrides.cpp: sets a key of the study, or settings of its solvers, by "key=value" or "--option
-// key=value".
+// Sets a key of the study, or settings of its solvers, by "key=value" or "--option key=value" (study_overrides.cpp).
 void override_one(toml::table& study, const std::string& text);
 
-// study_entries.cpp: starts the program of an entry, or of the check, to read its name and options.
+// Starts the program of an entry, or of the check, to read its name and options (study_entries.cpp).
 std::shared_ptr<const Program> read_program(base::TomlReader& reader, bool is_of_entry);
-// The solvers of a study, a sweep as one entry per combination.
+// Reads the solvers of a study, a sweep as one entry per combination.
 void read_solvers(base::TomlReader& reader, Study& study, const Robot& arm);
 
-// What `make` makes; what it says is wrong is a mistake of this key.
+// Returns what `make` returns. An error of `make` becomes a mistake of this key.
 template <class Make>
 auto at_key(const base::TomlReader& reader, std::string_view key, Make&& make) {
   try {
@@ -36,12 +35,13 @@ auto at_key(const base::TomlReader& reader, std::string_view key, Make&& make) {
   }
 }
 
-// study_reader.cpp: reads a study. The arm of a stored study is made by `arm_of_store`, unless --robot or --set says
+// Reads a study (study_reader.cpp). The arm of a stored study is made by `arm_of_store`, unless --robot or --set gives
 // another.
 using ArmOfStore = std::function<Robot(const robots::UrdfChoice&)>;
 Study read_study(const toml::table& table, std::string_view source, const ArmOfStore& arm_of_store = {});
 
-// study_reader.cpp: the folder of a file that a key names: the study's, or the current one if --set gave the key.
+// Returns the folder of a file that a key names: the study's, or the current one if --set gave the key
+// (study_reader.cpp).
 std::filesystem::path folder_of(const base::TomlReader& reader, std::string_view key);
 
 }  // namespace ikbench::experiments

@@ -159,7 +159,7 @@ void read_check(TomlReader reader, Study& study) {
   reader.refuse_unknown_keys();
 }
 
-// Checks the study as it was read, but for its entries.
+// Checks the study as it was read, except its entries.
 void check_study(const TomlReader& reader, const Study& study, const Robot& arm) {
   const auto refuse_if = [&](bool is_wrong, std::string_view key, std::string_view message) {
     if (is_wrong) throw reader.mistake(key, message);
@@ -224,14 +224,15 @@ void drop_lost_control(Study& study) {
 
 Study read_study(const toml::table& table, std::string_view source, const ArmOfStore& arm_of_store) {
   Study study;
-  study.name = std::filesystem::path(source).stem().string();  // so that two files are two studies
+  study.name = std::filesystem::path(source).stem().string();  // two files are two studies
   TomlReader reader(table, source, "");
   const auto refuse_unknown = [&](const TomlReader& at, std::string_view key, std::string_view kind,
                                   const std::string& name, const std::vector<std::string>& names) {
     if (std::ranges::find(names, name) == names.end()) throw at.mistake(key, unknown_name(kind, name, names));
   };
   list_fields(reader, study);
-  // As controllers do: else whole turns decide whose joint motion is least. Stored definitions say what they had.
+  // By default, wrap as controllers do: otherwise whole turns decide whose joint motion is smallest. Stored definitions
+  // have their own value.
   if (study.search == Search::pose && !table.contains("wrap")) study.wrap = Wrap::nearest;
   if (study.name.empty()) reader.fail("name", *table.get("name"), "a non-empty name");
   const auto papers = published::papers();
@@ -288,7 +289,7 @@ Study read_study(const toml::table& table, std::string_view source, const ArmOfS
 
 namespace {
 
-// A study that names no targets is solved as any arm is (ikbench run --robot): what it does not say, that study says.
+// Fills a study without targets from the study `any-arm` (ikbench run --robot), key by key.
 void add_protocol(toml::table& study) {
   constexpr std::string_view protocol = "any-arm", source = "without [path] as any-arm";
   toml::table all = toml::parse(find_embedded(study_files, protocol)->text, source);
@@ -297,7 +298,7 @@ void add_protocol(toml::table& study) {
       search && *search != "pose" && *search != "axis")
     all["stop"].as_table()->erase("tolerance_deg");
   if (study["stop"]["evaluations"]) all["stop"].as_table()->erase("iterations");     // read_study knows how many
-  const auto put = [](toml::table& table, const toml::key& key, toml::node& node) {  // unless it is there
+  const auto put = [](toml::table& table, const toml::key& key, toml::node& node) {  // does nothing if the key is there
     node.visit([&](auto& value) { table.insert(key, std::move(value)); });
   };
   for (auto&& [key, node] : all) {
@@ -345,7 +346,7 @@ std::vector<std::string> labels_like(const Study& study, const std::string& name
 
 }  // namespace
 
-// The folder of a file that a key names: the study's, or the current one if --set gave the key.
+// Returns the folder of a file that a key names: the study's, or the current one if --set gave the key.
 std::filesystem::path folder_of(const TomlReader& reader, std::string_view key) {
   const toml::node* const node = reader.table().get(key);
   const bool is_of_file = node != nullptr && node->source().begin.line > 0 && !node->source().path;
@@ -366,7 +367,7 @@ void keep_only(Study& study, const std::vector<std::string>& lists) {
   std::set<std::string> labels;
   for (std::string rest : lists) {
     do {
-      std::string longest;  // of which the list may be, or begin with it: a label may have commas
+      std::string longest;  // longest label with which the list begins, since a label may have commas
       const auto take = [&](const std::string& label) {
         if (label.size() > longest.size() && (rest + ',').starts_with(label + ',')) longest = label;
       };

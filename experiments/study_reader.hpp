@@ -1,4 +1,5 @@
-// Reads a study from TOML. Every mistake is one sentence with file, line, column, value and what was expected.
+// Reads a study from TOML: a file, a text, a built-in study or a store. Every mistake is one sentence with file, line,
+// column, value and what was expected.
 #pragma once
 
 #include <string>
@@ -10,25 +11,27 @@
 
 namespace ikbench::experiments {
 
-// Overrides of a study, "key=value": `runs=5`, `path.tool=eq27`, or an option of the solvers with that label or solver:
+// Overrides of a study, "key=value": `runs=5`, `path.tool=eq27`, or an option of the solvers with that label or name:
 // `IK-BA.bounds=clamp`. Messages name --set, or another option that stands before: `--robot robot=ur5e`.
 using Overrides = std::vector<std::string>;
 
-// The override that sweeps a setting of one solver ("IK-BA.alpha=0.5,0.9"), or of all built-in ones that have it
-// ("alpha=0.5,0.9"). std::invalid_argument says what is wrong with it.
+// Returns the override that sweeps a setting of one solver ("IK-BA.alpha=0.5,0.9"), or of all built-in ones that have
+// it ("alpha=0.5,0.9"). Throws std::invalid_argument, which says what is wrong with it.
 std::string sweep_override(const std::string& text);
 
-// Throws std::invalid_argument with place, mistake and what is expected; for an unknown name, with the nearest known
-// one.
+// Reads a study from a text; `source` is its name in messages. Throws std::invalid_argument with place, mistake and
+// what is expected; for an unknown name, with the nearest known one.
 Study parse_study(std::string_view toml, std::string_view source, const Overrides& overrides = {});
-// The built-in studies by name: the files of studies/, which the build embeds in the program (packaging/embed.cmake).
+// Returns the built-in studies by name: the files of studies/, which the build embeds in the program
+// (packaging/embed.cmake).
 std::vector<Study> studies();
-// Loads a built-in study by its name, or else a file. Throws as parse_study does.
+// Loads a built-in study by its name, otherwise a file. Throws as parse_study does.
 Study load_study(const std::string& name_or_file, const Overrides& overrides = {});
-// The study of a store, to be solved again: what its study file said, with all options as they were in effect. Its
-// programs are started, in the current folder; who calls it says so before (programs_of). Throws as parse_study does.
+// Loads the study of a store, to solve it again: what its study file said, with all options as they were in effect. Its
+// programs are started in the current folder, so the caller names them before (programs_of). Throws as parse_study
+// does.
 Study load_study(const results::Store& store, const results::StoredStudy& stored, const Overrides& overrides = {});
-// The programs of a stored study, each with its arguments: of its solvers and of its check.
+// Returns the programs of a stored study, each with its arguments: those of its solvers and of its check.
 std::vector<std::vector<std::string>> programs_of(const results::StoredStudy& stored);
 // The registered name of a solver by its name or by the abbreviation that tables use, such as LM, in any case of
 // letters; the name itself if it is neither.

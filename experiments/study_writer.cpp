@@ -35,7 +35,7 @@ std::vector<double> in_units(const Values& values, double unit) {
   return result;
 }
 
-// Every bit of the values.
+// Returns every bit of the values as text.
 template <class Values>
 std::string exact(const Values& values) {
   std::string text;
@@ -55,7 +55,7 @@ std::string toml_text(const OrderedJson& value) {
   return number == 0 && std::signbit(number) ? "-0.0" : fmt::format("{}", number);
 }
 
-// The fields of a list, each as JSON in units of files, and as text for a key, to the bit.
+// Visits the fields of a list, and keeps each as JSON in units of files, and as text for a key, to the bit.
 class Written final : public Fields {
  public:
   struct Field {
@@ -100,7 +100,7 @@ class Written final : public Fields {
 
 using FieldsWritten = std::vector<Written::Field>;
 
-// `fields` must outlive what it returns.
+// `fields` has to outlive the result.
 template <class Struct>
 FieldsWritten written(Struct& fields) {
   Written all;
@@ -110,7 +110,7 @@ FieldsWritten written(Struct& fields) {
 
 // ---- JSON ---------------------------------------------------------------------------------------------------------
 
-// Every solve has its target, so poses are left out.
+// Leaves poses out, since every solve has its target.
 OrderedJson json_of(const FieldsWritten& fields, OrderedJson json = {}) {
   for (const Written::Field& field : fields) {
     if (field.poses == nullptr) json[field.key] = field.json;
@@ -118,14 +118,14 @@ OrderedJson json_of(const FieldsWritten& fields, OrderedJson json = {}) {
   return json;
 }
 
-// The study with its initial configuration in the units of files.
+// Returns the study with its initial configuration in the units of files.
 Study as_in_files(Study study) {
   const Configuration units = joint_units(arm_of(study).chain);
   for (Eigen::Index j = 0; j < study.initial.size(); ++j) study.initial[j] = in_unit(study.initial[j], units[j]);
   return study;
 }
 
-// How a program is started: what it does not say is as by default.
+// Returns how a program is started, without the settings that have their defaults.
 OrderedJson start_of(ProgramChoice choice) {
   ProgramChoice by_default;
   const FieldsWritten fields = written(choice), defaults = written(by_default);
@@ -135,7 +135,7 @@ OrderedJson start_of(ProgramChoice choice) {
   return json;
 }
 
-// An entry, as in a study file; its colour is among those of the figures.
+// Returns an entry as in a study file. Its colour is among those of the figures.
 OrderedJson entry_definition(const SolverEntry& entry) {
   OrderedJson json = {{"label", entry.label}};
   if (entry.program)
@@ -173,7 +173,7 @@ OrderedJson definition(const Study& study) {
   return json;
 }
 
-// The arm as in its file, so that readers of the store can draw it.
+// Returns the arm as in its file, so that readers of the store can draw it.
 OrderedJson arm_definition(const Robot& arm) {
   OrderedJson json;
   for (Eigen::Index j = 0; j < arm.joints(); ++j) {
@@ -192,7 +192,7 @@ OrderedJson arm_definition(const Robot& arm) {
   return json;
 }
 
-// The built-in study that claims to be of the same paper and is most like it: by the kind of path, then by the arm.
+// Returns the built-in study of the same paper that is most like this one: by the kind of path, then by the arm.
 std::optional<Study> original_of(const Study& study) {
   const std::vector<Study> known = studies();
   const auto likeness = [&](const Study& candidate) {
@@ -204,14 +204,14 @@ std::optional<Study> original_of(const Study& study) {
   return *original;
 }
 
-// The settings in which a study differs from the original. These may differ freely: name, title, seed, trace, turns,
-// the analysis, further solvers (of which options are compared below), and the arm where each has random targets of its
-// own, as a row of a table.
+// Returns the settings in which a study differs from the original. These may differ freely: name, title, seed, trace,
+// turns, the analysis, further solvers (of which options are compared below), and the arm if each has random targets of
+// its own, as a row of a table.
 std::vector<std::string> departures(const Study& study, const Study& original) {
   std::vector<std::string> keys;
   const auto ours = definition(study).flatten(), theirs = definition(original).flatten();
   for (const auto& [pointer, value] : theirs.items()) {
-    const bool of_arm = pointer == "/robot" || pointer.starts_with("/initial_deg");  // which its limits may move
+    const bool of_arm = pointer == "/robot" || pointer.starts_with("/initial_deg");  // limits of the arm may move it
     const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
                          pointer == "/turns" || (of_arm && original.path->name() == "random") ||
                          pointer.starts_with("/analysis/") || pointer.starts_with("/figures/") ||
@@ -258,7 +258,7 @@ std::string lines_of(const FieldsWritten& fields) {
 
 // ---- keys ---------------------------------------------------------------------------------------------------------
 
-// The part of a key that names fields: "\nPREFIXname value" for each field that differs from its default.
+// Returns the part of a key that names fields: "\nPREFIXname value" for each field that differs from its default.
 template <class Struct>
 std::string said_by_name(Struct fields, Struct defaults, std::string_view prefix = "") {
   const FieldsWritten ours = written(fields), theirs = written(defaults);
@@ -270,8 +270,8 @@ std::string said_by_name(Struct fields, Struct defaults, std::string_view prefix
   return text;
 }
 
-// Fixed targets enter as poses, whatever their kind of path; drawn ones enter as the fields of the path, the seed and
-// the run.
+// Returns the part of a key for the targets. Fixed targets enter as poses, whatever their kind of path. Drawn ones
+// enter as the fields of the path, the seed and the run.
 std::string targets_text(const Study& study) {
   std::string text;
   if (!study.path->is_drawn()) {
@@ -297,7 +297,7 @@ std::string to_toml(FigureStyle style) { return lines_of(written(style)); }
 
 std::string to_toml(const Study& study) {
   Study fields = as_in_files(study);
-  if (study.initial == nearest_to_zero(arm_of(study))) fields.initial.resize(0);  // so the robot may be another
+  if (study.initial == nearest_to_zero(arm_of(study))) fields.initial.resize(0);  // does not depend on the arm then
   std::string text = lines_of(written(fields));
   text +=
       "\n[analysis]  # how the results are judged; it does not affect the solves\n" + lines_of(written(fields.plan)) +
@@ -351,7 +351,7 @@ Json arm_json(const Robot& arm) { return parsed_json(base::text_of(arm_definitio
 std::string to_json(results::Plan plan) { return base::text_of(json_of(written(plan))); }
 
 std::string configuration_key(const Study& study, const SolverEntry& entry) {
-  // The fields marked InKey::in_text. Another word or order here would solve all stored solves anew.
+  // Writes the fields marked InKey::in_text. With another word or order here, all stored solves would be solved again.
   const Robot arm = arm_of(study);
   std::string text = "numerics 2\nrobot";
   text += arm.chain.definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
@@ -361,7 +361,7 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
                       effective_population(study, entry), study.seed, static_cast<int>(study.trace));
   text += fmt::format("\nstop {} {} {} {}", study.stop.iterations, study.stop.tolerance, study.stop.evaluations,
                       study.stop.seconds);
-  // Other fields enter only if they differ from their defaults, so that a new one leaves stored solves as they are.
+  // Other fields enter only if they differ from their defaults, so that a new field leaves stored solves as they are.
   text += said_by_name(study, Study{});
   text += said_by_name(study.stop, StopRule{}, "stop.");
   if (study.checker) {
@@ -370,8 +370,8 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
                         fmt::join(study.checker->choice.files, " "),
                         fmt::join(std::set<std::string>(numbers.begin(), numbers.end()), ", "));
   }
-  // Does not compile with a further field of SolverEntry. Options and population enter as they are in effect, whether
-  // a sweep chose them or not.
+  // This binding does not compile with a new field of SolverEntry. Options and population enter as they are in effect,
+  // whether a sweep chose them or not.
   [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own, colour, family] =
       entry;
   text += fmt::format("\nsolver {} label {}", algorithm, label);

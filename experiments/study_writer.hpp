@@ -1,5 +1,5 @@
-// Writes a study as text: TOML to edit and run, JSON for the store, and the keys of stored solves, a hash of everything
-// that decides the numbers of one solver of a study.
+// Writes a study as text: TOML to edit and run, JSON for the store. And makes the keys of stored solves, which are
+// hashes of everything that decides the numbers of one solver of a study.
 #pragma once
 
 #include <string>
@@ -12,41 +12,41 @@
 
 namespace ikbench::experiments {
 
-// The whole study; parse_study gives the same study back.
+// Returns the whole study as a file; parse_study gives the same study again.
 std::string to_toml(const Study& study);
-// A path, as in the study's table [path].
+// Returns a path as the table [path] of a study.
 std::string to_toml(Path path);
-// A look, as in [figures].
+// Returns a look of figures as the table [figures].
 std::string to_toml(results::FigureStyle style);
-// The study without its solvers, with its number of points and its arm, as the store keeps it.
+// Returns the study without its solvers, with its number of points and its arm, as the store keeps it.
 std::string to_json(const Study& study);
-// An arm, as in the definition at "/arm".
+// Returns an arm as the definition has it at "/arm".
 base::Json arm_json(const Robot& arm);
-// A plan, as in the definition at "/analysis".
+// Returns a plan as the definition has it at "/analysis".
 std::string to_json(results::Plan plan);
 
-// Hash of everything in the study that decides the numbers of one solver.
+// Returns the hash of everything in the study that decides the numbers of one solver.
 std::string configuration_key(const Study& study, const SolverEntry& entry);
-// Digest of the source of the entry's solver: its source file, or a program's executable and files.
+// Returns the digest of the source of the entry's solver: its source file, or the executable and files of a program.
 std::string source_digest_of(const SolverEntry& entry);
-// The library of a peer, with its version; empty for other solvers.
+// Returns the library of a peer, with its version; empty for other solvers.
 std::string library_of(const SolverEntry& entry);
-// The part of its keys that is made of the source, and of a peer's library.
+// Returns the part of the entry's keys that is made of the source, and of a peer's library.
 std::string source_key(const SolverEntry& entry);
-// configuration_key and source_key, and a hash of the study's check. Equal keys mean equal numbers on one machine,
-// unless a solve ends by its wall time.
+// Returns configuration_key and source_key with a hash of the study's check. Equal keys mean equal numbers on one
+// machine, unless a solve ends by its wall time.
 std::string series_key(const Study& study, const SolverEntry& entry);
 
-// The solvers' parts of the study, and all of it, as the store keeps them. A key is a hash of all targets, so a run
-// makes it once.
+// Return the series of the study, and all of it, as the store keeps them. A key is a hash of all targets, which takes
+// time, so a run makes it once.
 std::vector<results::Series> series_of(const Study& study);
 results::StoredStudy stored_study(const Study& study);
 
-// The fields of a study that judging has no use for; the others are listed in results/study.cpp, those of a path in
-// paths/.
+// Lists the fields of a study that judging does not need. The others are listed in results/study.cpp, those of a path
+// in paths/.
 inline void list_fields(Fields& io, Path& path) { path->list_fields(io); }
 
-// The key has the chain and the limits that result from these.
+// The key of a series has the chain and the limits that these give, so the fields are in its text.
 inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
   io.text("base", urdf.base, "link from which the arm is read; \"\": the root, behind joints that float",
           InKey::in_text);

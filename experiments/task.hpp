@@ -1,4 +1,4 @@
-// The search for one target.
+// The search for one target: what a solver gets, and how its answer becomes the values of all joints.
 #pragma once
 
 #include <array>
@@ -10,20 +10,21 @@
 
 namespace ikbench::experiments {
 
-// True if the last joint turns the tool about its own point, so that it moves that point nowhere.
+// Returns true if the last joint turns the tool about its own point, which it therefore does not move.
 bool only_turns_tool(const robots::Chain& whole);
 
-// The search for one target: over all joints, or over those before the wrist.
+// The search for one target, over all joints or over those before the wrist. Study and arm have to outlive it.
 class Task {
  public:
   Task(const Study& study, const Robot& arm);
 
-  // The joints that are searched, with the point that they place.
+  // Returns the joints that are searched, with the point that they place.
   const robots::Chain& arm() const { return searched_; }
   solvers::Goal goal(const Pose& target) const;
   solvers::Problem problem(const Configuration& start, int population) const;
 
-  // All joints of the answer: those found by the search, the wrist's by the closed form, wrapped if the study says so.
+  // Returns all joints of the answer: those found by the search, the wrist's by the closed form, wrapped if the study
+  // says so.
   Configuration completed(const Configuration& found, const Pose& target, const Configuration& start) const;
 
  private:

@@ -19,7 +19,7 @@ using Matrix = Eigen::Matrix4d;
 
 constexpr double rounding = 1e-9;  // [m], [rad]
 
-// Sums in the order of the elements: Eigen's own product may add them in another.
+// Multiplies in the order of the elements. The product of Eigen may add them in another.
 Matrix product(const Matrix& left, const Matrix& right) {
   Matrix result = Matrix::Zero();
   for (Eigen::Index row = 0; row < 4; ++row) {
@@ -30,7 +30,8 @@ Matrix product(const Matrix& left, const Matrix& right) {
   return result;
 }
 
-// Our own sine and cosine, for the same bits everywhere. The C library is the witness: NaN if the two differ.
+// Returns our own sine and cosine, which have the same bits everywhere. The C library is the witness: NaN if the two
+// differ.
 SinCos witnessed_sin_cos(double angle) {
   const SinCos of = sin_cos(angle);
   const bool same = std::abs(of.sine - std::sin(angle)) <= 1e-15 && std::abs(of.cosine - std::cos(angle)) <= 1e-15;
@@ -51,19 +52,20 @@ Matrix turned_about(Axis axis, double angle) {
 
 Matrix moved(double x, double y, double z) { return Matrix{{1, 0, 0, x}, {0, 1, 0, y}, {0, 0, 1, z}, {0, 0, 0, 1}}; }
 
-// The largest element, at least 0; NaN if the vector is not finite, which maxCoeff may pass over.
+// Returns the largest element, at least 0; NaN if the vector is not finite, which maxCoeff may pass over.
 double largest(const Eigen::VectorXd& values) {
   return values.allFinite() ? std::max(0.0, values.maxCoeff()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-// The values of the joints that slide, or of those that turn; 0 for the others. Keeps radians and metres apart.
+// Returns the values of the prismatic joints, or of the revolute ones, with 0 for the others. So radians and metres
+// stay apart.
 Eigen::VectorXd of_joints(const Robot& robot, Eigen::VectorXd values, bool do_slide) {
   for (Eigen::Index j = 0; j < values.size(); ++j)
     if (robot.chain.slides(j) != do_slide) values[j] = 0;
   return values;
 }
 
-// The move from start to answer; a joint that turns without end goes the shorter way round.
+// Returns the move from start to answer. A continuous joint goes the shorter way round.
 Eigen::VectorXd move_between(const JointLimits& limits, const Eigen::VectorXd& start, const Eigen::VectorXd& answer) {
   Eigen::VectorXd move = answer - start;
   for (Eigen::Index j = 0; j < move.size(); ++j) {
@@ -74,14 +76,14 @@ Eigen::VectorXd move_between(const JointLimits& limits, const Eigen::VectorXd& s
 
 double beyond_rounding(double violation) { return violation <= rounding ? 0 : violation; }
 
-// The angle between two rotations whose difference has the norm sqrt(8) sin(angle / 2).
+// Returns the angle between two rotations whose difference has the norm sqrt(8) sin(angle / 2).
 double angle_of(double difference) {
   const double sine = difference / std::sqrt(8.0);
   return 2 * arc_tangent(sine, std::sqrt(std::max(0.0, 1 - sine * sine)));
 }
 
-// The root mean square distance of three points of the tool: its own, and those `weight` along its x and y axes, or
-// along its z axis both ways.
+// Returns the root mean square distance of three points of the tool: its own point, and those `weight` along its x and
+// y axes, or along its z axis both ways.
 double pose_error(const Verification& verified, double weight) {
   const Eigen::Vector3d off = verified.off.col(3), one = verified.off.col(verified.turns_freely ? 2 : 0);
   const Eigen::Vector3d other = verified.turns_freely ? Eigen::Vector3d(-one) : Eigen::Vector3d(verified.off.col(1));
@@ -96,7 +98,7 @@ Matrix pose_of(const Frame& frame) {
   return product(pose, turned_about(x_axis, frame.rpy.x()));
 }
 
-// The motion along or about the axis of a joint: Rodrigues' formula by elements.
+// Returns the motion along or about the axis of a joint: Rodrigues' formula by elements.
 Matrix motion_of(const DescribedJoint& joint, double value) {
   const double x = joint.axis.x(), y = joint.axis.y(), z = joint.axis.z();
   if (joint.motion == DescribedJoint::Motion::slides) return moved(value * x, value * y, value * z);
@@ -108,7 +110,7 @@ Matrix motion_of(const DescribedJoint& joint, double value) {
                 {0, 0, 0, 1}};
 }
 
-// A link moves the frame before it to the frame after it.
+// Returns the motion of a link, which takes the frame before it to the frame after it.
 Matrix past(const DhLink& link, double joint, const Matrix& before) {
   const double angle = link.joint == Joint::slides ? link.offset : joint + link.offset;
   const double along_z = link.joint == Joint::slides ? link.d + joint : link.d;
@@ -144,7 +146,7 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
                     bool turns_freely, int motion_joints) {
   const Eigen::Matrix4d reached = verified_pose(robot, answer), wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
-  // The turn that is left then moves z alone: z is off by 2 sin(angle / 2).
+  // The remaining turn moves only z: z is off by 2 sin(angle / 2).
   const double turned_off = turns_freely ? std::sqrt(2.0) * (R - R_wanted).col(2).norm() : (R - R_wanted).norm();
   const Eigen::VectorXd move = move_between(robot.limits, start, answer);
   const Eigen::VectorXd outside =

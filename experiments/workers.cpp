@@ -19,7 +19,7 @@ void share_out(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
     }
   };
   if (jobs == 1) return work_as(0);
-  std::vector<std::future<void>> workers;  // each waits for its end before it goes
+  std::vector<std::future<void>> workers;  // the destructor of each waits for its end
   for (int i = 0; i < jobs; ++i)
     workers.push_back(std::async(std::launch::async, work_as, static_cast<std::size_t>(i)));
   for (std::future<void>& each : workers) each.get();
@@ -68,7 +68,7 @@ void RecordQueue::pass_on(std::unique_lock<std::mutex>& lock) {
   passed_.swap(waiting_);
   lock.unlock();
   pass_on_(passed_);
-  passed_.clear();  // and keeps its memory
+  passed_.clear();  // clear() keeps its memory
   lock.lock();
   last_ = Clock::now();
   is_busy_ = false;

@@ -1,5 +1,5 @@
-// Threads that work side by side, how far they are, how long they stood still, and the queue where they hand in their
-// records.
+// Threads that work side by side, their progress, a watch for times when the process stood still, and the queue through
+// which records go to the store.
 #pragma once
 
 #include <atomic>
@@ -17,22 +17,23 @@
 
 namespace ikbench::experiments {
 
+// The progress of a run.
 struct Progress {
   std::int64_t done = 0;  // solves, including those that the store already had
   std::int64_t total = 0;
-  std::int64_t reused = 0;              // those of `done` that the store already had
+  std::int64_t reused = 0;              // solves of `done` that the store already had
   std::vector<std::string> notes = {};  // at the end: one sentence per odd program or class
 };
 
-// True if a worker has to stop: another one threw, or the user cancelled.
+// Returns true if a worker has to stop, because another one threw or the user cancelled.
 using IsOver = std::function<bool()>;
-// Calls work(index, worker, is_over) for each index below `count`, in their order, by the workers 0 to jobs - 1, each a
-// thread; one job runs in this thread. Returns when all have ended, and rethrows what one throws.
+// Calls work(index, worker, is_over) for each index below `count`, in ascending order, by the workers 0 to jobs - 1,
+// each a thread. One job runs in this thread. Returns when all have ended, and rethrows an exception of one.
 void share_out(std::size_t count, int jobs, const std::atomic<bool>* cancelled,
                const std::function<void(std::size_t index, std::size_t worker, const IsOver& is_over)>& work);
 
-// Adds up how long the whole process stood still while the clock went on: stopped by SIGSTOP, in a frozen container, on
-// a machine that was halted. Nobody tells it so; a thread of this class looks at the clock often, and misses its time.
+// Measures how long the whole process was suspended while the clock went on: by SIGSTOP, in a frozen container, on a
+// sleeping machine. No signal announces that, so a thread looks at the clock often and counts the time that it missed.
 class PauseWatch {
  public:
   using Clock = std::chrono::steady_clock;
@@ -55,8 +56,8 @@ class PauseWatch {
   std::thread thread_;
 };
 
-// Passes records on, one thread at a time, `patience` after the last time or later. Records handed in meanwhile wait
-// and are passed on all at once, so that no worker waits for another. After a failure it passes nothing on.
+// Passes records on, from one thread at a time, at least `patience` after the last time. Records that come meanwhile
+// wait and are passed on all at once, so that no worker waits for another. After a failure the queue passes nothing on.
 class RecordQueue {
  public:
   using Clock = std::chrono::steady_clock;

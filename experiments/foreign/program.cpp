@@ -28,7 +28,7 @@ bool is_file(const fs::path& file) {
   return fs::is_regular_file(file, error);
 }
 
-// The path at which a shell would find it; empty if it would not.
+// Returns the path at which a shell would find it; empty if it would not.
 fs::path executable(const std::string& word, const fs::path& folder) {
   if (word.find('/') != std::string::npos) return folder / word;
   const char* const path = std::getenv("PATH");
@@ -40,7 +40,7 @@ fs::path executable(const std::string& word, const fs::path& folder) {
   return {};
 }
 
-// Digests the name, the version, the executable, every argument that is a file, and the study's `files`.
+// Returns the digest of the name, the version, the executable, every argument that is a file, and the study's `files`.
 std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const Hello& hello) {
   std::string text = hello.name + '\n' + hello.version + '\n';
   for (std::size_t i = 0; i < choice.process.size(); ++i)

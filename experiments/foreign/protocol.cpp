@@ -27,7 +27,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::string line_of(const OrderedJson& json) { return base::text_of(json) + '\n'; }
 
-// Of a matrix that is transposed and reshaped: row by row.
+// Returns the elements of a matrix that is transposed and reshaped: row by row.
 OrderedJson numbers(const Eigen::VectorXd& values) {
   return std::vector<double>(values.begin(), values.end());  // values that are not finite are dumped as null
 }
@@ -44,7 +44,7 @@ bool Hello::solves(GoalKind goal) const {
 }
 
 Settings options_of(const Hello& hello, const Settings& settings) {
-  OptionList list;  // of references
+  OptionList list;  // a list of references
   std::deque<double> numbers;
   std::deque<int> wholes;
   std::deque<std::size_t> chosen;
@@ -75,7 +75,7 @@ void Message::fail(const std::string& expected) const {
                 fmt::format("it wrote {}; expected {}", base::one_line(front(line_, 200)), expected)};
 }
 
-// A text that is safe in tables and file names.
+// Returns a text that is safe in tables and file names; fails otherwise.
 std::string Message::text(const Json& object, const char* key) const {
   const auto found = object.find(key);
   if (found == object.end()) return {};
@@ -136,7 +136,7 @@ Hello Message::hello() const {
 }
 
 std::string Message::why() const {
-  const auto why = json_->find("why");  // of any length: it is no mistake to say much
+  const auto why = json_->find("why");  // a long reason is no mistake
   if (why == json_->end() || !why->is_string() || why->get_ref<const std::string&>().empty())
     return "it does not say why";
   return std::string(front(base::one_line(why->get<std::string>()), 200));
@@ -276,7 +276,7 @@ std::string solve_message(const Problem& problem, const Goal& goal, const StopRu
 std::string errors_message(const Eigen::VectorXd& errors, bool is_over) {
   std::string text = R"({"message":"errors","errors":[)";
   for (const double error : errors) text += (std::isfinite(error) ? base::text_of(error) : "null") + ',';
-  text.back() = ']';  // of the last comma: there is one at least
+  text.back() = ']';  // replaces the last comma; at least one problem is there
   return text + fmt::format(",\"over\":{}}}\n", is_over);
 }
 

@@ -1,5 +1,5 @@
-// The messages between a program and ikbench, one JSON object a line (docs/reference/protocol.md). Programs are
-// not trusted: everything they say is bounded and checked here.
+// The messages between a program and ikbench, one JSON object per line (docs/reference/protocol.md). Programs are not
+// trusted: everything they send is bounded and checked here.
 #pragma once
 
 #include <cstdint>
@@ -21,31 +21,33 @@ using base::ChildProcess, base::Clock, base::Trouble;
 
 constexpr int protocol_version = 2;
 
+// An option that a program offers.
 struct HelloOption {
   std::string name, meaning;
   bool is_whole = false;
-  double low = 0, high = 0, preset = 0;  // of a number
-  std::vector<std::string> choices;      // of a choice, the preset first; else empty
+  double low = 0, high = 0, preset = 0;  // if it is a number
+  std::vector<std::string> choices;      // if it is a choice, the preset first; otherwise empty
 };
 
 // A program's introduction of itself.
 struct Hello {
   std::string name, version;
   std::vector<HelloOption> options;
-  std::vector<std::string> goals;  // that it solves for: position, axis, pose
+  std::vector<std::string> goals;  // of position, axis, pose
   bool takes_batches = false;
 
   bool solves(solvers::GoalKind goal) const;
 };
 
-// The options of a program: its defaults with the settings applied. Throws std::invalid_argument as OptionList::set
-// does.
+// Returns the options of a program: its defaults with the settings applied. Throws std::invalid_argument as
+// OptionList::set does.
 solvers::Settings options_of(const Hello& hello, const solvers::Settings& settings);
 
-constexpr std::size_t most_bytes_of_name = 180;  // of what a check says, which is stored with a prefix
+constexpr std::size_t most_bytes_of_name = 180;  // of a name from a check, which is stored with a prefix
 constexpr std::size_t most_extras = 50;          // names, in one answer and in all of a program
 
-// A message of a program. What makes no sense is a Trouble that shows the line and what was expected.
+// A message of a program. A message that breaks the protocol throws Trouble, which shows the line and what was
+// expected.
 class Message {
  public:
   explicit Message(std::string line);
@@ -54,8 +56,9 @@ class Message {
   std::string why() const;
   robots::Candidates candidates(int joints, const char* key = "candidates") const;
   std::map<std::string, double> extras(const char* key = "extras") const;
-  std::string fault() const;  // why a check finds an answer invalid; empty: it is valid
-  // Of a batch, by the messages of its problems, in whose order they come, each with the seed of its problem.
+  std::string fault() const;  // why a check finds an answer invalid; empty: valid
+  // Returns the answers of a batch by the messages of its problems. They come in the order of the problems, each with
+  // the seed of its problem.
   std::map<std::string, std::optional<Message>> answers(const std::vector<std::string>& problems) const;
   bool has(const char* key) const;
   robots::Configuration joints(int joints) const;  // [rad]; NaN where the message has null
@@ -73,12 +76,12 @@ class Message {
   std::shared_ptr<const nlohmann::json> json_;
 };
 
-// What is the same for all solves. `searched` has the joints before the wrist, or all; of `goal` the target does not
-// matter. A solver gets the arm that is judged as text, a check its file with the bodies in it: `own_urdf`, if not
-// empty.
+// Returns the message on what is the same for all solves. `searched` has the joints before the wrist, or all. The
+// target of `goal` does not matter. A solver gets the arm that is judged as text; a check gets its file with the bodies
+// in it, `own_urdf`, if that is not empty.
 std::string robot_message(const robots::Robot& arm, const robots::Chain& searched, const solvers::Goal& goal,
                           const std::string& own_urdf, const Hello& hello, const solvers::Settings& options);
-// Without the end of its line.
+// Returns the message on one solve, without the end of its line.
 std::string solve_message(const solvers::Problem& problem, const solvers::Goal& goal, const solvers::StopRule& stop,
                           std::uint32_t seed);
 std::string errors_message(const Eigen::VectorXd& errors, bool is_over);

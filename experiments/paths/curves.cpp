@@ -15,10 +15,10 @@ using namespace robots;
 
 namespace {
 
-// sin_cos: (x, y) = centre + radius (sin t, cos t); cos_sin: centre + radius (cos t, sin t).
+// The direction of a curve. sin_cos: (x, y) = centre + radius (sin t, cos t); cos_sin: centre + radius (cos t, sin t).
 enum class Phase { sin_cos, cos_sin };
 
-// Point k of n, k = 0 ... n - 1, lies at the fraction k/n or k/(n - 1) of the path.
+// The end of a curve: point k of n, k = 0 ... n - 1, lies at the fraction k/n or k/(n - 1) of the path.
 enum class Spacing { k_over_n, k_over_n_minus_1 };
 
 class Helix : public PathKind {

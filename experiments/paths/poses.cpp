@@ -33,10 +33,10 @@ constexpr std::size_t most_rows = 100'000;
 using Group = std::vector<std::size_t>;  // columns
 using Parts = std::initializer_list<std::string_view>;
 
-// What the name of a column says: "pose.position.x [mm]" is x of "pose.position.", in mm.
+// The parts of the name of a column: "pose.position.x [mm]" is x of "pose.position.", in mm.
 struct ColumnName {
   std::string whole, part, unit;
-  std::string other_unit;  // which is none of a pose
+  std::string other_unit;  // a unit that no pose has
 
   explicit ColumnName(std::string_view text) {
     const Title title(lower_case(text));
@@ -50,7 +50,7 @@ struct ColumnName {
   }
 };
 
-// Where a file has what, by the structure of its columns' names: w, x, y and z of one thing are a quaternion.
+// The columns of a file by the structure of their names: w, x, y and z of one thing are a quaternion.
 class PoseColumns {
  public:
   PoseColumns(Sheet& sheet, const std::vector<std::string>& said) : sheet_(sheet), are_said_(!said.empty()) {
@@ -106,7 +106,7 @@ class PoseColumns {
   // [rad]
   double angle(std::size_t row, std::size_t column) {
     const double value = number(row, column), unit = names_[column].unit == "deg" ? degree : 1;
-    constexpr double most = 1e6;  // beyond it digits of a turn are lost
+    constexpr double most = 1e6;  // beyond it digits of the angle are lost
     if (std::abs(value) > most) sheet_.refuse(row, column, fmt::format("is no angle; expected at most {:g}", most));
     if (const std::string_view doubt = doubt_of_angle(value, unit); !doubt.empty()) sheet_.refuse(row, column, doubt);
     return value * unit;
@@ -126,7 +126,7 @@ class PoseColumns {
     return Eigen::Quaterniond(unit[0], unit[1], unit[2], unit[3]).toRotationMatrix();
   }
 
-  // Without a last line that of poses is meant.
+  // Without a last line, the last line of poses is meant.
   Eigen::Matrix3d rotation_of_matrix(std::size_t row) {
     Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
     for (std::size_t i = 0; i < matrix_.size(); ++i)
@@ -139,7 +139,7 @@ class PoseColumns {
     return Eigen::Quaterniond(R).normalized().toRotationMatrix();
   }
 
-  // The columns that are these parts of one thing, in a unit of these or none; empty if there are none.
+  // Returns the columns that are these parts of one thing, in one of these units or none; empty if there are none.
   Group the_only(const Parts& parts, std::string_view units) {
     std::vector<Group> found;
     for (const ColumnName& one : names_) {
@@ -166,13 +166,13 @@ class PoseColumns {
     return found.empty() ? Group() : found.front();
   }
 
-  // "%time", "t" and all of "field.header."
+  // Returns true for columns of a stamp: "%time", "t" and all of "field.header.".
   static bool is_stamp(std::string_view name) {
     const auto has = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
     return has("stamp") || has("time") || has("header.") || is_one_of(name, {"t", "sec", "secs", "nsec", "nsecs"});
   }
 
-  // Of other columns stamps are left out, and those that `columns` names otherwise.
+  // Refuses columns that are no part of a pose, except stamps and those that `columns` renames; these are left out.
   void check_names() {
     for (std::size_t column = 0; column < names_.size() && matrix_.empty(); ++column) {
       const bool is_used = std::ranges::any_of(std::array{&position_, &quaternion_, &rpy_}, [&](const Group* group) {
@@ -232,7 +232,7 @@ class CsvPath final : public Poses {
              InKey::no);
   }
 
-  // Lengths in cm or mm that were taken for metres.
+  // Throws if lengths in cm or mm seem to be taken for metres.
   void check(const Robot& arm) const override {
     const Chain::Ball reach = arm.chain.reach();
     std::vector<double> far;  // in reaches

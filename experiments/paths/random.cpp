@@ -1,5 +1,5 @@
-// Targets drawn anew for every run: Slim et al. 2023, Table 7. All sets except `unreachable` are poses of drawn
-// configurations, so the arm can reach them.
+// Targets that are drawn again for every run: Slim et al. 2023, Table 7. All sets except `unreachable` are poses of
+// drawn configurations, so the arm can reach them.
 #include <fmt/format.h>
 
 #include <Eigen/LU>
@@ -39,13 +39,13 @@ Configuration drawn_near_limits(const Robot& arm, Random& random) {
   return q;
 }
 
-// A target set's condition: a configuration belongs to it if its score is high enough.
+// A target set's condition: a configuration belongs to the set if its score is high enough.
 struct Demand {
   std::function<double(const Configuration&)> score;
   double enough;
 };
 
-// Ascending scores of 1000 configurations, the same for every study of the arm.
+// Returns ascending scores of 1000 configurations, the same for every study of the arm.
 std::vector<double> sampled(const Robot& arm, const std::function<double(const Configuration&)>& score) {
   constexpr int samples = 1000;
   Random random(Key(0).with("samples of an arm"));
@@ -120,7 +120,7 @@ class RandomTargets final : public PathKind {
     if (generator_ == Generator::numpy && set_ != Set::anywhere)
       throw std::invalid_argument(
           "path.generator is \"numpy\", which draws anywhere; expected path.set = \"anywhere\"");
-    constexpr double least_reach = 1e-6;  // [m] shares of a smaller reach are no distances
+    constexpr double least_reach = 1e-6;  // [m]; shares of a smaller reach are no distances
     const double reach = arm.chain.reach().radius;
     refuse_if(Set::unreachable, !std::isfinite(reach),
               fmt::format("\"unreachable\", but the reach of {} is not known, because a joint slides", arm.name));
