@@ -54,7 +54,7 @@ struct Source {
   void refuse_unknown(const std::string& label) const {
     if (!has(label)) throw std::invalid_argument(base::unknown_name("label", label, labels()));
   }
-  // Of all its labels, or of one alone.
+  // Reads all its labels, or one alone.
   StudyResults study(const CompareArguments& arguments, const std::string& label = "") const {
     results::StoredStudy part = entry;
     if (!label.empty()) std::erase_if(part.series, [&](const results::Series& its) { return its.label != label; });

@@ -128,7 +128,7 @@ int newly_missing(const JudgedMetric& judged) {
   return is_new ? static_cast<int>(std::lround((baseline.mean - candidate.mean) * baseline.n)) : 0;
 }
 
-// What a study has of two of its labels, without what figures draw.
+// Takes two labels of a study, without the records that figures draw.
 StudyResults of_two(const StudyResults& study, const std::string& candidate, const std::string& baseline) {
   StudyResults two;
   static_cast<StoredStudy&>(two) = study;
@@ -330,7 +330,7 @@ void decide(std::vector<Gate>& gates) {
       metric.plan.control = gate.baseline;  // is shown second
       metric = judge(std::move(metric.observations), metric.plan, std::move(findings));
       Finding& finding = metric.findings.front();
-      // Of two stores; two labels of one have the finding of its report.
+      // Two labels of one store keep the finding of its report.
       if (gate.are_same && !gate.label.empty() && !is_time(metric) && std::holds_alternative<Tested>(finding.what)) {
         finding.what = Fact();
         finding.amount = Amount{amount_of_equal(finding.scale)};

@@ -10,7 +10,7 @@
 
 namespace ikbench::judge {
 
-// What a gate asks.
+// The user's choices of which metrics decide.
 struct GateOptions {
   std::optional<double> time_margin = {};  // times decide, by this margin
   std::vector<std::string> metrics = {};   // those of names_in_plan that decide; empty: all of them
