@@ -45,6 +45,13 @@ Configuration inside(const Robot& arm, const Configuration& q) {
   return q.cwiseMax(arm.limits.lower).cwiseMin(arm.limits.upper);
 }
 
+// Names the first joint whose value is not finite.
+std::string not_finite_in(const Configuration& q) {
+  Eigen::Index joint = 0;
+  while (joint + 1 < q.size() && std::isfinite(q[joint])) ++joint;
+  return fmt::format("its answer is not finite: joint {} is {}", joint + 1, q[joint]);
+}
+
 // The first of the poses that are asked, or another.
 Goal some_goal(const Robot& arm, GoalKind kind, double beyond, int which = 0) {
   const Configuration q = Configuration::LinSpaced(arm.joints(), 0.3 - 0.07 * which, 0.7 + 0.03 * which);
@@ -176,7 +183,7 @@ class Checks {
     const bool is_untrue = std::abs(account.claimed_error - tried.error) > claim_slack_of_programs;  // NaN: no claim
     const std::string wrong =
         account.failure        ? solving.all.last_failure()
-        : !tried.q.allFinite() ? "its answer is not finite"
+        : !tried.q.allFinite() ? not_finite_in(tried.q)
         : outside > 1e-9       ? fmt::format("its answer is {:.3g} rad or m outside", outside)
         : is_untrue
             ? fmt::format("it says that it is {:.9g} m off, and is {:.9g} m off", account.claimed_error, tried.error)

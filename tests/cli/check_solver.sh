@@ -31,3 +31,9 @@ for line in sys.stdin:
 END
 ends 1 check-solver -- python3 asked.py
 json 'of["iterations"] >= of["evaluations"] > 0' budget.json
+
+# A value that is not finite is told with its joint.
+cp "$root/solvers/helpers/ikbench.py" .
+echo 'import ikbench; ikbench.run("nan", lambda robot: None, lambda _, problem: problem.start[:2] + [float("nan")] + problem.start[3:])' >nan.py
+ends 1 check-solver -- python3 nan.py
+has "$(xargs <.out)" "joint 3 is nan"

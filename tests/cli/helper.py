@@ -21,6 +21,8 @@ def solve(_, problem):
     if problem.seed == 7:
         problem.extras["restarts"] = 3
         return [[7.0, 0.0], (0.5, math.inf)]
+    if problem.seed == 8: return {"q": [0.1, 0.2]}
+    if problem.seed == 9: return [0.1, "x"]
 
 
 if sys.argv[2:]:
@@ -46,3 +48,8 @@ assert folders and not any(map(os.path.exists, folders)), folders
 # What is 7e-7 rad outside the limits, as single precision costs, comes inside.
 inside = ikbench.inside([2.0000006, 2.0000008, 5, 9], [1, 1, 1, 0], [-2] * 4, [2] * 4)
 assert [round(x, 9) for x in inside] == [2, 2.0000008, -1.283185307, 9]
+# What is no answer is told with the joint and the value.
+for seed, words in ((8, "a dict with 'q'"), (9, "'x' for joint b")):
+    ran = subprocess.run([sys.executable, __file__, sys.argv[1], "solve"], capture_output=True, text=True,
+                         input="".join(json.dumps(each) + "\n" for each in (told("this"), asked(seed))))
+    assert ran.returncode and words in ran.stderr.splitlines()[-1], ran.stderr
