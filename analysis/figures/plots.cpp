@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -392,17 +393,29 @@ Figure path(const About& about, const PathRows& rows) {
   // A cube, seen from the front, above and the left. A key of splot begins at the top.
   const double side = std::max(0.1, 1.1 * (high - low).maxCoeff());
   figure.settings +=
-      "set view equal xyz\nset view 65, 30, 1.3\nset origin 0, up(legend_rows_cm + 0.2)\n"
-      "set size 1, 1 - up(legend_rows_cm + 0.2)\nset key at screen 0.5, screen up(legend_rows_cm + 0.1) top center\n"
+      "set view equal xyz\nset view 65, 30, 1.3\n"
+      "room = (1 - 2 * margin(1.35)) / 0.72\nroom = room < 1 ? room : 1\n"  // beside which the title of z stands
+      "set origin (1 - room) / 2, up(legend_rows_cm + 0.2)\nset size room, 1 - up(legend_rows_cm + 0.2)\n"
+      "set key at screen 0.5, screen up(legend_rows_cm + 0.1) top center\n"
       "set border 895 lw 0.5 lc rgb '#AAAAAA'\nset grid x y z vertical\n"
-      "set xlabel offset 2.5, 0.2\nset xtics offset 0, 0\nset ylabel offset -2, 0\nset zlabel offset 1, 0 rotate\n";
-  for (const int axis : {0, 1, 2}) {
-    const double middle = (low[axis] + high[axis]) / 2;
-    figure.settings +=
-        fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} textcolor rgb ink\nset {0}label '{0} [cm]'\n", "xyz"[axis],
-                    text_of(middle - side / 2), text_of(middle + side / 2), text_of(round_step_of(side, 4)));
-    if (axis == 2) figure.settings += fmt::format("set xyplane at {}\n", text_of(middle - side / 2));
-  }
+      "set xtics offset 0, 0\nset ztics offset 1.2, 0\n";
+  const Corner middle = (low + high) / 2;
+  const double step = round_step_of(side, 5);
+  for (const int axis : {0, 1, 2})
+    figure.settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} textcolor rgb ink\n", "xyz"[axis],
+                                   text_of(middle[axis] - side / 2), text_of(middle[axis] + side / 2), text_of(step));
+  // Titles stand beside the middles of their axes. Those of gnuplot keep their distance from the place of the plot,
+  // which the cube does not fill.
+  const auto title = [&](char axis, std::array<double, 3> ends, std::string_view place) {
+    std::string at;
+    for (const int i : {0, 1, 2})
+      at += (i > 0 ? ", " : "") + text_of(middle[i] + ends[static_cast<std::size_t>(i)] * side / 2);
+    figure.settings += fmt::format("set label '{} [cm]' at {} {} tc rgb ink\n", axis, at, place);
+  };
+  title('x', {0, -1, -1}, "center offset -2.2, -2");
+  title('y', {1, 0, -1}, "left offset 3.5, -1.3");
+  title('z', {-1, -1, 0}, "center rotate offset -5.8, 0");
+  figure.settings += fmt::format("set xyplane at {}\n", text_of(middle[2] - side / 2));
   figure.plot = fmt::format("splot {}", fmt::join(clauses, ", \\\n  "));
   return figure;
 }

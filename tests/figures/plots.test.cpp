@@ -200,6 +200,27 @@ TEST_CASE("a path has its targets and what was reached, and the arm follows", "[
       "# target x, y, z; reached x, y, z [cm]\n1 2 3 1 2 2.5\n4 5 6 NaN NaN NaN\n\n\n# arm: x, y, z [cm]\n0 0 0\n1 1 1\n");
 }
 
+TEST_CASE("each axis of a path has its title and at least two ticks", "[plots]") {
+  for (double size = 1; size < 100; size *= 1.07) {
+    const double shift = 0.3 * size;
+    const Figure figure = path(error_in("p"), {.targets = {{shift, -shift, size}, {size, size / 2, shift}},
+                                               .reached = {{0, 0, 0}, {1, 1, 1}}});
+    for (const std::string axis : {"x", "y", "z"}) {
+      CAPTURE(size, figure.settings);
+      const auto number_after = [&](const std::string& words) {
+        const std::size_t at = figure.settings.find(words);
+        REQUIRE(at != std::string::npos);
+        return std::strtod(figure.settings.c_str() + at + words.size(), nullptr);
+      };
+      const double low = number_after("set " + axis + "range ["), step = number_after("set " + axis + "tics ");
+      const std::size_t colon = figure.settings.find(':', figure.settings.find("set " + axis + "range ["));
+      const double high = std::strtod(figure.settings.c_str() + colon + 1, nullptr);
+      CHECK(std::floor(high / step) - std::ceil(low / step) + 1 >= 2);
+      CHECK(contains(figure.settings, "set label '" + axis + " [cm]' at "));
+    }
+  }
+}
+
 TEST_CASE("joints have a panel each, and angles outside the limits are told", "[plots]") {
   const std::vector<JointColumn> columns{{"joint 1", -90, 90}, {"joint 2"}};
   const Figure inside = *joints(error_in("j"), {{{"A", 1, {{10, 200}, {-90, 0}}}}, columns});
