@@ -218,8 +218,6 @@ std::size_t Sheet::column(std::string_view name) {
     return titles_.size() - 1;
   }
   const auto first = static_cast<std::size_t>(std::ranges::find(titles_, name) - titles_.begin());
-  if (name == "row" && first < table_.header.size())
-    refuse("a column 'row', which is the name of the number of each row; rename it");
   if (number > 1) refuse(fmt::format("{} columns {}; give them different names", number, in_quotes(name)));
   if (number == 0)
     refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), did_you_mean(name, titles_),

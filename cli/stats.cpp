@@ -101,6 +101,19 @@ void stats(const StatsArguments& arguments) {
   fmt::print("{}", printable(show::screen(reported.answer, "")));
 }
 
+// Prints the question with the commands that answer it.
+void ask(const csv::Question& question, const Invocation& invocation) {
+  say_mistake(question.what());
+  if (!question.columns.empty()) {
+    const std::string table = aligned(question.columns);
+    say(std::string_view(table).substr(0, table.size() - 1));
+  }
+  for (const std::vector<std::string>& answer : question.answers)
+    say_command(shell_command(invocation.command, answer));
+  if (!question.options.empty()) say_command(shell_command(invocation.command, question.options));
+  if (!question.advice.empty()) say(question.advice + " Examples: docs/your-own-csv.md");
+}
+
 }  // namespace
 
 void add_stats(const Command& command, Invocation& invocation) {
@@ -149,16 +162,7 @@ void add_stats(const Command& command, Invocation& invocation) {
     try {
       stats(*arguments);
     } catch (const csv::Question& question) {
-      say_mistake(question.what());
-      for (const std::vector<std::string>& answer : question.answers)
-        say_command(shell_command(invocation.command, answer));
-      if (!question.columns.empty()) {
-        const std::string table = aligned(question.columns);
-        say(std::string_view(table).substr(0, table.size() - 1));
-        const bool is_open = std::ranges::count(question.options, "--better") > 0;
-        say_command(shell_command(invocation.command, question.options) + (is_open ? "     (or larger)" : ""));
-        say(question.advice + " Examples: docs/your-own-csv.md");
-      }
+      ask(question, invocation);
       invocation.exit_code = 1;
     } catch (const NotATable& mistake) {
       say_mistake(mistake.what());

@@ -1,4 +1,5 @@
-// Which column of a user's table is what: as the user says. Nothing is guessed from names, texts or numbers.
+// Which column of a user's table is what: as the user says. Nothing is guessed from names, texts or numbers, but that a
+// column which numbers the rows is no value.
 #pragma once
 
 #include <optional>
@@ -14,7 +15,7 @@ using base::Sheet, base::in_quotes;
 using Column = std::optional<std::size_t>;
 using Columns = std::vector<std::size_t>;
 
-// Columns by name. Every file has a column `row`, of the number of each row.
+// Columns by name. A file without a column `row` has one, of the number of each row.
 struct Request {
   std::vector<std::string> values = {};  // each a quantity; or groups, where the label is `columns`
   std::vector<std::string> label = {};   // who is compared; `columns`: each column of values
@@ -34,8 +35,8 @@ struct Layout {
   Columns values, unused;
 };
 
-// Something was not said: a sentence, the columns of the file as a table, what to say in one sentence, and the options
-// to add, with what is open in capitals. Or, where nothing is open, the options of each possible answer.
+// Something was not said: a sentence, the columns of the file as a table, the options of each possible answer, the
+// options to add where not all answers are listed, with what is open in capitals, and what the options mean.
 struct Question : std::invalid_argument {
   explicit Question(const std::string& what) : invalid_argument(what) {}
   std::vector<std::vector<std::string>> columns = {};
@@ -45,7 +46,8 @@ struct Question : std::invalid_argument {
 };
 
 // Takes the rows that the request wants. A column of texts and one of numbers are label and values, if no others are
-// left; so is one column of numbers beside a label. Where a column stays unnamed, it has to be said what a row is.
+// left; so is one column of numbers beside a label. Where a column stays unnamed, it has to be said what a row is. A
+// column that numbers the rows is not used, unless it is named or the only one of numbers.
 // Throws a Question, or std::invalid_argument as Sheet does.
 Layout layout_of(Sheet& sheet, const Request& request);
 

@@ -112,6 +112,17 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
   return items;
 }
 
+// Asks which way is better in a column; `are_others_said`: of other columns it is known.
+[[noreturn]] void ask_better(const Sheet& sheet, const std::string& title, bool is_one_of_several,
+                             bool are_others_said) {
+  Question question(sheet.said(
+      fmt::format("is smaller or larger better in {}? Say --better smaller or --better larger{}", in_quotes(title),
+                  is_one_of_several ? fmt::format("; of this column alone --better {}=larger", title) : "")));
+  for (const char* way : {"smaller", "larger"})
+    question.answers.push_back({"--better", are_others_said ? fmt::format("{}={}", title, way) : way});
+  throw question;
+}
+
 // Of each of the titles. Asks where nobody said it: no name or number does.
 std::vector<Better> better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles) {
   std::map<std::string_view, std::string_view> said;  // "": of all
@@ -129,10 +140,7 @@ std::vector<Better> better_of(const Sheet& sheet, const Request& request, const 
   std::vector<Better> better;
   for (const std::string& title : titles) {
     const std::string_view way = said.contains(title) ? said[title] : said[""];
-    if (way.empty())
-      throw Question(sheet.said(
-          fmt::format("is smaller or larger better in {}? Say --better smaller or --better larger{}", in_quotes(title),
-                      titles.size() > 1 ? fmt::format("; of this column alone --better {}=larger", title) : "")));
+    if (way.empty()) ask_better(sheet, title, titles.size() > 1, !request.better.empty());
     better.push_back(way == "larger" ? Better::larger : Better::smaller);
   }
   return better;

@@ -61,10 +61,17 @@ asked() {
   [ -z "$out" ] || fail "$* wrote $out"
   [ "$(wc -l <.err)" -le 20 ] || fail "a long question: $err"
 }
-asked "--label LABEL --value VALUE --better smaller     (or larger)" "$data/versions.csv"
-asked "--label solver --value runtime --block BLOCK --run RUN" "$data/versions.csv" --label solver --value runtime
+asked "--label LABEL --value runtime --better smaller" "$data/versions.csv"
+asked "--label solver --value runtime --block version --block date --better" "$data/versions.csv" --label solver --value runtime
 cp "$data/two-factors.csv" 'my file.csv'
-asked "stats 'my file.csv' --better larger --label LABEL --value VALUE" 'my file.csv' --better larger
+asked "stats 'my file.csv' --better larger --label LABEL --value error" 'my file.csv' --better larger
+# Each command is one that runs as it is printed.
+printf 'my alloy,X,Y\n1,407,440\n2,402,437\n3,408,427\n4,420,438\n5,414,426\n6,425,442\n7,411,438\n' >wide.csv
+asked "--label columns --block row" wide.csv
+PATH=$(dirname "$program"):$PATH
+grep '^    ikbench' .err >printed || fail "no commands: $err"
+while IFS= read -r command; do bash -c "$command" >.out 2>&1 </dev/null || fail "$command: $(<.out)"; done <printed
+equal "printed commands" "$(wc -l <printed)" 2
 
 # Quantities may have any name, also one that a table of ours has for itself.
 { echo "solver,remark,verdict"; for i in 1.3 1.1 1.7 1.9 1.2; do echo "A,$i,1$i"; echo "B,2$i,2$i"; done; } >names.csv

@@ -25,13 +25,15 @@ Seen finding(const std::string& text, const Request& request = {}, const std::st
   return judge::compared(of, plan).front();
 }
 
-// With the options that a question leaves open.
+// With the options that a question leaves open, and with its answers.
 std::string said_exactly(const std::string& text, const Request& request = {}) {
   return complaint<std::invalid_argument>([&] {
     try {
       csv::read(text, "data.csv", request);
     } catch (const csv::Question& question) {
-      throw std::invalid_argument(fmt::format("{} [{}]", question.what(), fmt::join(question.options, " ")));
+      std::string said = fmt::format("{} [{}]", question.what(), fmt::join(question.options, " "));
+      for (const auto& answer : question.answers) said += fmt::format(" [{}]", fmt::join(answer, " "));
+      throw std::invalid_argument(said);
     }
   });
 }
@@ -40,7 +42,46 @@ std::string said_of(const std::string& text, const Request& request = {}) {
 }
 
 const std::string wide = "a,b\n1.1,4.5\n2,5\n3,6.5\n2.5,4\n";
-const std::string open_columns = "[--label LABEL --value VALUE]", open_rows = "[--block BLOCK --run RUN]";
+const std::string as_columns = "[] [--label columns --run row] [--label columns --block row]";
+
+// The request with further options, as the command takes them.
+Request with_options(Request request, const std::vector<std::string>& options) {
+  for (std::size_t i = 0; i + 1 < options.size(); i += 2) {
+    const std::string &option = options[i], &value = options[i + 1];
+    if (option == "--run")
+      request.run = value;
+    else if (option == "--decimal")
+      request.decimal = value.front();
+    else if (option == "--missing")
+      request.missing = value;
+    else if (option == "--better")
+      request.better.push_back(value);
+    else if (option == "--label")
+      request.label.push_back(value);
+    else if (option == "--block")
+      request.block.push_back(value);
+    else
+      request.values.push_back(value);
+  }
+  return request;
+}
+
+// Reads the text with each answer to what is asked, until nothing is; returns how many ways it was read.
+int follow(const std::string& text, const Request& request, int depth = 0) {
+  CAPTURE(depth, text, request.label, request.values, request.block, request.run);
+  REQUIRE(depth < 4);
+  try {
+    csv::read(text, "data.csv", request);
+    return 1;
+  } catch (const csv::Question& question) {
+    CAPTURE(question.what());
+    int ways = 0;
+    for (const auto& answer : question.answers) ways += follow(text, with_options(request, answer), depth + 1);
+    const bool is_open = !question.options.empty();  // a part of what is asked for
+    CHECK((ways > 0 || is_open));
+    return ways;
+  }
+}
 
 }  // namespace
 
@@ -72,8 +113,8 @@ TEST_CASE("rows without a label are left out and counted") {
 
 TEST_CASE("rows of several metrics are asked about, and --where takes one") {
   const std::string text = text_in("tests/data/csv/mixed-metrics.csv");
-  CHECK(contains(said_of(text), open_columns));
-  CHECK(contains(said_of(text, {.values = {"value"}, .label = {"solver"}}), open_rows));
+  CHECK(contains(said_of(text), "[--label LABEL --value value]"));
+  CHECK(contains(said_of(text, {.values = {"value"}, .label = {"solver"}}), "[] [--block seed --block metric]"));
   const Request chosen{.values = {"value"}, .label = {"solver"}, .run = "seed", .where = {"metric=error"}};
   CHECK(list_of(observations(text, chosen).groups.front()) == std::vector{0.10, 0.12, 0.11, 0.13});
   const std::string read = csv::read(text, "d.csv", smaller(chosen)).notes.front();
@@ -174,7 +215,8 @@ TEST_CASE("which way is better is asked for, whatever a column is called") {
   CHECK(contains(said_exactly(both, of_both), "--better error=larger"));
   Request half = of_both;
   half.better = {"error=smaller"};
-  CHECK(contains(said_exactly(both, half), "--better score=larger"));
+  CHECK(contains(said_exactly(both, half), "[--better score=smaller] [--better score=larger]"));
+  CHECK(follow(both, of_both) == 2);
   half.better.emplace_back("score=larger");
   CHECK(csv::read(both, "data.csv", half).observed[1].better == Better::larger);
   CHECK(finding(outcomes, {.better = {"smaller"}}).verdict == Verdict::better);
@@ -379,17 +421,79 @@ TEST_CASE("one layout is read without names: a column of texts and one of number
 
 TEST_CASE("where a column stays unnamed it is asked what a row is") {
   const std::string text = "solver,seed,error\nA,1,1.5\nA,2,1.7\nB,1,2.5\nB,2,2.7\n";
-  CHECK(contains(said_of(text, {.label = {"solver"}, .better = {"larger"}}), "[--value VALUE]"));
-  CHECK(contains(said_of(text, {.values = {"error"}, .label = {"solver"}}), open_rows));
+  CHECK(contains(said_of(text, {.label = {"solver"}, .better = {"larger"}}),
+                 "[] [--value error --block seed] [--value error --run row]"));
+  CHECK(contains(said_of(text, {.values = {"error"}, .label = {"solver"}}), "[] [--block seed] [--run row]"));
   for (const char* run : {"row", "seed"})
     CHECK(list_of(observations(text, {.values = {"error"}, .label = {"solver"}, .run = run}).groups[0]).size() == 2);
   CHECK(observations(text, {.values = {"error"}, .label = {"solver"}, .block = {"seed"}}).is_paired);
-  CHECK(contains(said_of(wide, {.label = {"columns"}}), open_rows));  // rows may be problems
+  CHECK(contains(said_of(wide, {.label = {"columns"}}), "[] [--run row] [--block row]"));  // rows may be problems
+}
+
+TEST_CASE("a question fills in what has one answer, and each of its answers can be read") {
+  CHECK(contains(said_of(wide), as_columns));
+  CHECK(contains(said_exactly(wide), "[--label columns --run row --better smaller]"));
+  const std::string of_two = "solver,seed,error\nA,1,1.5\nA,2,1.7\nB,1,2.5\nB,2,2.7\n";
+  CHECK(
+      contains(said_of(of_two), "[] [--label solver --value error --block seed] [--label solver --value error --run "));
+  // Each patient had one treatment, so no treatments are compared within patients.
+  std::string patients = "treatment,patient,visit,pressure\n", nested;
+  for (int i = 0; i < 36; ++i)
+    patients += fmt::format("{},p{},{},{}.5\n", i % 4 < 2 ? "A" : "B", i % 4, i / 4, 100 + i * i % 17);
+  nested = said_of(patients, {.label = {"treatment"}});
+  CHECK(contains(nested, "[--value pressure --run patient]"));
+  CHECK_FALSE(contains(nested, "--block patient"));
+  CHECK(contains(said_of("problem,A,B\nx,1.5,2\ny,2,3.5\nz,2,2.5\n"), "[--label columns --block problem]"));
+  CHECK(contains(said_of("scene,A,B\nx,1.5,2\nx,2,3.5\nz,2,2.5\n"), "[--label scene --value VALUE]"));
+  CHECK(contains(said_of("id,v\n1,1.5\n1,1.7\n2,2.5\n2,4\n"), "[] [--label id --value v] [--label columns --run "));
+  for (const std::string& text :
+       {wide, of_two, patients, text_in("tests/data/csv/two-factors.csv"), text_in("tests/data/csv/mixed-metrics.csv"),
+        text_in("tests/data/csv/versions.csv"), text_in("tests/data/csv/unequal-columns.csv"),
+        std::string("s,p,v\nA,x,1\nA,y,2\nB,x,3\nB,y,\n"), std::string("s,note,v,w\nA,x,1,2\nA,x,1.5,2.5\nB,x,3,4\n"),
+        std::string("plot,row,gen,yield\n1,1,A,5\n2,1,B,6\n3,2,A,5.5\n4,2,B,6.5\n"), std::string("a,b\n1.5,2\n1,3\n"),
+        std::string("A,B\n0,1\n0,1\n1,0\n1,1\n")}) {
+    for (const Request& request : {Request{}, Request{.better = {"larger"}}, Request{.label = {"columns"}}})
+      if (request.label.empty() || !contains(said_of(text, request), "there is only one")) follow(text, request);
+  }
+  CHECK(follow(wide, smaller({})) == 2);
+}
+
+TEST_CASE("a column that numbers the rows is never asked for, unless it is the only one of numbers") {
+  for (const int first : {0, 1}) {
+    std::string with = ",solver,error\n", columns = "\"\",a,b\n";
+    for (int i = 0; i < 6; ++i) {
+      with += fmt::format("{},{},{}.5\n", first + i, i % 2 ? "A" : "B", i * i);
+      columns += fmt::format("\"{}\",{}.5,{}\n", first + i, i, 5 * i % 7);
+    }
+    const Quantities read = csv::read(with, "d.csv", smaller({}));
+    CHECK(read.observed.front().quantity == "error");
+    CHECK(contains(read.notes.front(), "not used: 'column 1'"));
+    CHECK(contains(said_of(columns), as_columns));
+    CHECK(observations(columns, {.label = {"columns"}, .run = "row"}).groups.size() == 2);
+    CHECK(observations(columns, {.label = {"columns"}, .block = {"column 1"}}).is_paired);
+    // Rows that --where takes away leave it what it is.
+    CHECK(csv::read(with, "d.csv", smaller({.values = {"error"}, .where = {"error=0.5"}})).observed[0].groups.size() ==
+          1);
+  }
+  CHECK(list_of(observations("s,v\nA,1\nA,2\nB,3\nB,4\n").groups[0]) == std::vector{1.0, 2.0});
+  CHECK(contains(said_of("v,w,s\n0,0,A\n1,2,A\n2,1,A\n4,5,B\n"), "[--label s --value VALUE]"));  // 4 is no 3
+  CHECK(contains(said_of("n,v\n1,4\n2,6\n3,5\n", {.label = {"columns"}, .run = "row"}), "'n' numbers the rows"));
+  CHECK(
+      observations("n,v\n1,4\n2,6\n3,5\n", {.values = {"n", "v"}, .label = {"columns"}, .run = "row"}).groups.size() ==
+      2);
+}
+
+TEST_CASE("`row` is the file's column where it has one") {
+  const std::string text = "plot,row,gen,yield\n7,1,A,5\n2,1,B,6\n3,2,A,5.5\n4,2,B,6.5\n";
+  const Observations of = observations(text, {.values = {"yield"}, .label = {"gen"}, .block = {"row"}});
+  CHECK(of.is_paired);
+  CHECK(list_of(of.groups[0]) == std::vector{5.0, 5.5});
+  CHECK(contains(said_of(text, {.values = {"yield"}, .label = {"gen"}}), "[--block row]"));
 }
 
 TEST_CASE("a question describes the columns, of many those that may be labels and values") {
   std::string text = "host,solver,seed,error\n", header = "remark", row = "x";
-  for (int i = 0; i < 6; ++i) text += fmt::format("n1,{},{},{}.5\n", i % 2 ? "A" : "B", i, i * i);
+  for (int i = 0; i < 6; ++i) text += fmt::format("n1,{},{},{}.5\n", i % 2 ? "A" : "B", 2 * i, i * i);
   const auto page_of = [](const std::string& of) {
     try {
       csv::read(of, "data.csv", {});
@@ -614,17 +718,13 @@ TEST_CASE("printed means without a spread decide nothing") {
 
 TEST_CASE("mistakes say where and what to do") {
   check_mistakes("csv", "data.csv", [](std::string text) {
-    Request request;  // of the options before the text
+    std::vector<std::string> options;  // before the text
     for (std::string option, value; text.starts_with("--");
          text.erase(0, text.find_first_of(" \n", text.find(' ') + 1) + 1)) {
       std::istringstream(text) >> option >> value;
-      if (option == "--run")
-        request.run = value;
-      else if (option == "--decimal")
-        request.decimal = value.front();
-      else
-        (option == "--label" ? request.label : option == "--block" ? request.block : request.values).push_back(value);
+      options.insert(options.end(), {option, value});
     }
+    const Request request = with_options({}, options);
     if (const std::string said = said_of(text, request); !said.empty()) throw std::invalid_argument(said);
   });
   const Quantities two = csv::read("s,error_cm,error_deg\nA,5,7\nA,6,8\nB,6,6\nB,9,4\n", "d.csv",

@@ -1,0 +1,325 @@
+#include "analysis/csv/question.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "base/names.hpp"
+#include "base/number.hpp"
+
+namespace ikbench::csv {
+namespace {
+
+using Options = std::vector<std::string>;
+
+constexpr std::size_t most_counted = 1'000'000;  // cells, all of which are looked at for a question
+constexpr std::size_t few_rows = 1000;           // of more
+constexpr std::size_t most_shown = 15;           // columns
+constexpr std::size_t most_labels = 100;
+constexpr std::size_t most_answers = 6;
+constexpr std::size_t most_crossed = 2;  // columns, whose combinations are few enough to be listed
+
+bool has(const Columns& columns, std::size_t column) { return std::ranges::count(columns, column) > 0; }
+
+Options joined(Options options, const Options& more) {
+  options.insert(options.end(), more.begin(), more.end());
+  return options;
+}
+
+struct Facts {
+  std::size_t column = 0;
+  std::size_t different = 0, filled = 0;
+  bool has_numbers = false, are_whole = true, is_index = false;
+  bool is_each_repeated = true;  // each of the different texts
+
+  bool may_be_labels(std::size_t rows) const {
+    const bool is_repeated = different < filled || rows == 2;  // two rows may be a sketch
+    return different > 1 && different <= most_labels && is_repeated && 2 * filled >= rows;
+  }
+};
+
+class Asking {
+ public:
+  Asking(const Sheet& sheet, const Request& request, const Known& known)
+      : sheet_(sheet),
+        request_(request),
+        known_(known),
+        is_long_(sheet.rows().size() * known.columns.size() > most_counted),
+        rows_(std::span(sheet.rows()).first(is_long_ ? few_rows : sheet.rows().size())) {
+    for (const std::size_t column : known.columns) facts_.push_back(facts_of(column));
+  }
+
+  Question question(std::string_view what) const {
+    const std::string counted_in = is_long_ ? fmt::format(", counted in the first {},", few_rows) : "";
+    Question asked(sheet_.said(
+        fmt::format("{} It has {}{} of", what, base::counted(std::ssize(sheet_.rows()), "rows"), counted_in)));
+    asked.columns = described();
+    return asked;
+  }
+
+  // Adds the answers that there can be, given what is known of labels and values.
+  void answer_columns(Question& asked) const {
+    const Columns labels = possible_labels(), values = possible_values();
+    Columns wide = known_.values;
+    if (wide.empty()) wide = numbers();
+    if (!known_.label && labels.empty() && has_same_units(wide) && wide.size() > 1) {
+      for (Options& answer : answers_of_numbers()) add_answer(asked, {}, answer);
+      return add_answers_of_rows(asked, {"--label", "columns"}, {}, wide);
+    }
+    const bool is_value_known = !known_.values.empty() || values.size() == 1;
+    Options value_option;
+    if (known_.values.empty()) value_option = {"--value", is_value_known ? title(values[0]) : "VALUE"};
+    const Columns& its_values = known_.values.empty() ? values : known_.values;
+    if (is_value_known && known_.label) return add_answers_of_rows(asked, value_option, known_.label, its_values);
+    if (is_value_known) {
+      for (const std::size_t label : labels)
+        add_answers_of_rows(asked, joined({"--label", title(label)}, value_option), label, its_values);
+      const bool are_few = !asked.answers.empty() && asked.answers.size() <= most_answers;
+      if (labels.size() == 1 || (are_few && asked.options.empty())) return;
+      asked.answers.clear();
+    }
+    Options label_option;
+    if (!known_.label) label_option = {"--label", labels.size() == 1 ? title(labels[0]) : "LABEL"};
+    asked.options = joined(joined(label_option, value_option), better());
+  }
+
+  void answer_rows(Question& asked) const { add_answers_of_rows(asked, {}, known_.label, known_.values); }
+
+ private:
+  Facts facts_of(std::size_t column) const {
+    std::unordered_map<std::string_view, std::size_t> counts;
+    Facts facts{.column = column, .has_numbers = sheet_.has_numbers(column), .is_index = has(known_.indices, column)};
+    for (const std::uint32_t row : rows_) {
+      const std::string_view text = sheet_.cell(row, column);
+      if (text.empty()) continue;
+      ++counts[text];
+      ++facts.filled;
+      facts.are_whole = facts.are_whole && text.find_first_of(".,eEnN") == std::string_view::npos;
+    }
+    facts.different = counts.size();
+    facts.is_each_repeated = std::ranges::all_of(counts, [](const auto& count) { return count.second > 1; });
+    return facts;
+  }
+
+  static std::string kind_of(const Facts& facts) {
+    if (facts.is_index) return "index";
+    if (!facts.has_numbers) return "text";
+    return facts.are_whole ? "whole" : "number";
+  }
+
+  // The columns as a table, of many those first that may be labels or values.
+  std::vector<Options> described() const {
+    std::vector<Options> shown, others;
+    for (const Facts& facts : facts_) {
+      const bool may_be = facts.different > 1 && (facts.has_numbers || facts.different < rows_.size());
+      (may_be || facts_.size() <= most_shown ? shown : others)
+          .push_back({"  " + base::shortened(title(facts.column), 30), kind_of(facts),
+                      fmt::format("{} different", facts.different),
+                      base::shortened(sheet_.cell(sheet_.rows().front(), facts.column), 30)});
+    }
+    shown.insert(shown.end(), others.begin(), others.end());
+    if (shown.size() <= most_shown) return shown;
+    shown.resize(most_shown - 1);
+    shown.push_back({fmt::format("  and {} more", facts_.size() - shown.size())});
+    return shown;
+  }
+
+  const std::string& title(std::size_t column) const { return sheet_.titles()[column]; }
+  bool is_free(const Facts& facts) const { return !facts.is_index && !has(known_.named, facts.column); }
+  bool has_column_row() const { return std::ranges::count(sheet_.titles(), "row") > 0; }
+
+  Columns possible_labels() const {
+    Columns labels;
+    for (const Facts& facts : facts_)
+      if (is_free(facts) && !facts.has_numbers && facts.may_be_labels(rows_.size())) labels.push_back(facts.column);
+    return labels;
+  }
+
+  Columns numbers() const {
+    Columns numbers;
+    for (const Facts& facts : facts_)
+      if (is_free(facts) && facts.has_numbers) numbers.push_back(facts.column);
+    return numbers;
+  }
+
+  // Of several columns of numbers those with decimals, since whole numbers may also name and count.
+  Columns possible_values() const {
+    Columns all = numbers(), decimals;
+    for (const Facts& facts : facts_)
+      if (has(all, facts.column) && !facts.are_whole && facts.different > 1) decimals.push_back(facts.column);
+    return all.size() > 1 && decimals.size() == 1 ? decimals : all;
+  }
+
+  bool has_same_units(const Columns& columns) const {
+    std::set<std::string> units;
+    for (const std::size_t column : columns) units.insert(base::Title(title(column)).unit);
+    return units.size() == 1;
+  }
+
+  // Of two columns of numbers one may have the labels.
+  std::vector<Options> answers_of_numbers() const {
+    std::vector<Options> answers;
+    const Columns two = numbers();
+    if (two.size() != 2 || !known_.values.empty()) return answers;
+    for (const Facts& facts : facts_) {
+      const bool may_be = facts.are_whole && facts.is_each_repeated && facts.may_be_labels(rows_.size());
+      if (!has(two, facts.column) || !may_be) continue;
+      const std::size_t value = two[0] == facts.column ? two[1] : two[0];
+      answers.push_back({"--label", title(facts.column), "--value", title(value)});
+    }
+    return answers;
+  }
+
+  Options better() const { return request_.better.empty() ? Options{"--better", "smaller"} : Options(); }
+
+  void add_answer(Question& asked, const Options& options, const Options& more) const {
+    asked.answers.push_back(joined(joined(options, more), better()));
+  }
+
+  // With options that settle labels and values, the answers to what a row is. A missing label: each column is one.
+  void add_answers_of_rows(Question& asked, const Options& options, Column label, const Columns& values) const {
+    if (!request_.block.empty() || !request_.run.empty()) return add_answer(asked, options, {});
+    if (!label && known_.columns.size() == values.size() + known_.indices.size()) {
+      for (const Options& row : {each_row(), Options{"--block", "row"}})
+        if (!row.empty() && !(has_column_row() && row[0] == "--block")) add_answer(asked, options, row);
+      return;
+    }
+    Columns others;  // what may be blocks and runs
+    for (const Facts& facts : facts_) {
+      const bool is_taken = facts.column == label || has(values, facts.column) || !is_free(facts);
+      const bool has_names = !facts.has_numbers || facts.are_whole;
+      if (!is_taken && has_names && facts.different > 1 && facts.filled == rows_.size()) others.push_back(facts.column);
+    }
+    if (is_long_ || others.size() > most_crossed) {
+      asked.options = joined(joined(options, {"--block", "BLOCK", "--run", "RUN"}), better());
+      others.clear();
+    }
+    Columns texts;  // which have to be the same in all rows of a mean
+    for (const Facts& facts : facts_)
+      if (is_free(facts) && !facts.has_numbers && facts.column != label) texts.push_back(facts.column);
+    for (std::size_t chosen = std::size_t{1} << others.size(); chosen-- > 0;) {  // the most blocks first
+      Columns blocks, rest;
+      for (std::size_t i = 0; i < others.size(); ++i) ((chosen >> i & 1) != 0 ? blocks : rest).push_back(others[i]);
+      for (const Options& row : answers_with(blocks, rest, label, texts)) add_answer(asked, options, row);
+    }
+  }
+
+  // The options by which each row is one. Where the file has a column `row`, that is what the name means.
+  Options each_row() const {
+    if (!has_column_row()) return {"--run", "row"};
+    return known_.indices.empty() ? Options() : Options{"--run", title(known_.indices.front())};
+  }
+
+  // The text of several cells of a row.
+  std::string key(std::uint32_t row, Column label, const Columns& columns) const {
+    std::string text(label ? sheet_.cell(row, *label) : "");
+    for (const std::size_t column : columns) text.append(1, '\0').append(sheet_.cell(row, column));
+    return text;
+  }
+
+  bool are_unique(Column label, const Columns& columns) const {
+    std::set<std::string> seen;
+    return std::ranges::all_of(rows_, [&](std::uint32_t row) { return seen.insert(key(row, label, columns)).second; });
+  }
+
+  // Whether most labels have a row in most of these blocks; else the columns name what one label alone has.
+  bool are_crossed(Column label, const Columns& blocks) const {
+    if (!label) return true;
+    std::set<std::string> labels, of_blocks, cells;
+    for (const std::uint32_t row : rows_) {
+      labels.insert(key(row, label, {}));
+      of_blocks.insert(key(row, std::nullopt, blocks));
+      cells.insert(key(row, label, blocks));
+    }
+    return 2 * cells.size() > labels.size() * of_blocks.size();
+  }
+
+  // Whether no text differs within a mean, but in columns that are named.
+  bool are_alike(Column label, const Columns& means, const Columns& named, const Columns& texts) const {
+    std::map<std::string, std::string> first;
+    Columns others;
+    for (const std::size_t text : texts)
+      if (!has(means, text) && !has(named, text)) others.push_back(text);
+    return std::ranges::all_of(rows_, [&](std::uint32_t row) {
+      const std::string mean = key(row, label, means), text = key(row, std::nullopt, others);
+      return first.try_emplace(mean, text).first->second == text;
+    });
+  }
+
+  std::vector<Options> answers_with(const Columns& blocks, const Columns& rest, Column label,
+                                    const Columns& texts) const {
+    std::vector<Options> answers;
+    Options options;
+    for (const std::size_t block : blocks) options = joined(options, {"--block", title(block)});
+    if (blocks.empty()) {
+      for (const std::size_t run : rest)
+        if (!are_unique(label, {run}) && are_alike(label, {run}, {}, texts)) answers.push_back({"--run", title(run)});
+      if (const Options row = each_row(); !row.empty()) answers.push_back(row);
+      return answers;
+    }
+    if (!are_crossed(label, blocks)) return answers;
+    if (are_unique(label, blocks)) {
+      answers.push_back(options);
+    } else if (!each_row().empty() && are_alike(label, blocks, {}, texts)) {
+      answers.push_back(joined(options, each_row()));
+    } else {
+      for (const std::size_t run : rest)
+        if (are_alike(label, blocks, {run}, texts)) answers.push_back(joined(options, {"--run", title(run)}));
+    }
+    return answers;
+  }
+
+  const Sheet& sheet_;
+  const Request& request_;
+  const Known& known_;
+  bool is_long_;
+  std::span<const std::uint32_t> rows_;
+  std::vector<Facts> facts_;
+};
+
+std::string advice_of(const Question& asked, const Request& request, bool is_of_rows) {
+  const auto has_option = [&](std::string_view option) { return std::ranges::count(asked.options, option) > 0; };
+  std::string advice;
+  if (!is_of_rows) advice += "--label: who is compared, or `columns` if each column of numbers is one. ";
+  if (has_option("BLOCK")) advice += "One of --block and --run is enough. ";
+  advice +=
+      "--block: what each of them did, such as a problem. --run: repeats, which count by their mean; `--run row`: each "
+      "row is one. If rows are of several quantities: --where COLUMN=VALUE.";
+  if (request.better.empty()) advice += " If larger is better: --better larger.";
+  return is_of_rows ? advice : advice + " Printed means: --summaries.";
+}
+
+}  // namespace
+
+bool is_index(const Sheet& sheet, std::size_t column) {
+  constexpr std::size_t least = 3;  // rows
+  const auto first = base::number_from(sheet.cell(sheet.rows().front(), column));
+  if (sheet.rows().size() < least || !first || (*first != 0 && *first != 1)) return false;
+  double expected = *first;
+  return std::ranges::all_of(
+      sheet.rows(), [&](std::uint32_t row) { return base::number_from(sheet.cell(row, column)) == expected++; });
+}
+
+void ask_for_columns(const Sheet& sheet, const Request& request, const Known& known) {
+  const Asking asking(sheet, request, known);
+  Question asked = asking.question("which columns are what?");
+  asking.answer_columns(asked);
+  asked.advice = advice_of(asked, request, false);
+  throw asked;
+}
+
+void ask_for_rows(const Sheet& sheet, const Request& request, const Known& known) {
+  const Asking asking(sheet, request, known);
+  Question asked = asking.question("what is a row?");
+  asking.answer_rows(asked);
+  asked.advice = advice_of(asked, request, true);
+  throw asked;
+}
+
+}  // namespace ikbench::csv

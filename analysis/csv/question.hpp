@@ -1,0 +1,28 @@
+// What a question tells of a table's columns, and the commands that answer it.
+#pragma once
+
+#include <string_view>
+
+#include "analysis/csv/layout.hpp"
+
+namespace ikbench::csv {
+
+// A column that is 0, 1, 2 ... or 1, 2, 3 ... in the order of the rows, as pandas and R write it.
+bool is_index(const Sheet& sheet, std::size_t column);
+
+// What is known when a question has to be asked.
+struct Known {
+  Columns columns;  // which are told
+  Columns named;    // by an option
+  Columns indices;  // which nobody named
+  bool is_wide = false;
+  Column label;    // where it is known
+  Columns values;  // the same
+};
+
+// Throws the Question. Where few answers are possible, each is a whole command; else what is open has a placeholder.
+[[noreturn]] void ask_for_columns(const Sheet& sheet, const Request& request, const Known& known);
+// What a row is.
+[[noreturn]] void ask_for_rows(const Sheet& sheet, const Request& request, const Known& known);
+
+}  // namespace ikbench::csv
