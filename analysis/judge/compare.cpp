@@ -1,5 +1,7 @@
 #include "analysis/judge/compare.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -7,6 +9,7 @@
 
 #include "analysis/judge/describe.hpp"
 #include "analysis/judge/prepare.hpp"
+#include "base/names.hpp"
 
 namespace ikbench::judge {
 namespace {
@@ -266,10 +269,14 @@ std::optional<Open::Why> why_not(const Method& method, const Group& a, const Gro
   return all.empty() ? std::nullopt : std::optional(*all.begin());
 }
 
-// The pairs that the plan asks for. Throws std::invalid_argument if the control is no group.
+// The pairs that the plan asks for. Throws std::invalid_argument, which names all groups, if the control is none.
 std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
-  if (!plan.control.empty() && place_of(observed, plan.control) == observed.groups.size())
-    throw std::invalid_argument("the control '" + plan.control + "' is no group");
+  if (!plan.control.empty() && place_of(observed, plan.control) == observed.groups.size()) {
+    std::vector<std::string> names;
+    for (const Group& group : observed.groups) names.push_back(group.name);
+    const std::string unknown = base::unknown_name("label", plan.control, names);
+    throw std::invalid_argument(fmt::format("--control: {}", base::front(unknown, 1000)));
+  }
   std::vector<Pair> pairs;
   for (auto a = observed.groups.begin(); a != observed.groups.end(); ++a) {
     for (auto b = a + 1; b != observed.groups.end(); ++b) {

@@ -8,6 +8,7 @@ head -c 5000 made/store.sqlite >truncated.sqlite
 printf 'robot = "ur5e\nsearch = "pose"\n' >quote.toml
 echo '<robot/>' >xml.toml
 printf 'solver,error\nA,1\n' >table.csv
+printf 'solver,error\nBA,1\nBA,3\nIK-BA,2\nIK-BA,5\n' >two.csv
 printf 'solver,error\nA\u0378,1\nA\u0378,3\nB,2\nB,5\n' >glyph.csv # which no font has
 echo "a file" >file
 echo 'font = "No Such Font"' >font.toml
