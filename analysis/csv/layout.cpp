@@ -22,6 +22,12 @@ bool has(const Columns& columns, std::size_t column) { return std::ranges::count
   sheet.refuse("--label columns compares columns of numbers, and there is only one" + how);
 }
 
+void refuse_repeated(const Sheet& sheet, const std::vector<std::string>& titles) {
+  for (auto title = titles.begin(); title != titles.end(); ++title)
+    if (std::find(titles.begin(), title, *title) != title)
+      sheet.refuse(fmt::format("--label and --block name {} twice; name each column once", in_quotes(*title)));
+}
+
 void expect_one_unit(Sheet& sheet, const Columns& values) {
   const std::string first = sheet.titles()[values.front()];
   for (const std::size_t value : values) {
@@ -59,6 +65,7 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   }
   std::vector<std::string> others = request.block;
   if (!known.is_wide) others.insert(others.end(), request.label.begin(), request.label.end());
+  refuse_repeated(sheet, others);
   if (!is_each_row && !request.run.empty()) {
     others.push_back(request.run);
     layout.run = sheet.column(request.run);
