@@ -134,6 +134,9 @@ void add_stats(const Command& command, Invocation& invocation) {
   command.add("--where", &csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
   command.add("--summaries", &csv.are_summaries,
               "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
+  command.add("--n", &csv.n, "values of each printed mean, where the file has no column n")
+      .whole_number({2, 1'000'000'000})
+      .needs("--summaries");
   command
       .add("--missing", &csv.missing,
            "rows without a value: drop leaves them out, worst counts each as no answer; asked for if there are such")

@@ -40,6 +40,12 @@ void expect_one_unit(Sheet& sheet, const Columns& values) {
 
 }  // namespace
 
+SummaryColumns summary_columns_of(const Sheet& sheet) {
+  return {.n = sheet.column_like({"n", "count", "n_runs", "rounds"}),
+          .mean = sheet.column_like({"mean", "avg", "average"}),
+          .sd = sheet.column_like({"sd", "std", "stddev", "std_dev"})};
+}
+
 Layout layout_of(Sheet& sheet, const Request& request) {
   Known known;
   Columns& columns = known.columns;  // without what stands outside the bars of a Markdown table

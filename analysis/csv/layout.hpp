@@ -27,6 +27,7 @@ struct Request {
   bool are_means = false;                // are compared, which cannot count what has no answer
   char decimal = 0;                      // mark of decimals; 0: found
   bool are_summaries = false;            // rows have printed means and standard deviations
+  int n = 0;                             // values of each printed mean, where no column says it
 };
 
 // Where things are. Without a label each column of values is a group.
@@ -44,6 +45,12 @@ struct Question : std::invalid_argument {
   std::vector<std::vector<std::string>> answers = {};
   std::string advice = {};
 };
+
+// The columns of printed means: as ikbench, pandas, hyperfine or pytest-benchmark call them.
+struct SummaryColumns {
+  Column n, mean, sd;
+};
+SummaryColumns summary_columns_of(const Sheet& sheet);
 
 // Takes the rows that the request wants. A column of texts and one of numbers are label and values, if no others are
 // left; so is one column of numbers beside a label. Where a column stays unnamed, it has to be said what a row is. A

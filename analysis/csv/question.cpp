@@ -66,9 +66,11 @@ class Asking {
   // Adds the answers that there can be, given what is known of labels and values.
   void answer_columns(Question& asked) const {
     const Columns labels = possible_labels(), values = possible_values();
+    if (!request_.are_summaries && !known_.label && known_.values.empty() && are_summaries(sheet_) && has_unique_name())
+      return answer_by_summaries(sheet_, asked, better());
     Columns wide = known_.values;
     if (wide.empty()) wide = numbers();
-    if (!known_.label && labels.empty() && has_same_units(wide) && wide.size() > 1) {
+    if (!request_.are_summaries && !known_.label && labels.empty() && has_same_units(wide) && wide.size() > 1) {
       for (Options& answer : answers_of_numbers()) add_answer(asked, {}, answer);
       return add_answers_of_rows(asked, {"--label", "columns"}, {}, wide);
     }
@@ -139,6 +141,16 @@ class Asking {
     for (const Facts& facts : facts_)
       if (is_free(facts) && !facts.has_numbers && facts.may_be_labels(rows_.size())) labels.push_back(facts.column);
     return labels;
+  }
+
+  // Of each row: one column of texts, or one beside "metric", in which no text repeats.
+  bool has_unique_name() const {
+    const Column metric = sheet_.column_like({"metric"});
+    const Columns metrics = metric ? Columns{*metric} : Columns();
+    return std::ranges::any_of(facts_, [&](const Facts& facts) {
+      return !facts.has_numbers && facts.column != metric && facts.filled == rows_.size() &&
+             are_unique(facts.column, metrics);
+    });
   }
 
   Columns numbers() const {
@@ -296,6 +308,19 @@ std::string advice_of(const Question& asked, const Request& request, bool is_of_
 }
 
 }  // namespace
+
+bool are_summaries(const Sheet& sheet) {
+  const SummaryColumns columns = summary_columns_of(sheet);
+  return columns.mean && columns.sd;
+}
+
+void answer_by_summaries(const Sheet& sheet, Question& asked, const Options& better) {
+  Options options = joined({"--summaries"}, better);
+  if (summary_columns_of(sheet).n)
+    asked.answers.push_back(options);
+  else
+    asked.options = joined(options, {"--n", "N"});
+}
 
 bool is_index(const Sheet& sheet, std::size_t column) {
   constexpr std::size_t least = 3;  // rows

@@ -12,6 +12,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "analysis/csv/question.hpp"
 #include "analysis/judge/tests_of_two.hpp"
 #include "base/names.hpp"
 #include "base/number.hpp"
@@ -71,6 +72,24 @@ void add_means(const Sheet& sheet, const Layout& layout, const Request& request,
   }
 }
 
+// Refuses labels that name each row, or few rows; in a table of printed means they should.
+void expect_repeats(const Sheet& sheet, const Layout& layout, const Items& items, const Request& request) {
+  if (!layout.label) return;
+  const std::string title = in_quotes(sheet.titles()[*layout.label]);
+  const bool is_each_row =
+      items.groups.size() == items.values.size() && items.values.size() > 2;  // two may be a sketch
+  if (is_each_row && are_summaries(sheet)) {
+    Question asked(sheet.said(fmt::format("{} names each row, as in a table of printed means", title)));
+    answer_by_summaries(
+        sheet, asked,
+        request.better.empty() ? std::vector<std::string>{"--better", "smaller"} : std::vector<std::string>());
+    throw asked;
+  }
+  if (is_each_row || items.unlabelled > items.values.size())
+    sheet.refuse(fmt::format("{} names each row, or none in {} of {} rows; did you mean --block, or are cells merged?",
+                             title, items.unlabelled, sheet.rows().size()));
+}
+
 Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const Request& request) {
   const Column unit = layout.block ? layout.block : layout.run;
   std::unordered_map<std::string_view, Index> groups, units;  // numbered in the order of their first row
@@ -103,10 +122,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
   for (const std::string& name : items.groups)
     if (!shown.emplace(base::trimmed(base::one_line(name))).second)
       sheet.refuse(fmt::format("two groups look alike, both as {}; rename one", in_quotes(name)));
-  if (layout.label && (items.unlabelled > items.values.size() ||
-                       (items.groups.size() == items.values.size() && items.values.size() > 2)))  // two may be a sketch
-    sheet.refuse(fmt::format("{} names each row, or none in {} of {} rows; did you mean --block, or are cells merged?",
-                             in_quotes(sheet.titles()[*layout.label]), items.unlabelled, sheet.rows().size()));
+  expect_repeats(sheet, layout, items, request);
   items.units = static_cast<Index>(units.size());
   add_means(sheet, layout, request, items);
   return items;
@@ -394,15 +410,37 @@ Quantities values_in(Sheet& sheet, const Request& request) {
   return quantities;
 }
 
-Quantities summaries_in(Sheet& sheet, const Request& request) {
-  const Column n = sheet.column_like({"n", "count", "n_runs"}), mean = sheet.column_like({"mean", "avg", "average"}),
-               sd = sheet.column_like({"sd", "std", "stddev", "std_dev"}), quantity = sheet.column_like({"metric"});
-  for (const auto& [name, found] : {std::pair("n", n), {"mean", mean}, {"sd", sd}})
+// What --summaries needs. Asks how many values a mean has, where neither a column nor the request says it.
+SummaryColumns expected_columns(const Sheet& sheet, const Request& request) {
+  const SummaryColumns columns = summary_columns_of(sheet);
+  for (const auto& [name, found] : {std::pair("mean", columns.mean), {"sd", columns.sd}})
     if (!found) sheet.refuse(fmt::format("no column {}; expected name, n, mean and sd", name));
+  if (columns.n && request.n > 0)
+    sheet.refuse(fmt::format("column {} says how many values a mean has, and --n does, too; leave --n out",
+                             in_quotes(sheet.titles()[*columns.n])));
+  if (columns.n || request.n > 0) return columns;
+  Question question(
+      sheet.said("no column n: of how many values is each mean? --n 10 says 10 for all; else add a column n"));
+  question.options = {"--n", "N"};
+  throw question;
+}
+
+// The column of names. Of several columns of texts it is the one called so.
+std::size_t label_of_summaries(Sheet& sheet, const Request& request, const SummaryColumns& columns, Column quantity) {
   Request known = request;
-  known.values = {sheet.titles()[*n], sheet.titles()[*mean], sheet.titles()[*sd]}, known.run = "row";
+  known.values = {sheet.titles()[*columns.mean], sheet.titles()[*columns.sd]};
+  if (columns.n) known.values.push_back(sheet.titles()[*columns.n]);
+  known.run = "row";
   if (quantity) known.block = {sheet.titles()[*quantity]};
-  const std::size_t label = *layout_of(sheet, known).label;
+  if (const Column name = sheet.column_like({"name"}); name && known.label.empty())
+    known.label = {sheet.titles()[*name]};
+  return *layout_of(sheet, known).label;
+}
+
+Quantities summaries_in(Sheet& sheet, const Request& request) {
+  const SummaryColumns columns = expected_columns(sheet, request);
+  const Column quantity = sheet.column_like({"metric"});
+  const std::size_t label = label_of_summaries(sheet, request, columns, quantity);
   Quantities quantities;
   std::vector<std::string> titles;
   for (const Index row : sheet.rows()) {
@@ -420,11 +458,11 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
       if (!(value >= least && std::isfinite(value))) sheet.refuse(row, at, "is not known or too small");
       return value;
     };
-    const double size = number(*n, 2);
-    if (size != std::floor(size) || size > 1e9) sheet.refuse(row, *n, "is no number of values");
+    const double size = columns.n ? number(*columns.n, 2) : request.n;
+    if (size != std::floor(size) || size > 1e9) sheet.refuse(row, *columns.n, "is no number of values");
     const Summary summary{.n = static_cast<int>(size),
-                          .mean = number(*mean, std::numeric_limits<double>::lowest()),
-                          .sd = number(*sd, 0)};
+                          .mean = number(*columns.mean, std::numeric_limits<double>::lowest()),
+                          .sd = number(*columns.sd, 0)};
     groups.push_back({.name = name, .sample = summary});
     if (summary.sd > 0) continue;  // else, or if it was rounded away, the spread would decide everything
     groups.back().sample = Untold{.why = Untold::Why::no_spread, .printed = summary};

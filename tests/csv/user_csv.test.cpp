@@ -701,6 +701,27 @@ TEST_CASE("printed means are compared by means") {
             .observed.size() == 2);
   const Quantities usual = csv::read("name,n_runs,avg,std_dev\nA,5,1,2\n", "s.csv", smaller({.are_summaries = true}));
   CHECK(std::get<judge::Summary>(usual.observed.front().groups.front().sample).sd == 2);
+  // pytest-benchmark counts rounds, of texts it has another column, and hyperfine counts nothing.
+  const Quantities rounds = csv::read(
+      "name,min,mean,stddev,outliers,ops,rounds\na,1,1.5,.1,1;2,9,20\nb,2,2.5,.1,0;1,9,30\n", "s.csv", summaries);
+  CHECK(std::get<judge::Summary>(rounds.observed.front().groups.back().sample).n == 30);
+  const std::string of_hyperfine =
+      "command,mean,stddev,median,user,system,min,max\na,1,.1,1,1,1,1,1\nb,2,.1,2,2,2,2,2\n";
+  CHECK(contains(said_of(of_hyperfine, summaries), "[--n N]"));
+  Request with_n = summaries;
+  with_n.n = 10;
+  const Observations ten = csv::read(of_hyperfine, "s.csv", with_n).observed.front();
+  CHECK(std::get<judge::Summary>(ten.groups.back().sample).n == 10);
+  CHECK(contains(said_of("name,n,mean,sd\nA,5,1,1\nB,5,2,1\n", with_n), "--n does, too"));
+  // Who does not say --summaries is told, also where the labels are named.
+  CHECK(contains(said_of(of_hyperfine), "[--summaries --n N]"));
+  const std::string of_three = "solver,best,average,std_dev,n_runs\nA,1,1.2,.1,20\nB,1,1.4,.1,20\nC,1,1.5,.1,20\n";
+  CHECK(contains(said_of(of_three), "[] [--summaries]"));
+  CHECK(contains(said_of(of_three, {.values = {"average"}, .label = {"solver"}, .run = "row"}), "[] [--summaries]"));
+  CHECK(csv::read(of_three, "s.csv",
+                  smaller({.values = {"average"}, .label = {"solver"}, .run = "row", .are_summaries = true}))
+            .observed.front()
+            .groups.size() == 3);
   for (const char* text : {"name,n,mean,sd\nA,2.5,1,1\n", "name,n,mean,sd\nA,5,1,-1\n", "name,n,mean\nA,5,1\n",
                            "name,n,mean,sd\nA,5,1,1\nA,5,2,1\n"})
     CHECK_THROWS_AS(csv::read(text, "s.csv", summaries), std::invalid_argument);
