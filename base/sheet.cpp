@@ -60,6 +60,24 @@ std::optional<double> parsed(std::string_view text, char decimal) {
 
 bool is_number(std::string_view text) { return parsed(text, '.') || parsed(text, ','); }
 
+// Says what to do about "1.2 ms" or "1.2 ± 0.1"; empty for other texts.
+std::string advice_on_unit(std::string_view text, std::string_view title) {
+  const std::size_t end = std::min(text.find_first_not_of("+-0123456789.,eE'"), text.size());
+  const std::string_view number = text.substr(0, end), rest = trimmed(text.substr(end));
+  if (rest.empty() || !is_number(number)) return "";
+  for (const char* spread : {"\u00b1", "+/-", "+-", "\\pm", "$\\pm", "("})
+    if (rest.starts_with(spread))
+      return fmt::format(
+          "is a mean with its spread: write {} alone to compare it as a value, or columns name, n, mean and sd for "
+          "--summaries",
+          number);
+  if (!is_one_of(rest, {"%", "ns", "us", "\u00b5s", "\u03bcs", "ms", "s", "min", "h", "mm", "cm", "m", "deg", "rad"}))
+    return "";
+  return fmt::format(
+      "is a number with its unit: write {} in the cell and the unit in the header, {} (or name the column in --label or --block)",
+      number, in_quotes(fmt::format("{} [{}]", title, rest)));
+}
+
 // Returns the value of true and false as pandas and R write them.
 std::optional<double> truth(std::string_view text) {
   if (is_one_of(text, {"true", "yes"})) return 1;
@@ -157,6 +175,7 @@ Sheet::Sheet(std::string_view text, std::string_view source, char decimal, Heade
   if (!form.has_header) table_ = parse_csv(text, source, form);
   for (const std::string& title : table_.header) titles_.emplace_back(trimmed(title));
   decimals_.assign(titles_.size(), 0);
+  refuse_second_header();
   if (const auto empty = std::ranges::count(titles_, ""); empty > 1 && empty + 1 == std::ssize(titles_))
     refuse(fmt::format("{} stands alone in the header; begin a title above it with #", in_quotes(titles_.front())));
   for (std::size_t i = 0; i < titles_.size(); ++i)
@@ -305,6 +324,8 @@ double Sheet::number(std::size_t row, std::size_t column) {
     refuse(row, column,
            fmt::format("is no number with a decimal {}; --decimal says what marks decimals",
                        decimals_[column] == ',' ? "comma" : "point"));
+  if (const std::string advice = value ? "" : advice_on_unit(text, titles_[column]); !advice.empty())
+    refuse(row, column, advice);
   if (!value)
     refuse(row, column,
            "is no number: write NA where there is none, inf where there was no answer, the unit in the header");
@@ -312,6 +333,36 @@ double Sheet::number(std::size_t row, std::size_t column) {
   if (std::isfinite(size) && size != 0 && (size < 1e-60 || size > 1e60))
     refuse(row, column, "is beyond what can be compared, 1e-60 to 1e60");
   return *value;
+}
+
+void Sheet::refuse_units(std::size_t column) const {
+  constexpr std::size_t enough = 1000;  // rows
+  std::optional<std::uint32_t> first;
+  for (const std::uint32_t row : std::span(rows_).first(std::min(rows_.size(), enough))) {
+    if (means_none(cell(row, column))) continue;
+    if (advice_on_unit(cell(row, column), "").empty()) return;
+    if (!first) first = row;
+  }
+  if (first) refuse(*first, column, advice_on_unit(cell(*first, column), titles_[column]));
+}
+
+// As pandas writes several levels of columns: below repeated or merged names stands a row of further ones.
+void Sheet::refuse_second_header() const {
+  const std::set<std::string> different(titles_.begin(), titles_.end());
+  const auto is_unnamed = [](const std::string& title) { return title.empty(); };
+  const std::size_t named = different.size() - different.contains("");
+  if (named < 2 || different.size() == titles_.size() || table_.rows() < 2) return;
+  std::size_t names = 0;  // above numbers
+  for (std::size_t i = 0; i < titles_.size(); ++i) {
+    if (is_number(cell(0, i)) || (i > 0 && cell(0, i).empty())) return;
+    names += is_number(cell(table_.rows() - 1, i));
+  }
+  if (names < 2) return;
+  const std::size_t last = titles_.size() - 1;
+  const auto above = std::find_if_not(titles_.rbegin(), titles_.rend(), is_unnamed);
+  throw std::invalid_argument(
+      fmt::format("{}:{}: a second row of names below the header; write one row of them, such as {}", source_,
+                  table_.line(0), in_quotes(fmt::format("{} {}", *above, cell(0, last)))));
 }
 
 std::string Sheet::said(std::string_view what) const { return fmt::format("{}: {}", source_, what); }

@@ -59,7 +59,10 @@ class Sheet {
   // throws std::invalid_argument.
   double number(std::size_t row, std::size_t column);
 
-  std::string said(std::string_view what) const;  // a sentence that begins with the name of the file
+  // Refuses a column of which all cells are a number with its unit or spread: "42.6 %", "1.06 ms", "1.2 ± 0.1".
+  void refuse_units(std::size_t column) const;
+
+  std::string said(std::string_view what) const;  // of the file
   [[noreturn]] void refuse(std::string_view what) const;
   [[noreturn]] void refuse(std::size_t row, std::size_t column, std::string_view what) const;
 
@@ -74,6 +77,7 @@ class Sheet {
   std::optional<std::set<char>> marks_;           // marks of all columns, if they were needed
 
   char decimal_of(std::size_t column);
+  void refuse_second_header() const;
 };
 
 }  // namespace ikbench::base

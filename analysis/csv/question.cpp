@@ -69,10 +69,15 @@ class Asking {
     if (!request_.are_summaries && !known_.label && known_.values.empty() && are_summaries(sheet_) && has_unique_name())
       return answer_by_summaries(sheet_, asked, better());
     Columns wide = known_.values;
+    Options wide_options = {"--label", "columns"};
+    if (wide.empty()) {
+      wide = means();
+      for (const std::size_t mean : wide) wide_options = joined(wide_options, {"--value", title(mean)});
+    }
     if (wide.empty()) wide = numbers();
     if (!request_.are_summaries && !known_.label && labels.empty() && has_same_units(wide) && wide.size() > 1) {
       for (Options& answer : answers_of_numbers()) add_answer(asked, {}, answer);
-      return add_answers_of_rows(asked, {"--label", "columns"}, {}, wide);
+      return add_answers_of_rows(asked, wide_options, {}, wide);
     }
     const bool is_value_known = !known_.values.empty() || values.size() == 1;
     Options value_option;
@@ -89,6 +94,24 @@ class Asking {
     Options label_option;
     if (!known_.label) label_option = {"--label", labels.size() == 1 ? title(labels[0]) : "LABEL"};
     asked.options = joined(joined(label_option, value_option), better());
+  }
+
+  // Columns of means, if each column of numbers is one or its spread: "alpha_mean" and "alpha_std".
+  Columns means() const {
+    Columns means;
+    const Columns all = numbers();
+    std::set<std::string> titles;
+    for (const std::size_t column : all) titles.insert(base::lower_case(title(column)));
+    for (const std::size_t column : all) {
+      const std::string name = base::lower_case(title(column));
+      for (const std::string_view mean : {"mean", "avg", "average"}) {
+        if (!name.ends_with(mean)) continue;
+        const std::string stem = name.substr(0, name.size() - mean.size());
+        for (const char* spread : {"sd", "std", "stddev", "std_dev"})
+          if (!stem.empty() && titles.contains(stem + spread)) means.push_back(column);
+      }
+    }
+    return means.size() > 1 && 2 * means.size() == all.size() ? means : Columns();
   }
 
   void answer_rows(Question& asked) const { add_answers_of_rows(asked, {}, known_.label, known_.values); }
@@ -332,8 +355,15 @@ bool is_index(const Sheet& sheet, std::size_t column) {
 }
 
 void ask_for_columns(const Sheet& sheet, const Request& request, const Known& known) {
+  for (const std::size_t column : known.columns)
+    if (!has(known.named, column)) sheet.refuse_units(column);
   const Asking asking(sheet, request, known);
-  Question asked = asking.question("which columns are what?");
+  std::vector<std::string> means;
+  for (const std::size_t column : asking.means()) means.push_back(in_quotes(sheet.titles()[column]));
+  std::string what = "which columns are what?";
+  if (!means.empty())
+    what += fmt::format(" Beside their spreads stand means, {}, to be compared as values.", base::names_of(means));
+  Question asked = asking.question(what);
   asking.answer_columns(asked);
   asked.advice = advice_of(asked, request, false);
   throw asked;

@@ -78,6 +78,7 @@ void expect_repeats(const Sheet& sheet, const Layout& layout, const Items& items
   const std::string title = in_quotes(sheet.titles()[*layout.label]);
   const bool is_each_row =
       items.groups.size() == items.values.size() && items.values.size() > 2;  // two may be a sketch
+  if (is_each_row) sheet.refuse_units(*layout.label);
   if (is_each_row && are_summaries(sheet)) {
     Question asked(sheet.said(fmt::format("{} names each row, as in a table of printed means", title)));
     answer_by_summaries(
