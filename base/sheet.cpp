@@ -219,6 +219,12 @@ std::size_t Sheet::choose(std::string_view condition) {
   return chosen;
 }
 
+void Sheet::leave_out(const std::vector<std::uint32_t>& rows) {
+  const std::set<std::uint32_t> others(rows.begin(), rows.end());
+  std::erase_if(rows_, [&](std::uint32_t row) { return others.contains(row); });
+  if (rows_.empty()) refuse("each row sums up others; expected their values, too");
+}
+
 std::string_view Sheet::cell(std::size_t row, std::size_t column) const {
   const std::size_t in_file = table_.header.size();
   std::string_view text = column < in_file ? trimmed(table_.cell(row, column)) : joined_[column - in_file][row];

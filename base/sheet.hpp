@@ -40,6 +40,8 @@ class Sheet {
   // Keeps only the rows with this value in this column, "metric=error". Returns the column.
   std::size_t choose(std::string_view condition);
 
+  void leave_out(const std::vector<std::uint32_t>& rows);
+
   const std::vector<std::string>& titles() const { return titles_; }
   // Rows with at least one text. Spreadsheets leave empty rows.
   const std::vector<std::uint32_t>& rows() const { return rows_; }

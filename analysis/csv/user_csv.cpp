@@ -12,6 +12,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "analysis/csv/google_benchmark.hpp"
 #include "analysis/csv/question.hpp"
 #include "analysis/judge/tests_of_two.hpp"
 #include "base/names.hpp"
@@ -382,7 +383,9 @@ void note_blocks(const Sheet& sheet, const Layout& layout, const Items& items, s
 Quantities values_in(Sheet& sheet, const Request& request) {
   if (sheet.column_like({"stop_reason"}) && sheet.column_like({"series"}))
     sheet.refuse("solves of a study, which a CSV does not say all of; `ikbench report` judges its store");
+  const std::vector<std::string> aggregates = leave_out_aggregates(sheet, request);
   const Layout layout = layout_of(sheet, request);
+  expect_one_time_unit(sheet, layout.values);
   Quantities quantities;
   std::vector<std::string> titles;
   for (const std::size_t column : layout.values) titles.push_back(sheet.titles()[column]);
@@ -395,6 +398,9 @@ Quantities values_in(Sheet& sheet, const Request& request) {
     if (std::ranges::count(titles, observed.quantity, name_of) > 1)
       observed.quantity = titles[i], observed.unit.clear();
     if (i == 0) quantities.notes.push_back(how_read(sheet, layout, items, request.where));
+    if (i == 0 && !aggregates.empty())
+      quantities.notes.push_back(
+          fmt::format("Left out are rows that sum up others: {}.", base::front(base::names_of(aggregates), 300)));
     if (i == 0 && layout.block && smallest_p_paired(items.units) > Plan().significance)
       note_blocks(sheet, layout, items, quantities.notes);
     settle(items, observed, quantities.notes);

@@ -483,6 +483,27 @@ TEST_CASE("a column that numbers the rows is never asked for, unless it is the o
       2);
 }
 
+TEST_CASE("rows in which Google Benchmark sums up others are left out, and told") {
+  std::string text = "name,iterations,real_time,cpu_time,time_unit,label,error_occurred\n";
+  for (const std::string name : {"BM_x", "BM_y_mean"}) {
+    for (int i = 0; i < 4; ++i) text += fmt::format("\"{0}\",{1},{1}.5,2.5,ns,,\n", name, 1000 + i);
+    for (const char* of : {"mean", "stddev", "p99"}) text += fmt::format("\"{}_{}\",4,7.5,2.5,ns,,\n", name, of);
+  }
+  text += "\"BM_BigO\",,8.5,8.5,(1),,\n\"BM_once\",5,8.5,8.5,ns,,\n";
+  const Request times{.values = {"real_time"}, .label = {"name"}, .run = "row"};
+  const Quantities read = csv::read(text, "d.csv", smaller(times));
+  REQUIRE(read.observed[0].groups.size() == 3);
+  CHECK(read.observed[0].groups[1].name == "BM_y_mean");  // repeated, so it is no aggregate
+  CHECK(list_of(read.observed[0].groups[0]).size() == 4);
+  CHECK(contains(fmt::format("{}", fmt::join(read.notes, " ")), "Left out are rows that sum up others: BM_x_mean, "));
+  Request asked = times;
+  asked.where = {"name=BM_x_mean"};
+  CHECK(list_of(observations(text, asked).groups[0]) == std::vector{7.5});
+  CHECK(contains(said_of(text + "\"BM_once\",5,8.5,8.5,us,,\n", times), "'us' in column 'time_unit' is not 'ns'"));
+  // Other tables have labels as they like.
+  CHECK(observations("name,v\nA,1\nA,2\nA_mean,1.5\nB,3\n").groups.size() == 3);
+}
+
 TEST_CASE("`row` is the file's column where it has one") {
   const std::string text = "plot,row,gen,yield\n7,1,A,5\n2,1,B,6\n3,2,A,5.5\n4,2,B,6.5\n";
   const Observations of = observations(text, {.values = {"yield"}, .label = {"gen"}, .block = {"row"}});
