@@ -22,6 +22,15 @@ bool has(const Columns& columns, std::size_t column) { return std::ranges::count
   sheet.refuse("--label columns compares columns of numbers, and there is only one" + how);
 }
 
+void refuse_blocks_of_one_row(const Sheet& sheet, const Request& request, const Known& known) {
+  if (known.is_wide || request.block.size() != 1) return;
+  const std::string& block = request.block.front();
+  const bool is_number = block == "row" && std::ranges::count(sheet.titles(), block) == 0;
+  const auto is_block = [&](std::size_t column) { return sheet.titles()[column] == block; };
+  if (is_number || std::ranges::any_of(known.indices, is_block))
+    sheet.refuse("a block of one row has one label alone; say --run row, or --label columns");
+}
+
 void refuse_repeated(const Sheet& sheet, const std::vector<std::string>& titles) {
   for (auto title = titles.begin(); title != titles.end(); ++title)
     if (std::find(titles.begin(), title, *title) != title)
@@ -59,8 +68,7 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   known.is_wide =
       !request.are_summaries && request.label == std::vector<std::string>{"columns"} && !has_title("columns");
   const bool is_each_row = request.run == "row" && !has_title("row");
-  if (!known.is_wide && request.block == std::vector<std::string>{"row"} && !has_title("row"))
-    sheet.refuse("a block of one row has one label alone; say --run row, or --label columns");
+  refuse_blocks_of_one_row(sheet, request, known);
   Columns& named = known.named;
   Columns texts, numbers;
   for (const std::string& condition : request.where) named.push_back(sheet.choose(condition));
