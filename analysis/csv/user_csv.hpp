@@ -20,7 +20,7 @@ struct Quantities {
 // Throws a Question where the layout or which way is better was not said; else std::invalid_argument, as Sheet does,
 // also for a row that sums up others and for a file of solves (`ikbench export`), which lacks what its report knows.
 // Summaries have columns n, mean, sd (or as usual), one of names, and metric where there are several quantities; of the
-// request, label, where, better and decimal count.
+// request, label, n, where, better and decimal count.
 Quantities read(std::string_view text, std::string_view source, const Request& request);
 
 // The plan with a margin, "5%"; or "0.1" in the unit of the values, which becomes theirs. Empty: the plan's, but none
