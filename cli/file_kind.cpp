@@ -30,7 +30,7 @@ std::optional<toml::table> toml_in(const std::string& file) {
   }
 }
 
-// What messages call it.
+// Returns the name of a file in messages.
 std::string name_of(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 // A command whose output goes to a new file beside the input.

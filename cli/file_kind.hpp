@@ -19,7 +19,8 @@ struct NotATable : std::invalid_argument {
   NotATable(const std::string& what, std::string with) : std::invalid_argument(what), command(std::move(with)) {}
   std::string command;
 };
-// Throws NotATable if the text of a file, or of - for standard input, is none: a store, JSON, something compressed, a spreadsheet.
+// Throws NotATable if the text of a file, or of - for standard input, is none: a store, JSON, something compressed, a
+// spreadsheet.
 void refuse_no_table(std::string_view text, const std::string& file);
 
 }  // namespace ikbench::cli

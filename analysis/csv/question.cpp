@@ -166,7 +166,7 @@ class Asking {
     return labels;
   }
 
-  // Of each row: one column of texts, or one beside "metric", in which no text repeats.
+  // True if one column of texts, or one beside "metric", has no text twice, so that it names each row.
   bool has_unique_name() const {
     const Column metric = sheet_.column_like({"metric"});
     const Columns metrics = metric ? Columns{*metric} : Columns();
@@ -183,7 +183,7 @@ class Asking {
     return numbers;
   }
 
-  // Of several columns of numbers those with decimals, since whole numbers may also name and count.
+  // Returns the columns of numbers with decimals if there are several: whole numbers may also name and count.
   Columns possible_values() const {
     Columns all = numbers(), decimals;
     for (const Facts& facts : facts_)
@@ -197,7 +197,7 @@ class Asking {
     return units.size() == 1;
   }
 
-  // Of two columns of numbers one may have the labels.
+  // Takes each of two columns of numbers for the labels in turn.
   std::vector<Options> answers_of_numbers() const {
     std::vector<Options> answers;
     const Columns two = numbers();

@@ -10,7 +10,7 @@ namespace ikbench::csv {
 // A column that is 0, 1, 2 ... or 1, 2, 3 ... in the order of the rows, as pandas and R write it.
 bool is_index(const Sheet& sheet, std::size_t column);
 
-// What is known when a question has to be asked.
+// The columns, as far as they are known when a question has to be asked.
 struct Known {
   Columns columns;  // which are told
   Columns named;    // by an option
@@ -26,7 +26,7 @@ void answer_by_summaries(const Sheet& sheet, Question& asked, const std::vector<
 
 // Throws the Question. Where few answers are possible, each is a whole command; else what is open has a placeholder.
 [[noreturn]] void ask_for_columns(const Sheet& sheet, const Request& request, const Known& known);
-// What a row is.
+// Throws the Question what a row is.
 [[noreturn]] void ask_for_rows(const Sheet& sheet, const Request& request, const Known& known);
 
 }  // namespace ikbench::csv

@@ -141,7 +141,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const Columns& columns, const
   throw question;
 }
 
-// Of each of the titles. Asks where nobody said it: no name or number does.
+// Returns which way is better for each title. Asks if the user did not say it: no name or number does.
 std::vector<Better> better_of(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles) {
   std::map<std::string_view, std::string_view> said;  // "": of all
   for (const std::string_view option : request.better) {
@@ -235,7 +235,7 @@ double worst_value(const Observations& observed, double sum, double rows, double
   return is_larger_better ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
 }
 
-// Of one group, by unit.
+// Makes the sample of one group, one value per unit.
 Measured measured_in(const Layout& layout, std::span<const Mean> means, const Gaps& gaps, const Request& request,
                      const Observations& observed) {
   Measured measured;
@@ -342,7 +342,7 @@ void settle(const Items& items, Observations& observed, std::vector<std::string>
   }
 }
 
-// What the rows were taken for.
+// Says what the rows were taken for.
 std::string how_read(const Sheet& sheet, const Layout& layout, const Items& items,
                      const std::vector<std::string>& where) {
   const auto of = [&](Column column) {  // a title may be no noun
@@ -417,7 +417,7 @@ Quantities values_in(Sheet& sheet, const Request& request) {
   return quantities;
 }
 
-// What --summaries needs. Asks how many values a mean has, where neither a column nor the request says it.
+// Finds what --summaries needs. Asks how many values a mean has, where neither a column nor the request says it.
 SummaryColumns expected_columns(const Sheet& sheet, const Request& request) {
   const SummaryColumns columns = summary_columns_of(sheet);
   for (const auto& [name, found] : {std::pair("mean", columns.mean), {"sd", columns.sd}})

@@ -25,10 +25,10 @@ std::vector<std::string> settings_of_archive() {
 StudyResults archived(const std::string& robot) {
   constexpr std::string_view arms[]{"franka_panda", "kuka_iiwa14", "ur5e"};
   if (std::ranges::find(arms, robot) == std::end(arms))
-    throw std::invalid_argument(
-        fmt::format("--beside {}: it has {}, and the study's arm is {}; expected one of these, or measure the libraries "
-                    "on your arm: solvers/programs/install.sh, then solvers/programs/libraries.sh {}",
-                    archive_name, fmt::join(arms, ", "), robot, robot));
+    throw std::invalid_argument(fmt::format(
+        "--beside {}: it has {}, and the study's arm is {}; expected one of these, or measure the libraries "
+        "on your arm: solvers/programs/install.sh, then solvers/programs/libraries.sh {}",
+        archive_name, fmt::join(arms, ", "), robot, robot));
   const base::CsvTable rows = published::table(archive_name, robot);
   const auto statuses = names_of(Status());
   StudyResults study;
