@@ -80,7 +80,7 @@ ReasonWords words_of(Open::Why why) {
        {"no_answer", "neither has an answer", "no answer"},
        {"copies", "each has a single number, which may have been copied; --run row says that each row is a measurement",
         "one number (!)"},
-       {"too_few", "no values in common", "too few to compare"},
+       {"too_few", "no values to compare", "too few to compare"},
        {"few_decide", "few values decide", "too few to compare"}}};
   return all[static_cast<std::size_t>(why)];
 }

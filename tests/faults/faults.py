@@ -90,7 +90,7 @@ def fault(case, number, right):
 
 def main():
     (work / "few.toml").write_text(STUDY)
-    (work / "long.csv").write_text("A,B\n" + "".join(f"{i},{i + 1}\n" for i in range(1, 10001)))
+    (work / "long.csv").write_text("A,B\n" + "".join(f"{i + 0.5},{i + 1.5}\n" for i in range(1, 10001)))
     made(["run", "few.toml", "--figures", "none", "--out", "whole"])
     for i in 1, 2:
         made(["run", "few.toml", "--shard", f"{i}/2", "--out", f"shards/{i}", "--no-report"])
