@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "base/files.hpp"
+#include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "experiments/runner.hpp"
@@ -62,7 +63,8 @@ void add_export(const Command& command, Invocation&) {
       if (arguments->file == "-") throw std::invalid_argument("--format archive: expected -o FILE, as mine.sqlite");
       if (!arguments->study.empty())
         throw std::invalid_argument("an archive has all studies of its store; leave out --study");
-      fmt::print("{}: seal {}\n", printable(arguments->file), write_archive(arguments->store, arguments->file));
+      fmt::print("{}: seal {}\n", printable(base::one_line(arguments->file)),
+                 write_archive(arguments->store, arguments->file));
       return;
     }
     const Store store(arguments->store, Store::Mode::read);

@@ -74,7 +74,16 @@ Study study_of_store(const StudyToRun& arguments) {
     throw std::invalid_argument(
         fmt::format("{0} would start programs with your rights: {1}; to let it: {2}", file, fmt::join(commands, "; "),
                     shell_command("ikbench", {"run", file, "--out", arguments.run.out, "--start-programs"})));
-  return load_study(store, stored, overrides_of(arguments));
+  const Overrides overrides = overrides_of(arguments);
+  Study study = load_study(store, stored, overrides);
+  const auto is_same = [](const Series& made, const Series& read) {
+    return made.label == read.label && made.algorithm == read.algorithm && made.options == read.options;
+  };
+  if (overrides.empty() && !std::ranges::equal(stored.series, stored_study(study).series, is_same))
+    throw std::invalid_argument(fmt::format(
+        "{}: its study names other solvers or options than made its solves; it was changed since they were stored",
+        file));
+  return study;
 }
 
 Study study_of(const StudyToRun& arguments) {

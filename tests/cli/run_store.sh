@@ -97,6 +97,7 @@ broken() { # WORD SQL
   refused "$1" run broken.sqlite --no-report --out other
 }
 set_definition() { echo "UPDATE studies SET definition = json_set(definition, '\$.$1', json('$2'))"; }
+broken "other solvers" "$(set_definition 'solvers[0]' '{"solver":"random_search","label":"damped_least_squares"}')"
 broken "solvers" "$(set_definition solvers 3)"
 broken "solvers" "$(set_definition solvers '[]')"
 broken "solvers" "$(set_definition solvers '[7]')"
