@@ -68,7 +68,7 @@ Study study_of_store(const StudyToRun& arguments) {
   const Store store(file, Store::Mode::read);
   const StoredStudy stored = store.study(arguments.study_of_store);
   std::vector<std::string> commands;
-  for (const std::vector<std::string>& process : programs_of(stored))
+  for (const std::vector<std::string>& process : experiments::programs_of(stored))
     if (!process.empty()) commands.push_back(shell_command(process[0], {process.begin() + 1, process.end()}));
   if (!commands.empty() && !arguments.starts_programs)
     throw std::invalid_argument(

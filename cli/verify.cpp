@@ -17,7 +17,7 @@ namespace ikbench::cli {
 
 namespace {
 
-struct Arguments {
+struct VerifyArguments {
   std::string store, study, seal;
   std::int64_t solves = 100;
 };
@@ -49,6 +49,8 @@ std::string said_of_seal(const Store& store, const std::string& given, const Sto
   const bool is_of_solves =
       is_as_archived(store, fmt::format("{}{}", fingerprint_fact, study.name), "what it holds", line);
   if (!given.empty()) {
+    if (!is_sealed && lower_case(given) != seal)
+      throw std::invalid_argument("it has no seal, so it is no archive, or an older ikbench made it");
     if (lower_case(given) != seal)
       throw std::invalid_argument(fmt::format(
           "its seal is {}, not the given {}; so it is another archive, or was changed since it was archived", seal,
@@ -77,7 +79,7 @@ void check_seal(const std::string& seal) {
 }  // namespace
 
 void add_verify(const Command& command, Invocation& invocation) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<VerifyArguments>();
   command.add("STORE", &arguments->store, "path of a store.sqlite").required();
   add_study_option(command, arguments->study);
   command.add("--solves", &arguments->solves, "number of solves to make again, drawn at random").whole_number();
@@ -96,8 +98,10 @@ void add_verify(const Command& command, Invocation& invocation) {
     const SolvedAgain again =
         solve_again(store, study, arguments->solves, [&](const Progress& progress) { bar->show(progress); });
     bar.reset();  // leaves its line to the answer
-    std::vector<std::string> unchecked{redraw ? "times, traces and extras"
-                                              : "times, targets, starts, traces and extras"};
+    std::vector<std::string> unchecked{
+        redraw ? "whether times, traces and extras were true when they were stored"
+               : "whether times, targets, starts, traces and extras were true when they were "
+                 "stored"};
     const auto leave_out = [&](const std::vector<std::string>& labels, const char* why) {
       if (!labels.empty()) unchecked.push_back(fmt::format("answers and counts of {}{}", fmt::join(labels, ", "), why));
     };

@@ -1,11 +1,14 @@
 #include "robots/spherical_wrist.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "base/units.hpp"
 #include "numerics/functions.hpp"
@@ -61,9 +64,11 @@ std::string SphericalWrist::misfit(const Chain& whole) {
   const Misfit off = misfit_of(whole);
   const double length = off.length < exact ? 0 : off.length, angle = off.angle < exact ? 0 : off.angle;
   const bool may_be_rounded = length < 1e-4 && angle > 0 && angle < 1e-3;
+  std::vector<std::string> reasons;
+  if (length > 0) reasons.push_back(fmt::format("{:.3g} mm from a common point", 1000 * length));
+  if (angle > 0) reasons.push_back(fmt::format("{:.3g} deg from right angles", angle / base::degree));
   return fmt::format(
-      "its last three axes are {:.3g} mm from a common point and {:.3g} deg from right angles{}", 1000 * length,
-      angle / base::degree,
+      "its last three axes are {}{}", fmt::join(reasons, " and "),
       may_be_rounded ? " (with exact angles in its file, such as 1.5707963267948966, it may have one)" : "");
 }
 

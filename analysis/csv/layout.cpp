@@ -11,8 +11,6 @@
 namespace ikbench::csv {
 namespace {
 
-bool has(const Columns& columns, std::size_t column) { return std::ranges::count(columns, column) > 0; }
-
 [[noreturn]] void refuse_one_column(const Sheet& sheet, const Known& known) {
   std::string how;
   if (!known.indices.empty()) {
@@ -28,7 +26,8 @@ void refuse_blocks_of_one_row(const Sheet& sheet, const Request& request, const 
   const bool is_number = block == "row" && std::ranges::count(sheet.titles(), block) == 0;
   const auto is_block = [&](std::size_t column) { return sheet.titles()[column] == block; };
   if (is_number || std::ranges::any_of(known.indices, is_block))
-    sheet.refuse("a block of one row has one label alone; say --run row, or --label columns");
+    sheet.refuse(
+        "a block of one row has one label alone; say --run row, or --label columns if each column of numbers is one label");
 }
 
 void refuse_repeated(const Sheet& sheet, const std::vector<std::string>& titles) {

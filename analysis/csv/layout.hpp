@@ -2,6 +2,7 @@
 // column which numbers the rows is no value.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,7 @@ namespace ikbench::csv {
 using base::Sheet, base::in_quotes;
 using Column = std::optional<std::size_t>;
 using Columns = std::vector<std::size_t>;
+inline bool has(const Columns& columns, std::size_t column) { return std::ranges::count(columns, column) > 0; }
 
 // Columns by name. A file without a column `row` has one, of the number of each row.
 struct Request {

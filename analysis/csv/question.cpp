@@ -25,8 +25,6 @@ constexpr std::size_t most_labels = 100;
 constexpr std::size_t most_answers = 6;
 constexpr std::size_t most_crossed = 2;  // columns, whose combinations are few enough to be listed
 
-bool has(const Columns& columns, std::size_t column) { return std::ranges::count(columns, column) > 0; }
-
 Options joined(Options options, const Options& more) {
   options.insert(options.end(), more.begin(), more.end());
   return options;

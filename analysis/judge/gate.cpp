@@ -106,7 +106,8 @@ void refuse_what_the_plan_lacks(const GateOptions& options, const Definition& de
   for (const std::string& name : asked)
     if (std::ranges::count(named, name) == 0)
       throw std::invalid_argument(fmt::format(
-          "--metric {}: the study's plan names {}; expected one or several of these", name, base::listed(named)));
+          "--metric {}: the study's plan names {}; expected some of these, or name it in `metric` or `then` of [analysis]",
+          name, base::listed(named)));
   const std::vector<Metric> all = metrics_of(definition);
   const auto is_of_time = [&](const std::string& name) {
     const auto its = std::ranges::find(all, name, &Metric::column);

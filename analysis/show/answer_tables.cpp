@@ -31,12 +31,13 @@ constexpr std::size_t most_listed = 10'000;  // pairs beside these: 400 solvers 
 const std::string star = "*", plus = "+", exclamation = "!";
 
 // "* worse and + better than DLS, ! not tested", of the marks that occur.
-std::string meaning_of(const std::set<std::string>& marks, const std::string& reference) {
+std::string meaning_of(const std::set<std::string>& marks, const std::string& reference,
+                       const std::string& why_not_tested = "") {
   std::vector<std::string> pairs, all;
   if (marks.contains(star)) pairs.push_back(star + " worse");
   if (marks.contains(plus)) pairs.push_back(plus + " better");
   if (!pairs.empty()) all.push_back(listed(pairs) + " than " + reference);
-  if (marks.contains(exclamation)) all.push_back(exclamation + " not tested");
+  if (marks.contains(exclamation)) all.push_back(exclamation + " not tested" + why_not_tested);
   return listed(all, ", ");
 }
 
@@ -138,6 +139,20 @@ std::string of_whom(const Answer& answer, const std::string& reference) {
   return answer.decisive().plan.control.empty() && !others.empty() ? "another solver" : reference;
 }
 
+// " (6 runs are too few, 7 are needed)" if that is why pairs are not tested, and all that are have this reason.
+std::string why_too_few(const Answer& answer) {
+  std::set<std::string> reasons;
+  for (const JudgedMetric& judged : answer.metrics) {
+    for (const Finding& finding : judged.findings) {
+      const auto* const open = std::get_if<Open>(&finding.what);
+      if (open == nullptr) continue;
+      const bool is_told = open->why == Open::Why::too_few && open->n > 0;
+      reasons.insert(is_told ? reason_of(*open, noun_of(answer, judged)) : "");
+    }
+  }
+  return reasons.size() == 1 && !reasons.begin()->empty() ? fmt::format(" ({})", *reasons.begin()) : "";
+}
+
 // What stands in a table of results, which its notes explain.
 struct Occurring {
   bool averages = false, spreads = false, shares = false;
@@ -174,7 +189,7 @@ std::vector<std::string> key_of(const Answer& answer, const Occurring& occurring
                                          decisive.plan.control.empty() && answer.order.size() > 2 ? ", all pairs" : "",
                                          std::ranges::any_of(answer.metrics, has_facts) ? ", or for certain" : "");
   return {
-      numbers, meaning_of(occurring.marks, of_whom(answer, reference) + tested),
+      numbers, meaning_of(occurring.marks, of_whom(answer, reference) + tested, why_too_few(answer)),
       occurring.shares
           ? fmt::format("Intervals{}: {:.3g} %", occurring.spreads && !has_means ? " of shares" : "", 100 * (1 - level))
           : "",

@@ -129,10 +129,13 @@ std::vector<Table> set_up(const Report& report) {
       if (const auto* const tested = std::get_if<Tested>(&finding.what)) tests.insert(std::string(tested->test));
   }
   add(of_study, "tests of pairs", listed_of(tests));
+  const std::size_t metrics = report.answer.named_metrics;
   if (!tests.empty())
     add(of_study, "significance",
-        fmt::format("{} of each metric, divided by its pairs (Bonferroni); a difference within {} does not matter",
-                    number_text(decisive.plan.significance), margin_words(decisive)));
+        fmt::format("{}, divided by the pairs of a metric{} (Bonferroni); a difference within {} does not matter",
+                    number_text(decisive.plan.significance),
+                    metrics == 1 ? "" : fmt::format(" and by the {} metrics that the plan names", metrics),
+                    margin_words(decisive)));
   for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})
     add(machine, with_blanks(fact), listed_of(facts_of(study, fact)));
   return {std::move(of_study), std::move(machine)};

@@ -88,7 +88,7 @@ line=$(tail -n 1 .out)
 succeeds verify archived.sqlite --seal "${seal^^}"
 has "$(xargs <.out)" "It has the given seal"
 refused "64 hexadecimal digits" verify archived.sqlite --seal 1234
-refused "another archive" verify made/store.sqlite --seal "$seal"
+refused 'no seal' verify made/store.sqlite --seal "$seal"
 forge="UPDATE solves SET seconds = seconds * 0.8, cpu_seconds = cpu_seconds * 0.8 WHERE label = 'BA'"
 cp archived.sqlite forged.sqlite
 sqlite3 forged.sqlite "$forge"
