@@ -172,12 +172,18 @@ void keep_two(const Gate& gate, Observations& observed, std::vector<Finding>& fi
   findings.front() = better_first(std::move(findings.front()), gate.baseline);
 }
 
-// The findings of each metric of each gate. A metric's pairs are one family, of which those of solvers that are the
-// same bit for bit in two stores are no part, since no chance is in them.
+std::string family_of(const Gate& gate, const JudgedMetric& metric) {
+  const std::string name = name_in_plan(gate.judged, metric);
+  return name.empty() ? "not in the plan: " + metric.observations.metric : name;
+}
+
+// The findings of each metric of each gate. Pairs of the metrics that a name of the plan means are one family: of
+// evaluations, where one label solved all targets and another did not, also those per solved target. Solvers that are
+// the same bit for bit in two stores are no part of it, since no chance is in them.
 std::vector<std::vector<std::vector<Finding>>> findings_of(const std::vector<Gate>& gates) {
   const std::size_t metrics = names_in_plan(gates.front().judged.study.definition).size();
   std::vector<std::vector<std::vector<Finding>>> all;
-  std::map<std::string, std::vector<std::pair<std::size_t, std::size_t>>> families;  // gates and metrics, by metric
+  std::map<std::string, std::vector<std::pair<std::size_t, std::size_t>>> families;  // gates and metrics, by name
   for (std::size_t i = 0; i < gates.size(); ++i) {
     const std::vector<JudgedMetric>& its = gates[i].judged.metrics;
     all.emplace_back(its.size());
@@ -185,7 +191,7 @@ std::vector<std::vector<std::vector<Finding>>> findings_of(const std::vector<Gat
       if (gates[i].are_same && !gates[i].label.empty() && !is_time(its[m]))
         all[i][m] = compare(its[m].observations, its[m].plan, metrics);
       else
-        families[its[m].observations.metric].emplace_back(i, m);
+        families[family_of(gates[i], its[m])].emplace_back(i, m);
     }
   }
   for (const auto& [metric, places] : families) {

@@ -390,6 +390,27 @@ TEST_CASE("labels of another machine change no p of a study's own pairs") {
   }
 }
 
+TEST_CASE("a name of the plan is one family, whichever of its metrics a label has") {
+  const auto solve_all = [](SolveRecord& solve) { solve.status = Status::ok; };
+  const auto take_more = [](SolveRecord& solve) {
+    if (solve.evaluations < 1000) solve.evaluations = solve.evaluations * 6 / 5;
+  };
+  const auto solve_all_by_more = [&](SolveRecord& solve) {
+    solve_all(solve);
+    take_more(solve);
+  };
+  const auto p_of = [](const Gate& gate, const char* column) {
+    return *seen(judged_of(gate.judged, column)->findings.front()).p;
+  };
+  std::vector<Gate> both{gate(version(1, of_100, solve_all), version(2, of_100, solve_all_by_more)),
+                         gate(version(1), version(2, of_100, take_more))};
+  std::vector<Gate> alone{both.front()}, other{both.back()};
+  for (std::vector<Gate>* const gates : {&both, &alone, &other}) decide(*gates);
+  CHECK(p_of(both[0], "evaluations") == std::min(1.0, 2 * p_of(alone[0], "evaluations")));
+  CHECK(p_of(both[1], "evaluations_per_solved") == std::min(1.0, 2 * p_of(other[0], "evaluations_per_solved")));
+  CHECK(p_of(alone[0], "evaluations") < 0.5);
+}
+
 TEST_CASE("solves that are the same bit for bit leave nothing open, however few") {
   const Asked chained{.runs = 8, .points = 3};
   const auto with = [&](double angle) {
