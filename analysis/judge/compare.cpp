@@ -163,7 +163,7 @@ std::optional<Effect> effect_of(const Observations& observed, const Pair& pair, 
   const std::vector<double>& first = has_differences ? numbers.differences : numbers.first;
   std::vector<double> second = has_differences ? std::vector{0.0} : numbers.second;
   if (observed.are_logs || first.empty() || second.empty()) return {};
-  std::ranges::sort(second);
+  if (!std::ranges::is_sorted(second)) std::ranges::sort(second);
   double larger = 0, smaller = 0;
   for (const double value : first) {
     const auto [first_equal, end] = std::equal_range(second.begin(), second.end(), value);
@@ -269,8 +269,17 @@ std::optional<Open::Why> why_not(const Method& method, const Group& a, const Gro
   return all.empty() ? std::nullopt : std::optional(*all.begin());
 }
 
+// Groups whose values rise, so that no pair sorts them again; none where values belong together by their places.
+std::vector<Group> rising_groups(const Observations& observed) {
+  if (observed.is_paired) return {};
+  std::vector<Group> groups = observed.groups;
+  for (Group& group : groups)
+    if (auto* const its = std::get_if<Measured>(&group.sample)) std::ranges::sort(its->values);
+  return groups;
+}
+
 // The pairs that the plan asks for. Throws std::invalid_argument, which names all groups, if the control is none.
-std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
+std::vector<Pair> pairs_of(const Observations& observed, const std::vector<Group>& rising, const Plan& plan) {
   if (!plan.control.empty() && place_of(observed, plan.control) == observed.groups.size()) {
     std::vector<std::string> names;
     for (const Group& group : observed.groups) names.push_back(group.name);
@@ -282,6 +291,10 @@ std::vector<Pair> pairs_of(const Observations& observed, const Plan& plan) {
     for (auto b = a + 1; b != observed.groups.end(); ++b) {
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
       Pair& pair = pairs.emplace_back(Pair{.a = &*a, .b = &*b, .method = &method_of(observed, plan, *a, *b)});
+      if (pair.method->by == By::ranks && !rising.empty()) {
+        pair.a = &rising[static_cast<std::size_t>(a - observed.groups.begin())];
+        pair.b = &rising[static_cast<std::size_t>(b - observed.groups.begin())];
+      }
       const bool has_differences = observed.scale == Scale::ratio && pair.method->by != By::ranks && !observed.are_logs;
       pair.scale = has_differences ? Scale::difference : observed.scale;
       const auto [m, n] = common_sizes(*a, *b);
@@ -372,7 +385,10 @@ std::vector<Finding> compare(const Observations& observed, const Plan& plan, std
 
 std::vector<std::vector<Finding>> compare(const std::vector<Member>& family, std::size_t metrics) {
   std::vector<std::vector<Pair>> members;
-  for (const Member& member : family) members.push_back(pairs_of(*member.observed, *member.plan));
+  std::vector<std::vector<Group>> rising;
+  for (const Member& member : family) rising.push_back(rising_groups(*member.observed));
+  for (std::size_t i = 0; i < family.size(); ++i)
+    members.push_back(pairs_of(*family[i].observed, rising[i], *family[i].plan));
   const auto shares = static_cast<double>(metrics);
   const double significance = family.front().plan->significance / shares;
   const double tests = shares * static_cast<double>(std::max<std::size_t>(1, testable(members, significance)));

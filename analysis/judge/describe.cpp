@@ -136,7 +136,7 @@ Description described(const std::vector<double>& values) {
   if (values.empty()) return {};
   const Summary summary = summarise(values);
   std::vector<double> sorted = values;
-  std::ranges::sort(sorted);
+  if (!std::ranges::is_sorted(sorted)) std::ranges::sort(sorted);
   const bool is_finite = std::isfinite(sorted.front()) && std::isfinite(sorted.back());
   const double infinite = std::isfinite(sorted.back()) ? sorted.front() : sorted.back();
   return {.n = summary.n,

@@ -49,7 +49,7 @@ double two_sided_binomial(double k, double n) {  // at one half
 
 std::vector<double> sorted(Values values) {
   std::vector<double> order(values.begin(), values.end());
-  std::ranges::sort(order);
+  if (!std::ranges::is_sorted(order)) std::ranges::sort(order);
   return order;
 }
 
@@ -182,8 +182,8 @@ double value_at(std::int64_t place) { return std::bit_cast<double>(in_order(plac
 // to the rank-th largest. The sums are not made: those up to a bound are counted, and the bound closes in, from one
 // sum to another.
 Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std::size_t rank) {
-  std::ranges::sort(x);
-  std::ranges::sort(y);
+  for (std::vector<double>* const values : {&x, &y})
+    if (!std::ranges::is_sorted(*values)) std::ranges::sort(*values);
   const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
   const auto smallest = [&](std::size_t at) {  // from 1
     std::int64_t low = place_of(x.front() + y.front()), high = place_of(x.back() + y.back());
@@ -238,7 +238,12 @@ std::vector<Placed> rising(Values values) {
   std::vector<Placed> order;
   order.reserve(values.size());
   for (const double value : values) order.emplace_back(value, order.size());
-  std::ranges::sort(order, {}, &Placed::first);
+  // Two groups that rise, one after the other, are merged.
+  const auto end = std::ranges::is_sorted_until(order, {}, &Placed::first);
+  if (std::ranges::is_sorted(end, order.end(), {}, &Placed::first))
+    std::ranges::inplace_merge(order, end, {}, &Placed::first);
+  else
+    std::ranges::sort(order, {}, &Placed::first);
   return order;
 }
 
@@ -282,7 +287,7 @@ Outcome rank_test(Values first, Values second, double alpha) {
   const RankSum& sum = without_ties(first.size() + second.size(), few);
   const std::vector<double> first_rising = sorted(first), second_rising = sorted(second);
   std::vector<double> negative;
-  for (const double value : second_rising) negative.push_back(-value);
+  for (std::size_t i = second_rising.size(); i-- > 0;) negative.push_back(-second_rising[i]);
   const std::size_t rank = sum.critical(number(few) * number(few + 1) / 2, alpha);
   Outcome outcome = of_sums(first_rising, std::move(negative), false, rank);
   // From an end of Mann-Whitney's as far as Brunner-Munzel reaches: to a difference, however large the largest is.
