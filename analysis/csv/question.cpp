@@ -89,6 +89,7 @@ class Asking {
       if (labels.size() == 1 || (are_few && asked.options.empty())) return;
       asked.answers.clear();
     }
+    if (add_answers_of_columns(asked, labels)) return;
     Options label_option;
     if (!known_.label) label_option = {"--label", labels.size() == 1 ? title(labels[0]) : "LABEL"};
     asked.options = joined(joined(label_option, value_option), better());
@@ -193,6 +194,36 @@ class Asking {
     std::set<std::string> units;
     for (const std::size_t column : columns) units.insert(base::Title(title(column)).unit);
     return units.size() == 1;
+  }
+
+  // Adds an answer for each label and value that there can be, if they are few. Whole commands would be too many: each
+  // of these leads to the question what a row is. Returns whether it added any.
+  bool add_answers_of_columns(Question& asked, const Columns& labels) const {
+    std::vector<Options> of_labels, of_values;
+    for (const std::size_t label : known_.label ? Columns() : labels) of_labels.push_back({"--label", title(label)});
+    for (const std::size_t value : known_.values.empty() ? varying_values() : Columns())
+      of_values.push_back({"--value", title(value)});
+    if (known_.label) of_labels = {Options()};
+    if (!known_.values.empty()) of_values = {Options()};
+    const std::size_t answers = of_labels.size() * of_values.size();
+    if (answers == 0 || answers > most_answers) return false;
+    asked.answers.clear();
+    asked.options.clear();
+    for (const Options& label : of_labels)
+      for (const Options& value : of_values) add_answer(asked, label, value);
+    return true;
+  }
+
+  // The columns of numbers that differ from row to row: those with decimals, if there are any.
+  Columns varying_values() const {
+    Columns varying, decimals;
+    const Columns possible = possible_values();
+    for (const Facts& facts : facts_) {
+      if (!has(possible, facts.column) || facts.different < 2) continue;
+      varying.push_back(facts.column);
+      if (!facts.are_whole) decimals.push_back(facts.column);
+    }
+    return decimals.empty() ? varying : decimals;
   }
 
   // Takes each of two columns of numbers for the labels in turn.

@@ -61,10 +61,10 @@ asked() {
   [ -z "$out" ] || fail "$* wrote $out"
   [ "$(wc -l <.err)" -le 20 ] || fail "a long question: $err"
 }
-asked "--label LABEL --value runtime --better smaller" "$data/versions.csv"
+asked "--label version --value runtime --better smaller" "$data/versions.csv"
 asked "--label solver --value runtime --block version --block date --better" "$data/versions.csv" --label solver --value runtime
 cp "$data/two-factors.csv" 'my file.csv'
-asked "stats 'my file.csv' --better larger --label LABEL --value error" 'my file.csv' --better larger
+asked "stats 'my file.csv' --better larger --label robot --value error" 'my file.csv' --better larger
 # Each command is one that runs as it is printed.
 printf 'my alloy,X,Y\n1,407,440\n2,402,437\n3,408,427\n4,420,438\n5,414,426\n6,425,442\n7,411,438\n' >wide.csv
 asked "--label columns --block row" wide.csv

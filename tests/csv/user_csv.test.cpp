@@ -113,7 +113,7 @@ TEST_CASE("rows without a label are left out and counted") {
 
 TEST_CASE("rows of several metrics are asked about, and --where takes one") {
   const std::string text = text_in("tests/data/csv/mixed-metrics.csv");
-  CHECK(contains(said_of(text), "[--label LABEL --value value]"));
+  CHECK(contains(said_of(text), "[] [--label solver --value value] [--label metric --value value]"));
   CHECK(contains(said_of(text, {.values = {"value"}, .label = {"solver"}}), "[] [--block seed --block metric]"));
   const Request chosen{.values = {"value"}, .label = {"solver"}, .run = "seed", .where = {"metric=error"}};
   CHECK(list_of(observations(text, chosen).groups.front()) == std::vector{0.10, 0.12, 0.11, 0.13});
@@ -444,7 +444,8 @@ TEST_CASE("a question fills in what has one answer, and each of its answers can 
   CHECK(contains(nested, "[--value pressure --run patient]"));
   CHECK_FALSE(contains(nested, "--block patient"));
   CHECK(contains(said_of("problem,A,B\nx,1.5,2\ny,2,3.5\nz,2,2.5\n"), "[--label columns --block problem]"));
-  CHECK(contains(said_of("scene,A,B\nx,1.5,2\nx,2,3.5\nz,2,2.5\n"), "[--label scene --value VALUE]"));
+  CHECK(contains(said_of("scene,A,B\nx,1.5,2\nx,2,3.5\nz,2,2.5\n"),
+                 "[] [--label scene --value A] [--label scene --value B]"));
   CHECK(contains(said_of("id,v\n1,1.5\n1,1.7\n2,2.5\n2,4\n"), "[] [--label id --value v] [--label columns --run "));
   for (const std::string& text :
        {wide, of_two, patients, text_in("tests/data/csv/two-factors.csv"), text_in("tests/data/csv/mixed-metrics.csv"),
@@ -476,7 +477,8 @@ TEST_CASE("a column that numbers the rows is never asked for, unless it is the o
           1);
   }
   CHECK(list_of(observations("s,v\nA,1\nA,2\nB,3\nB,4\n").groups[0]) == std::vector{1.0, 2.0});
-  CHECK(contains(said_of("v,w,s\n0,0,A\n1,2,A\n2,1,A\n4,5,B\n"), "[--label s --value VALUE]"));  // 4 is no 3
+  CHECK(contains(said_of("v,w,s\n0,0,A\n1,2,A\n2,1,A\n4,5,B\n"),
+                 "[] [--label s --value v] [--label s --value w]"));  // 4 is no 3
   CHECK(contains(said_of("n,v\n1,4\n2,6\n3,5\n", {.label = {"columns"}, .run = "row"}), "'n' numbers the rows"));
   CHECK(
       observations("n,v\n1,4\n2,6\n3,5\n", {.values = {"n", "v"}, .label = {"columns"}, .run = "row"}).groups.size() ==
