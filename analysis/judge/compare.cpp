@@ -99,10 +99,16 @@ struct Pair {
   bool is_fact() const { return repeats_itself(*a) && repeats_itself(*b); }
 };
 
+// Returns whether two groups have different blocks, so that only some are common.
+bool has_other_blocks(const Group& a, const Group& b) {
+  const Measured *const of_a = measured(a), *const of_b = measured(b);
+  return of_a != nullptr && of_b != nullptr && of_a->blocks != of_b->blocks;
+}
+
 // The sizes of the two groups in the blocks that both have.
 std::pair<std::size_t, std::size_t> common_sizes(const Group& a, const Group& b) {
+  if (!has_other_blocks(a, b)) return {size_of(a), size_of(b)};
   const Measured *const of_a = measured(a), *const of_b = measured(b);
-  if (of_a == nullptr || of_b == nullptr || of_a->blocks == of_b->blocks) return {size_of(a), size_of(b)};
   const auto is_in_a = [&](int block) { return std::ranges::binary_search(of_a->blocks, block); };
   const auto common = static_cast<std::size_t>(std::ranges::count_if(of_b->blocks, is_in_a));
   return {common, common};
@@ -243,9 +249,7 @@ Finding judged_on_common(const Observations& observed, const Plan& plan, const P
 
 // Copies the two groups only where their blocks differ, and only while they are judged.
 Finding judged(const Observations& observed, const Plan& plan, const Pair& pair, double tests) {
-  const Measured *const of_a = measured(*pair.a), *const of_b = measured(*pair.b);
-  if (of_a == nullptr || of_b == nullptr || of_a->blocks == of_b->blocks)
-    return judged_on_common(observed, plan, pair, tests);
+  if (!has_other_blocks(*pair.a, *pair.b)) return judged_on_common(observed, plan, pair, tests);
   Group a = *pair.a, b = *pair.b;
   keep_common_blocks({&a, &b});
   Pair common = pair;

@@ -192,7 +192,9 @@ JudgedStudy judge(StudyResults study) {
 
 std::vector<std::string> names_in_plan(const results::Definition& study) {
   const Plan& plan = study.plan;
-  std::vector<std::string> names{!plan.metric.empty() ? plan.metric : study.has_tolerance() ? "solved" : "error"};
+  std::string first = plan.metric;
+  if (first.empty()) first = study.has_tolerance() ? "solved" : "error";
+  std::vector<std::string> names{first};
   std::string_view its_word;
   if (!plan.metric.empty()) its_word = then_word_of(observations_of(metric_named(plan.metric, metrics_of(study))));
   for (const std::string& word : results::all_thens)
