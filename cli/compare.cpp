@@ -7,12 +7,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/judge/gate.hpp"
-#include "analysis/show/answer_tables.hpp"
-#include "analysis/show/screen.hpp"
-#include "analysis/show/tell.hpp"
+#include "analysis/judge/regression.hpp"
+#include "analysis/show/headline.hpp"
+#include "analysis/show/phrases.hpp"
+#include "analysis/show/result_tables.hpp"
+#include "analysis/show/terminal.hpp"
 #include "analysis/show/text.hpp"
-#include "analysis/show/words.hpp"
 #include "base/files.hpp"
 #include "base/json.hpp"
 #include "base/names.hpp"

@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "analysis/judge/observe.hpp"
+#include "analysis/judge/data/sampling.hpp"
 #include "base/inputs.hpp"
 #include "base/names.hpp"
 #include "base/toml_table.hpp"

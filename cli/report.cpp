@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "analysis/judge/judge.hpp"
-#include "analysis/show/answer_tables.hpp"
 #include "analysis/show/publish.hpp"
+#include "analysis/show/result_tables.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"

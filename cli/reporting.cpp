@@ -8,11 +8,11 @@
 #include <sstream>
 
 #include "analysis/figures/of_study.hpp"
-#include "analysis/judge/beside.hpp"
+#include "analysis/judge/data/imported.hpp"
 #include "analysis/judge/judge.hpp"
-#include "analysis/show/answer_tables.hpp"
 #include "analysis/show/publish.hpp"
-#include "analysis/show/screen.hpp"
+#include "analysis/show/result_tables.hpp"
+#include "analysis/show/terminal.hpp"
 #include "base/embedded_file.hpp"
 #include "base/inputs.hpp"
 #include "base/json.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/judge/study.hpp"
+#include "analysis/judge/data/study_results.hpp"
 #include "cli/options.hpp"
 #include "results/store.hpp"
 

@@ -10,8 +10,8 @@
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/papers/claims.hpp"
+#include "analysis/show/phrases.hpp"
 #include "analysis/show/report.hpp"
-#include "analysis/show/words.hpp"
 #include "analysis/slim2023/slim2023.hpp"
 #include "base/inputs.hpp"
 #include "cli/console.hpp"

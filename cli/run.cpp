@@ -7,8 +7,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "analysis/judge/beside.hpp"
-#include "analysis/judge/observe.hpp"
+#include "analysis/judge/data/imported.hpp"
+#include "analysis/judge/data/sampling.hpp"
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/file_kind.hpp"

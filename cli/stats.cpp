@@ -11,10 +11,10 @@
 
 #include "analysis/csv/user_csv.hpp"
 #include "analysis/figures/of_study.hpp"
-#include "analysis/show/answer_tables.hpp"
+#include "analysis/show/phrases.hpp"
 #include "analysis/show/report.hpp"
-#include "analysis/show/screen.hpp"
-#include "analysis/show/words.hpp"
+#include "analysis/show/result_tables.hpp"
+#include "analysis/show/terminal.hpp"
 #include "base/csv.hpp"
 #include "base/inputs.hpp"
 #include "base/json.hpp"

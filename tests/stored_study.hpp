@@ -1,7 +1,7 @@
 // A hand-made study, read from a store.
 #pragma once
 
-#include "analysis/judge/study.hpp"
+#include "analysis/judge/data/study_results.hpp"
 #include "tests/common.hpp"
 
 namespace ikbench::judge {

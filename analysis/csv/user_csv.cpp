@@ -14,7 +14,7 @@
 
 #include "analysis/csv/google_benchmark.hpp"
 #include "analysis/csv/question.hpp"
-#include "analysis/judge/tests_of_two.hpp"
+#include "analysis/judge/statistics/two_sample_tests.hpp"
 #include "base/names.hpp"
 #include "base/number.hpp"
 

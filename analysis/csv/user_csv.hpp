@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/csv/layout.hpp"
-#include "analysis/judge/compare.hpp"
+#include "analysis/judge/statistics/compare_pairs.hpp"
 
 namespace ikbench::csv {
 

@@ -9,7 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "analysis/judge/prepare.hpp"
+#include "analysis/judge/statistics/omnibus.hpp"
+#include "analysis/judge/statistics/pair_data.hpp"
 #include "base/names.hpp"
 #include "base/units.hpp"
 

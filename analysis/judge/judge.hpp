@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/judge/compare.hpp"
-#include "analysis/judge/describe.hpp"
-#include "analysis/judge/observe.hpp"
+#include "analysis/judge/data/sampling.hpp"
+#include "analysis/judge/statistics/compare_pairs.hpp"
+#include "analysis/judge/statistics/descriptives.hpp"
 
 namespace ikbench::judge {
 

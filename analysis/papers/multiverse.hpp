@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/judge/observations.hpp"
+#include "analysis/judge/data/samples.hpp"
 #include "analysis/papers/rules.hpp"
 #include "analysis/show/table.hpp"
 #include "results/dimension.hpp"

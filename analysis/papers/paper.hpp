@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/judge/observe.hpp"
+#include "analysis/judge/data/sampling.hpp"
 
 namespace ikbench::papers {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/judge/describe.hpp"
-#include "analysis/judge/tests_of_two.hpp"
+#include "analysis/judge/statistics/descriptives.hpp"
+#include "analysis/judge/statistics/two_sample_tests.hpp"
 
 namespace ikbench::papers {
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/judge/statistics/omnibus.hpp"
 #include "analysis/papers/repeated.hpp"
 #include "analysis/show/text.hpp"
 

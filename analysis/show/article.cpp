@@ -9,11 +9,11 @@
 #include <map>
 #include <set>
 
+#include "analysis/show/headline.hpp"
 #include "analysis/show/page.hpp"
+#include "analysis/show/phrases.hpp"
 #include "analysis/show/publish.hpp"
-#include "analysis/show/tell.hpp"
 #include "analysis/show/text.hpp"
-#include "analysis/show/words.hpp"
 #include "base/files.hpp"
 #include "base/names.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/judge/study.hpp"
+#include "analysis/judge/data/study_results.hpp"
 
 namespace ikbench::show {
 

@@ -8,11 +8,11 @@
 #include <system_error>
 
 #include "analysis/figures/of_study.hpp"
-#include "analysis/show/answer_tables.hpp"
 #include "analysis/show/article.hpp"
 #include "analysis/show/moving_arm.hpp"
 #include "analysis/show/page.hpp"
-#include "analysis/show/words.hpp"
+#include "analysis/show/phrases.hpp"
+#include "analysis/show/result_tables.hpp"
 #include "base/files.hpp"
 #include "base/inputs.hpp"
 #include "base/json.hpp"

@@ -8,10 +8,10 @@
 #include <set>
 #include <utility>
 
-#include "analysis/show/answer_tables.hpp"
-#include "analysis/show/tell.hpp"
+#include "analysis/show/headline.hpp"
+#include "analysis/show/phrases.hpp"
+#include "analysis/show/result_tables.hpp"
 #include "analysis/show/text.hpp"
-#include "analysis/show/words.hpp"
 #include "base/json.hpp"
 
 namespace ikbench::show {

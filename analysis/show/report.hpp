@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/judge/study.hpp"
-#include "analysis/show/answer.hpp"
+#include "analysis/judge/data/study_results.hpp"
 #include "analysis/show/block.hpp"
+#include "analysis/show/report_model.hpp"
 
 namespace ikbench::show {
 

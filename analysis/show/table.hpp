@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/judge/observations.hpp"
-#include "analysis/judge/tests_of_two.hpp"
+#include "analysis/judge/data/samples.hpp"
+#include "analysis/judge/statistics/two_sample_tests.hpp"
 
 namespace ikbench::show {
 

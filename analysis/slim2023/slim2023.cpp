@@ -8,6 +8,7 @@
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/figures/rows.hpp"
+#include "analysis/judge/statistics/omnibus.hpp"
 #include "analysis/papers/claims.hpp"
 #include "analysis/show/text.hpp"
 #include "base/json.hpp"

@@ -2,6 +2,7 @@
 // wrong.
 #include "analysis/csv/user_csv.hpp"
 
+#include "analysis/judge/statistics/omnibus.hpp"
 #include "tests/judge/studies.hpp"
 #include "tests/mistakes.hpp"
 

@@ -1,6 +1,6 @@
 // What a stranger gives, with random changes: a study, a message, a store, a folder of results. Each is read, or a
 // std::invalid_argument says why not.
-#include "analysis/judge/study.hpp"
+#include "analysis/judge/data/study_results.hpp"
 #include "analysis/show/publish.hpp"
 #include "tests/experiments/samples.hpp"
 #include "tests/mutator.hpp"

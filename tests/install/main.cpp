@@ -2,10 +2,10 @@
 #include <cstdio>
 
 #include "analysis/judge/judge.hpp"
-#include "analysis/show/answer_tables.hpp"
+#include "analysis/show/headline.hpp"
 #include "analysis/show/publish.hpp"
 #include "analysis/show/report.hpp"
-#include "analysis/show/tell.hpp"
+#include "analysis/show/result_tables.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 

@@ -5,9 +5,9 @@
 #include <boost/math/distributions/students_t.hpp>
 
 #include "analysis/csv/user_csv.hpp"
-#include "analysis/show/tell.hpp"
+#include "analysis/show/headline.hpp"
+#include "analysis/show/phrases.hpp"
 #include "analysis/show/text.hpp"
-#include "analysis/show/words.hpp"
 #include "tests/judge/studies.hpp"
 
 namespace ikbench::second {

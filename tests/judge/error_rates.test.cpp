@@ -4,7 +4,8 @@
 //
 //   IKBENCH_SETS=10000 build/check/tests/judge/test_judge '[error_rates]'
 
-#include "analysis/show/tell.hpp"
+#include "analysis/judge/statistics/omnibus.hpp"
+#include "analysis/show/headline.hpp"
 #include "tests/judge/studies.hpp"
 
 namespace ikbench::judge::error_rates {

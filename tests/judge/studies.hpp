@@ -3,12 +3,12 @@
 
 #include <fmt/ranges.h>
 
-#include "analysis/judge/compare.hpp"
-#include "analysis/judge/describe.hpp"
-#include "analysis/judge/gate.hpp"
+#include "analysis/judge/data/sampling.hpp"
 #include "analysis/judge/judge.hpp"
-#include "analysis/judge/observe.hpp"
-#include "analysis/judge/tests_of_two.hpp"
+#include "analysis/judge/regression.hpp"
+#include "analysis/judge/statistics/compare_pairs.hpp"
+#include "analysis/judge/statistics/descriptives.hpp"
+#include "analysis/judge/statistics/two_sample_tests.hpp"
 #include "base/units.hpp"
 #include "tests/stored_study.hpp"
 

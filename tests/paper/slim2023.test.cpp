@@ -3,6 +3,7 @@
 // to 5.
 
 #include "analysis/judge/judge.hpp"
+#include "analysis/judge/statistics/omnibus.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "tests/common.hpp"

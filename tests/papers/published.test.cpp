@@ -1,5 +1,6 @@
 #include "results/published.hpp"
 
+#include "analysis/judge/statistics/omnibus.hpp"
 #include "tests/mistakes.hpp"
 #include "tests/papers/studies.hpp"
 

@@ -6,8 +6,8 @@
 #include "analysis/papers/published.hpp"
 #include "analysis/papers/repeated.hpp"
 #include "analysis/papers/rules.hpp"
-#include "analysis/show/answer.hpp"
-#include "analysis/show/answer_tables.hpp"
+#include "analysis/show/report_model.hpp"
+#include "analysis/show/result_tables.hpp"
 #include "analysis/slim2023/slim2023.hpp"
 #include "tests/judge/studies.hpp"
 

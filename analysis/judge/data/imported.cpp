@@ -1,0 +1,99 @@
+#include "analysis/judge/data/imported.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <stdexcept>
+
+#include "analysis/judge/statistics/descriptives.hpp"
+#include "base/units.hpp"
+#include "results/merge.hpp"
+#include "results/published.hpp"
+
+namespace ikbench::judge {
+
+using namespace results;
+
+std::vector<std::string> settings_of_archive() {
+  const base::CsvTable settings = published::table(archive_name, "settings");
+  std::vector<std::string> all;
+  for (std::size_t row = 0; row < settings.rows(); ++row)
+    all.push_back(fmt::format("{}={}", settings.cell(row, 0), settings.cell(row, 1)));
+  return all;
+}
+
+StudyResults archived(const std::string& robot) {
+  constexpr std::string_view arms[]{"franka_panda", "kuka_iiwa14", "ur5e"};
+  if (std::ranges::find(arms, robot) == std::end(arms))
+    throw std::invalid_argument(fmt::format(
+        "--beside {}: it has {}, and the study's arm is {}; expected one of these, or measure the libraries "
+        "on your arm: solvers/programs/install.sh, then solvers/programs/libraries.sh {}",
+        archive_name, fmt::join(arms, ", "), robot, robot));
+  const base::CsvTable rows = published::table(archive_name, robot);
+  const auto statuses = names_of(Status());
+  StudyResults study;
+  for (std::size_t row = 0; row < rows.rows(); ++row) {
+    const auto cell = [&](std::string_view column) { return rows.cell(row, rows.column(column)); };
+    const auto number = [&](std::string_view column) {
+      return cell(column).empty() ? unknown : rows.number(row, column);
+    };
+    if (const std::string label(cell("library")); !label.empty()) {
+      study.labels.push_back(label);
+      study.series.push_back({label, label, std::string(cell("version")), "{}"});
+      study.beside.of = fmt::format("on another machine, {}", cell("month"));
+    }
+    const auto status = std::ranges::find(statuses, cell("status"));  // none: ok
+    study.solves.push_back(
+        {.run = static_cast<int>(number("run")),
+         .label = static_cast<int>(std::ssize(study.labels) - 1),
+         .status = status == statuses.end() ? Status::ok : static_cast<Status>(status - statuses.begin()),
+         .counted_by = CountedBy::nobody,
+         .position_error_cm = number("error_um") * 1e-4,
+         .orientation_error_deg = number("rotation_urad") * 1e-6 / base::degree,
+         .variation_deg = number("motion_deg"),
+         .largest_move_deg = unknown,
+         .seconds = number("time_us") * 1e-6,
+         .bend_deg = unknown});
+  }
+  return study;
+}
+
+void refuse_another_study(const StudyResults& theirs, const StoredStudy& study) {
+  const std::string difference = difference_in_solves(theirs.definition.json, study.definition.json);
+  if (!difference.empty())
+    throw std::invalid_argument(
+        fmt::format("--beside: another study, there and here: {}; expected the same targets and limits", difference));
+}
+
+void put_beside(StudyResults& study, const StudyResults& theirs) {
+  std::string& control = study.definition.plan.control;
+  study.beside.is_control_chosen = control.empty();
+  if (control.empty()) control = study.labels.front();
+  study.beside.of = theirs.beside.of;
+  for (results::Series series : theirs.series) {
+    const Solves all = theirs.of(series.label);
+    const auto same = std::ranges::find_if(study.series, [&](const results::Series& its) {
+      return its.algorithm == unit_of_times && series.algorithm == unit_of_times && its.options == series.options &&
+             !study.beside.has(its.label);
+    });
+    if (study.beside.unit_here.empty() && same != study.series.end()) {
+      study.beside.unit = described(times_of(theirs, series.label)).median;
+      study.beside.unit_here = same->label;
+      continue;
+    }
+    while (std::ranges::count(study.labels, series.label) > 0) series.label += " (there)";
+    study.labels.push_back(series.label);
+    study.beside.labels.push_back(series.label);
+    study.series.push_back(std::move(series));
+    for (Solve solve : all) {
+      if (solve.run > study.definition.runs) continue;
+      solve.label = static_cast<int>(std::ssize(study.labels) - 1);
+      solve.timing = Timing::process, solve.is_told = true, solve.was_disturbed = false;  // which matters there
+      study.solves.push_back(solve);
+    }
+  }
+  if (study.beside.labels.empty()) throw std::invalid_argument("--beside: there is no other solver than here");
+  if (!theirs.solves.empty() && theirs.solves.front().target != 0) refuse_other_targets(study);
+}
+
+}  // namespace ikbench::judge

@@ -1,0 +1,314 @@
+#include "analysis/judge/data/sampling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "analysis/judge/statistics/descriptives.hpp"
+#include "analysis/judge/statistics/two_sample_tests.hpp"
+#include "base/names.hpp"
+#include "base/units.hpp"
+
+namespace ikbench::judge {
+
+using namespace results;
+
+namespace {
+
+constexpr double rounding_deg = 1e-9 / base::degree;
+constexpr double least_motion_deg = 1e-3;  // less is how a solver rounds, and moves no arm
+
+// A program or library that tells none has 0.
+bool counts_iterations(const Solve& solve) {
+  return solve.iterations > 0 || solve.counted_by != results::CountedBy::nobody;
+}
+
+double of_answer(const Solve& solve, double value) {
+  return results::is_without_answer(solve.status) ? unknown : value;
+}
+
+// Unknown without a deadline.
+double is_in_time(const Solve& solve, const StudyResults& study) {
+  const double deadline = study.definition.deadline();
+  const bool is_solved = study.definition.has_tolerance() ? solve.status == Status::ok : gave_answer(solve);
+  return deadline == 0 ? unknown : double(is_solved && solve.seconds <= deadline);
+}
+
+constexpr std::array rows{
+#define METRIC(column, slug, name, unit, kind, measures, floor, rounding, told, ...) \
+  Metric{                                                                            \
+      column,     slug,                                                              \
+      name,       unit,                                                              \
+      Kind::kind, Measure::measures,                                                 \
+      floor,      rounding,                                                          \
+      Told::told, [](const Solve& solve, [[maybe_unused]] const StudyResults& study) -> double { return __VA_ARGS__; }},
+#include "analysis/judge/data/metrics.inc"
+#undef METRIC
+};
+
+// An observation is a run, else a target.
+bool are_runs(const StudyResults& study, const Metric& metric) {
+  return metric.kind == Kind::run || study.definition.compares_runs();
+}
+
+// Below it errors are equal; 0 where the study has none.
+double tolerance_of(const StudyResults& study, const Metric& metric) {
+  const numerics::StopRule& stop = study.definition.stop;
+  if (metric.kind != Kind::error) return 0;
+  return metric.measures == Measure::angle ? stop.tolerance_deg() : stop.tolerance_cm();
+}
+
+bool is_of_answers(const StudyResults& study, const Metric& metric) {
+  return metric.kind == Kind::cost && study.definition.has_tolerance();
+}
+
+// What failed has no cost of an answer; along a path it has, for the next solve starts from there.
+bool is_of_solved(const StudyResults& study, const Metric& metric) {
+  return is_of_answers(study, metric) && !study.definition.is_chained();
+}
+
+struct Value {
+  int block;
+  double value;
+};
+
+// Of the solves, by block; an observation is made of those of one.
+std::vector<Value> values_of(const StudyResults& study, const Metric& metric, std::string_view solver) {
+  const Definition& definition = study.definition;
+  const bool of_runs = are_runs(study, metric), of_solved = is_of_solved(study, metric);
+  const double least = tolerance_of(study, metric);
+  // Where the arm stayed is no error of a solver that never moved it.
+  const bool is_unknown = metric.kind == Kind::error && std::ranges::none_of(study.of(solver), gave_answer);
+  std::vector<Value> values;
+  for (const Solves run : of_runs ? complete_runs_of(study, solver) : runs_of(study.of(solver))) {
+    if (metric.kind == Kind::run) {
+      values.push_back({run.front().run, metric.value(run.back(), study)});
+      continue;
+    }
+    for (const Solve& solve : run) {
+      if (of_solved && solve.status != Status::ok) continue;
+      const int block = of_runs                    ? solve.run
+                        : definition.draws_targets ? (solve.run - 1) * definition.points + solve.point
+                                                   : solve.point;
+      const double value = is_unknown ? unknown : metric.value(solve, study);
+      values.push_back({block, metric.kind == Kind::error && value < least ? least : value});
+    }
+  }
+  if (!std::ranges::is_sorted(values, {}, &Value::block)) std::ranges::stable_sort(values, {}, &Value::block);
+  return values;
+}
+
+// The observations: the mean of each block, of times the median; NaN where a value is unknown.
+std::vector<Value> means_of(const std::vector<Value>& all, bool are_medians = false) {
+  std::vector<Value> means;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < all.size();) {
+    const int block = all[i].block;
+    for (values.clear(); i < all.size() && all[i].block == block; ++i) values.push_back(all[i].value);
+    const bool is_known = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+    const double value = !is_known ? unknown : are_medians ? described(values).median : summarise(values).mean;
+    means.push_back({block, std::isfinite(value) ? value : unknown});
+  }
+  return means;
+}
+
+// What attempts spent by what they solved: of each observation a logarithm, so that their mean is that of the ratio of
+// the two sums, and their spread its error (the infinitesimal jackknife; Efron, The Jackknife, 1982, chapter 6). Tells
+// what they are worth (Kish, Survey Sampling, 1965), and the number solved.
+std::vector<Value> spent_by_solved(std::vector<Value> spent, const std::vector<Value>& solved, Measured& measured) {
+  double all_spent = 0, squares = 0, all_solved = 0;
+  for (const Value& each : spent) all_spent += each.value, squares += each.value * each.value;
+  for (const Value& each : solved) all_solved += each.value;
+  measured.worth = all_spent * all_spent / squares, measured.solved = all_solved;
+  const auto n = static_cast<double>(spent.size());
+  for (std::size_t i = 0; i < spent.size(); ++i)
+    spent[i].value = std::log(all_spent / all_solved) + n * (spent[i].value / all_spent - solved[i].value / all_solved);
+  return spent;
+}
+
+Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, const std::string& solver) {
+  Group group{.name = solver};
+  const double least = tolerance_of(study, metric);
+  const std::vector<Value> all = values_of(study, metric, solver);
+  if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.at_most = least;
+  std::vector<Value> values = means_of(all, has_medians(metric));
+  Measured measured;
+  if (metric.kind == Kind::spent || is_of_answers(study, metric)) {
+    const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver));
+    if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
+      group.sample = Untold{.why = Untold::Why::none};
+      return group;
+    }
+    if (metric.kind == Kind::spent) values = spent_by_solved(std::move(values), solved, measured);
+  }
+  const auto lost =
+      static_cast<int>(std::erase_if(values, [](const Value& each) { return !std::isfinite(each.value); }));
+  for (const auto& [block, value] : values) {
+    measured.values.push_back(value);
+    if (is_paired) measured.blocks.push_back(block);
+  }
+  const bool are_equal = measured.values.size() > 1 &&
+                         std::ranges::count(measured.values, measured.values.front()) == std::ssize(measured.values);
+  if (lost > 0)
+    group.sample = Untold{.why = Untold::Why::lost, .lost = lost, .values = std::move(measured.values)};
+  else if (!is_paired && are_equal && repeats_itself(study, solver))
+    group.sample = Measured{.values = {measured.values.front()}, .repeats_itself = true};
+  else
+    group.sample = std::move(measured);
+  return group;
+}
+
+// One value per session: the share solved in time, the logarithm of the median time of its targets, where all are
+// solved, or its part in the logarithm of all that was spent by all that was solved. The value shown is the one
+// compared.
+Group group_of_times(const StudyResults& study, const Metric& metric, const std::string& solver,
+                     const std::set<int>& compared) {
+  struct Session {
+    std::vector<double> values = {};
+    double sum = 0, solved = 0;
+  };
+  const bool is_share = metric.kind == Kind::share, is_spent = metric.kind == Kind::spent;
+  Group group{.name = solver};
+  std::map<int, Session> all;
+  bool is_any_solved = false;
+  for (const Solve& solve : study.of(solver)) {
+    Session& its = all[solve.session];
+    const bool is_solved = solve.status == Status::ok;
+    its.values.push_back(is_of_solved(study, metric) && !is_solved ? unknown : metric.value(solve, study));
+    its.sum += its.values.back(), its.solved += is_solved, is_any_solved |= is_solved;
+  }
+  std::erase_if(all, [&](const auto& each) {
+    return !std::isfinite(each.second.sum) || (is_spent && each.second.sum == 0);  // which has no logarithm
+  });
+  const auto is_apart = [&](const auto& each) { return !compared.contains(each.first); };
+  const bool are_apart = std::ranges::all_of(all, is_apart);
+  if (!are_apart) std::erase_if(all, is_apart);
+  Measured measured;
+  std::vector<Value> spent, solved;
+  for (const auto& [session, its] : all) {
+    const auto n = static_cast<double>(its.values.size());
+    measured.values.push_back(is_share ? its.sum / n : std::log(std::max(described(its.values).median, 1e-9)));
+    measured.blocks.push_back(session);
+    spent.push_back({session, its.sum}), solved.push_back({session, its.solved});
+    if (is_share) group.all += static_cast<int>(n), group.share += its.sum;
+  }
+  group.share /= std::max(1, group.all);
+  const bool is_solved_here = std::ranges::any_of(solved, [](const Value& each) { return each.value > 0; });
+  measured.worth = static_cast<double>(all.size());           // each is of a session, so none decides
+  measured.solved = std::numeric_limits<double>::infinity();  // or what spent_by_solved says
+  if (is_spent) measured.values.clear();
+  if (is_spent && is_solved_here)
+    for (const Value& each : spent_by_solved(std::move(spent), solved, measured)) measured.values.push_back(each.value);
+  if (!are_apart && (!is_spent || is_solved_here))
+    group.sample = std::move(measured);
+  else if (!is_any_solved && !is_share && (is_spent || study.definition.has_tolerance()))
+    group.sample = Untold{.why = Untold::Why::none};
+  else
+    group.sample = Untold{.why = Untold::Why::apart, .values = std::move(measured.values)};
+  return group;
+}
+
+Observations observe_times(const StudyResults& study, const Metric& metric) {
+  Observations observed = observations_of(metric);
+  observed.is_paired = true;
+  observed.are_logs = metric.kind != Kind::share;
+  observed.fewest = fewest_sessions;
+  const Sessions sessions = sessions_of(study);
+  const bool is_share = metric.kind == Kind::share;
+  for (std::size_t i = 0; i < study.labels.size(); ++i) {
+    const std::string& label = study.labels[i];
+    if (study.beside.has(label) || study.in_batches.contains(label)) {
+      observed.groups.push_back({.name = label, .sample = Untold{.why = Untold::Why::apart}});
+      continue;
+    }
+    // A share of deadlines counts busy sessions, too: they are no random sample, and leaving them out would flatter.
+    observed.groups.push_back(group_of_times(study, metric, label, is_share ? sessions.compared : sessions.told[i]));
+  }
+  return observed;
+}
+
+}  // namespace
+
+std::span<const Metric> metrics() { return rows; }
+
+double Metric::value(const Solve& solve, const StudyResults& study) const {
+  if (value_of != nullptr) return value_of(solve, study);
+  return solve.status == Status::ok && number < solve.numbers.size() ? solve.numbers[number] : unknown;
+}
+
+std::vector<Metric> metrics_of(const StudyData& study) {
+  std::vector<Metric> all(rows.begin(), rows.end());
+  for (const auto& [names, better] :
+       {std::pair(&study.check.larger, Better::larger), {&study.check.smaller, Better::smaller}}) {
+    for (const std::string& name : *names) {
+      for (const Metric& known : all)
+        if (const std::string its = base::lower_case(name); its == known.column || its == known.slug ||
+                                                            its == known.name || its == "answered" ||
+                                                            std::ranges::count(results::all_thens, its) > 0)
+          throw std::invalid_argument(fmt::format("[check] has the number {}, which is a metric already", name));
+      all.push_back({name, name, name, "", Kind::cost, Measure::other, 0, 0, Told::always, nullptr,
+                     all.size() - rows.size(), better});
+    }
+  }
+  return all;
+}
+
+const Metric& metric_named(std::string_view column, std::span<const Metric> all) {
+  return base::find_named("metric", column, all, [](const Metric& metric) { return metric.column; });
+}
+
+Observations observations_of(const Metric& metric) {
+  return {.metric = std::string(metric.slug),
+          .quantity = std::string(metric.name),
+          .unit = std::string(metric.unit),
+          .measures = metric.measures,
+          .better = metric.better,
+          .scale = metric.kind == Kind::share   ? Scale::share
+                   : metric.value_of == nullptr ? Scale::difference
+                                                : Scale::ratio,
+          .floor = metric.floor,
+          .rounding = metric.rounding,
+          .is_spent = metric.kind == Kind::spent};
+}
+
+Observations observe(const StudyResults& study, const Metric& metric) {
+  Observations observed = is_of_times(metric) ? observe_times(study, metric) : observe_solves(study, metric);
+  observed.doubts = is_of_times(metric)                       ? doubts_of_times(study)
+                    : metric.measures == Measure::evaluations ? doubts_of_evaluations(study)
+                                                              : doubts_of_clock(study);
+  Doubt unsolved{.kind = DoubtKind::times_not_comparable,
+                 .what = "too little is solved in the sessions that are compared"};
+  for (Group& group : observed.groups) {  // who is in doubt is described, and not compared
+    const bool is_doubted = std::ranges::any_of(observed.doubts, [&](const Doubt& doubt) {
+      return doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0;
+    });
+    const Untold* const its = untold(group);
+    if (its && its->why == Untold::Why::apart && !is_doubted && metric.kind != Kind::share)
+      unsolved.who.push_back(group.name);
+    if (its || !is_doubted) continue;  // a group that lost values stays so: the stronger reason
+    const std::span<const double> values = judge::values_of(group);
+    group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
+  }
+  if (!unsolved.who.empty()) observed.doubts.push_back(std::move(unsolved));
+  return observed;
+}
+
+Observations observe_solves(const StudyResults& study, const Metric& metric) {
+  const Definition& definition = study.definition;
+  const bool of_runs = are_runs(study, metric);
+  Observations observed = observations_of(metric);
+  observed.is_paired = definition.draws_targets || !of_runs;
+  observed.is_of_solved = is_of_solved(study, metric);
+  observed.are_logs = metric.kind == Kind::spent;
+  observed.trials = of_runs ? definition.points : definition.draws_targets ? 1 : definition.runs;
+  for (const std::string& solver : study.labels)
+    observed.groups.push_back(group_of(study, metric, observed.is_paired, solver));
+  return observed;
+}
+
+}  // namespace ikbench::judge

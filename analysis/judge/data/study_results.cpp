@@ -1,0 +1,285 @@
+#include "analysis/judge/data/study_results.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <initializer_list>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "analysis/judge/statistics/descriptives.hpp"
+#include "base/units.hpp"
+#include "results/export.hpp"
+
+namespace ikbench::judge {
+
+using namespace results;
+
+namespace {
+
+// -0.0 counts as 0.0; 0 is the hash of no numbers.
+std::uint64_t hash_of(std::initializer_list<std::span<const double>> lists) {
+  std::uint64_t hash = 0;
+  for (const std::span<const double> list : lists) {
+    for (const double number : list) {
+      hash = (std::rotl(hash + 1, 29) ^ std::bit_cast<std::uint64_t>(number + 0.0)) * 0x9E3779B97F4A7C15;
+      hash ^= hash >> 32;
+    }
+  }
+  return hash;
+}
+
+// The mean absolute second difference of all joint angles of a run, answer by answer.
+struct Bend {
+  std::vector<double> before = {}, here = {};  // the last two answers
+  double sum = 0, count = 0;
+
+  double with(const std::vector<double>& after) {
+    if (!before.empty() && (before.size() != here.size() || after.size() != here.size())) sum = unknown;
+    for (std::size_t joint = 0; joint < std::min(before.size(), after.size()); ++joint, ++count)
+      sum += std::abs(before[joint] - 2 * here[joint] + after[joint]) / base::degree;
+    before.swap(here);
+    here = after;
+    return count > 0 ? sum / count : unknown;
+  }
+};
+
+// Of ||R - Rd|| / ||Rd||: for two rotations ||R - Rd|| is sqrt(8) sin(angle / 2), and ||Rd|| is sqrt(3). NaN stays NaN.
+double angle_deg(double orientation_error) {
+  const double sine = orientation_error * std::sqrt(3.0 / 8);
+  return 2 * std::asin(sine > 1 ? 1.0 : sine) / base::degree;
+}
+
+bool is_too_fast(const Definition& study, const SolveRecord& solve) {
+  for (std::size_t j = 0; j < std::min({study.steps.size(), solve.start_rad.size(), solve.answer_rad.size()}); ++j) {
+    const auto [furthest, is_endless] = study.steps[j];
+    const double move = solve.answer_rad[j] - solve.start_rad[j];
+    if (std::abs(is_endless ? std::remainder(move, 360 * base::degree) : move) > furthest) return solve.point > 1;
+  }
+  return false;
+}
+
+// What its check refused, and the solvers' own numbers.
+void add_extras(const SolveRecord& record, StudyResults& study) {
+  const bool has_check = !study.definition.check.process.empty();
+  for (const auto& [name, value] : record.extras) {
+    if (has_check && name.starts_with(invalid_extra)) ++study.faults[record.label][name.substr(invalid_extra.size())];
+    if (has_check && (name.starts_with(invalid_extra) || name.starts_with(check_extra))) continue;
+    const bool is_one_of_few = study.extras.contains(name) || std::ssize(study.extras) < most_extras;
+    const bool is_metric = std::isfinite(value) && !name.starts_with(results::refused_extra);
+    if (is_metric && is_one_of_few) study.extras[name][record.label].push_back(value);
+  }
+}
+
+// Adds a record to a study; they come by solver, run and point. The bend is of its run until here.
+void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
+  if (record.run < 1 || record.point < 1)
+    throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
+                                            study.name, record.label, record.run, record.point));
+  if (!record.trace_cm.empty() && study.drawn.size() >= most_traces)
+    throw std::invalid_argument(
+        fmt::format("study '{}' has too many solves with a trace; expected at most {}", study.name, most_traces));
+  const Solves earlier = study.of(record.label);
+  const bool is_of_first_run = earlier.empty() || earlier.front().run == record.run;
+  if (earlier.empty() || earlier.back().run != record.run) bend = {};
+  if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < most_drawn)) study.drawn.push_back(record);
+  std::vector<double> numbers;
+  for (const std::string& name : study.definition.check.numbers())
+    if (const auto found = record.extras.find(std::string(check_extra) + name); found != record.extras.end())
+      numbers.push_back(found->second);
+  add_extras(record, study);
+  const bool is_told =
+      record.cpu_seconds > 0 && record.claimed_seconds > 0 && record.claimed_seconds >= least_told(record.cpu_seconds);
+  const double seconds = is_told ? record.claimed_seconds : record.seconds;
+  const bool is_single = record.timing != Timing::batch;
+  if (!is_single) study.in_batches[record.label].first.insert(record.repeats);
+  if (!is_single && std::isfinite(seconds) && !is_without_answer(record.status))
+    study.in_batches[record.label].second.push_back(seconds);
+  const bool is_timed = record.timing == Timing::clean || record.timing == Timing::process;
+  const bool is_alone = record.timing == Timing::clean || (record.timing == Timing::process && is_told);
+  const double period = study.definition.loop.period;
+  study.solves.push_back(
+      {.run = record.run,
+       .point = record.point,
+       .label = static_cast<int>(std::ranges::find(study.labels, record.label) - study.labels.begin()),
+       .session = static_cast<int>(record.session),
+       .restarts = record.restarts,
+       .status = record.status,
+       .stop_reason = record.stop_reason,
+       .timing = record.timing,
+       .counted_by = record.counted_by,
+       .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
+       .was_disturbed = is_alone && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
+       .is_told = is_told,
+       .is_late = is_timed && period > 0 && (seconds > period || is_without_answer(record.status)),
+       .is_too_fast = is_too_fast(study.definition, record),
+       .position_error_cm = record.position_error_cm,
+       .orientation_error_deg = angle_deg(record.orientation_error),
+       .variation_deg = record.variation_deg,
+       .variation_m = record.variation_m,
+       .largest_move_deg = record.largest_move_deg,
+       .seconds = is_single ? seconds : unknown,
+       .bend_deg = bend.with(record.answer_rad),
+       .evaluations = record.evaluations,
+       .iterations = record.iterations,
+       .target = hash_of({record.target_position_m, record.target_rotation}),
+       .start = hash_of({record.start_rad}),
+       .answer = hash_of({record.answer_rad}),
+       .numbers = std::move(numbers)});
+}
+
+// The same target, outcome and answer, bit for bit.
+bool are_same(const Solve& one, const Solve& other) {
+  return one.target == other.target && one.status == other.status && one.answer == other.answer;
+}
+
+}  // namespace
+
+void refuse_other_targets(const StudyResults& study) {
+  const auto place = [](const Solve& solve) { return (std::int64_t{solve.run} << 32) + solve.point; };
+  const auto is_own = [&](const Solve& solve) { return study.definition.is_chained() && solve.point > 1; };
+  std::unordered_map<std::int64_t, const Solve*> first;
+  for (const Solve& solve : study.solves) {
+    const Solve& here = *first.try_emplace(place(solve), &solve).first->second;
+    if (here.target == solve.target && (here.start == solve.start || is_own(solve))) continue;
+    const auto label = [&](const Solve& its) { return study.labels[static_cast<std::size_t>(its.label)]; };
+    throw std::invalid_argument(fmt::format(
+        "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
+        "another folder",
+        study.name, solve.run, solve.point, label(here), label(solve),
+        here.target == solve.target ? "starts" : "targets"));
+  }
+}
+
+Solves StudyResults::of(std::string_view solver) const {
+  const auto here = std::ranges::find(labels, solver) - labels.begin();
+  return {std::ranges::lower_bound(solves, here, {}, &Solve::label),
+          std::ranges::upper_bound(solves, here, {}, &Solve::label)};
+}
+
+std::span<const SolveRecord> StudyResults::first_run_of(std::string_view solver) const {
+  const auto first = std::ranges::find(drawn, solver, &SolveRecord::label);
+  const auto end = std::find_if(
+      first, drawn.end(), [&](const SolveRecord& solve) { return solve.label != solver || solve.run != first->run; });
+  return {first, end};
+}
+
+std::set<std::string> facts_of(const StudyResults& study, const std::string& name) {
+  std::set<std::string> values;
+  for (const Session& session : study.sessions)
+    if (const auto fact = session.environment.find(name); fact != session.environment.end())
+      values.insert(fact->second);
+  return values;
+}
+
+bool is_of_this_clock(const Session& session) { return session.environment.contains("state"); }
+
+std::string calls_of(const StudyResults& study) {
+  const std::set<std::string> states = facts_of(study, "state");
+  return states.empty()             ? ""
+         : states.contains("first") ? "first calls on a target"
+         : states.contains("hot")   ? "second calls on a target"
+                                    : "calls of runs in a row";
+}
+
+Sessions sessions_of(const StudyResults& study) {
+  std::map<int, std::map<std::size_t, std::pair<int, int>>> counts;  // by session and solver: solves, those slowed
+  for (const Solve& solve : study.solves) {
+    if (study.beside.has(study.labels[static_cast<std::size_t>(solve.label)])) continue;
+    auto& [all, slowed] = counts[solve.session][static_cast<std::size_t>(solve.label)];
+    ++all, slowed += solve.was_disturbed;
+  }
+  const std::vector<std::set<int>> none(study.labels.size());
+  Sessions sessions{.all = none, .made = none, .told = none};
+  for (const auto& [session, solvers] : counts) {
+    const auto most = std::ranges::max_element(solvers, {}, [](auto& each) { return each.second.first; })->second.first;
+    const auto its = std::ranges::find(study.sessions, session, &Session::id);
+    const bool is_compared = its != study.sessions.end() && is_of_this_clock(*its);
+    if (is_compared) sessions.compared.insert(session);
+    for (const auto& [solver, count] : solvers) {
+      const bool is_busy = count.second > 1 && 10 * count.second > count.first;
+      sessions.all[solver].insert(session);
+      if (!is_compared || count.first < most) continue;
+      sessions.made[solver].insert(session);
+      if (!is_busy) sessions.told[solver].insert(session);
+    }
+  }
+  return sessions;
+}
+
+StudyResults read_study(const Store& store, const StoredStudy& entry, const TakeSolve& also) {
+  const std::int64_t all = store.number_of_solves(entry);
+  if (all > most_solves)
+    throw std::invalid_argument(
+        fmt::format("study '{}' has {} solves; expected at most {}", entry.name, all, most_solves));
+  StudyResults study{entry};
+  for (const Series& series : entry.series) {
+    if (series.label.empty())
+      throw std::invalid_argument(fmt::format("study '{}' has a solver without a label; expected one", entry.name));
+    study.labels.push_back(series.label);
+  }
+  study.solves.reserve(static_cast<std::size_t>(all));
+  Bend bend;
+  store.each_of_study(entry, [&](const SolveRecord& record) {
+    if (also) also(record);
+    add(record, bend, study);
+  });
+  std::set<std::int64_t> used;
+  for (const Solve& solve : study.solves) used.insert(solve.session);
+  study.sessions = store.sessions();
+  std::erase_if(study.sessions, [&](const Session& session) { return !used.contains(session.id); });
+  std::string& control = study.definition.plan.control;
+  if (std::ranges::count(study.labels, control) == 0) control.clear();
+  refuse_other_targets(study);
+  for (const Series& series : entry.series) {
+    if (std::ssize(study.of(series.label)) >= std::int64_t{study.definition.runs} * study.definition.points) continue;
+    const std::int64_t others = store.solves_of_other_sources(series.key);
+    if (others == 0) continue;
+    study.other_version.who.push_back(series.label);
+    study.other_version.count += static_cast<double>(others);
+  }
+  return study;
+}
+
+std::vector<Solves> runs_of(Solves rest) {
+  std::vector<Solves> runs;
+  while (!rest.empty()) {
+    const auto is_other = [&](const Solve& solve) { return solve.run != rest.front().run; };
+    runs.push_back(rest.first(static_cast<std::size_t>(std::ranges::find_if(rest, is_other) - rest.begin())));
+    rest = rest.subspan(runs.back().size());
+  }
+  return runs;
+}
+
+std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view solver) {
+  std::vector<Solves> runs = runs_of(study.of(solver));
+  std::erase_if(runs, [&](Solves run) { return std::ssize(run) != study.definition.points; });
+  return runs;
+}
+
+bool repeats_itself(const StudyResults& study, std::string_view solver) {
+  const std::vector<Solves> runs = complete_runs_of(study, solver);
+  return runs.size() > 1 && std::ranges::all_of(runs, [&](Solves run) {
+           return std::ranges::equal(run, runs.front(), [](const Solve& one, const Solve& other) {
+             return one.answer != 0 && are_same(one, other);
+           });
+         });
+}
+
+bool gave_answer(const Solve& solve) { return !is_without_answer(solve.status) && solve.status != Status::not_finite; }
+
+std::vector<double> times_of(const StudyResults& study, std::string_view solver) {
+  std::vector<double> seconds;
+  for (const Solve& solve : study.of(solver))
+    if (!is_without_answer(solve.status) && std::isfinite(solve.seconds)) seconds.push_back(solve.seconds);
+  return seconds;
+}
+
+bool have_same_solves(Solves solves, Solves others) {
+  return std::ranges::equal(solves, others, [](const Solve& one, const Solve& two) {
+    return one.run == two.run && one.point == two.point && are_same(one, two) && one.evaluations == two.evaluations;
+  });
+}
+
+}  // namespace ikbench::judge

@@ -1,0 +1,360 @@
+#include "analysis/judge/regression.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "base/names.hpp"
+
+namespace ikbench::judge {
+namespace {
+
+using namespace results;
+
+constexpr const char *now_label = "now", *before_label = "before";
+
+void refuse_other_task(const StudyResults& one, const StudyResults& other) {
+  const Definition &a = one.definition, &b = other.definition;
+  const std::pair<bool, const char*> differences[]{
+      {a.robot != b.robot || a.arm != b.arm, "arms"},
+      {a.path != b.path || a.points != b.points, "targets"},
+      {a.seed != b.seed, "seeds"},
+      {a.search != b.search, "searches"},
+      {a.start != b.start, "starts"},
+      {a.task != b.task || a.near != b.near || a.rotation_weight != b.rotation_weight,
+       "paths, starts or weights of a rotation"},
+      {a.limits != b.limits, "treatments of joint limits"},
+      {a.check != b.check, "checks of answers"},
+      {a.stop.tolerance != b.stop.tolerance || a.stop.angle_tolerance != b.stop.angle_tolerance, "tolerances"}};
+  for (const auto& [differ, what] : differences)
+    if (differ)
+      throw std::invalid_argument(fmt::format("not compared: {} has other {} than before", other.labels.front(), what));
+}
+
+// Of each of their sessions the one of ours of the same turn, which is a shard, if each turn of both began before the
+// next of either; a second is the least that times of sessions tell. None if they were not solved in turn.
+std::optional<std::map<int, int>> turns_of(const std::vector<Session>& ours, const std::vector<Session>& theirs) {
+  if (ours.size() < 2 || ours.size() != theirs.size()) return {};
+  const auto shard_of = [](const Session& session) {
+    const auto shard = session.environment.find("shard");
+    return shard == session.environment.end() ? "" : shard->second;
+  };
+  std::map<int, int> turns;
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const bool is_early =
+        i > 0 && std::min(ours[i].began, theirs[i].began) < std::max(ours[i - 1].began, theirs[i - 1].began);
+    if (is_early || shard_of(ours[i]).empty() || shard_of(ours[i]) != shard_of(theirs[i])) return {};
+    turns[static_cast<int>(theirs[i].id)] = static_cast<int>(ours[i].id);
+  }
+  return turns;
+}
+
+// Of both stores, as solvers of one study. Takes their solves. Sessions of one turn are one; without turns all differ.
+StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std::map<int, int>& turns) {
+  both.labels = {now_label, before_label};
+  both.faults = {};
+  const auto before = both.sessions.empty() ? 0 : static_cast<int>(both.sessions.back().id);
+  for (Session& session : std::exchange(baseline.sessions, {})) {
+    if (!turns.empty()) continue;
+    session.id += before;
+    both.sessions.push_back(std::move(session));
+  }
+  both.solves.reserve(2 * both.solves.size());
+  for (Solve solve : std::exchange(baseline.solves, {})) {
+    solve.label = 1;
+    solve.session = turns.empty() ? solve.session + before : turns.at(solve.session);
+    both.solves.push_back(solve);
+  }
+  refuse_other_targets(both);
+  both.definition.plan = baseline.definition.plan;  // a candidate sets no margin of its own
+  return both;
+}
+
+// Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
+Observations observed_answers(const StudyResults& study, bool machine_decides) {
+  Observations observed{
+      .metric = "answers", .quantity = "answered", .better = Better::larger, .scale = Scale::share, .is_paired = true};
+  observed.measures = Measure::answered;
+  for (const std::string& solver : study.labels) {
+    Measured answers;
+    for (const Solve& solve : study.of(solver))
+      answers.values.push_back(gave_answer(solve) || (machine_decides && solve.status == results::Status::over_budget));
+    observed.groups.push_back({.name = solver, .sample = std::move(answers)});
+  }
+  return observed;
+}
+
+// Solved in time is one, too.
+bool is_time(const JudgedMetric& judged) { return judged.observations.measures == Measure::time; }
+
+bool is_of_answers(const JudgedMetric& judged) { return judged.observations.measures == Measure::answered; }
+
+// Whether a metric decides: the plan names it, nobody left it out, and if it is of times, they have a margin.
+bool decides(const Gate& gate, const JudgedMetric& metric) {
+  const std::string name = name_in_plan(gate.judged, metric);
+  if (name.empty() || (is_time(metric) && !gate.do_times_decide())) return false;
+  return gate.options.metrics.empty() || std::ranges::count(gate.options.metrics, name) > 0;
+}
+
+void refuse_what_the_plan_lacks(const GateOptions& options, const Definition& definition) {
+  const std::vector<std::string> named = names_in_plan(definition);
+  const std::vector<std::string>& asked = options.metrics.empty() ? named : options.metrics;
+  for (const std::string& name : asked)
+    if (std::ranges::count(named, name) == 0)
+      throw std::invalid_argument(fmt::format(
+          "--metric {}: the study's plan names {}; expected some of these, or name it in `metric` or `then` of [analysis]",
+          name, base::listed(named)));
+  const std::vector<Metric> all = metrics_of(definition);
+  const auto is_of_time = [&](const std::string& name) {
+    const auto its = std::ranges::find(all, name, &Metric::column);
+    return name == "time" || (its != all.end() && is_of_times(*its));
+  };
+  const bool has_time = std::ranges::any_of(asked, is_of_time);
+  if (options.time_margin && !has_time && options.metrics.empty())
+    throw std::invalid_argument("--time-margin: the study's plan does not name time; add it to `then` of [analysis]");
+  if (options.time_margin && !has_time)
+    throw std::invalid_argument("--time-margin lets times decide, and --metric leaves them out; add time to --metric");
+  if (!options.time_margin && !options.metrics.empty() && has_time)
+    throw std::invalid_argument("--metric time: times decide by a margin of their own; add --time-margin 10%");
+}
+
+// How many answers are missing where before none was, or where now none is left. Chance may do that, too.
+int newly_missing(const JudgedMetric& judged) {
+  const Description &candidate = judged.described.front(), &baseline = judged.described.back();
+  const bool is_new = is_of_answers(judged) && (baseline.mean == 1 || candidate.mean == 0);
+  return is_new ? static_cast<int>(std::lround((baseline.mean - candidate.mean) * baseline.n)) : 0;
+}
+
+// Takes two labels of a study, without the records that figures draw.
+StudyResults of_two(const StudyResults& study, const std::string& candidate, const std::string& baseline) {
+  StudyResults two;
+  static_cast<StoredStudy&>(two) = study;
+  two.sessions = study.sessions;
+  two.labels = {candidate, baseline};
+  for (std::size_t i = 0; i < two.labels.size(); ++i) {
+    const std::string& label = two.labels[i];
+    for (Solve solve : study.of(label)) {
+      solve.label = static_cast<int>(i);
+      two.solves.push_back(std::move(solve));
+    }
+    if (const auto its = study.faults.find(label); its != study.faults.end()) two.faults.insert(*its);
+    if (const auto its = study.in_batches.find(label); its != study.in_batches.end()) two.in_batches.insert(*its);
+    if (std::ranges::count(study.other_version.who, label) > 0) two.other_version = study.other_version;
+  }
+  return two;
+}
+
+// Leaves the warnings that concern the two. The counts of a warning that names others, too, are those of the two alone.
+void keep_doubts(std::vector<Doubt>& doubts, const StudyResults& two) {
+  const auto is_other = [&](const std::string& name) { return std::ranges::count(two.labels, name) == 0; };
+  const std::vector<Doubt> own = doubts_of_evaluations(two);
+  std::erase_if(doubts,
+                [&](const Doubt& doubt) { return !doubt.who.empty() && std::ranges::all_of(doubt.who, is_other); });
+  for (Doubt& doubt : doubts) {
+    std::erase_if(doubt.who, is_other);
+    const auto its = std::ranges::find(own, doubt.kind, &Doubt::kind);
+    if (its == own.end()) continue;
+    doubt.count = its->count;
+    doubt.of = its->of;
+  }
+}
+
+// Leaves the groups and the finding of the two labels of the gate, the candidate first.
+void keep_two(const Gate& gate, Observations& observed, std::vector<Finding>& findings) {
+  const auto is_one = [&](const std::string& name) { return name == gate.candidate || name == gate.baseline; };
+  std::erase_if(observed.groups, [&](const Group& group) { return !is_one(group.name); });
+  if (observed.groups.front().name != gate.candidate) std::swap(observed.groups.front(), observed.groups.back());
+  std::erase_if(findings, [&](const Finding& its) { return !is_one(its.first) || !is_one(its.second); });
+  findings.front() = better_first(std::move(findings.front()), gate.baseline);
+}
+
+std::string family_of(const Gate& gate, const JudgedMetric& metric) {
+  const std::string name = name_in_plan(gate.judged, metric);
+  return name.empty() ? "not in the plan: " + metric.observations.metric : name;
+}
+
+// The findings of each metric of each gate. Pairs of the metrics that a name of the plan means are one family: of
+// evaluations, where one label solved all targets and another did not, also those per solved target. Solvers that are
+// the same bit for bit in two stores are no part of it, since no chance is in them.
+std::vector<std::vector<std::vector<Finding>>> findings_of(const std::vector<Gate>& gates) {
+  const std::size_t metrics = names_in_plan(gates.front().judged.study.definition).size();
+  std::vector<std::vector<std::vector<Finding>>> all;
+  std::map<std::string, std::vector<std::pair<std::size_t, std::size_t>>> families;  // gates and metrics, by name
+  for (std::size_t i = 0; i < gates.size(); ++i) {
+    const std::vector<JudgedMetric>& its = gates[i].judged.metrics;
+    all.emplace_back(its.size());
+    for (std::size_t m = 0; m < its.size(); ++m) {
+      if (gates[i].are_same && !gates[i].label.empty() && !is_time(its[m]))
+        all[i][m] = compare(its[m].observations, its[m].plan, metrics);
+      else
+        families[family_of(gates[i], its[m])].emplace_back(i, m);
+    }
+  }
+  for (const auto& [metric, places] : families) {
+    std::vector<Member> members;
+    for (const auto& [i, m] : places)
+      members.push_back({&gates[i].judged.metrics[m].observations, &gates[i].judged.metrics[m].plan});
+    std::vector<std::vector<Finding>> found = compare(members, metrics);
+    for (std::size_t k = 0; k < places.size(); ++k) all[places[k].first][places[k].second] = std::move(found[k]);
+  }
+  return all;
+}
+
+// The list that a quantity of a metric that decides belongs to; null if it belongs to none.
+std::vector<std::string>* list_of(Gate& gate, const JudgedMetric& judged) {
+  const Finding& finding = judged.findings.front();
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  const bool is_small = tested && tested->is_small;
+  const bool is_settled = gate.are_same && !is_time(judged);
+  switch (verdict_of(finding)) {
+    case Verdict::worse:
+      return is_small ? &gate.worse_by_little : &gate.worse;
+    case Verdict::better:
+      return is_small ? nullptr : &gate.better;
+    case Verdict::not_tested:
+      return is_settled ? nullptr : &gate.not_tested;
+    case Verdict::undecided: {
+      // Where a budget makes all evaluations equal, that says nothing.
+      const bool is_no_news = are_equal(finding) && judged.observations.measures == Measure::evaluations;
+      return is_settled || is_no_news ? nullptr : &gate.not_decided;
+    }
+    case Verdict::same:
+      break;
+  }
+  return nullptr;
+}
+
+// Adds the quantity to the list of the gate that it belongs to.
+void add_to_lists(Gate& gate, const JudgedMetric& judged) {
+  const std::string& quantity = judged.observations.quantity;
+  if (const int missing = newly_missing(judged); missing > 0) {
+    gate.newly_missing = missing;
+    return;
+  }
+  const Verdict verdict = verdict_of(judged.findings.front());
+  if (!decides(gate, judged)) {
+    const auto* const tested = std::get_if<Tested>(&judged.findings.front().what);
+    if (is_time(judged) || !is_difference(verdict) || (tested && tested->is_small)) return;
+    (verdict == Verdict::worse ? gate.also_worse : gate.also_better).push_back(quantity);
+    return;
+  }
+  if (std::vector<std::string>* const list = list_of(gate, judged)) list->push_back(quantity);
+  gate.are_times_missing |= is_time(judged) && verdict == Verdict::not_tested;
+  const bool is_share_of_nothing = judged.observations.scale == Scale::share && judged.described.front().mean == 0 &&
+                                   judged.described.back().mean == 0;
+  gate.is_compared |= !is_share_of_nothing && verdict != Verdict::not_tested;
+}
+
+}  // namespace
+
+Gate gate(StudyResults study, const std::string& candidate, const std::string& baseline, GateOptions options,
+          const std::string& label) {
+  refuse_what_the_plan_lacks(options, study.definition);
+  const Solves ours = study.of(candidate), theirs = study.of(baseline);
+  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
+  if (theirs.empty() || !std::ranges::equal(ours, theirs, {}, place, place))
+    throw LacksSolves(fmt::format(
+        "not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
+        label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
+  Gate gate{.label = label, .candidate = candidate, .baseline = baseline, .options = std::move(options)};
+  gate.are_same = have_same_solves(ours, theirs) && std::ranges::any_of(ours, gave_answer);
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const bool is_solved = ours[i].status == Status::ok, was_solved = theirs[i].status == Status::ok;
+    gate.same += have_same_solves(ours.subspan(i, 1), theirs.subspan(i, 1));
+    if (is_solved == was_solved || !study.definition.has_tolerance()) continue;
+    (is_solved ? gate.won : gate.lost)
+        .push_back(study.definition.points == 1 ? fmt::format("run {}", ours[i].run)
+                                                : fmt::format("target {} of run {}", ours[i].point, ours[i].run));
+  }
+  std::string& control = study.definition.plan.control;
+  if (control != candidate && control != baseline) control.clear();
+  JudgedStudy& judged = gate.judged = observe_all(std::move(study));
+  StudyResults two = of_two(judged.study, candidate, baseline);
+  const bool machine_decides = !doubts_of_clock(two).empty();
+  judged.metrics.push_back(
+      {.observations = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
+  for (JudgedMetric& metric : judged.metrics) {
+    if (is_time(metric) && gate.do_times_decide()) metric.plan.margin = *gate.options.time_margin;
+    keep_doubts(metric.observations.doubts, two);
+  }
+  judged.doubts = doubts_of(two);
+  two.solves = {};  // observed, and large
+  judged.study = std::move(two);
+  return gate;
+}
+
+Gate gate(StudyResults baseline, StudyResults candidate, GateOptions options) {
+  refuse_other_task(baseline, candidate);
+  const std::string label = candidate.labels.front();
+  const bool are_of_this_clock = std::ranges::all_of(baseline.sessions, is_of_this_clock) &&
+                                 std::ranges::all_of(candidate.sessions, is_of_this_clock);
+  const auto turns = turns_of(candidate.sessions, baseline.sessions);
+  const std::string now = calls_of(candidate), before = calls_of(baseline);
+  const std::string other = !are_of_this_clock
+                                ? "of the clock of a former version, which no time of this one is compared with"
+                            : now != before ? fmt::format("{}, before {}", now, before)
+                                            : "";
+  if (options.time_margin && !(turns && other.empty()))
+    throw std::invalid_argument(fmt::format(
+        "not compared: times of {} are {}", label,
+        !other.empty() ? other
+                       : "of other sessions than before; expected two stores that were solved in turn (cli/gate.sh "
+                         "with OLD), or leave out --time-margin"));
+  StudyResults study =
+      study_of_both(baseline, std::move(candidate), options.time_margin ? *turns : std::map<int, int>());
+  Gate both = gate(std::move(study), now_label, before_label, std::move(options), label);
+  for (JudgedMetric& metric : both.judged.metrics) {  // of two sessions times are never comparable
+    if (!is_time(metric) || both.do_times_decide()) continue;
+    metric.observations.doubts.clear();
+    if (!other.empty()) metric.observations.doubts.push_back({.kind = DoubtKind::times_not_comparable, .what = other});
+  }
+  const auto budget_of = [](const numerics::StopRule& stop) {
+    return fmt::format("{} iterations, {} evaluations, {:g} ms", stop.iterations, stop.evaluations, 1e3 * stop.seconds);
+  };
+  const std::string ours = budget_of(both.judged.study.definition.stop), theirs = budget_of(baseline.definition.stop);
+  if (ours == theirs) return both;
+  std::erase_if(both.judged.doubts, [](const Doubt& doubt) { return doubt.kind == DoubtKind::budgets_differ; });
+  both.judged.doubts.push_back({.kind = DoubtKind::budgets_differ,
+                                .who = both.judged.study.labels,
+                                .what = fmt::format("budgets of a solve differ: {}; before {}", ours, theirs)});
+  return both;
+}
+
+void decide(std::vector<Gate>& gates) {
+  std::vector<std::vector<std::vector<Finding>>> all = findings_of(gates);
+  for (std::size_t i = 0; i < gates.size(); ++i) {
+    Gate& gate = gates[i];
+    gate.is_compared = gate.are_same;
+    gate.are_times_missing = gate.do_times_decide() && std::ranges::none_of(gate.judged.metrics, is_time);
+    for (std::size_t m = 0; m < gate.judged.metrics.size(); ++m) {
+      JudgedMetric& metric = gate.judged.metrics[m];
+      std::vector<Finding>& findings = all[i][m];
+      keep_two(gate, metric.observations, findings);
+      metric.plan.control = gate.baseline;  // is shown second
+      metric = judge(std::move(metric.observations), metric.plan, std::move(findings));
+      Finding& finding = metric.findings.front();
+      // Two labels of one store keep the finding of its report.
+      if (gate.are_same && !gate.label.empty() && !is_time(metric) && std::holds_alternative<Tested>(finding.what)) {
+        finding.what = Fact();
+        finding.amount = Amount{amount_of_equal(finding.scale)};
+      }
+    }
+    for (const JudgedMetric& metric : gate.judged.metrics) add_to_lists(gate, metric);
+    gate.is_compared |= !gate.worse.empty() || !gate.better.empty() || gate.newly_missing > 0;
+  }
+}
+
+int exit_code(const std::vector<Gate>& gates, bool is_strict) {
+  const auto is_worse = [](const Gate& gate) { return !gate.worse.empty() || gate.newly_missing > 0; };
+  if (std::ranges::any_of(gates, is_worse)) return 3;
+  if (std::ranges::any_of(gates, [](const Gate& gate) { return !gate.is_compared || gate.are_times_missing; }))
+    return 1;
+  const auto is_open = [](const Gate& gate) { return !gate.not_decided.empty() || !gate.not_tested.empty(); };
+  return is_strict && std::ranges::any_of(gates, is_open) ? 4 : 0;
+}
+
+}  // namespace ikbench::judge

@@ -1,0 +1,119 @@
+#include "analysis/judge/statistics/pair_data.hpp"
+
+#include <algorithm>
+
+#include "analysis/judge/statistics/two_sample_tests.hpp"
+
+namespace ikbench::judge {
+namespace {
+
+// Relative: smaller than a difference in the fifteenth digit, the last that every double can tell.
+constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon();
+
+// Makes values equal that lie above the smallest of them by no more than its own rounding or theirs.
+void remove_rounding(std::vector<double>& values, const std::vector<double>& roundings) {
+  const std::vector<Placed> order = rising(values);
+  for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
+    const Placed& least = order[first];
+    const auto is_equal = [&](const Placed& other) {
+      return other.first <= least.first + std::max(roundings[least.second], roundings[other.second]);
+    };
+    // From the next on, since a NaN does not equal itself.
+    for (next = first + 1; next < order.size() && is_equal(order[next]); ++next)
+      values[order[next].second] = least.first;
+  }
+}
+
+// Makes values equal that differ by no more than the rounding, or lie below a floor.
+void settle(std::vector<double>& values, const Observations& observed, bool has_floor) {
+  std::vector<double> roundings;
+  for (double& value : values) {
+    value = has_floor ? std::max(value, observed.floor) : value;
+    // No answer is no number, so none is equal to it.
+    roundings.push_back(std::isinf(value) ? 0 : std::max(observed.rounding, rounding_of_doubles * std::abs(value)));
+  }
+  remove_rounding(values, roundings);
+}
+
+Summary summary_of(const Group& group, const std::vector<double>& values) {
+  if (const auto* const summary = std::get_if<Summary>(&group.sample)) return *summary;
+  return summarise(values);
+}
+
+bool is_one_value(const Group& group) {
+  return values_of(group).size() == 1 || repeats_itself(group) || may_be_copies(group);
+}
+
+// One value is held against all of the other group.
+std::vector<double> differences_of(const Group& first, const Group& second, const Prepared& numbers, bool are_logs) {
+  std::vector<double> differences, sizes, roundings;
+  const bool is_first_one = is_one_value(first), is_second_one = is_one_value(second);
+  for (std::size_t i = 0; i < (is_first_one ? numbers.second : numbers.first).size(); ++i) {
+    const double x = numbers.first[is_first_one ? 0 : i], y = numbers.second[is_second_one ? 0 : i];
+    // By the size of these two: a huge pair hides no difference of the others, nor does its 0 equal them.
+    const double rounding = rounding_of_doubles * std::max({are_logs ? 1.0 : 0.0, std::abs(x), std::abs(y)});
+    const bool are_equal = std::abs(x - y) <= rounding;
+    differences.push_back(x - y);
+    sizes.push_back(are_equal ? 0 : std::abs(x - y));
+    roundings.push_back(are_equal ? 0 : rounding);
+  }
+  remove_rounding(sizes, roundings);
+  for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = std::copysign(sizes[i], differences[i]);
+  return differences;
+}
+
+}  // namespace
+
+void keep_common_blocks(const std::vector<Group*>& groups) {
+  std::vector<Measured*> all;
+  for (Group* const group : groups)
+    if (auto* const measured = std::get_if<Measured>(&group->sample)) all.push_back(measured);
+  const auto has_same = [&](const Measured* its) { return its->blocks == all.front()->blocks; };
+  if (std::ranges::all_of(all, has_same)) return;
+  std::vector<int> common = all.front()->blocks;
+  for (const Measured* const its : all)
+    std::erase_if(common, [&](int block) { return !std::ranges::binary_search(its->blocks, block); });
+  for (Measured* const its : all) {
+    auto block = its->blocks.begin();
+    std::erase_if(its->values, [&](double) { return !std::ranges::binary_search(common, *block++); });
+    its->blocks = common;
+  }
+}
+
+Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,
+                  bool takes_logs) {
+  const std::span<const double> of_first = values_of(first), of_second = values_of(second);
+  std::vector<double> all(of_first.begin(), of_first.end());
+  all.insert(all.end(), of_second.begin(), of_second.end());
+  settle(all, observed, takes_logs);
+  if (takes_logs) std::ranges::transform(all, all.begin(), [](double value) { return std::log(value); });
+  Prepared numbers;
+  // A stand-in that no difference, mean or shift of the others comes near, and whose square is still exact enough.
+  constexpr double far = 1e4;
+  double most = std::max(observed.absolute_margin, takes_logs ? 100.0 : 0.0);
+  for (const double value : all) most = std::isinf(value) ? most : std::max(most, std::abs(value));
+  for (double& value : all)
+    if (std::isinf(value)) {
+      numbers.no_answer = most > 0 ? far * most : 1;
+      value = std::copysign(numbers.no_answer, value);
+    }
+  numbers.first.assign(all.begin(), all.begin() + std::ssize(of_first));
+  numbers.second.assign(all.begin() + std::ssize(of_first), all.end());
+  numbers.of_first = summary_of(first, numbers.first);
+  numbers.of_second = summary_of(second, numbers.second);
+  for (const Group* const group : {&first, &second}) {
+    const Measured* const its = measured(*group);
+    if (its == nullptr || its->worth == 0) continue;
+    numbers.worth = std::min(numbers.worth, its->worth);
+    numbers.solved = std::min(numbers.solved, its->solved);
+  }
+  if (is_by_difference) {
+    numbers.differences = differences_of(first, second, numbers, takes_logs);
+    numbers.are_all_equal = std::ranges::count(numbers.differences, 0.0) == std::ssize(numbers.differences);
+  } else {
+    numbers.are_all_equal = !all.empty() && std::ranges::count(all, all.front()) == std::ssize(all);
+  }
+  return numbers;
+}
+
+}  // namespace ikbench::judge

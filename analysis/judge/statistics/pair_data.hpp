@@ -1,0 +1,39 @@
+// Two groups as a test takes them: numbers alone. A pure function of their values, so that a test sees neither floors
+// nor infinities nor copies.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "analysis/judge/data/samples.hpp"
+
+namespace ikbench::judge {
+
+// A solver that repeats itself has one value. A group that is printed has a summary and no values.
+struct Prepared {
+  std::vector<double> first, second;
+  std::vector<double> differences = {};  // by block; or of each run from the one value of a solver that repeats itself
+  Summary of_first = {}, of_second = {};
+  double worth = std::numeric_limits<double>::infinity();  // of logarithms: that of the group whose values tell less
+  double solved = worth;                                   // of the same: targets that the weaker one solved
+  double no_answer = 0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
+  bool are_all_equal = false;
+
+  // Infinite where it is made of a value that stands for an infinite one.
+  double unbound(double value) const {
+    return no_answer > 0 && std::abs(value) > no_answer / 8
+               ? std::copysign(std::numeric_limits<double>::infinity(), value)
+               : value;
+  }
+};
+
+// Leaves the values of blocks that all measured ones of these have.
+void keep_common_blocks(const std::vector<Group*>& groups);
+
+// Values below the floor count as it where logarithms are taken; those that differ by no more than the rounding are
+// equal. Paired values without blocks belong together by their places.
+Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,
+                  bool takes_logs);
+
+}  // namespace ikbench::judge

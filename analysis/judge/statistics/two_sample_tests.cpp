@@ -1,0 +1,405 @@
+#include "analysis/judge/statistics/two_sample_tests.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numeric>
+
+namespace ikbench::judge {
+namespace {
+
+namespace bm = boost::math;
+
+// Boost computes in long double by default, which takes several times as long.
+using Plain = bm::policies::policy<bm::policies::promote_double<false>>;
+using StudentsT = bm::students_t_distribution<double, Plain>;
+
+constexpr std::size_t exact_unpaired = 100, exact_paired = 1000;
+
+double number(auto count) { return static_cast<double>(count); }
+int sign_of(double value) { return (value > 0) - (value < 0); }
+
+// Student's t of an estimate with this standard error. Without one, p is the smallest that permutations give.
+Outcome t_of(double estimate, double error, double df, double smallest_p, double alpha) {
+  Outcome outcome{.estimate = estimate, .direction = sign_of(estimate)};
+  if (error == 0) {
+    outcome.p = estimate == 0 ? 1 : smallest_p;
+    return outcome;
+  }
+  const StudentsT t(df);
+  outcome.p = 2 * bm::cdf(bm::complement(t, std::abs(estimate) / error));
+  const double half = bm::quantile(bm::complement(t, alpha / 2)) * error;
+  outcome.interval = Interval{estimate - half, estimate + half};
+  return outcome;
+}
+
+// Satterthwaite's degrees of freedom of a sum of two estimated variances; a single value has none.
+double df_of(double u, double m, double v, double n) {
+  return (u + v) * (u + v) / (u * u / std::max(1.0, m - 1) + v * v / std::max(1.0, n - 1));
+}
+
+double two_sided_binomial(double k, double n) {  // at one half
+  return n == 0 ? 1 : std::min(1.0, 2 * bm::cdf(bm::binomial(n, 0.5), std::min(k, n - k)));
+}
+
+std::vector<double> sorted(Values values) {
+  std::vector<double> order(values.begin(), values.end());
+  if (!std::ranges::is_sorted(order)) std::ranges::sort(order);
+  return order;
+}
+
+// Equal values share the mean of their ranks; 1 is the smallest.
+struct Ranks {
+  std::vector<double> ranks;  // in the order of the values
+  double tie_sum = 0;         // sum of t^3 - t over the ties
+};
+
+Ranks midranks(Values values) {
+  const std::vector<Placed> order = rising(values);
+  Ranks result{.ranks = std::vector<double>(values.size())};
+  for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+    end = first + 1;  // since a NaN does not equal itself
+    while (end < order.size() && order[end].first == order[first].first) ++end;
+    for (std::size_t i = first; i < end; ++i) result.ranks[order[i].second] = number(first + 1 + end) / 2;
+    const double ties = number(end - first);
+    result.tie_sum += ties * ties * ties - ties;
+  }
+  return result;
+}
+
+// The null distribution of a sum of ranks: exact if it has probabilities, by the sum times 1, or 2 where ties make
+// halves.
+struct RankSum {
+  double mean = 0, variance = 0;
+  std::vector<double> probabilities = {};
+  double times = 1;
+
+  // Twice the tail on the side of the sum.
+  double two_sided(double sum) const {
+    if (probabilities.empty()) {
+      const double distance = std::max(0.0, std::abs(sum - mean) - 0.5);
+      return variance > 0 ? std::erfc(distance / std::sqrt(2 * variance)) : 1;
+    }
+    const auto seen = probabilities.begin() + std::lround(times * sum);
+    const bool is_low = sum <= mean;
+    const double tail =
+        std::accumulate(is_low ? probabilities.begin() : seen, is_low ? seen + 1 : probabilities.end(), 0.0);
+    return std::min(1.0, 2 * tail);
+  }
+
+  // The largest r with P(sum - least < r) <= alpha / 2: an interval goes from the r-th smallest candidate to the r-th
+  // largest.
+  std::size_t critical(double least, double alpha) const {
+    if (probabilities.empty()) {
+      const double rank = std::floor(mean - least - critical_z(alpha) * std::sqrt(variance) + 0.5);
+      return rank > 0 ? static_cast<std::size_t>(rank) : 0;
+    }
+    auto next = probabilities.begin() + std::lround(least);
+    std::size_t rank = 0;
+    for (double below = *next; below <= alpha / 2; below += *++next) ++rank;
+    return rank;
+  }
+};
+
+// Of so many of the ranks, or, if that is 0, of any of them; all choices are equally likely.
+RankSum sum_of(const Ranks& ranks, std::size_t chosen) {
+  const double n = number(ranks.ranks.size()), m = number(chosen);
+  RankSum sum{.mean = n * (n + 1) / 4, .variance = n * (n + 1) * (2 * n + 1) / 24 - ranks.tie_sum / 48};
+  if (chosen > 0) sum = {m * (n + 1) / 2, m * (n - m) / 12 * (n + 1 - ranks.tie_sum / (n * (n - 1)))};
+  if (ranks.ranks.size() > (chosen > 0 ? exact_unpaired : exact_paired)) return sum;
+  sum.times = ranks.tie_sum > 0 ? 2 : 1;
+  // Of any, sums above the mean mirror those below.
+  const auto most = static_cast<std::size_t>(sum.times * (chosen > 0 ? n * n : sum.mean));
+  std::vector<std::vector<double>> ways(chosen + 1);  // by the number chosen, and the sum
+  ways[0] = {1};
+  for (const double rank : sorted(ranks.ranks)) {
+    const auto more = static_cast<std::size_t>(std::lround(sum.times * rank));
+    if (more > most) continue;
+    for (std::size_t k = std::max<std::size_t>(chosen, 1); k-- > 0;) {
+      std::vector<double>&from = ways[k], &to = ways[chosen > 0 ? k + 1 : 0];
+      const std::size_t reached = std::min(from.size(), most + 1 - more);
+      if (reached == 0) continue;
+      to.resize(std::max(to.size(), reached + more));
+      for (std::size_t i = reached; i-- > 0;) to[i + more] += from[i];
+    }
+  }
+  sum.probabilities = std::move(ways[chosen]);
+  const double choices =
+      chosen > 0 ? std::accumulate(sum.probabilities.begin(), sum.probabilities.end(), 0.0) : std::exp2(n);
+  for (double& share : sum.probabilities) share /= choices;
+  return sum;
+}
+
+// Without ties the distribution is of the sizes alone, and is kept.
+const RankSum& without_ties(std::size_t n, std::size_t chosen) {
+  thread_local std::map<std::pair<std::size_t, std::size_t>, RankSum> known;
+  if (known.size() > 100) known.clear();
+  const auto [at, is_new] = known.try_emplace({n, chosen});
+  Ranks ranks{.ranks = std::vector<double>(is_new ? n : 0)};
+  std::iota(ranks.ranks.begin(), ranks.ranks.end(), 1.0);
+  if (is_new) at->second = sum_of(ranks, chosen);
+  return at->second;
+}
+
+double two_sided(const Ranks& ranks, std::size_t chosen, double sum) {
+  if (ranks.tie_sum == 0) return without_ties(ranks.ranks.size(), chosen).two_sided(sum);
+  return sum_of(ranks, chosen).two_sided(sum);
+}
+
+// For each value of `own` less the shift, how many of the others are below it, equal ones half. Both are sorted.
+// Differences are held against the shift, which would vanish in a huge value. Sums of halves are exact, so nothing is
+// kept and read twice.
+Summary placements(Values own, Values others, double shift) {
+  std::size_t below = 0, up_to = 0;
+  double first = 0, sum = 0, squares = 0;  // of distances to the first
+  for (const double& value : own) {
+    while (below < others.size() && value - others[below] > shift) ++below;
+    for (up_to = std::max(below, up_to); up_to < others.size() && value - others[up_to] >= shift;) ++up_to;
+    const double count = number(below + up_to) / 2;
+    if (&value == own.data()) first = count;
+    sum += count - first;
+    squares += (count - first) * (count - first);
+  }
+  const double n = number(own.size());
+  const double sd = n > 1 ? std::sqrt(std::max(0.0, squares - sum * sum / n) / (n - 1)) : 0;
+  return {.n = static_cast<int>(own.size()), .mean = first + sum / n, .sd = sd};
+}
+
+// Doubles in order as whole numbers; the function is its own inverse. Bisection of these ends at a double after at most
+// 64 steps, whatever the sizes: halving the values would stop beside it, or take a thousand steps down to a tiny one.
+std::int64_t in_order(std::int64_t bits) {
+  return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits - 1 : bits;
+}
+std::int64_t place_of(double value) { return in_order(std::bit_cast<std::int64_t>(value)); }
+double value_at(std::int64_t place) { return std::bit_cast<double>(in_order(place)); }
+
+// Of all sums x_i + y_j, or only those with i <= j where y is x: the median, and the interval from the rank-th smallest
+// to the rank-th largest. The sums are not made: those up to a bound are counted, and the bound closes in, from one
+// sum to another.
+Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std::size_t rank) {
+  for (std::vector<double>* const values : {&x, &y})
+    if (!std::ranges::is_sorted(*values)) std::ranges::sort(*values);
+  const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
+  const auto smallest = [&](std::size_t at) {  // from 1
+    std::int64_t low = place_of(x.front() + y.front()), high = place_of(x.back() + y.back());
+    while (low < high) {
+      const std::int64_t middle = std::midpoint(low, high);
+      const double bound = value_at(middle);
+      double below = x.front() + y.front(), above = x.back() + y.back();  // the sums beside the bound
+      std::size_t count = 0, left = y.size();
+      for (const double value : x) {
+        for (; left > 0 && value + y[left - 1] > bound; --left) above = std::min(above, value + y[left - 1]);
+        if (left > 0) below = std::max(below, value + y[left - 1]);
+        count += left;
+      }
+      const auto twice = [&](double value) { return value + value <= bound; };
+      if (are_same) count = (count + static_cast<std::size_t>(std::ranges::count_if(x, twice))) / 2;
+      if (count >= at)
+        high = std::min(middle, place_of(below));
+      else
+        low = std::max(middle + 1, place_of(above));
+    }
+    return value_at(low) + 0.0;  // 0, not -0
+  };
+  Outcome outcome{.estimate = (smallest((all + 1) / 2) + smallest(all / 2 + 1)) / 2};
+  if (rank >= 1 && rank <= all) outcome.interval = Interval{smallest(rank), smallest(all + 1 - rank)};
+  return outcome;
+}
+
+}  // namespace
+
+double critical_z(double alpha) { return bm::quantile(bm::complement(bm::normal(), alpha / 2)); }
+
+Summary summarise(Values values) {
+  const double shift = values.front(), n = number(values.size());
+  double sum = 0, shifted_mean = 0, largest = 0;
+  for (const double value : values) {
+    sum += value - shift;
+    shifted_mean += (value - shift) / n;
+    largest = std::max(largest, std::abs(value));
+  }
+  double squares = 0, rest = 0;  // the mean's rounding (Chan, Golub, LeVeque 1983)
+  for (const double value : values) {
+    const double deviation = (value - shift) - shifted_mean;
+    squares += deviation * deviation;
+    rest += deviation;
+  }
+  const double sd = n > 1 ? std::sqrt((squares - rest * rest / n) / (n - 1)) : 0;
+  const bool is_rounding = sd <= 4 * std::numeric_limits<double>::epsilon() * largest;
+  return {.n = static_cast<int>(values.size()), .mean = shift + sum / n, .sd = is_rounding ? 0 : sd};
+}
+
+std::vector<Placed> rising(Values values) {
+  std::vector<Placed> order;
+  order.reserve(values.size());
+  for (const double value : values) order.emplace_back(value, order.size());
+  // Two groups that rise, one after the other, are merged.
+  const auto end = std::ranges::is_sorted_until(order, {}, &Placed::first);
+  if (std::ranges::is_sorted(end, order.end(), {}, &Placed::first))
+    std::ranges::inplace_merge(order, end, {}, &Placed::first);
+  else
+    std::ranges::sort(order, {}, &Placed::first);
+  return order;
+}
+
+double smallest_p_unpaired(std::size_t m, std::size_t n) {
+  if (m > n) std::swap(m, n);  // to the same bits
+  double p = 2;
+  for (std::size_t i = 1; i <= m; ++i) p *= number(i) / number(n + i);
+  return std::min(1.0, p);
+}
+
+double smallest_p_paired(std::size_t n) { return std::min(1.0, std::exp2(1 - number(n))); }
+
+std::optional<Interval> interval_of_quantile(Values sorted, double share, double alpha) {
+  const double n = number(sorted.size());
+  const bm::binomial below(n, share);  // how many values are; quantiles are rounded outwards
+  const double low = bm::quantile(below, alpha / 2), high = bm::quantile(bm::complement(below, alpha / 2));
+  if (high >= n || bm::cdf(below, low) > alpha / 2) return {};
+  return Interval{sorted[static_cast<std::size_t>(low)], sorted[static_cast<std::size_t>(high)]};
+}
+
+double brunner_munzel(Values first, Values second, double shift) {
+  const Summary of_first = placements(first, second, shift), of_second = placements(second, first, -shift);
+  const double m = of_first.n, n = of_second.n;
+  const double u = of_first.sd * of_first.sd / m / (n * n), v = of_second.sd * of_second.sd / n / (m * m);
+  const double distance = std::abs(of_first.mean / n - 0.5);
+  if (u + v == 0) return distance == 0 ? 1 : 0;
+  return 2 * bm::cdf(bm::complement(StudentsT(df_of(u, m, v, n)), distance / std::sqrt(u + v)));
+}
+
+double mann_whitney(Values first, Values second) {
+  if (first.size() > second.size()) std::swap(first, second);
+  std::vector<double> both(first.begin(), first.end());
+  both.insert(both.end(), second.begin(), second.end());
+  const Ranks all = midranks(both);
+  const auto end = all.ranks.begin() + std::ssize(first);
+  return two_sided(all, first.size(), std::accumulate(all.ranks.begin(), end, 0.0));
+}
+
+Outcome rank_test(Values first, Values second, double alpha) {
+  const std::size_t few = std::min(first.size(), second.size());
+  const RankSum& sum = without_ties(first.size() + second.size(), few);
+  const std::vector<double> first_rising = sorted(first), second_rising = sorted(second);
+  std::vector<double> negative;
+  for (std::size_t i = second_rising.size(); i-- > 0;) negative.push_back(-second_rising[i]);
+  const std::size_t rank = sum.critical(number(few) * number(few + 1) / 2, alpha);
+  Outcome outcome = of_sums(first_rising, std::move(negative), false, rank);
+  // From an end of Mann-Whitney's as far as Brunner-Munzel reaches: to a difference, however large the largest is.
+  const auto reached = [&](double from, double beyond) {
+    std::int64_t kept = place_of(from), out = place_of(beyond);
+    for (auto next = std::midpoint(kept, out); next != kept; next = std::midpoint(kept, out))
+      (brunner_munzel(first_rising, second_rising, value_at(next)) >= alpha ? kept : out) = next;
+    return std::abs(value_at(kept)) < std::numeric_limits<double>::min() ? 0 : value_at(kept);  // beside 0
+  };
+  if (const auto interval = outcome.interval)
+    outcome.interval = Interval{reached(interval->low, first_rising.front() - second_rising.back()),
+                                reached(interval->high, first_rising.back() - second_rising.front())};
+  outcome.p = std::max(brunner_munzel(first_rising, second_rising), mann_whitney(first_rising, second_rising));
+  outcome.direction = sign_of(placements(first_rising, second_rising, 0).mean - number(second.size()) / 2);
+  return outcome;
+}
+
+Outcome welch(const Summary& first, const Summary& second, double alpha, double worth) {
+  const double m = first.n, n = second.n;
+  const double u = first.sd * first.sd / m, v = second.sd * second.sd / n;
+  const double smallest = smallest_p_unpaired(static_cast<std::size_t>(first.n), static_cast<std::size_t>(second.n));
+  return t_of(first.mean - second.mean, std::sqrt(u + v), df_of(u, std::min(m, worth), v, std::min(n, worth)), smallest,
+              alpha);
+}
+
+Outcome signed_rank_test(Values differences, double alpha) {
+  std::vector<double> half(differences.begin(), differences.end()), sizes;
+  for (double& difference : half) {
+    if (difference != 0) sizes.push_back(std::abs(difference));
+    difference /= 2;
+  }
+  Outcome outcome = of_sums(half, half, true, without_ties(half.size(), 0).critical(0, alpha));
+  const Ranks ranks = midranks(sizes);
+  const double total = std::accumulate(ranks.ranks.begin(), ranks.ranks.end(), 0.0);
+  double above = 0;
+  auto rank = ranks.ranks.begin();
+  for (const double difference : differences)
+    if (difference != 0) above += difference > 0 ? *rank : 0, ++rank;
+  outcome.direction = sign_of(above - total / 2);
+  outcome.p = two_sided(ranks, 0, std::min(above, total - above));
+  return outcome;
+}
+
+Outcome t_test(Values differences, double alpha, double worth) {
+  const Summary summary = summarise(differences);
+  const double n = summary.n;
+  return t_of(summary.mean, summary.sd / std::sqrt(n), std::max(1.0, std::min(n, worth) - 1),
+              smallest_p_paired(differences.size()), alpha);
+}
+
+Outcome sign_test(Values differences, double alpha) {
+  const std::vector<double> order = sorted(differences);
+  const std::size_t n = order.size();
+  const double above = number(std::ranges::count_if(order, [](double each) { return each > 0; }));
+  const double below = number(std::ranges::count_if(order, [](double each) { return each < 0; }));
+  return {.estimate = order[(n - 1) / 2] / 2 + order[n / 2] / 2,
+          .p = two_sided_binomial(above, above + below),
+          .direction = sign_of(above - below),
+          .interval = interval_of_quantile(order, 0.5, alpha)};
+}
+
+Interval wilson(double share, double n, double alpha) {
+  const double z = critical_z(alpha), zz = z * z / n;
+  const double centre = (share + zz / 2) / (1 + zz);
+  const double half = std::sqrt((share * (1 - share) + zz / 4) * zz) / (1 + zz);
+  return {share == 0 ? 0 : centre - half, share == 1 ? 1 : centre + half};
+}
+
+Interval newcombe(double first, double m, double second, double n, double alpha, double phi) {
+  const Interval of_first = wilson(first, m, alpha), of_second = wilson(second, n, alpha);
+  const auto reach = [phi](double a, double b) { return std::sqrt(std::max(0.0, a * a - 2 * phi * a * b + b * b)); };
+  return {first - second - reach(first - of_first.low, of_second.high - second),
+          first - second + reach(of_first.high - first, second - of_second.low)};
+}
+
+Outcome fisher(Values first, Values second, double alpha) {
+  const double m = number(first.size()), n = number(second.size());
+  const double seen = number(std::ranges::count(first, 1.0)), all = seen + number(std::ranges::count(second, 1.0));
+  // Tables by the first's successes: weights relative to the one that was seen, each from its neighbour. Boost's
+  // hypergeometric distribution takes a minute for groups of 20 000.
+  const auto odds_of_next = [&](double x) { return (m - x) * (all - x) / ((x + 1) * (n - all + x + 1)); };
+  double total = 1, as_rare = 1;
+  const auto add = [&](double weight) {
+    total += weight;
+    if (weight <= 1 + 1e-7) as_rare += weight;  // equal up to rounding, as in R
+  };
+  double weight = 1;
+  for (double x = seen; x < std::min(m, all); ++x) add(weight *= odds_of_next(x));
+  weight = 1;
+  for (double x = seen; x > std::max(0.0, all - n); --x) add(weight /= odds_of_next(x - 1));
+  const double share = seen / m, other = (all - seen) / n;
+  return {.estimate = share - other,
+          .p = std::min(1.0, as_rare / total),
+          .direction = sign_of(share - other),
+          .interval = newcombe(share, m, other, n, alpha)};
+}
+
+Outcome mcnemar(Values first, Values second, double alpha) {
+  const double n = number(first.size());
+  double a = 0, b = 0, c = 0;  // both, the first alone, the second alone
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    a += first[i] == 1 && second[i] == 1;
+    b += first[i] == 1 && second[i] != 1;
+    c += first[i] != 1 && second[i] == 1;
+  }
+  const double d = n - a - b - c, margins = (a + b) * (c + d) * (a + c) * (b + d), excess = a * d - b * c;
+  const double corrected = excess > 0 ? std::max(0.0, excess - n / 2) : excess;
+  const double phi = margins > 0 ? corrected / std::sqrt(margins) : 0;
+  return {.estimate = (b - c) / n,
+          .p = two_sided_binomial(b, b + c),
+          .direction = sign_of(b - c),
+          .interval = newcombe((a + b) / n, n, (a + c) / n, n, alpha, phi)};
+}
+
+}  // namespace ikbench::judge

@@ -1,0 +1,168 @@
+#include "analysis/show/phrases.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+
+#include "analysis/show/text.hpp"
+#include "base/names.hpp"
+
+namespace ikbench::show {
+
+using namespace judge;
+
+namespace {
+
+// "5 mm"; empty for none.
+std::string limit(double value, std::string_view unit) {
+  return value > 0 ? fmt::format("{}{}", number_text(value), unit) : "";
+}
+
+// "1 iteration", "200 iterations"; empty for none.
+std::string limited(std::int64_t count, std::string_view nouns) { return count > 0 ? base::counted(count, nouns) : ""; }
+
+}  // namespace
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  if (unit.empty()) return text;
+  return fmt::format("{} {}", text, text == "1" && unit == "points" ? "point" : unit);
+}
+
+void ByWord::add(const std::string& word, const std::string& name) {
+  auto entry = std::ranges::find(all, word, [](const auto& pair) { return pair.first; });
+  if (entry == all.end()) entry = all.insert(entry, {word, {}});
+  if (std::ranges::count(entry->second, name) == 0) entry->second.push_back(name);
+}
+
+std::vector<std::string> ByWord::told(const char* form) const {
+  std::vector<std::string> told;
+  for (const auto& [word, names] : all) told.push_back(fmt::format(fmt::runtime(form), word, names_of(names)));
+  return told;
+}
+
+std::string margin_words(const JudgedMetric& judged) {
+  const auto [relative, absolute] = std::pair(judged.plan.margin, judged.observations.absolute_margin);
+  const std::string words = with_unit(number_text(100 * relative), is_share(judged) ? "points" : "%");
+  if (absolute == 0 || is_share(judged)) return words;
+  return (relative == 0 ? "" : words + " or ") + with_unit(number_text(absolute), judged.observations.unit);
+}
+
+std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
+  const std::string margin = margin_words(judged), verdict(judge::name_of(verdict_of(finding)));
+  if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
+    if (tested->verdict == Verdict::same) return "same within " + margin;
+    if (are_equal(finding)) return fmt::format("{}: all {} equal", verdict, tested->n);
+    return verdict + (tested->is_small ? ", by less than " + margin : "");
+  }
+  if (std::holds_alternative<Fact>(finding.what))
+    return verdict + (are_equal(finding) || is_difference(verdict_of(finding)) ? "" : " within " + margin) +
+           ", for certain";
+  return fmt::format("{}: {}", verdict, reason_of(std::get<Open>(finding.what), "values"));
+}
+
+const VerdictWords& words_of(Verdict verdict) {
+  static constexpr std::array<VerdictWords, 5> all{
+      {{"better", Tone::good}, {"worse", Tone::bad}, {"same"}, {"undecided"}, {"not_tested"}}};
+  return all[static_cast<std::size_t>(verdict)];
+}
+
+ReasonWords words_of(Open::Why why) {
+  constexpr std::array<ReasonWords, 9> all{
+      {{"lost", "values are missing", "values are missing"},
+       {"infinite", "infinite values have no mean", "infinite values have no mean"},
+       {"apart", "not comparable", "not comparable (!)"},
+       {"no_spread", "one has no spread", "not comparable (!)"},
+       {"none", "one or both solved nothing", "nothing was solved"},
+       {"no_answer", "neither has an answer", "no answer"},
+       {"copies", "each has a single number, which may have been copied; --run row says that each row is a measurement",
+        "one number (!)"},
+       {"too_few", "no values to compare", "too few to compare"},
+       {"few_decide", "few values decide", "too few to compare"}}};
+  return all[static_cast<std::size_t>(why)];
+}
+
+std::string reason_of(const Open& open, std::string_view noun) {
+  if (open.why != Open::Why::too_few || open.n == 0) return std::string(words_of(open.why).of_pair);
+  return fmt::format("{} {} too few, {} are needed", base::counted(open.n, noun), open.n == 1 ? "is" : "are",
+                     open.needed);
+}
+
+std::string warning_of(const Doubt& doubt) {
+  const std::string text = words_of(doubt) + '.';
+  return doubt.who.empty() || !text.starts_with(doubt.who[0]) ? as_sentence(text) : text;
+}
+
+std::string unit_of(const Finding& finding, const JudgedMetric& judged) {
+  if (!finding.amount) return "";
+  return finding.scale == Scale::ratio ? "times" : finding.scale == Scale::share ? "points" : judged.observations.unit;
+}
+
+std::string effect_words(const Finding& finding) {
+  const auto* const tested = std::get_if<Tested>(&finding.what);
+  if (!tested || !tested->effect || !is_difference(tested->verdict)) return "";
+  const auto& [ahead, behind] = *tested->effect;
+  return fmt::format("better in {} %, worse in {} % of comparisons", number_text(100 * ahead),
+                     number_text(100 * behind));
+}
+
+std::set<double> ends_of(const Finding& finding, const JudgedMetric& judged) {
+  const double margin = judged.plan.margin;
+  if (finding.scale == Scale::ratio) return {1, 1 + margin, 1 / (1 + margin)};
+  const double end = is_share(judged) ? 100 * margin : judged.observations.absolute_margin;
+  return {0, end, -end};
+}
+
+std::string stops_of(const StudyResults& study) {
+  const numerics::StopRule& stop = study.definition.stop;
+  std::vector<std::string> tolerances{limit(10 * stop.tolerance_cm(), " mm"), limit(stop.tolerance_deg(), " deg")};
+  std::erase(tolerances, "");
+  std::vector<std::string> stops{listed(tolerances) + (stop.adds_squares ? " (squares added)" : ""),
+                                 limited(stop.iterations, "iterations"), limited(stop.evaluations, "evaluations"),
+                                 limit(1000 * stop.seconds, " ms")};
+  std::erase(stops, "");
+  return listed(stops, " or ");
+}
+
+std::string ends_of_unsolved(const StudyResults& study) {
+  if (!study.definition.has_tolerance()) return "";  // nothing is solved or not
+  ByWord reasons;
+  for (const std::string& label : study.labels) {
+    std::set<std::string> of_label;
+    for (const Solve& solve : study.of(label)) {
+      if (solve.status != results::Status::ok)
+        of_label.insert(!results::is_in_order(solve.status) ? with_blanks(results::name_of(solve.status))
+                        : solve.stop_reason == results::StopReason::finished
+                            ? "it gave up"
+                            : "limit of " + with_blanks(results::name_of(solve.stop_reason)));
+    }
+    if (!of_label.empty()) reasons.add(listed({of_label.begin(), of_label.end()}, " or "), label);
+  }
+  return reasons.all.empty() ? "" : fmt::format("Unsolved: {}.", fmt::join(reasons.told("{} ({})"), "; "));
+}
+
+std::string faults_of(const StudyResults& study) {
+  ByWord faults;
+  for (const auto& [label, all] : study.faults)
+    for (const auto& [fault, count] : all) faults.add(fault, fmt::format("{} {}", label, count));
+  if (faults.all.size() > 10) faults.all = {{base::counted(std::ssize(faults.all), "faults"), {"solves.csv"}}};
+  return faults.all.empty() ? "" : fmt::format("Invalid: {}.", fmt::join(faults.told("{} ({})"), "; "));
+}
+
+const std::string& title_of(const StudyResults& study) {
+  return study.definition.title.empty() ? study.name : study.definition.title;
+}
+
+std::string what_is_solved(const StudyResults& study) {
+  const results::Definition& definition = study.definition;
+  const bool is_one_each = definition.draws_targets && definition.points == 1;
+  return fmt::format("{}, {}{} ({})", std::filesystem::path(definition.robot).stem().string(),
+                     is_one_each ? "" : base::counted(definition.runs, "runs") + " of ",
+                     base::counted(is_one_each ? definition.runs : definition.points, "targets"),
+                     with_blanks(definition.path));
+}
+
+}  // namespace ikbench::show

@@ -1,0 +1,249 @@
+#include "analysis/show/report_model.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "analysis/figures/rows.hpp"
+#include "analysis/show/phrases.hpp"
+#include "analysis/show/text.hpp"
+
+namespace ikbench::show {
+
+using namespace judge;
+
+namespace {
+
+void scale(double factor, auto&... values) { ((values *= factor), ...); }
+
+JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
+  Observations& observed = judged.observations;
+  observed.unit = std::move(unit);
+  scale(factor, observed.floor, observed.rounding, observed.absolute_margin);
+  const auto scale_all = [=](std::vector<double>& values) {
+    for (double& value : values) scale(factor, value);
+  };
+  for (Group& group : observed.groups) {
+    scale(factor, group.at_most);
+    if (auto* const measured = std::get_if<Measured>(&group.sample); measured && !observed.are_logs)
+      scale_all(measured->values);
+    if (auto* const printed = std::get_if<Summary>(&group.sample)) scale(factor, printed->mean, printed->sd);
+    if (auto* const its = std::get_if<Untold>(&group.sample); its && !observed.are_logs) scale_all(its->values);
+  }
+  for (Description& its : judged.described)
+    scale(factor, its.mean, its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest,
+          its.largest);
+  for (Finding& finding : judged.findings) {
+    auto& amount = finding.amount;
+    if (!amount || finding.scale == Scale::ratio) continue;
+    scale(factor, amount->value);
+    if (amount->interval) scale(factor, amount->interval->low, amount->interval->high);
+  }
+  return judged;
+}
+
+// Of a control loop; without rows if the study has none.
+Table loop_table(const StudyResults& study, const std::vector<std::string>& solvers) {
+  const double period = study.definition.loop.period;
+  const std::vector<double> ends{0, 100};
+  Table table{.name = "loop",
+              .caption = fmt::format("A control loop of {} ms", number_text(1000 * period)),
+              .columns = {{"solver"},
+                          {.name = "failed", .unit = "%", .ends = ends},
+                          {.name = "late", .unit = "%", .ends = ends},
+                          {"late in a row"},
+                          {"largest step", "deg"},
+                          {.name = "too fast", .unit = "%", .ends = ends}}};
+  const auto& all_steps = study.definition.steps;
+  std::vector<std::string> unlimited;
+  for (std::size_t j = 0; j < all_steps.size(); ++j)
+    if (std::isinf(all_steps[j].first)) unlimited.push_back(fmt::format("joint {}", j + 1));
+  bool is_all_timed = true;
+  for (const std::string& solver : solvers) {
+    const Solves all = study.of(solver);
+    if (period == 0 || all.empty()) continue;
+    double failed = 0, late = 0, steps = 0, too_fast = 0, largest = 0;
+    std::int64_t in_a_row = 0, most = 0;
+    bool is_timed = true;
+    for (const Solve& solve : all) {
+      is_timed &= solve.timing == results::Timing::clean || solve.timing == results::Timing::process;
+      failed += has_failed(study, solve);
+      late += solve.is_late;
+      in_a_row = solve.is_late ? 1 + (solve.point > 1 ? in_a_row : 0) : 0;
+      most = std::max(most, in_a_row);
+      if (solve.point == 1) continue;
+      ++steps;
+      too_fast += solve.is_too_fast;
+      largest = std::max(largest, solve.largest_move_deg);
+    }
+    is_all_timed &= is_timed;
+    const auto percent = [](double count, double of) { return of > 0 ? Cell(100 * count / of) : Cell(); };
+    const auto n = static_cast<double>(all.size());
+    table.rows.push_back({solver, percent(failed, n), is_timed ? percent(late, n) : Cell(),
+                          is_timed ? Cell(most) : Cell(), largest,
+                          unlimited.size() == all_steps.size() ? Cell() : percent(too_fast, steps)});
+  }
+  table.notes = {
+      "Steps are of one joint that turns, between two targets; late: longer than the period, or without an answer."};
+  if (!is_all_timed) table.notes.emplace_back("Of solves at once and of a debug build it is not known who is late.");
+  if (!unlimited.empty())
+    table.notes.push_back(fmt::format("Without a known velocity limit, so never too fast: {}.", listed(unlimited)));
+  return table;
+}
+
+// Of solvers of another machine and of those of this one; without rows if there are none.
+Table beside_table(const StudyResults& study, const std::vector<std::string>& solvers) {
+  Table table{.name = "beside",
+              .caption = "Times as multiples of LM's on the same machine, not tested",
+              .columns = {{"solver"}, {"median", "times"}, {"95 %", "times"}, {"measured"}}};
+  const auto lm = std::ranges::find(study.series, study.beside.unit_here, &results::Series::label);
+  if (study.beside.labels.empty() || lm == study.series.end()) return table;
+  const double here = described(times_of(study, lm->label)).median;
+  for (const std::string& solver : solvers) {
+    const Description its = described(times_of(study, solver));
+    const bool is_there = study.beside.has(solver);
+    const double unit = is_there ? study.beside.unit : here;
+    table.rows.push_back(
+        {solver, its.median / unit, its.quantile_95 / unit, is_there ? study.beside.of : "in this run"});
+  }
+  return table;
+}
+
+// Times in batches, which are no single call's; without rows if there are none.
+Table batches_table(const StudyResults& study) {
+  Table table{.name = "batches",
+              .caption = "The time of a pose in a batch, solved or not, not tested",
+              .columns = {{"solver"}, {"in batches of"}, {"median", "ms"}, {"95 %", "ms"}}};
+  for (const auto& [solver, its] : study.in_batches) {
+    if (its.second.empty()) continue;
+    const Description all = described(its.second);
+    table.rows.push_back(
+        {solver, fmt::format("{}", fmt::join(its.first, ", ")), 1000 * all.median, 1000 * all.quantile_95});
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<std::string> Answer::solvers() const {
+  std::vector<std::string> names;
+  for (const std::size_t i : order) names.push_back(decisive().observations.groups[i].name);
+  return names;
+}
+
+std::vector<Doubt> Answer::all_doubts() const {
+  std::vector<Doubt> all = doubts;
+  for (const JudgedMetric& judged : metrics) {
+    for (const Doubt& doubt : judged.observations.doubts) {
+      const auto known = std::ranges::find_if(all, [&](const Doubt& other) {
+        const bool is_one = other.who == doubt.who && other.count == doubt.count && other.of == doubt.of,
+                   is_of_clock = doubt.kind == DoubtKind::seconds_decide && other.what == doubt.what;
+        return other.kind == doubt.kind && (is_one || is_of_clock);
+      });
+      if (known == all.end())
+        all.push_back(doubt);
+      else if (known->what != doubt.what)
+        known->what += ", " + doubt.what;
+      else if (known->who.size() < doubt.who.size())  // of shares the clock names fewer
+        *known = doubt;
+    }
+  }
+  std::ranges::stable_sort(all, {}, &Doubt::kind);
+  return all;
+}
+
+Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
+  const auto decisive = metrics.begin() + static_cast<std::ptrdiff_t>(deciding);
+  std::rotate(metrics.begin(), decisive, decisive + 1);
+  Answer answer{.metrics = std::move(metrics)};
+  answer.order = best_first(answer.decisive(), answer.metrics);
+  for (JudgedMetric& judged : answer.metrics) {
+    if (is_share(judged)) judged = in_unit(std::move(judged), 100, "%");
+    std::map<std::string_view, std::size_t> places;
+    for (const std::size_t i : best_first(judged, answer.metrics))
+      places.emplace(judged.observations.groups[i].name, places.size());
+    std::multimap<std::pair<std::size_t, std::size_t>, Finding> by_place;  // many pairs: a sort would look names up
+    for (Finding& its : judged.findings) {
+      const std::size_t first = places.at(its.first), second = places.at(its.second);
+      by_place.emplace(std::minmax(first, second), better_first(std::move(its), judged.plan.control, second < first));
+    }
+    auto next = judged.findings.begin();
+    for (auto& [place, its] : by_place) *next++ = std::move(its);
+  }
+  return answer;
+}
+
+Answer answer_of(const JudgedStudy& judged) {
+  Answer all = answer_of(judged.metrics, judged.deciding);
+  all.doubts = judged.doubts;
+  if (all.decisive().observations.measures == Measure::solved) all.then = judged.study.definition.plan.then;
+  const std::string solved = what_is_solved(judged.study), &name = judged.study.name;
+  all.studied = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
+                            stops_of(judged.study));
+  all.more = {{"Control loop", loop_table(judged.study, all.solvers())},
+              {"Beside another machine", beside_table(judged.study, all.solvers())},
+              {"In batches", batches_table(judged.study)}};
+  const results::Definition& definition = judged.study.definition;
+  const bool are_runs = definition.compares_runs();
+  all.noun = are_runs ? "runs" : "targets";
+  if (definition.stop.only_time_limits())
+    all.within = fmt::format(" within {} ms", number_text(1000 * definition.stop.seconds));
+  all.named_metrics = names_in_plan(definition).size();
+  if (are_runs ? definition.points > 1 : definition.runs > 1 && !definition.draws_targets)
+    all.notes.push_back(
+        fmt::format("Each {} is the mean of its {}.", are_runs ? "run" : "target", are_runs ? "targets" : "runs"));
+  for (JudgedMetric& metric : all.metrics) {
+    const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
+    if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
+  }
+  const auto is_of_time = [](const JudgedMetric& metric) { return metric.observations.measures == Measure::time; };
+  if (std::ranges::any_of(judged.metrics, is_of_time) && std::ranges::any_of(judged.study.solves, &Solve::is_told))
+    all.notes.emplace_back("Times of programs are told by them.");
+  all.faults = faults_of(judged.study);
+  for (const std::string& note : {ends_of_unsolved(judged.study), all.faults})
+    if (!note.empty()) all.notes.push_back(note);
+  return all;
+}
+
+std::string noun_of(const Answer& answer, const JudgedMetric& judged) {
+  return judged.observations.measures == Measure::time ? "sessions" : answer.noun;
+}
+
+bool has_failed(const StudyResults& study, const Solve& solve) {
+  return study.definition.has_tolerance() ? solve.status != results::Status::ok : !gave_answer(solve);
+}
+
+std::string reference_of(const Answer& answer) {
+  const JudgedMetric& decisive = answer.decisive();
+  if (!decisive.plan.control.empty()) return decisive.plan.control;
+  return decisive.observations.groups[answer.order[0]].name;
+}
+
+Shown shown_average(const JudgedMetric& judged, std::size_t group) {
+  return shown(judged, group, average_of(judged, group));
+}
+
+Shown shown(const JudgedMetric& judged, std::size_t group, double value) {
+  const Observations& observed = judged.observations;
+  const double at_most = observed.groups[group].at_most;
+  const auto is_ratio = [](const Finding& finding) {
+    return finding.scale == Scale::ratio && finding.amount.has_value();
+  };
+  if (std::isfinite(value) && value < observed.floor && !observed.are_logs &&
+      std::ranges::any_of(judged.findings, is_ratio))
+    return {observed.floor, true};
+  return {value, at_most > 0 && value == at_most};
+}
+
+std::vector<double> ends_of_shares(const JudgedMetric& judged) {
+  return is_share(judged) ? std::vector<double>{0, 100} : std::vector<double>();
+}
+
+bool is_share(const JudgedMetric& judged) { return judged.observations.scale == Scale::share; }
+
+}  // namespace ikbench::show

@@ -1,0 +1,79 @@
+#include "analysis/judge/data/imported.hpp"
+
+#include "tests/judge/studies.hpp"
+
+namespace {
+
+// Of solves that may take a second, in which LM takes `seconds`.
+StudyResults of_machine(const std::vector<std::string>& solvers, double seconds, const std::string& rest = "",
+                        int runs = 6) {
+  const Asked asked{.start = "random", .targets = "drawn", .runs = runs, .points = 10, .tolerance_cm = 1, .rest = rest};
+  StudyResults all = study(
+      asked,
+      [&](SolveRecord& solve) {
+        if (solve.label == "LM") solve.seconds = solve.cpu_seconds = seconds;
+        if (solve.label == "late" && solve.run == 1) solve.status = Status::tolerance_missed, solve.seconds = 0.99;
+      },
+      solvers);
+  for (ikbench::results::Series& series : all.series)
+    if (series.label == "LM") series.algorithm = unit_of_times;
+  all.definition.stop.seconds = 1;
+  return all;
+}
+
+const Group& its_group(const Observations& observed, std::string_view name) {
+  return observed.groups[place_of(observed, name)];
+}
+
+}  // namespace
+
+TEST_CASE("Beside a study, shares are compared where no time ended a solve, and times never") {
+  StudyResults here = of_machine({"mine", "LM"}, 0.001),
+               there = of_machine({"LM", "early", "late", "mine"}, 0.004, "", 8);
+  there.beside.of = "on another machine, 11/2026";
+  put_beside(here, there);
+  CHECK(here.labels == std::vector<std::string>{"mine", "LM", "early", "late", "mine (there)"});
+  CHECK(here.beside.labels == std::vector<std::string>{"early", "late", "mine (there)"});
+  CHECK(here.beside.unit == 0.004);
+  CHECK(here.of("early").size() == 60);  // of the runs that are here, too
+  CHECK(here.definition.plan.control == "mine");
+  const Observations solved = observe(here, metric_named("solved")), times = observe(here, metric_named("seconds"));
+  for (const char* name : {"mine", "LM", "early"}) CHECK(untold(its_group(solved, name)) == nullptr);
+  REQUIRE(untold(its_group(solved, "late")) != nullptr);
+  CHECK(values_of(its_group(solved, "late")).size() == 60);  // shown
+  CHECK(untold(its_group(times, "mine")) == nullptr);
+  for (const std::string& name : here.beside.labels) {
+    REQUIRE(untold(its_group(times, name)) != nullptr);
+    CHECK(values_of(its_group(times, name)).empty());  // of no machine that a table could name
+  }
+  const auto says = [](const std::vector<Doubt>& doubts, const std::string& words) {
+    return std::ranges::count_if(doubts, [&](const Doubt& doubt) { return words_of(doubt) == words; });
+  };
+  CHECK(says(times.doubts, "times of early, late, mine (there) are not compared: solved on another machine, 11/2026") ==
+        1);
+  CHECK(
+      says(
+          solved.doubts,
+          "late was stopped by the time limit in 10 of 60 solves, so not compared: solved on another machine, 11/2026") ==
+      1);
+}
+
+TEST_CASE("Another study does not stand beside, and what differs is said") {
+  const StudyResults here = of_machine({"mine"}, 0.001);
+  CHECK_THROWS_WITH(refuse_another_study(of_machine({"LM"}, 0.001, R"(, "seed": 2)"), here),
+                    ContainsSubstring("seed is 2 and"));
+  CHECK_NOTHROW(refuse_another_study(of_machine({"LM"}, 0.001, R"(, "title": "mine")"), here));
+}
+
+TEST_CASE("The archive has libraries of three arms, and LM of each") {
+  for (const std::string robot : {"franka_panda", "kuka_iiwa14", "ur5e"}) {
+    const StudyResults all = archived(robot);
+    CHECK(all.labels.size() >= 17);
+    for (const std::string& label : all.labels) CHECK(all.of(label).size() == 200);
+    CHECK(std::ranges::all_of(all.of("LM"), [](const Solve& solve) {
+      return solve.status == Status::ok && solve.seconds > 0 && solve.position_error_cm <= 0.001;
+    }));
+    CHECK(std::ranges::count(all.series, unit_of_times, &ikbench::results::Series::algorithm) == 1);
+  }
+  CHECK_THROWS_WITH(archived("puma560"), ContainsSubstring("kuka_iiwa14"));
+}

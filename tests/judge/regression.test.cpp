@@ -1,0 +1,503 @@
+#include "analysis/judge/data/imported.hpp"
+#include "tests/judge/studies.hpp"
+
+namespace {
+
+const Asked of_100{.start = "initial", .runs = 1, .points = 100, .tolerance_cm = 0.1};
+const Asked drawn_100{.start = "initial", .targets = "drawn", .runs = 1, .points = 100, .tolerance_cm = 0.1};
+// A study of one solver whose numbers are drawn: 70 of 100 targets are solved, with about 100 evaluations, the others
+// use up 1000.
+StudyResults version(
+    int seed, const Asked& asked = of_100, const Change& change = [](SolveRecord&) {}) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  std::lognormal_distribution<double> factor(0, 0.3);
+  const auto draw = [&](SolveRecord& solve) {
+    const bool is_solved = (solve.point * 7) % 10 < 7;
+    solve.status = is_solved ? Status::ok : Status::tolerance_missed;
+    solve.evaluations = is_solved ? std::lround(100 * factor(random)) : 1000;
+    solve.position_error_cm = is_solved ? 0.01 : 5 * factor(random);
+    solve.variation_deg = 30 * factor(random);
+    solve.seconds = solve.cpu_seconds = 1e-5 * static_cast<double>(solve.evaluations);
+    change(solve);
+  };
+  return study(asked, draw, {"mine"}, {{.id = 1, .environment = {{"cpu", "one"}, {"analysis", "{}"}}}});
+}
+
+Gate gate_of(const StudyResults& before, const StudyResults& after, std::size_t labels = 1,
+             const GateOptions& options = {}) {
+  std::vector<Gate> gates(labels, gate(before, after, options));
+  decide(gates);
+  return gates.front();
+}
+
+// Of two labels of one study.
+Gate gate_of(StudyResults both, const std::string& candidate, const std::string& baseline,
+             const GateOptions& options = {}) {
+  std::vector<Gate> gates{gate(std::move(both), candidate, baseline, options)};
+  decide(gates);
+  return gates.front();
+}
+
+// Of one study of B and A.
+Gate gate_of(const Asked& asked, const Change& change) { return gate_of(study(asked, change, {"B", "A"}), "B", "A"); }
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("an unchanged solver passes, also where nothing may be open") {
+  const Gate gate = gate_of(version(1), version(1));
+  CHECK(gate.worse.empty());
+  CHECK(gate.not_decided.empty());
+  CHECK(exit_code({gate}, true) == 0);
+  for (const JudgedMetric& judged : gate.judged.metrics)
+    if (judged.observations.unit != "s") CHECK(verdict_of(judged.findings.front()) == Verdict::same);
+}
+
+TEST_CASE("three times the evaluations on the targets that it solves are worse, however many it fails") {
+  const auto triple = [](SolveRecord& solve) {
+    if (solve.status == Status::ok) solve.evaluations *= 3;
+  };
+  const Gate gate = gate_of(version(1), version(2, of_100, triple));
+  CHECK(gate.worse == Names{"evaluations per solved"});
+  CHECK(exit_code({gate}, false) == 3);
+  CHECK(exit_code({gate_of(version(2, of_100, triple), version(1))}, false) == 0);
+}
+
+TEST_CASE("5 crashes in 100 solves are worse where the baseline had none") {
+  for (const double tolerance : {0.0, 0.1}) {
+    Asked asked = of_100;
+    asked.tolerance_cm = tolerance;
+    const auto solved = [](SolveRecord& solve) { solve.status = Status::ok; };
+    const auto crash = [](SolveRecord& solve) { solve.status = solve.point % 20 == 0 ? Status::crashed : Status::ok; };
+    const Gate gate = gate_of(version(1, asked, solved), version(1, asked, crash));
+    CHECK(gate.worse.empty());
+    CHECK(gate.newly_missing == 5);
+    CHECK(exit_code({gate}, false) == 3);
+    // As chance may do: its p is not small, and nothing is certain.
+    const auto crash_once = [](SolveRecord& solve) { solve.status = solve.point == 7 ? Status::crashed : Status::ok; };
+    const Gate once = gate_of(version(1, asked, solved), version(1, asked, crash_once));
+    CHECK(once.newly_missing == 1);
+    CHECK(seen(once.judged.metrics.back().findings.front()).p == 1);
+    CHECK(exit_code({once}, false) == 3);
+    CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, solved))}, false) == 0);
+    CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, crash))}, false) == 0);
+    const auto crash_always = [](SolveRecord& solve) { solve.status = Status::crashed; };
+    CHECK(exit_code({gate_of(version(1, asked, solved), version(1, asked, crash_always))}, false) == 3);
+    asked.points = 4;  // too few for a test
+    const auto crash_half = [](SolveRecord& solve) { solve.status = solve.point < 3 ? Status::crashed : Status::ok; };
+    CHECK(gate_of(version(1, asked, crash_half), version(1, asked, crash_always)).newly_missing == 2);
+  }
+}
+
+TEST_CASE("drawn targets are paired; another task or number of solves is refused") {
+  CHECK(gate_of(version(1, drawn_100), version(2, drawn_100)).judged.metrics.front().observations.is_paired);
+  StudyResults part = version(1);
+  part.solves.resize(23);
+  Asked looser = of_100, more = of_100, seeded = of_100, started = of_100;
+  started.start = "middle";
+  looser.tolerance_cm = 0.2;
+  more.runs = 2;
+  seeded.rest = R"(, "seed": 2)";
+  const auto further = [](SolveRecord& solve) { solve.target_position_m[0] += 1000; };
+  for (const StudyResults& other : {version(2, of_100, further), version(2, looser), version(1, more), part,
+                                    version(1, seeded), version(1, started)}) {
+    CHECK_THROWS_AS(gate_of(version(1), other), std::invalid_argument);
+    CHECK_THROWS_AS(gate_of(other, version(1)), std::invalid_argument);
+  }
+  const std::pair<const char*, std::function<void(results::Definition&)>> changes[]{
+      {"arms", [](auto& its) { its.robot = "another"; }},
+      {"arms", [](auto& its) { its.arm = "another"; }},
+      {"targets", [](auto& its) { its.path = "another"; }},
+      {"searches", [](auto& its) { its.search = results::Search::axis; }},
+      {"paths, starts", [](auto& its) { its.task = "another"; }},
+      {"paths, starts", [](auto& its) { its.near = 1; }},
+      {"paths, starts", [](auto& its) { its.rotation_weight = 2; }},
+      {"treatments of", [](auto& its) { its.limits = results::Limits::enforced; }},
+      {"checks", [](auto& its) { its.check.process = {"./check"}; }},
+      {"tolerances", [](auto& its) { its.stop.angle_tolerance = 1; }}};
+  for (const auto& [what, change] : changes) {
+    StudyResults other = version(1);
+    change(other.definition);
+    CHECK_THROWS_WITH(gate_of(version(1), other), ContainsSubstring(fmt::format("has other {}", what)));
+  }
+  CHECK_THROWS_WITH(gate_of(version(1), part),
+                    StartsWith("not compared: mine has 23 solves, before 100; complete both"));
+}
+
+TEST_CASE("times decide nothing, and those of other stores and of solves that are the same are not compared") {
+  const Asked in_turns{.start = "initial", .runs = 5, .points = 20, .tolerance_cm = 0.1};
+  const auto time_of = [](const Gate& gate) {
+    return seen(std::ranges::find(gate.judged.metrics, "s", [](const JudgedMetric& each) {
+                  return each.observations.unit;
+                })->findings.front());
+  };
+  const auto slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = 3 * solve.seconds; };
+  const auto slow_and_other = [&](SolveRecord& solve) {
+    slow(solve);
+    solve.answer_rad.push_back(1);
+  };
+  const StudyResults before = version(1, in_turns);
+  for (const Gate& gate :
+       {gate_of(before, version(1, in_turns, slow_and_other)), gate_of(before, version(1, in_turns, slow))}) {
+    CHECK(time_of(gate).why == Why::apart);
+    CHECK(gate.worse.empty());
+    CHECK(std::ranges::count(gate.not_decided, "time per solved") == 0);
+  }
+  const Gate one = gate_of(in_turns, [&](SolveRecord& solve) {
+    const double noise = solve.label == "B" ? 1 + 0.01 * (solve.run % 2) : 1;
+    solve.seconds = solve.cpu_seconds = noise * 1e-5 * (100 * solve.run + solve.point);
+    if (solve.label == "B") slow_and_other(solve);
+  });
+  CHECK(time_of(one).verdict == Verdict::worse);
+  CHECK(exit_code({one}, false) == 0);
+}
+
+// Turns, as cli/gate.sh makes them; `lag` seconds between the two of one.
+StudyResults in_turns(int turns, int lag, double seconds) {
+  const Asked asked{.start = "initial", .runs = turns, .points = 5, .tolerance_cm = 0.1};
+  const auto change = [=](SolveRecord& solve) {
+    solve.status = Status::ok;
+    const double noise = 1 + 0.004 * ((solve.run * (lag == 0 ? 7 : 3)) % 5 - 2);
+    solve.seconds = solve.cpu_seconds = seconds * (100 + solve.run) * noise;
+  };
+  StudyResults all = study(asked, change, {"mine"});
+  int turn = 0;
+  for (results::Session& session : all.sessions) {
+    session.began = fmt::format("{:04}", 10 * ++turn + lag);
+    session.environment["shard"] = fmt::format("{}/{}", turn, turns);
+  }
+  return all;
+}
+
+TEST_CASE("times of two that solved in turn decide; too few turns and other sessions are no pass") {
+  const auto gates_of = [](int turns, int lag, double factor, std::size_t labels = 1) {
+    const GateOptions by_times{.time_margin = 0.1};
+    std::vector<Gate> gates(labels, gate(in_turns(turns, 0, 1e-5), in_turns(turns, lag, factor * 1e-5), by_times));
+    decide(gates);
+    return gates;
+  };
+  CHECK(exit_code(gates_of(6, 1, 1.01), true) == 0);
+  CHECK(gates_of(6, 1, 1.3).front().worse == Names{"time"});
+  CHECK(exit_code(gates_of(6, 1, 1.01, 2), true) == 0);
+  const std::vector<Gate> few = gates_of(3, 1, 1.01);
+  CHECK(few.front().not_tested == Names{"time"});
+  CHECK(exit_code(few, false) == 1);
+  CHECK_NOTHROW(gates_of(6, 10, 1));                           // it began in the same second
+  CHECK_THROWS_AS(gates_of(6, 11, 1), std::invalid_argument);  // one had begun its next turn
+  CHECK_THROWS_AS(gates_of(1, 1, 1), std::invalid_argument);
+  StudyResults whole = in_turns(6, 0, 1e-5);  // a study's own turns are those of no other
+  for (results::Session& session : whole.sessions) session.environment.erase("shard");
+  CHECK_THROWS_AS(gate(whole, in_turns(6, 1, 1e-5), {.time_margin = 0.1}), std::invalid_argument);
+  StudyResults former = in_turns(6, 0, 1e-5);
+  for (results::Session& session : former.sessions) session.environment.erase("state");
+  CHECK_THROWS_WITH(gate(former, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
+                    ContainsSubstring("the clock of a former version"));
+  StudyResults hot = in_turns(6, 0, 1e-5);
+  for (results::Session& session : hot.sessions) session.environment["state"] = "hot";
+  CHECK_THROWS_WITH(gate(hot, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
+                    ContainsSubstring("before second calls on a target"));
+  const Gate told = gate_of(hot, in_turns(6, 1, 1e-5));
+  const auto time = std::ranges::find(told.judged.metrics, "s", [](auto& each) { return each.observations.unit; });
+  REQUIRE(time->observations.doubts.size() == 1);
+  CHECK_THAT(words_of(time->observations.doubts.front()), ContainsSubstring("before second calls on a target"));
+  CHECK(judged_of(gate_of(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5)).judged, "seconds")->observations.doubts.empty());
+}
+
+TEST_CASE("a metric that one of the two lacks is not tested") {
+  const auto uncounted = [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; };
+  CHECK(gate_of(version(1), version(2, of_100, uncounted)).not_tested == Names{"evaluations per solved"});
+  CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
+  const Gate of_two = gate_of(of_100, [&](SolveRecord& solve) {
+    if (solve.label == "B") uncounted(solve);
+  });
+  CHECK(of_two.not_tested == Names{"evaluations"});
+  CHECK(exit_code({of_two}, false) == 0);
+}
+
+TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
+  constexpr int compares = 200;
+  int red = 0;
+  for (int i = 0; i < compares; ++i) {
+    const Gate gate = gate_of(version(i), version(compares + i));
+    for (const JudgedMetric& judged : gate.judged.metrics) CHECK(judged.plan.significance == 0.05);  // p is adjusted
+    red += !gate.worse.empty();
+  }
+  CHECK(red <= compares / 20);
+}
+
+TEST_CASE("labels and metrics that are compared share the significance") {
+  int missed = 0;
+  const auto miss_eight = [&](SolveRecord& solve) {
+    if (solve.status == Status::ok && missed++ < 8) solve.status = Status::tolerance_missed;
+  };
+  const StudyResults before = version(1), after = version(1, of_100, miss_eight);
+  const Gate one = gate_of(before, after), of_six = gate_of(before, after, 6);
+  CHECK(std::ranges::count(one.worse, "solved") == 1);
+  CHECK(seen(one.judged.metrics.front().findings.front()).p == 3 * 2 / 256.0);  // solved, time and evaluations
+  CHECK(std::ranges::count(of_six.worse, "solved") == 0);
+  CHECK(std::ranges::count(of_six.not_decided, "solved") == 1);
+  CHECK(seen(of_six.judged.metrics.front().findings.front()).p == 6 * 3 * 2 / 256.0);
+}
+
+TEST_CASE("what the plan names decides, and what it does not name is told") {
+  const auto far = [](SolveRecord& solve) {
+    solve.answer_rad.push_back(1);  // else the solves are the same
+    solve.variation_deg *= 1.5;
+  };
+  const Gate one = gate_of(version(1), version(1, of_100, far));
+  CHECK(one.worse.empty());
+  CHECK(one.also_worse == Names{"joint motion"});
+  CHECK(exit_code({one}, false) == 0);
+  CHECK(gate_of(version(1, of_100, far), version(1)).also_better == Names{"joint motion"});
+  Asked with_motion = of_100;
+  with_motion.rest = R"(, "analysis": {"then": ["time", "evaluations", "motion"]})";
+  const Gate named = gate_of(version(1, with_motion), version(1, with_motion, far));
+  CHECK(named.worse == Names{"joint motion"});
+  CHECK(named.also_worse.empty());
+  CHECK(exit_code({named}, false) == 3);
+}
+
+TEST_CASE("no more metrics decide than share the significance") {
+  Asked by_evaluations = of_100;
+  by_evaluations.rest = R"(, "analysis": {"metric": "evaluations", "then": ["time"]})";
+  const auto triple = [](SolveRecord& solve) { solve.evaluations *= 3; };
+  const Gate gate = gate_of(version(1, by_evaluations), version(1, by_evaluations, triple));
+  CHECK(gate.worse == Names{"evaluations"});
+  CHECK(gate.also_worse == Names{"evaluations per solved"});
+  for (const char* plan : {R"("then": [])", R"("then": ["motion", "time"])", R"("metric": "seconds")", ""}) {
+    Asked asked = of_100;
+    asked.rest = fmt::format(R"(, "analysis": {{{}}})", plan);
+    const JudgedStudy of = judge::judge(version(1, asked));
+    const auto is_named = [&](const JudgedMetric& metric) { return !name_in_plan(of, metric).empty(); };
+    CHECK(std::ranges::count_if(of.metrics, is_named) <= std::ssize(names_in_plan(of.study.definition)));
+  }
+}
+
+TEST_CASE("--metric chooses of the plan's metrics those that decide, and changes no p") {
+  const auto triple = [](SolveRecord& solve) { solve.evaluations *= 3; };
+  const StudyResults before = version(1), after = version(1, of_100, triple);
+  const Gate all = gate_of(before, after), one = gate_of(before, after, 1, {.metrics = {"solved"}});
+  CHECK(all.worse == Names{"evaluations per solved"});
+  CHECK(exit_code({all}, false) == 3);
+  CHECK(one.worse.empty());
+  CHECK(one.also_worse == all.worse);
+  CHECK(exit_code({one}, false) == 0);
+  for (std::size_t i = 0; i < all.judged.metrics.size(); ++i)
+    CHECK(seen(all.judged.metrics[i].findings.front()).p == seen(one.judged.metrics[i].findings.front()).p);
+  CHECK_THROWS_WITH(gate(before, after, {.metrics = {"motion"}}),
+                    ContainsSubstring("names solved, time and evaluations"));
+  CHECK_THROWS_WITH(gate(before, after, {.metrics = {"time"}}), ContainsSubstring("--time-margin 10%"));
+  CHECK_THROWS_WITH(gate(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5), {.time_margin = 0.1, .metrics = {"solved"}}),
+                    ContainsSubstring("add time to --metric"));
+  const auto crash = [](SolveRecord& solve) { solve.status = Status::crashed; };  // is no metric's
+  CHECK(exit_code({gate_of(before, version(1, of_100, crash), 1, {.metrics = {"evaluations"}})}, false) == 3);
+}
+
+// Up to five labels, some of which solve less, take longer or are alike.
+StudyResults drawn_study(int seed, const std::string& plan) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  const auto draw = [&](int least, int most) { return std::uniform_int_distribution<int>(least, most)(random); };
+  const Names labels{"A", "B", "C", "D", "E"};
+  const Names some(labels.begin(), labels.begin() + draw(2, 5));
+  Asked asked{.start = "initial", .targets = draw(0, 1) == 0 ? "fixed" : "drawn", .runs = 6, .points = draw(3, 12)};
+  asked.tolerance_cm = draw(0, 3) == 0 ? 0 : 0.1;
+  asked.rest = R"(, "analysis": {)" + plan + "}";
+  std::map<std::string, double> rates, costs;
+  for (const std::string& label : some) {
+    rates[label] = 0.5 + 0.1 * draw(0, 5);
+    costs[label] = 1 + 0.2 * draw(0, 3);
+  }
+  std::lognormal_distribution<double> factor(0, 0.2);
+  return study(
+      asked,
+      [&](SolveRecord& solve) {
+        const double cost = costs[solve.label];
+        solve.status = std::bernoulli_distribution(rates[solve.label])(random) ? Status::ok : Status::tolerance_missed;
+        solve.evaluations = std::lround(100 * cost * factor(random));
+        solve.position_error_cm = cost * factor(random);
+        solve.variation_deg = 30 * cost * factor(random);
+        solve.seconds = solve.cpu_seconds = 1e-5 * cost * factor(random);
+      },
+      some);
+}
+
+TEST_CASE("a pair has one p and one verdict in a metric, whatever tells it") {
+  int pairs = 0, decided = 0;
+  for (int seed = 0; seed < 100; ++seed) {
+    const bool has_control = seed % 5 == 0;
+    const StudyResults drawn = drawn_study(seed, has_control ? R"("control": "A")" : "");
+    const JudgedStudy report = judge::judge(drawn);
+    for (const GateOptions& options : {GateOptions{}, GateOptions{.time_margin = 0.1}}) {
+      for (const std::string& candidate : drawn.labels) {
+        for (const std::string& baseline : drawn.labels) {
+          if (candidate == baseline || (has_control && candidate != "A" && baseline != "A")) continue;
+          const Gate told = gate_of(drawn, candidate, baseline, options);
+          for (const JudgedMetric& metric : report.metrics) {
+            const auto its = std::ranges::find(told.judged.metrics, metric.observations.metric,
+                                               [](const JudgedMetric& each) { return each.observations.metric; });
+            REQUIRE(its != told.judged.metrics.end());
+            REQUIRE(its->findings.size() == 1);
+            const Seen here = seen(its->findings.front());
+            const Finding* const found = finding_of(metric, candidate, baseline);
+            REQUIRE(found != nullptr);
+            const Seen there = seen(judge::better_first(*found, baseline));
+            CAPTURE(seed, candidate, baseline, metric.observations.quantity);
+            CHECK(here.first == there.first);
+            CHECK(here.p == there.p);
+            CHECK(is_difference(here.verdict) == is_difference(there.verdict));
+            if (metric.observations.measures != Measure::time) CHECK(here.verdict == there.verdict);
+            ++pairs;
+            decided += is_difference(here.verdict);
+          }
+        }
+      }
+    }
+  }
+  CHECK(pairs > 5000);
+  CHECK(decided > 1000);
+}
+
+TEST_CASE("labels of another machine change no p of a study's own pairs") {
+  for (int seed = 0; seed < 20; ++seed) {
+    StudyResults own = drawn_study(seed, "");
+    const JudgedStudy alone = judge::judge(own);
+    StudyResults theirs = drawn_study(seed, "");
+    for (std::string& label : theirs.labels) label += " of them";
+    for (results::Series& series : theirs.series) series.label += " of them";
+    theirs.beside.of = "elsewhere";
+    put_beside(own, theirs);
+    const JudgedStudy both = judge::judge(std::move(own));
+    for (const JudgedMetric& metric : alone.metrics) {
+      const auto its = std::ranges::find(both.metrics, metric.observations.metric,
+                                         [](const JudgedMetric& each) { return each.observations.metric; });
+      REQUIRE(its != both.metrics.end());
+      for (const Finding& finding : metric.findings) {
+        if (finding.first != "A") continue;
+        const Finding* const found = finding_of(*its, finding.first, finding.second);
+        REQUIRE(found != nullptr);
+        CHECK(seen(*found).p == seen(finding).p);
+        CHECK(verdict_of(*found) == verdict_of(finding));
+      }
+      // Theirs are compared with the control alone, and no own pair takes a part of their significance.
+      Observations others = its->observations;
+      std::erase_if(others.groups, [](const Group& group) {
+        return group.name != "A" && group.name.find("of them") == std::string::npos;
+      });
+      for (const Finding& finding : compare(others, its->plan, names_in_plan(both.study.definition).size()))
+        CHECK(seen(*finding_of(*its, finding.first, finding.second)).p == seen(finding).p);
+    }
+  }
+}
+
+TEST_CASE("a name of the plan is one family, whichever of its metrics a label has") {
+  const auto solve_all = [](SolveRecord& solve) { solve.status = Status::ok; };
+  const auto take_more = [](SolveRecord& solve) {
+    if (solve.evaluations < 1000) solve.evaluations = solve.evaluations * 6 / 5;
+  };
+  const auto solve_all_by_more = [&](SolveRecord& solve) {
+    solve_all(solve);
+    take_more(solve);
+  };
+  const auto p_of = [](const Gate& gate, const char* column) {
+    return *seen(judged_of(gate.judged, column)->findings.front()).p;
+  };
+  std::vector<Gate> both{gate(version(1, of_100, solve_all), version(2, of_100, solve_all_by_more)),
+                         gate(version(1), version(2, of_100, take_more))};
+  std::vector<Gate> alone{both.front()}, other{both.back()};
+  for (std::vector<Gate>* const gates : {&both, &alone, &other}) decide(*gates);
+  CHECK(p_of(both[0], "evaluations") == std::min(1.0, 2 * p_of(alone[0], "evaluations")));
+  CHECK(p_of(both[1], "evaluations_per_solved") == std::min(1.0, 2 * p_of(other[0], "evaluations_per_solved")));
+  CHECK(p_of(alone[0], "evaluations") < 0.5);
+}
+
+TEST_CASE("solves that are the same bit for bit leave nothing open, however few") {
+  const Asked chained{.runs = 8, .points = 3};
+  const auto with = [&](double angle) {
+    return study(chained, [=](SolveRecord& solve) { solve.answer_rad.push_back(angle); }, {"mine"});
+  };
+  const Gate same = gate_of(with(1), with(1)), other = gate_of(with(1), with(2));
+  CHECK(same.are_same);
+  CHECK(exit_code({same}, true) == 0);
+  CHECK_FALSE(other.are_same);
+  CHECK(exit_code({other}, false) == 0);
+  CHECK(exit_code({other}, true) == 4);  // equal numbers of so few runs exclude no rare difference
+}
+
+TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
+  const auto spend = [](int times) {
+    return [=](SolveRecord& solve) {
+      solve.evaluations *= times;
+      if (solve.status != Status::ok) solve.stop_reason = results::StopReason::evaluations;
+    };
+  };
+  StudyResults before = version(1, of_100, spend(1)), after = version(2, of_100, spend(3));
+  after.definition.stop.evaluations = 3000;
+  after.definition.plan.margin = 9;
+  CHECK_FALSE(gate_of(before, after).worse.empty());
+  before.definition.plan.margin = 9;
+  const Gate gate = gate_of(before, after);
+  CHECK(gate.worse.empty());
+  REQUIRE(gate.judged.doubts.size() == 1);
+  CHECK_THAT(words_of(gate.judged.doubts.front()), ContainsSubstring("3000 evaluations"));
+}
+
+TEST_CASE("a loss of a solver that repeats itself is a fact") {
+  const Asked chained{.runs = 10, .points = 3};
+  const auto with = [&](double error) {
+    return study(chained,
+                 [error](SolveRecord& solve) {
+                   solve.answer_rad = {0.5 * solve.point};
+                   solve.position_error_cm = error;
+                 },
+                 {"mine"});
+  };
+  CHECK(gate_of(with(0.5), with(0.6)).worse == Names{"error"});
+  CHECK(gate_of(with(0.5), with(0.51)).worse.empty());
+  CHECK(exit_code({gate_of(with(0.5), with(0.4))}, true) == 0);
+}
+
+TEST_CASE("what is not decided fails a strict gate alone") {
+  Asked few = of_100;
+  few.points = 8;
+  const auto shift = [](SolveRecord& solve) { solve.variation_deg *= 1.02; };
+  const Gate gate = gate_of(version(1, few), version(2, few, shift));
+  CHECK(gate.worse.empty());
+  CHECK(gate.not_decided == Names{"solved", "evaluations per solved"});
+  CHECK(gate.not_tested.empty());  // joint motion has too few targets, and the plan does not name it
+  CHECK(exit_code({gate}, false) == 0);
+  CHECK(exit_code({gate}, true) == 4);
+}
+
+TEST_CASE("a gate in which too few were compared ends with 1, whatever the answers") {
+  const Asked chained{.runs = 3, .points = 3};
+  const auto far = [](SolveRecord& solve) {
+    if (solve.label == "B") solve.position_error_cm = 25 + solve.run;
+  };
+  const Gate gate = gate_of(chained, far);
+  CHECK_FALSE(gate.is_compared);
+  CHECK(exit_code({gate}, false) == 1);
+  CHECK(gate.worse.empty());
+  const Gate crashed = gate_of(chained, [](SolveRecord& solve) {
+    if (solve.label == "B") solve.status = Status::crashed;
+  });
+  CHECK(exit_code({crashed}, false) == 3);  // answers were lost for sure
+  CHECK(exit_code({gate_of(version(1), version(1)), gate}, false) == 1);
+}
+
+TEST_CASE("what the study's time ended in other sessions is not compared") {
+  const auto timed = [](int late_from) {
+    StudyResults study = version(1, of_100, [=](SolveRecord& solve) {
+      const bool is_late = solve.point >= late_from;
+      solve.status = is_late ? Status::tolerance_missed : Status::ok;
+      solve.seconds = solve.cpu_seconds = is_late ? 0.0049 : 1e-4;
+    });
+    study.definition.stop.seconds = 0.005;
+    return study;
+  };
+  CHECK(exit_code({gate_of(timed(200), timed(200))}, false) == 0);
+  const Gate ended = gate_of(timed(200), timed(40));
+  CHECK(ended.worse.empty());
+  CHECK_FALSE(ended.is_compared);
+  CHECK(exit_code({ended}, false) == 1);
+}
