@@ -10,7 +10,7 @@
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
-#include "experiments/foreign/foreign_solver.hpp"
+#include "experiments/external/external_solver.hpp"
 #include "experiments/verifier.hpp"
 #include "solvers/registry.hpp"
 

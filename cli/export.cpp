@@ -12,7 +12,7 @@
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
-#include "experiments/runner.hpp"
+#include "experiments/stored_checks.hpp"
 #include "results/fingerprint.hpp"
 #include "results/merge.hpp"
 #include "results/store.hpp"

@@ -12,7 +12,7 @@
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/running.hpp"
-#include "experiments/runner.hpp"
+#include "experiments/stored_checks.hpp"
 
 namespace ikbench::cli {
 

@@ -19,9 +19,9 @@
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "experiments/environment.hpp"
-#include "experiments/runner.hpp"
-#include "experiments/study_reader.hpp"
-#include "experiments/study_writer.hpp"
+#include "experiments/stored_checks.hpp"
+#include "experiments/study/reader.hpp"
+#include "experiments/study/writer.hpp"
 #include "results/export.hpp"
 
 namespace ikbench::cli {

@@ -13,7 +13,7 @@
 #include "cli/console.hpp"
 #include "cli/file_kind.hpp"
 #include "cli/options.hpp"
-#include "experiments/study.hpp"
+#include "experiments/study/study.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "robots/urdf.hpp"
 

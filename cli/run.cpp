@@ -15,8 +15,8 @@
 #include "cli/reporting.hpp"
 #include "cli/running.hpp"
 #include "experiments/runner.hpp"
-#include "experiments/study_reader.hpp"
-#include "experiments/study_writer.hpp"
+#include "experiments/study/reader.hpp"
+#include "experiments/study/writer.hpp"
 
 namespace ikbench::cli {
 

@@ -9,7 +9,7 @@
 #include "base/names.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/runner.hpp"
+#include "experiments/stored_checks.hpp"
 #include "results/fingerprint.hpp"
 #include "results/merge.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/runner.hpp"
-#include "experiments/study_reader.hpp"
+#include "experiments/study/reader.hpp"
 #include "results/dimension.hpp"
 
 namespace ikbench::experiments {

@@ -16,9 +16,10 @@
 #include "base/json.hpp"
 #include "base/names.hpp"
 #include "experiments/environment.hpp"
-#include "experiments/foreign/foreign_solver.hpp"
+#include "experiments/external/external_solver.hpp"
 #include "experiments/solve_runner.hpp"
-#include "experiments/study_writer.hpp"
+#include "experiments/stored_checks.hpp"
+#include "experiments/study/writer.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {

@@ -10,8 +10,8 @@
 #include <optional>
 #include <string>
 
-#include "experiments/foreign/foreign_solver.hpp"
-#include "experiments/study.hpp"
+#include "experiments/external/external_solver.hpp"
+#include "experiments/study/study.hpp"
 #include "experiments/task.hpp"
 #include "experiments/verifier.hpp"
 #include "results/store.hpp"

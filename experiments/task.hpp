@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "experiments/study.hpp"
+#include "experiments/study/study.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/solve.hpp"
 

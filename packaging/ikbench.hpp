@@ -6,7 +6,7 @@
 #include "analysis/show/publish.hpp"     // publish: tables, figures and report.html of a report
 #include "analysis/show/report.hpp"      // report_of: what a judged study has to tell
 #include "experiments/runner.hpp"        // run a study, solve_once
-#include "experiments/study_reader.hpp"  // load_study, parse_study
+#include "experiments/study/reader.hpp"  // load_study, parse_study
 #include "results/store.hpp"             // every solve
 #include "robots/robot.hpp"              // robot, load_robot: the chain and its limits
 #include "solvers/registry.hpp"          // solver, all_solvers

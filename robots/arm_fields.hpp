@@ -1,5 +1,5 @@
 // The fields of an arm file, listed once: name, member, unit, range and meaning. The reader of arms (robot.cpp) and the
-// writer into the store (experiments/study_writer.cpp) visit this list.
+// writer into the store (experiments/study/writer.cpp) visit this list.
 #pragma once
 
 #include <string>

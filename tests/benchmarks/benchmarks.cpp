@@ -7,7 +7,7 @@
 
 #include "experiments/environment.hpp"
 #include "experiments/runner.hpp"
-#include "experiments/study_reader.hpp"
+#include "experiments/study/reader.hpp"
 #include "numerics/instruction_set.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"

@@ -61,7 +61,7 @@ echo '# edited' >>checking.py
 succeeds run mine.toml --no-report --out mine
 equal "solves of both" "$(sqlite3 mine/store.sqlite "SELECT count(*) FROM solves")" 96
 
-# An edited store is refused (other edits: recheck.test.cpp).
+# An edited store is refused (other edits: stored_checks.test.cpp).
 cp plain/store.sqlite edited.sqlite
 sqlite3 edited.sqlite "UPDATE solves SET status = 'invalid' WHERE status = 'ok'"
 refused "check gives" report edited.sqlite --out edited --figures none

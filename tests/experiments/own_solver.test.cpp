@@ -5,6 +5,7 @@
 #include "analysis/judge/judge.hpp"
 #include "analysis/show/publish.hpp"
 #include "base/names.hpp"
+#include "experiments/stored_checks.hpp"
 #include "tests/experiments/samples.hpp"
 
 namespace {

@@ -2,6 +2,7 @@
 // std::invalid_argument says why not.
 #include "analysis/judge/data/study_results.hpp"
 #include "analysis/show/publish.hpp"
+#include "experiments/stored_checks.hpp"
 #include "tests/experiments/samples.hpp"
 #include "tests/mutator.hpp"
 

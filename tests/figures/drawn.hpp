@@ -10,7 +10,7 @@
 #include "analysis/slim2023/slim2023.hpp"
 #include "base/child_process.hpp"
 #include "base/files.hpp"
-#include "experiments/study_reader.hpp"
+#include "experiments/study/reader.hpp"
 #include "results/store.hpp"
 #include "tests/judge/studies.hpp"
 

@@ -7,7 +7,7 @@
 #include "analysis/show/report.hpp"
 #include "analysis/show/result_tables.hpp"
 #include "experiments/runner.hpp"
-#include "experiments/study_reader.hpp"
+#include "experiments/study/reader.hpp"
 
 using namespace ikbench;
 

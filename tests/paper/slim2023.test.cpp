@@ -5,7 +5,7 @@
 #include "analysis/judge/judge.hpp"
 #include "analysis/judge/statistics/omnibus.hpp"
 #include "experiments/runner.hpp"
-#include "experiments/study_reader.hpp"
+#include "experiments/study/reader.hpp"
 #include "tests/common.hpp"
 
 using namespace ikbench::results;

@@ -1,4 +1,5 @@
 // Merged stores: nothing twice, nothing lost, nothing mixed up.
+#include "experiments/stored_checks.hpp"
 #include "tests/results/samples.hpp"
 
 namespace {

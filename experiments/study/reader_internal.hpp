@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "base/toml_table.hpp"
-#include "experiments/study.hpp"
+#include "experiments/study/study.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::experiments {
@@ -17,10 +17,10 @@ constexpr std::string_view population_key = "population";
 constexpr std::string_view not_enforced =
     "bounds is \"initial\", but limits is \"enforced\"; expected bounds by which answers are inside the limits";
 
-// Sets a key of the study, or settings of its solvers, by "key=value" or "--option key=value" (study_overrides.cpp).
+// Sets a key of the study, or settings of its solvers, by "key=value" or "--option key=value" (overrides.cpp).
 void override_one(toml::table& study, const std::string& text);
 
-// Starts the program of an entry, or of the check, to read its name and options (study_entries.cpp).
+// Starts the program of an entry, or of the check, to read its name and options (solver_entries.cpp).
 std::shared_ptr<const Program> read_program(base::TomlReader& reader, bool is_of_entry);
 // Reads the solvers of a study, a sweep as one entry per combination.
 void read_solvers(base::TomlReader& reader, Study& study, const Robot& arm);
@@ -35,13 +35,13 @@ auto at_key(const base::TomlReader& reader, std::string_view key, Make&& make) {
   }
 }
 
-// Reads a study (study_reader.cpp). The arm of a stored study is made by `arm_of_store`, unless --robot or --set gives
+// Reads a study (reader.cpp). The arm of a stored study is made by `arm_of_store`, unless --robot or --set gives
 // another.
 using ArmOfStore = std::function<Robot(const robots::UrdfChoice&)>;
 Study read_study(const toml::table& table, std::string_view source, const ArmOfStore& arm_of_store = {});
 
 // Returns the folder of a file that a key names: the study's, or the current one if --set gave the key
-// (study_reader.cpp).
+// (reader.cpp).
 std::filesystem::path folder_of(const base::TomlReader& reader, std::string_view key);
 
 }  // namespace ikbench::experiments

@@ -1,4 +1,4 @@
-#include "experiments/study_reader.hpp"
+#include "experiments/study/reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,9 +12,9 @@
 #include "base/inputs.hpp"
 #include "base/names.hpp"
 #include "base/toml_table.hpp"
-#include "experiments/foreign/program.hpp"
-#include "experiments/study_parts.hpp"
-#include "experiments/study_writer.hpp"
+#include "experiments/external/program.hpp"
+#include "experiments/study/reader_internal.hpp"
+#include "experiments/study/writer.hpp"
 #include "experiments/task.hpp"
 #include "results/export.hpp"
 #include "results/published.hpp"

@@ -1,4 +1,4 @@
-#include "experiments/study.hpp"
+#include "experiments/study/study.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "experiments/foreign/program.hpp"
+#include "experiments/external/program.hpp"
 #include "robots/spherical_wrist.hpp"
 
 namespace ikbench::experiments {

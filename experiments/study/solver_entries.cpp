@@ -10,9 +10,9 @@
 #include "base/json.hpp"
 #include "base/names.hpp"
 #include "base/number.hpp"
-#include "experiments/foreign/program.hpp"
-#include "experiments/study_parts.hpp"
-#include "experiments/study_writer.hpp"
+#include "experiments/external/program.hpp"
+#include "experiments/study/reader_internal.hpp"
+#include "experiments/study/writer.hpp"
 #include "experiments/task.hpp"
 
 namespace ikbench::experiments {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/study.hpp"
+#include "experiments/study/study.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::experiments {

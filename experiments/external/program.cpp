@@ -1,4 +1,4 @@
-#include "experiments/foreign/program.hpp"
+#include "experiments/external/program.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,3 +1,5 @@
+#include "experiments/stored_checks.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +19,7 @@
 #include "base/units.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/solve_runner.hpp"
-#include "experiments/study_writer.hpp"
+#include "experiments/study/writer.hpp"
 #include "experiments/verifier.hpp"
 #include "results/export.hpp"
 #include "robots/robot.hpp"

@@ -9,9 +9,9 @@
 
 #include "base/json.hpp"
 #include "base/names.hpp"
-#include "experiments/study_parts.hpp"
-#include "experiments/study_reader.hpp"
-#include "experiments/study_writer.hpp"
+#include "experiments/study/reader.hpp"
+#include "experiments/study/reader_internal.hpp"
+#include "experiments/study/writer.hpp"
 #include "results/export.hpp"
 #include "solvers/registry.hpp"
 

@@ -7,7 +7,7 @@
 #include "base/fields.hpp"
 #include "base/json.hpp"
 #include "base/units.hpp"
-#include "experiments/study.hpp"
+#include "experiments/study/study.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::experiments {

@@ -1,15 +1,15 @@
-#include "experiments/path.hpp"
+#include "experiments/study/path.hpp"
 
 namespace ikbench::experiments {
 
 #define PATH(name) std::unique_ptr<PathKind> name##_path();
-#include "experiments/paths.inc"
+#include "experiments/study/paths.inc"
 #undef PATH
 
 std::vector<Path> paths() {
   std::vector<Path> all;
 #define PATH(name) all.emplace_back(name##_path());
-#include "experiments/paths.inc"
+#include "experiments/study/paths.inc"
 #undef PATH
   return all;
 }

@@ -1,4 +1,4 @@
-#include "experiments/study_writer.hpp"
+#include "experiments/study/writer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,8 +12,8 @@
 #include "base/number.hpp"
 #include "base/toml_table.hpp"
 #include "experiments/environment.hpp"
-#include "experiments/foreign/program.hpp"
-#include "experiments/study_reader.hpp"
+#include "experiments/external/program.hpp"
+#include "experiments/study/reader.hpp"
 #include "results/record.hpp"
 #include "robots/arm_fields.hpp"
 #include "robots/urdf.hpp"

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "base/units.hpp"
-#include "experiments/path.hpp"
+#include "experiments/study/path.hpp"
 #include "numerics/functions.hpp"
 #include "robots/rotation.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/fields.hpp"
-#include "experiments/foreign/protocol.hpp"
+#include "experiments/external/protocol.hpp"
 
 namespace ikbench::experiments {
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/foreign/program.hpp"
-#include "experiments/study.hpp"
+#include "experiments/external/program.hpp"
+#include "experiments/study/study.hpp"
 #include "results/record.hpp"
 #include "solvers/solve.hpp"
 

@@ -9,8 +9,8 @@
 #include "base/json.hpp"
 #include "base/names.hpp"
 #include "base/number.hpp"
-#include "experiments/study_parts.hpp"
-#include "experiments/study_reader.hpp"
+#include "experiments/study/reader.hpp"
+#include "experiments/study/reader_internal.hpp"
 
 namespace ikbench::experiments {
 

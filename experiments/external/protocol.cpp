@@ -1,4 +1,4 @@
-#include "experiments/foreign/protocol.hpp"
+#include "experiments/external/protocol.hpp"
 
 #include <fmt/format.h>
 

@@ -14,7 +14,7 @@
 #include "base/number.hpp"
 #include "base/sheet.hpp"
 #include "base/units.hpp"
-#include "experiments/path.hpp"
+#include "experiments/study/path.hpp"
 #include "robots/arm_fields.hpp"
 #include "robots/rotation.hpp"
 

@@ -1,4 +1,6 @@
 // A stored error that does not follow from its answer is found.
+#include "experiments/stored_checks.hpp"
+
 #include "tests/experiments/samples.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "experiments/path.hpp"
+#include "experiments/study/path.hpp"
 
 namespace ikbench::experiments {
 

@@ -1,4 +1,4 @@
-// A study is data: the problems, the solvers, the number of repetitions, the seed. study_reader.hpp makes one of a
+// A study is data: the problems, the solvers, the number of repetitions, the seed. reader.hpp makes one of a
 // file; runner.hpp solves it.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/path.hpp"
+#include "experiments/study/path.hpp"
 #include "results/study.hpp"
 #include "robots/robot.hpp"
 #include "solvers/options.hpp"
@@ -20,7 +20,7 @@ namespace ikbench::experiments {
 using results::Limits, results::Search, results::Start, results::StudyBounds, results::WristBranch, results::WristTurns,
     results::Wrap;
 
-struct Program;  // foreign/program.hpp
+struct Program;  // external/program.hpp
 
 // The treatment of a solver whose library this program was built without, or of a program that does not start: refuse
 // the study, or leave the solver out and say so.

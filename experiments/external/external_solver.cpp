@@ -1,4 +1,4 @@
-#include "experiments/foreign/foreign_solver.hpp"
+#include "experiments/external/external_solver.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
