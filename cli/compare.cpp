@@ -66,9 +66,9 @@ struct Source {
 
 // The gates of all labels that both stores have, since the p of each pair counts them all: first those that are asked
 // for. One of the others that cannot be compared, as it lacks solves, has no pair.
-std::vector<Gate> gates_of(const Source& a, const Source& b, const std::vector<std::string>& asked,
-                           const CompareArguments& arguments, const GateOptions& options) {
-  std::vector<Gate> all;
+std::vector<RegressionCheck> gates_of(const Source& a, const Source& b, const std::vector<std::string>& asked,
+                                      const CompareArguments& arguments, const GateOptions& options) {
+  std::vector<RegressionCheck> all;
   for (const std::string& label : asked)
     all.push_back(gate(a.study(arguments, label), b.study(arguments, label), options));
   for (const std::string& label : a.labels()) {
@@ -82,8 +82,8 @@ std::vector<Gate> gates_of(const Source& a, const Source& b, const std::vector<s
   return all;
 }
 
-std::vector<Gate> compare_all(const CompareArguments& arguments) {
-  std::vector<Gate> all;
+std::vector<RegressionCheck> compare_all(const CompareArguments& arguments) {
+  std::vector<RegressionCheck> all;
   GateOptions options{.metrics = arguments.metrics};
   if (!arguments.time_margin.empty()) options.time_margin = margin_from(arguments.time_margin, "--time-margin");
   if (!arguments.store.empty()) {
@@ -124,22 +124,22 @@ std::vector<Gate> compare_all(const CompareArguments& arguments) {
 }
 
 std::string why_open(const show::Answer& answer, const JudgedMetric& judged) {
-  const auto* const open = std::get_if<Open>(&judged.findings.front().what);
+  const auto* const open = std::get_if<NotTested>(&judged.findings.front().what);
   if (open != nullptr) return show::reason_of(*open, show::noun_of(answer, judged));
   return fmt::format("neither has {} any {}", judged.observations.quantity, answer.noun);
 }
 
 // "mine is worse than PSO: in solved and error. Not decided: joint motion.", "mine against PSO: new: 1 solve without an
 // answer."
-std::string verdict_of(const Gate& gate, const show::Answer& answer) {
+std::string verdict_of(const RegressionCheck& gate, const show::Answer& answer) {
   const std::string& candidate = gate.label.empty() ? gate.candidate : gate.label;
   const std::string& baseline = gate.baseline;
   if (!gate.is_compared)
     return fmt::format("{} is not compared with {}: {}.", candidate, baseline,
                        why_open(answer, gate.judged.metrics[gate.judged.deciding]));
   std::vector<std::string> parts;
-  const bool is_worse = !gate.worse.empty(), is_open = !gate.not_decided.empty() || !gate.not_tested.empty(),
-             is_within = !gate.worse_by_little.empty();
+  const bool is_worse = !gate.worse.empty(), is_open = !gate.inconclusive.empty() || !gate.not_tested.empty(),
+             is_within = !gate.worse_below_margin.empty();
   if (is_worse) parts.push_back("in " + show::listed(gate.worse));
   if (!gate.better.empty()) parts.push_back((is_worse ? "better in " : "in ") + show::listed(gate.better));
   if (gate.newly_missing > 0)
@@ -152,9 +152,9 @@ std::string verdict_of(const Gate& gate, const show::Answer& answer) {
                                  : is_within              ? "is not worse by more than the margin than"
                                                           : "is not worse than",
                                  baseline, parts.empty() ? "" : ": ", show::listed(parts, ", "));
-  if (!gate.worse_by_little.empty())
-    text += fmt::format(" Worse by less than the margin: {}.", show::listed(gate.worse_by_little));
-  if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));
+  if (!gate.worse_below_margin.empty())
+    text += fmt::format(" Worse by less than the margin: {}.", show::listed(gate.worse_below_margin));
+  if (!gate.inconclusive.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.inconclusive));
   show::ByWord untested;  // by why
   for (const JudgedMetric& judged : gate.judged.metrics) {
     const std::string& quantity = judged.observations.quantity;
@@ -167,14 +167,15 @@ std::string verdict_of(const Gate& gate, const show::Answer& answer) {
   const char* const why = gate.options.metrics.empty() ? "Not in the plan" : "Not asked for";
   if (!others.empty()) text += fmt::format(" {}: {}.", why, fmt::join(others, "; "));
   const std::vector<show::Question> questions = show::questions_of(answer);
-  const bool is_then_of_times = questions.size() > 1 && questions.back().of->observations.measures == Measure::time;
+  const bool is_then_of_times =
+      questions.size() > 1 && questions.back().of->observations.measures == QuantityKind::time;
   if (gate.label.empty() && !gate.do_times_decide() && is_then_of_times)
     text += " Times decide nothing here. " + show::second_sentence(answer);
   return text;
 }
 
 // "Lost: run 57; won: none; the other 199 are the same to the bit."
-std::string targets_of(const Gate& gate) {
+std::string targets_of(const RegressionCheck& gate) {
   constexpr std::size_t most = 10;
   const std::size_t changed = gate.lost.size() + gate.won.size();
   if (changed == 0) return "";
@@ -193,13 +194,13 @@ std::string targets_of(const Gate& gate) {
 }
 
 // Something may differ.
-bool is_told(const Gate& gate) { return !gate.are_same || gate.do_times_decide(); }
+bool is_told(const RegressionCheck& gate) { return !gate.are_same || gate.do_times_decide(); }
 
 // Of all that are the same, bit for bit, in one; empty if none are.
-std::string verdict_of_same(const std::vector<Gate>& all) {
+std::string verdict_of_same(const std::vector<RegressionCheck>& all) {
   std::vector<std::string> names;
   int solves = 0;
-  for (const Gate& gate : all) {
+  for (const RegressionCheck& gate : all) {
     if (!gate.are_same) continue;
     names.push_back(gate.label.empty() ? show::listed({gate.candidate, gate.baseline}) : gate.label);
     solves += gate.judged.metrics.back().described.front().n;
@@ -209,18 +210,18 @@ std::string verdict_of_same(const std::vector<Gate>& all) {
                      base::counted(solves, "solves"));
 }
 
-show::Answer answer_of(const Gate& gate) {
+show::Answer answer_of(const RegressionCheck& gate) {
   show::Answer answer = show::answer_of(gate.judged);
   answer.verdict = verdict_of(gate, answer);
   return answer;
 }
 
 // What all labels that differ have in common; empty if none does.
-std::string note_of(const std::vector<Gate>& all) {
+std::string note_of(const std::vector<RegressionCheck>& all) {
   if (std::ranges::none_of(all, is_told)) return "";
   const JudgedStudy& judged = all.front().judged;
   const auto time = std::ranges::find_if(judged.metrics, [](const JudgedMetric& its) {
-    return its.observations.measures == Measure::time && !show::is_share(its);  // which is in time
+    return its.observations.measures == QuantityKind::time && !show::is_share(its);  // which is in time
   });
   const bool do_times_decide = all.front().do_times_decide();
   const std::string times = !do_times_decide ? "do not count in the exit code"
@@ -235,9 +236,9 @@ std::string note_of(const std::vector<Gate>& all) {
                      !are_of_stores || do_times_decide ? "" : "of two sessions are not compared, and ", times);
 }
 
-std::string screen_of(const std::vector<Gate>& all) {
+std::string screen_of(const std::vector<RegressionCheck>& all) {
   std::string text;
-  for (const Gate& gate : all) {
+  for (const RegressionCheck& gate : all) {
     const std::string targets = targets_of(gate);
     text +=
         is_told(gate) ? show::screen(answer_of(gate)) + (targets.empty() ? "" : wrapped(targets) + '\n') + '\n' : "";
@@ -247,10 +248,10 @@ std::string screen_of(const std::vector<Gate>& all) {
 }
 
 // That of a report, with the rows of all labels.
-base::OrderedJson json_of(const std::vector<Gate>& all, int code) {
+base::OrderedJson json_of(const std::vector<RegressionCheck>& all, int code) {
   base::OrderedJson json;
   std::vector<std::string> sentences;
-  for (const Gate& gate : all) {
+  for (const RegressionCheck& gate : all) {
     const std::string& label = gate.label.empty() ? gate.candidate : gate.label;
     const show::Answer answer = answer_of(gate);
     base::OrderedJson report = show::to_json(answer);
@@ -276,7 +277,7 @@ base::OrderedJson json_of(const std::vector<Gate>& all, int code) {
     json["better"][label] = gate.better;
     json["also_worse"][label] = gate.also_worse;
     json["also_better"][label] = gate.also_better;
-    json["undecided"][label] = gate.not_decided;
+    json["undecided"][label] = gate.inconclusive;
     json["not_tested"][label] = gate.not_tested;
   }
   if (const std::string same = verdict_of_same(all); !same.empty()) sentences.push_back(same);
@@ -286,9 +287,9 @@ base::OrderedJson json_of(const std::vector<Gate>& all, int code) {
   return json;
 }
 
-std::string markdown_of(const std::vector<Gate>& all) {
+std::string markdown_of(const std::vector<RegressionCheck>& all) {
   std::string text;
-  for (const Gate& gate : all) {
+  for (const RegressionCheck& gate : all) {
     if (!is_told(gate)) continue;
     const show::Answer answer = answer_of(gate);
     std::vector<std::string> sentences{targets_of(gate)};
@@ -334,7 +335,7 @@ void add_compare(const Command& command, Invocation& invocation) {
       "What the plan of the study names decides: its metric, and its `then`. Times decide nothing without "
       "--time-margin. No option changes a p: of two labels of a store it is that of the report.");
   command.callback([arguments, &invocation] {
-    const std::vector<Gate> all = compare_all(*arguments);
+    const std::vector<RegressionCheck> all = compare_all(*arguments);
     invocation.exit_code = exit_code(all, arguments->is_strict);
     if (!arguments->output.empty())
       base::write_through(arguments->output, [&](const base::Write& write) { write(markdown_of(all)); });

@@ -187,7 +187,7 @@ bool write_and_announce(const Store& store, const StoredStudy& study, const std:
       styled(study.definition.figures, labels_of(study), arguments);  // refuses before the study is read
   judge::StudyResults solved = exported_study(store, study, folder);
   const bool are_silent = tell_silent(solved, arguments.is_json);
-  if (beside) judge::put_beside(solved, *beside);
+  if (beside) judge::add_imported(solved, *beside);
   judge::JudgedStudy judged = judge::judge(std::move(solved));
   const figures::Look look = figures::look_of(judged, style);
   std::vector<figures::Figure> pictures = figures::of_study(judged, look);
@@ -198,7 +198,7 @@ bool write_and_announce(const Store& store, const StoredStudy& study, const std:
 bool show_answer(const Store& store, const StoredStudy& study, const std::optional<judge::StudyResults>& beside) {
   judge::StudyResults solved = checked_study(store, study);
   const bool are_silent = tell_silent(solved, true);
-  if (beside) judge::put_beside(solved, *beside);
+  if (beside) judge::add_imported(solved, *beside);
   show_json(show::to_json(show::report_of(judge::judge(std::move(solved)), {}).answer));
   return are_silent;
 }
@@ -208,13 +208,13 @@ std::optional<judge::StudyResults> beside_of(const StoredStudy& study, const Rep
   judge::StudyResults theirs;
   if (arguments.beside == judge::archive_name) {
     theirs = judge::archived(study.definition.robot);
-    const std::string lm = fmt::format("[[solvers]]\nsolver = \"{}\"", judge::unit_of_times);
-    Overrides settings = judge::settings_of_archive();
+    const std::string lm = fmt::format("[[solvers]]\nsolver = \"{}\"", judge::time_reference_solver);
+    Overrides settings = judge::archive_settings();
     settings.push_back("robot=" + study.definition.robot);
     const StoredStudy archive = stored_study(parse_study(lm, arguments.beside, settings));
     theirs.definition = archive.definition;
     for (results::Series& series : theirs.series)
-      if (series.algorithm == judge::unit_of_times) series.options = archive.series.front().options;
+      if (series.algorithm == judge::time_reference_solver) series.options = archive.series.front().options;
   } else {
     const Store store(arguments.beside, Store::Mode::read);
     const std::vector<StoredStudy> named = store.studies(study.name);

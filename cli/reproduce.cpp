@@ -172,7 +172,7 @@ void add_slim2023(show::Report& reported, const papers::Repeated& repeated, cons
     }
   }
   std::erase_if(reported.answer.metrics,  // the paper has none; a warning says who takes twice as many
-                [](const auto& each) { return each.observations.measures == judge::Measure::evaluations; });
+                [](const auto& each) { return each.observations.measures == judge::QuantityKind::evaluations; });
 }
 
 // The first of the studies is the paper's own.

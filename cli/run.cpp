@@ -38,7 +38,7 @@ struct StudyToRun {
 Overrides overrides_of(const StudyToRun& arguments) {
   Overrides overrides;
   if (arguments.report.beside == judge::archive_name)
-    for (const std::string& setting : judge::settings_of_archive()) overrides.push_back("--beside " + setting);
+    for (const std::string& setting : judge::archive_settings()) overrides.push_back("--beside " + setting);
   if (const double limit = arguments.limit; limit > 0)
     for (const std::string& key :
          {fmt::format("analysis.deadline_ms={}", 1000 * limit), std::string("stop.iterations=1000000"),
@@ -102,9 +102,9 @@ Study study_of(const StudyToRun& arguments) {
   if (arguments.report.beside == judge::archive_name) {  // its study, with these solvers and the unit of its times
     study.name += fmt::format("-{}", judge::archive_name);
     if (std::ranges::none_of(study.solvers, [](const SolverEntry& its) {
-          return its.solver == judge::unit_of_times && its.options.empty();
+          return its.solver == judge::time_reference_solver && its.options.empty();
         }))
-      study.solvers.push_back({.label = "ikbench's LM", .solver = std::string(judge::unit_of_times)});
+      study.solvers.push_back({.label = "ikbench's LM", .solver = std::string(judge::time_reference_solver)});
   }
   // A mistake in it shows before hours are spent.
   static_cast<void>(styled({study.figures}, labels_of(study), arguments.report));

@@ -60,7 +60,7 @@ show::Report judged(const StatsArguments& arguments, FigureStyle& style) {
   refuse_no_table(text, arguments.file);
   csv::Quantities quantities = csv::read(text, source, arguments.csv);
   std::vector<judge::JudgedMetric> metrics;
-  for (judge::Observations& observed : quantities.observed) {
+  for (judge::MetricSamples& observed : quantities.observed) {
     const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, observed);
     if (arguments.margin.empty() && plan.margin == 0)
       quantities.notes.push_back(fmt::format("Of {}, which may be negative, no margin is used.", observed.quantity));

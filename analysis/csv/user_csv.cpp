@@ -164,9 +164,9 @@ std::vector<Better> better_of(const Sheet& sheet, const Request& request, const 
   return better;
 }
 
-Observations quantity_of(const std::string& title) {
+MetricSamples quantity_of(const std::string& title) {
   const base::Title parts(title);
-  Observations observed{.metric = "", .quantity = parts.name, .unit = parts.unit};
+  MetricSamples observed{.metric = "", .quantity = parts.name, .unit = parts.unit};
   for (const char c : base::lower_case(title))
     observed.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
   return observed;
@@ -229,15 +229,15 @@ void ask_about(const Gaps& gaps, const Sheet& sheet, const Items& items, const R
 }
 
 // The value of a group in a unit in which rows are missing, each as no answer.
-double worst_value(const Observations& observed, double sum, double rows, double missing) {
+double worst_value(const MetricSamples& observed, double sum, double rows, double missing) {
   const bool is_larger_better = observed.better == Better::larger;
-  if (observed.scale == Scale::share) return (sum + (is_larger_better ? 0 : missing)) / (rows + missing);
+  if (observed.scale == EffectScale::share) return (sum + (is_larger_better ? 0 : missing)) / (rows + missing);
   return is_larger_better ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
 }
 
 // Makes the sample of one group, one value per unit.
 Measured measured_in(const Layout& layout, std::span<const Mean> means, const Gaps& gaps, const Request& request,
-                     const Observations& observed) {
+                     const MetricSamples& observed) {
   Measured measured;
   const bool is_worst = request.missing == "worst";
   const auto add = [&](Index unit, double value) {
@@ -267,11 +267,11 @@ Measured measured_in(const Layout& layout, std::span<const Mean> means, const Ga
 }
 
 // The warnings about values that are missing, no answers, or without a label.
-void add_doubts(const Items& items, const Gaps& gaps, const Request& request, Observations& observed) {
-  Doubt missing{.kind = DoubtKind::incomplete,
+void add_doubts(const Items& items, const Gaps& gaps, const Request& request, MetricSamples& observed) {
+  Doubt missing{.kind = WarningKind::incomplete,
                 .what = request.missing == "worst" ? "rows have no value and count as no answer"
                                                    : "rows have no value and are left out"};
-  Doubt without{.kind = DoubtKind::without_answer, .what = "values are no answers"};
+  Doubt without{.kind = WarningKind::without_answer, .what = "values are no answers"};
   const auto add = [](Doubt& doubt, const std::string& group, std::size_t count) {
     if (count == 0) return;
     doubt.who.push_back(group);
@@ -289,12 +289,12 @@ void add_doubts(const Items& items, const Gaps& gaps, const Request& request, Ob
     least = std::min(least, gaps.share(i));
     most = std::max(most, gaps.share(i));
   }
-  Doubt favoured{.kind = DoubtKind::favoured_by_drop,
+  Doubt favoured{.kind = WarningKind::favoured_by_drop,
                  .count = most > least + 0.1 && request.missing == "drop" ? 1.0 : 0.0,
                  .what = fmt::format("{:.0f} to {:.0f} %", 100 * least, 100 * most)};
   for (std::size_t i = 0; i < items.groups.size(); ++i)
     if (gaps.share(i) > least + 0.1 && gaps.missing[i] < gaps.rows[i]) favoured.who.push_back(items.groups[i]);
-  Doubt stray{.kind = DoubtKind::runs_missing,
+  Doubt stray{.kind = WarningKind::runs_missing,
               .count = static_cast<double>(items.unlabelled),
               .of = static_cast<double>(items.unlabelled + items.values.size()),
               .what = "rows without a label, left out"};
@@ -303,19 +303,19 @@ void add_doubts(const Items& items, const Gaps& gaps, const Request& request, Ob
 }
 
 // Where no number of a group differs from block to block, the blocks may be one measurement that was copied.
-void warn_of_copies(Observations& observed) {
-  if (observed.scale == Scale::share) return;
-  Doubt copies{.kind = DoubtKind::may_be_one_measurement};
+void warn_of_copies(MetricSamples& observed) {
+  if (observed.scale == EffectScale::share) return;
+  Doubt copies{.kind = WarningKind::may_be_one_measurement};
   for (const Group& group : observed.groups)
     if (may_be_copies(group)) copies.who.push_back(group.name);
   if (copies.who.size() > 1) observed.doubts.push_back(std::move(copies));
 }
 
 // The values of each group.
-void fill(const Layout& layout, const Items& items, const Gaps& gaps, const Request& request, Observations& observed) {
+void fill(const Layout& layout, const Items& items, const Gaps& gaps, const Request& request, MetricSamples& observed) {
   observed.is_paired = layout.block.has_value();
-  observed.may_hold_copies = !layout.block && request.run.empty() && observed.scale != Scale::share;
-  if (observed.scale == Scale::share)
+  observed.may_hold_copies = !layout.block && request.run.empty() && observed.scale != EffectScale::share;
+  if (observed.scale == EffectScale::share)
     observed.trials = static_cast<int>(std::ranges::max(items.means, {}, &Mean::rows).rows);
   for (Index group = 0; group < items.groups.size(); ++group) {
     const std::span means(std::ranges::lower_bound(items.means, group, {}, &Mean::group),
@@ -328,15 +328,15 @@ void fill(const Layout& layout, const Items& items, const Gaps& gaps, const Requ
 }
 
 // Chooses shares, ratios or differences by all values.
-void settle(const Items& items, Observations& observed, std::vector<std::string>& notes) {
+void settle(const Items& items, MetricSamples& observed, std::vector<std::string>& notes) {
   const auto count = [&](auto is_so) { return std::ranges::count_if(items.values, is_so, &Value::value); };
   const auto shares = count([](double value) { return value == 0 || value == 1; });
   const auto low = count([](double value) { return value <= 0; });
   if (shares > 0 && shares + count([](double value) { return std::isnan(value); }) == std::ssize(items.values)) {
-    observed.scale = Scale::share;
+    observed.scale = EffectScale::share;
     notes.push_back(fmt::format("All values of {} are 0 or 1: shares are compared.", observed.quantity));
   } else if (low > 0) {
-    observed.scale = Scale::difference;
+    observed.scale = EffectScale::difference;
     notes.push_back(fmt::format("{} of {} values of {} are 0 or below: differences are compared, not ratios.", low,
                                 items.values.size(), observed.quantity));
   }
@@ -393,7 +393,7 @@ Quantities values_in(Sheet& sheet, const Request& request) {
   const std::vector<Better> better = better_of(sheet, request, titles);
   for (std::size_t i = 0; i < titles.size(); ++i) {
     const Items items = items_of(sheet, layout, layout.label ? Columns{layout.values[i]} : layout.values, request);
-    Observations observed = quantity_of(titles[i]);
+    MetricSamples observed = quantity_of(titles[i]);
     const auto name_of = [](const std::string& title) { return quantity_of(title).quantity; };
     if (std::ranges::count(titles, observed.quantity, name_of) > 1)
       observed.quantity = titles[i], observed.unit.clear();
@@ -401,7 +401,7 @@ Quantities values_in(Sheet& sheet, const Request& request) {
     if (i == 0 && !aggregates.empty())
       quantities.notes.push_back(
           fmt::format("Left out are rows that sum up others: {}.", base::front(base::names_of(aggregates), 300)));
-    if (i == 0 && layout.block && smallest_p_paired(items.units) > Plan().significance)
+    if (i == 0 && layout.block && min_p_paired(items.units) > Plan().significance)
       note_blocks(sheet, layout, items, quantities.notes);
     settle(items, observed, quantities.notes);
     observed.better = better[i];
@@ -454,8 +454,8 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
     const std::string title(quantity ? sheet.cell(row, *quantity) : "value");
     const auto place = static_cast<std::size_t>(std::ranges::find(titles, title) - titles.begin());
     if (place == titles.size()) titles.push_back(title), quantities.observed.push_back(quantity_of(title));
-    Observations& observed = quantities.observed[place];
-    observed.scale = Scale::difference;
+    MetricSamples& observed = quantities.observed[place];
+    observed.scale = EffectScale::difference;
     std::vector<Group>& groups = observed.groups;
     const std::string name(sheet.cell(row, label));
     if (name.empty() || std::ranges::count(groups, name, &Group::name) > 0)
@@ -467,14 +467,14 @@ Quantities summaries_in(Sheet& sheet, const Request& request) {
     };
     const double size = columns.n ? number(*columns.n, 2) : request.n;
     if (size != std::floor(size) || size > 1e9) sheet.refuse(row, *columns.n, "is no number of values");
-    const Summary summary{.n = static_cast<int>(size),
-                          .mean = number(*columns.mean, std::numeric_limits<double>::lowest()),
-                          .sd = number(*columns.sd, 0)};
+    const SummaryStatistics summary{.n = static_cast<int>(size),
+                                    .mean = number(*columns.mean, std::numeric_limits<double>::lowest()),
+                                    .sd = number(*columns.sd, 0)};
     groups.push_back({.name = name, .sample = summary});
     if (summary.sd > 0) continue;  // else, or if it was rounded away, the spread would decide everything
-    groups.back().sample = Untold{.why = Untold::Why::no_spread, .printed = summary};
+    groups.back().sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::no_spread, .printed = summary};
     observed.doubts.push_back(
-        {.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
+        {.kind = WarningKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
   }
   const std::vector<Better> better = better_of(sheet, request, titles);
   for (std::size_t i = 0; i < titles.size(); ++i) quantities.observed[i].better = better[i];
@@ -488,17 +488,17 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   return request.are_summaries ? summaries_in(sheet, request) : values_in(sheet, request);
 }
 
-Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {
+Plan with_margin(Plan plan, const std::string& margin, MetricSamples& observed) {
   double least = 0, largest = 0;  // of all values
   for (const Group& group : observed.groups) {
-    const auto* const summary = std::get_if<Summary>(&group.sample);
+    const auto* const summary = std::get_if<SummaryStatistics>(&group.sample);
     for (const double value : summary ? std::span(&summary->mean, 1) : values_of(group)) {
       if (!std::isfinite(value)) continue;
       least = std::min(least, value);
       largest = std::max(largest, std::abs(value));
     }
   }
-  const bool has_no_share = observed.scale == Scale::difference && least < 0;
+  const bool has_no_share = observed.scale == EffectScale::difference && least < 0;
   if (margin.empty() && has_no_share) plan.margin = 0;
   if (margin.empty()) return plan;
   const bool is_relative = margin.ends_with('%');
@@ -508,9 +508,9 @@ Plan with_margin(Plan plan, const std::string& margin, Observations& observed) {
       : is_relative && *number > 99                         ? "so all would be the same; expected at most 99%"
       : is_relative && has_no_share
           ? "a share of values that may be negative means nothing; give a margin in their unit"
-      : !is_relative && observed.scale == Scale::share ? "shares differ by points; expected 5%"
-      : !is_relative && *number > largest              ? "no value is as large, so all would be the same; a share is 5%"
-                                                       : nullptr;
+      : !is_relative && observed.scale == EffectScale::share ? "shares differ by points; expected 5%"
+      : !is_relative && *number > largest ? "no value is as large, so all would be the same; a share is 5%"
+                                          : nullptr;
   if (wrong) throw std::invalid_argument(fmt::format("--margin {}: {}", in_quotes(margin), wrong));
   plan.margin = is_relative ? *number / 100 : 0;
   observed.absolute_margin = is_relative ? 0 : *number;

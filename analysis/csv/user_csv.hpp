@@ -11,7 +11,7 @@
 namespace ikbench::csv {
 
 struct Quantities {
-  std::vector<judge::Observations> observed;
+  std::vector<judge::MetricSamples> observed;
   std::vector<std::string> notes = {};  // what the values settled, as sentences; they stand below the table of results
 };
 
@@ -25,6 +25,6 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
 
 // The plan with a margin, "5%"; or "0.1" in the unit of the values, which becomes theirs. Empty: the plan's, but none
 // of values that may be negative, of which a share means nothing.
-judge::Plan with_margin(judge::Plan plan, const std::string& margin, judge::Observations& observed);
+judge::Plan with_margin(judge::Plan plan, const std::string& margin, judge::MetricSamples& observed);
 
 }  // namespace ikbench::csv

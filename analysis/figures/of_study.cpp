@@ -29,7 +29,7 @@ bool is_path(const StudyResults& study) { return !study.definition.draws_targets
 
 std::string observation_of(const StudyResults& study, const Metric& metric) {
   const results::Definition& definition = study.definition;
-  const std::string_view average = has_medians(metric) ? "median" : "mean";
+  const std::string_view average = uses_medians(metric) ? "median" : "mean";
   if (definition.compares_runs()) return definition.points == 1 ? "a run" : fmt::format("the {} of a run", average);
   const bool is_solved_again = definition.runs > 1 && !definition.draws_targets;
   return is_solved_again ? fmt::format("a target, the {} of its runs", average) : "a target";
@@ -42,32 +42,33 @@ std::string caption_of_boxes(std::string_view quantity, std::string_view observa
 
 // None where solvers solved different targets, and so their values do not compare.
 std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view column, const Look& look) {
-  const JudgedMetric* const values = judged_of(judged, column);
+  const JudgedMetric* const values = find_metric(judged, column);
   if (values == nullptr || values->observations.is_of_solved) return std::nullopt;
   const Metric& metric = metric_named(column);
   const About about =
       about_of(judged.study, metric, caption_of_boxes(metric.name, observation_of(judged.study, metric)));
-  return boxes(about, box_rows(is_of_times(metric) ? observe_solves(judged.study, metric) : values->observations,
-                               drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
+  return boxes(about,
+               box_rows(is_of_times(metric) ? make_samples_by_target(judged.study, metric) : values->observations,
+                        drawn_unit(judged.study, metric.unit), drawn_solvers(judged.study, look), look));
 }
 
 // Solvers whose values of a metric, or of it per solved, are not compared; all, where those of none are. Whoever solved
 // nothing is, with that.
 std::vector<std::string> not_compared(const JudgedStudy& judged, std::string_view column) {
   const auto metric = std::ranges::find_if(judged.metrics, [&](const JudgedMetric& each) {
-    return each.observations.measures == metric_named(column).measures && each.observations.scale != Scale::share;
+    return each.observations.measures == metric_named(column).measures && each.observations.scale != EffectScale::share;
   });
   if (metric == judged.metrics.end()) return judged.study.labels;
   const auto is_doubted = [&](const Group& group) {  // of several reasons a group has the first
     return std::ranges::any_of(metric->observations.doubts, [&](const Doubt& doubt) {
-      return doubt.kind != DoubtKind::few_decide_mean &&
+      return doubt.kind != WarningKind::dominated_by_few &&
              (doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0);
     });
   };
   std::vector<std::string> without;
   for (const Group& group : metric->observations.groups) {
     const auto* const its = untold(group);
-    const bool is_lost = its && its->why != Untold::Why::none && its->values.empty();
+    const bool is_lost = its && its->why != ExcludedSample::NotTestedReason::none && its->values.empty();
     if (is_lost || is_doubted(group)) without.push_back(group.name);
   }
   return without;
@@ -125,7 +126,7 @@ std::optional<Figure> if_timed(decltype(boxes_of)* of, const JudgedStudy& judged
 }
 
 std::string first_points(const StudyResults& study) {
-  return study.definition.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";
+  return study.definition.points > max_plotted ? fmt::format(" The first {} points.", max_plotted) : "";
 }
 
 std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) {
@@ -213,7 +214,7 @@ constexpr KindOfFigure all_kinds[]{
 
 std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
                                   const std::function<void(Dot&)>& add_printed) {
-  const JudgedMetric *const errors = judged_of(judged, error), *const motions = judged_of(judged, motion);
+  const JudgedMetric *const errors = find_metric(judged, error), *const motions = find_metric(judged, motion);
   if (errors == nullptr || motions == nullptr || motions->observations.is_of_solved) return std::nullopt;
   const std::string average = motions->plan.test == results::Plan::Test::means ? "mean" : "median";
   const auto value = [](const JudgedMetric& metric, const std::string& solver) {
@@ -237,30 +238,32 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
 
 std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit& unit,
                                      const std::vector<std::string>& shown, const Look& look) {
-  const Observations& observed = metric.observations;
+  const MetricSamples& observed = metric.observations;
   const auto place = [&](const std::string& name) { return std::ranges::find(shown, name) - shown.begin(); };
-  const auto places = [&](const Finding& of_two) { return std::minmax({place(of_two.first), place(of_two.second)}); };
-  std::vector<Finding> findings = metric.findings;
-  std::erase_if(findings, [&](const Finding& finding) {
+  const auto places = [&](const Comparison& of_two) {
+    return std::minmax({place(of_two.first), place(of_two.second)});
+  };
+  std::vector<Comparison> findings = metric.findings;
+  std::erase_if(findings, [&](const Comparison& finding) {
     return verdict_of(finding) == Verdict::not_tested || places(finding).second == std::ssize(shown);
   });
   std::string only;
   if (findings.size() > most_drawn_pairs && metric.plan.control.empty()) {
-    std::erase_if(findings, [&](const Finding& finding) { return places(finding).first != 0; });
+    std::erase_if(findings, [&](const Comparison& finding) { return places(finding).first != 0; });
     only = fmt::format(" Only the pairs of {}.", shown.front());
   }
   std::ranges::stable_sort(findings, {}, places);
-  for (Finding& finding : findings)
+  for (Comparison& finding : findings)
     finding = better_first(finding, metric.plan.control, place(finding.second) < place(finding.first));
-  const auto is_shared = [&](std::string Finding::*name) {
+  const auto is_shared = [&](std::string Comparison::*name) {
     return findings.size() > 1 && std::ranges::count(findings, findings.front().*name, name) == std::ssize(findings);
   };
-  const bool is_first = is_shared(&Finding::first), is_second = is_shared(&Finding::second);
+  const bool is_first = is_shared(&Comparison::first), is_second = is_shared(&Comparison::second);
   std::vector<IntervalRow> rows;
   bool are_ratios = false;
-  for (const Finding& finding : findings) {
-    are_ratios = finding.scale == Scale::ratio;
-    const double factor = are_ratios ? 1 : finding.scale == Scale::share ? 100 : unit.factor;
+  for (const Comparison& finding : findings) {
+    are_ratios = finding.scale == EffectScale::ratio;
+    const double factor = are_ratios ? 1 : finding.scale == EffectScale::share ? 100 : unit.factor;
     IntervalRow& row = rows.emplace_back();
     const std::string first = look.names.at(finding.first), second = look.names.at(finding.second);
     const char joint = character_count(first + second) > 30 ? '\n' : ' ';
@@ -268,7 +271,7 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
                 : is_second ? first
                             : fmt::format("{} {}{}{}", first, are_ratios ? "/" : "-", joint, second);
     const Verdict verdict = verdict_of(finding);
-    if (const std::optional<Amount>& amount = finding.amount) {
+    if (const std::optional<EffectEstimate>& amount = finding.amount) {
       row.estimate = factor * amount->value;
       if (amount->interval) row.low = factor * amount->interval->low, row.high = factor * amount->interval->high;
     }
@@ -281,7 +284,7 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
                 {.label = fmt::format("{} {} {}", is_first ? look.names.at(findings[0].first) : "…",
                                       are_ratios ? "/" : "-", is_second ? look.names.at(findings[0].second) : "…"),
                  .verdict = is_first ? "the first:" : ""});
-  const std::string quantity = observed.measures == Measure::solved ? "share solved" : observed.quantity;
+  const std::string quantity = observed.measures == QuantityKind::solved ? "share solved" : observed.quantity;
   const std::string what = are_ratios ? "ratio" : "difference";
   return differences(
       {.name = "differences",
@@ -289,15 +292,15 @@ std::optional<Figure> differences_of(const JudgedMetric& metric, const DrawnUnit
            "Pairs: {} of {}, with intervals for all pairs at once; at the right the verdict on the first.{}", what,
            quantity, only),
        .quantity = fmt::format("{} of {}", what, quantity),
-       .unit = are_ratios                       ? ""
-               : observed.scale == Scale::share ? "points"
-                                                : unit.name},
+       .unit = are_ratios                             ? ""
+               : observed.scale == EffectScale::share ? "points"
+                                                      : unit.name},
       rows, are_ratios);
 }
 
 // The same metric on the blocks that all groups have, which mean ranks are of, with the verdicts of all blocks.
 JudgedMetric on_common_blocks(JudgedMetric metric) {
-  Observations& observed = metric.observations;
+  MetricSamples& observed = metric.observations;
   if (!observed.is_paired || observed.is_of_solved) return metric;
   std::vector<Group*> groups;
   std::set<std::vector<int>> blocks;
@@ -309,11 +312,11 @@ JudgedMetric on_common_blocks(JudgedMetric metric) {
   }
   if (blocks.size() < 2) return metric;
   keep_common_blocks(groups);
-  std::vector<Finding> common = compare(observed, metric.plan);
-  for (Finding& finding : common) {
-    const Finding* const of_all = finding_of(metric, finding.first, finding.second);
-    const auto* const all = of_all ? std::get_if<Tested>(&of_all->what) : nullptr;
-    if (auto* const tested = std::get_if<Tested>(&finding.what); tested && all) tested->verdict = all->verdict;
+  std::vector<Comparison> common = compare(observed, metric.plan);
+  for (Comparison& finding : common) {
+    const Comparison* const of_all = find_comparison(metric, finding.first, finding.second);
+    const auto* const all = of_all ? std::get_if<TestResult>(&of_all->what) : nullptr;
+    if (auto* const tested = std::get_if<TestResult>(&finding.what); tested && all) tested->verdict = all->verdict;
   }
   metric.findings = std::move(common);
   return metric;
@@ -321,19 +324,19 @@ JudgedMetric on_common_blocks(JudgedMetric metric) {
 
 std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std::string>& shown, const Look& look) {
   const JudgedMetric metric = on_common_blocks(judged);
-  const Observations& observed = metric.observations;
-  const bool are_shares = observed.scale == Scale::share;
+  const MetricSamples& observed = metric.observations;
+  const bool are_shares = observed.scale == EffectScale::share;
   if (metric.plan.test == results::Plan::Test::means && !are_shares) return std::nullopt;
   struct Pair {
-    const Finding* finding;
+    const Comparison* finding;
     double behind;  // the share of comparisons in which the second is better, equal ones half
   };
   std::map<std::pair<std::string_view, std::string_view>, Pair> pairs;  // that have such a share, in either order
-  for (const Finding& each : metric.findings) {
-    const auto* const fact = std::get_if<Fact>(&each.what);
-    const auto* const tested = std::get_if<Tested>(&each.what);
+  for (const Comparison& each : metric.findings) {
+    const auto* const fact = std::get_if<DeterministicResult>(&each.what);
+    const auto* const tested = std::get_if<TestResult>(&each.what);
     if (!fact && !(tested && tested->effect)) continue;
-    const double larger = fact ? each.amount->value - amount_of_equal(each.scale) : 0;
+    const double larger = fact ? each.amount->value - null_value(each.scale) : 0;
     const double of_fact = larger == 0 ? 0.5 : (larger > 0) == (observed.better == Better::larger) ? 1 : 0;
     const double ahead = tested ? tested->effect->a12() : of_fact;
     pairs[{each.first, each.second}] = {&each, 1 - ahead}, pairs[{each.second, each.first}] = {&each, ahead};
@@ -358,7 +361,7 @@ std::optional<Figure> ranks_of(const JudgedMetric& judged, const std::vector<std
       const auto& [finding, behind] = pairs.at({name, other});
       row.place += behind;
       if (is_difference(verdict_of(*finding))) row.apart.push_back(look.names.at(other));
-      const auto* const tested = std::get_if<Tested>(&finding->what);
+      const auto* const tested = std::get_if<TestResult>(&finding->what);
       have_all &= tested && static_cast<std::size_t>(tested->n) == n;
     }
   }
@@ -389,7 +392,7 @@ Figure path_of(const StudyResults& study, const Look& look, std::size_t arms, co
     const SolveRecord& solve = solves[i];
     rows.targets.push_back(corner_of(solve.target_position_m));
     rows.reached.push_back(corner_of(solve.reached_position_m));
-    if (const Solve& its = study.of(solver)[i]; its.is_late || its.is_too_fast)
+    if (const Solve& its = study.of(solver)[i]; its.is_late || its.exceeds_velocity)
       rows.late_or_too_fast.push_back(rows.targets.back());
     const Eigen::Map<const Eigen::VectorXd> q(solve.answer_rad.data(),
                                               static_cast<Eigen::Index>(solve.answer_rad.size()));
@@ -406,16 +409,16 @@ std::vector<Figure> of_file(const std::vector<JudgedMetric>& metrics, const Look
   const JudgedMetric& first = metrics.front();
   std::vector<std::string> shown = look.style.solvers;
   if (shown.empty())
-    for (const std::size_t i : best_first(first, metrics)) shown.push_back(first.observations.groups[i].name);
+    for (const std::size_t i : display_order(first, metrics)) shown.push_back(first.observations.groups[i].name);
   for (const JudgedMetric& metric : metrics) {
-    const Observations& observed = metric.observations;
-    if (observed.scale == Scale::share && observed.trials == 1) continue;
+    const MetricSamples& observed = metric.observations;
+    if (observed.scale == EffectScale::share && observed.trials == 1) continue;
     const std::string number = all.empty() ? "" : fmt::format("-{}", all.size() + 1);
     const About about{.name = "boxes" + number,
                       .caption = caption_of_boxes(observed.quantity, "a value"),
                       .quantity = observed.quantity,
                       .unit = observed.unit,
-                      .is_share = observed.scale == Scale::share};
+                      .is_share = observed.scale == EffectScale::share};
     if (auto figure = boxes(about, box_rows(observed, {observed.unit}, shown, look))) all.push_back(std::move(*figure));
   }
   for (auto figure : {ranks_of(first, shown, look), differences_of(first, {first.observations.unit}, shown, look)}) {

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t most_iterations = 200;  // drawn
 
 CurveRow row_at(double x, const std::vector<double>& values, Average average) {
-  const judge::Description all = judge::described(values);
+  const judge::Descriptives all = judge::described(values);
   if (average == Average::mean) return {.x = x, .y = all.mean};
   if (values.size() == 1) return {.x = x, .y = all.median};
   return {.x = x, .y = all.median, .low = all.lower_quartile, .high = all.upper_quartile};
@@ -32,7 +32,7 @@ CurveRow row_at(double x, const std::vector<double>& values, Average average) {
 
 About about_of(const StudyResults& study, const Metric& metric, std::string caption) {
   const auto [unit, factor] = drawn_unit(study, metric.unit);
-  if (const std::string calls = calls_of(study); is_of_times(metric) && !calls.empty())
+  if (const std::string calls = timed_calls_text(study); is_of_times(metric) && !calls.empty())
     caption += fmt::format(" Times: {}.", calls);
   return {"", std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
 }
@@ -51,12 +51,12 @@ DrawnUnit drawn_unit(const StudyResults& study, std::string_view unit) {
   return {std::string(unit), 1};
 }
 
-std::vector<BoxRow> box_rows(const judge::Observations& observed, const DrawnUnit& unit,
+std::vector<BoxRow> box_rows(const judge::MetricSamples& observed, const DrawnUnit& unit,
                              const std::vector<std::string>& shown, const Look& look) {
   std::vector<BoxRow> rows;
   for (const std::string& name : shown) {
     const Group& group = observed.groups[place_of(observed, name)];
-    const judge::Description all = describe(group);
+    const judge::Descriptives all = describe(group);
     const std::span<const double> values = values_of(group);
     BoxRow& row = rows.emplace_back(
         BoxRow{.label = look.names.at(name), .style = look.lines.at(name), .values = {values.begin(), values.end()}});
@@ -67,8 +67,8 @@ std::vector<BoxRow> box_rows(const judge::Observations& observed, const DrawnUni
       row.remark = fmt::format("no answer in {}", infinite);
     if (values.empty())
       row.remark = "no value";
-    else if (lost_in(group) > 0)
-      row.remark += fmt::format("{}{} missing", row.remark.empty() ? "" : ", ", lost_in(group));
+    else if (missing_in(group) > 0)
+      row.remark += fmt::format("{}{} missing", row.remark.empty() ? "" : ", ", missing_in(group));
   }
   return rows;
 }

@@ -14,32 +14,34 @@ namespace {
 
 // Where few values of a mean leave a finding open, of all whose means are such.
 void add_doubt(JudgedMetric& judged) {
-  Doubt doubt{.kind = DoubtKind::few_decide_mean,
-              .what = (judged.observations.are_logs ? "" : "mean ") + judged.observations.quantity};
-  const auto is_left = [](const Finding& finding) { return is_open(finding, Open::Why::few_decide); };
+  Doubt doubt{.kind = WarningKind::dominated_by_few,
+              .what = (judged.observations.is_log_scale ? "" : "mean ") + judged.observations.quantity};
+  const auto is_left = [](const Comparison& finding) {
+    return is_open(finding, NotTested::NotTestedReason::few_decide);
+  };
   if (std::ranges::none_of(judged.findings, is_left)) return;
   for (const Group& group : judged.observations.groups)
-    if (!untold(group) && does_one_value_decide(group)) doubt.who.push_back(group.name);
+    if (!untold(group) && is_dominated(group)) doubt.who.push_back(group.name);
   judged.observations.doubts.push_back(std::move(doubt));
 }
 
 // Of the first that is better by ranks, though its median, or else its mean, is worse by more than the margin (a best
 // one's median: at all). Where each has its own targets, these say nothing of two.
 void add_doubt_of_ranks(JudgedMetric& judged) {
-  const Observations& observed = judged.observations;
+  const MetricSamples& observed = judged.observations;
   if (observed.is_of_solved || observed.fewest > 0 || judged.plan.test == Plan::Test::means) return;
-  const std::set<std::string> losers = losers_of(judged.findings);
-  for (const Finding& finding : judged.findings) {
-    if (!std::holds_alternative<Tested>(finding.what) || !is_difference(verdict_of(finding))) continue;
-    const Finding its = better_first(finding, "");
-    const Description &one = judged.described[place_of(observed, its.first)],
-                      &two = judged.described[place_of(observed, its.second)];
+  const std::set<std::string> losers = beaten_solvers(judged.findings);
+  for (const Comparison& finding : judged.findings) {
+    if (!std::holds_alternative<TestResult>(finding.what) || !is_difference(verdict_of(finding))) continue;
+    const Comparison its = better_first(finding, "");
+    const Descriptives &one = judged.described[place_of(observed, its.first)],
+                       &two = judged.described[place_of(observed, its.second)];
     const bool is_best = !losers.contains(its.first);  // and its median stands beside it
     const bool is_median_worse = is_best && one.median != two.median
                                      ? (one.median > two.median) == (observed.better == Better::smaller)
-                                     : is_worse_than_margin(observed, judged.plan, one.median, two.median);
-    if (!is_median_worse && !is_worse_than_margin(observed, judged.plan, one.mean, two.mean)) continue;
-    judged.observations.doubts.push_back({.kind = DoubtKind::ranks_disagree,
+                                     : is_worse_beyond_margin(observed, judged.plan, one.median, two.median);
+    if (!is_median_worse && !is_worse_beyond_margin(observed, judged.plan, one.mean, two.mean)) continue;
+    judged.observations.doubts.push_back({.kind = WarningKind::ranks_disagree,
                                           .who = {its.first, its.second},
                                           .what = (is_median_worse ? "median " : "mean ") + observed.quantity});
     return;
@@ -48,39 +50,39 @@ void add_doubt_of_ranks(JudgedMetric& judged) {
 
 // The findings of a study beside which labels of another machine stand. Pairs of its own labels have the p that they
 // have without those. Each of those is compared with the control alone, and these pairs are a second family.
-std::vector<Finding> findings_of(const JudgedMetric& metric, const Beside& beside, std::size_t metrics) {
+std::vector<Comparison> findings_of(const JudgedMetric& metric, const Beside& beside, std::size_t metrics) {
   if (beside.labels.empty()) return compare(metric.observations, metric.plan, metrics);
-  Observations own = metric.observations;
+  MetricSamples own = metric.observations;
   std::erase_if(own.groups, [&](const Group& group) { return beside.has(group.name); });
   Plan own_plan = metric.plan;
   if (beside.is_control_chosen) own_plan.control.clear();
-  std::vector<Finding> findings = compare(own, own_plan, metrics);
-  std::erase_if(findings, [&](const Finding& finding) {
+  std::vector<Comparison> findings = compare(own, own_plan, metrics);
+  std::erase_if(findings, [&](const Comparison& finding) {
     return finding.first != metric.plan.control && finding.second != metric.plan.control;
   });
-  Observations others = metric.observations;
+  MetricSamples others = metric.observations;
   std::erase_if(others.groups,
                 [&](const Group& group) { return !beside.has(group.name) && group.name != metric.plan.control; });
-  for (Finding& finding : compare(others, metric.plan, metrics)) findings.push_back(std::move(finding));
+  for (Comparison& finding : compare(others, metric.plan, metrics)) findings.push_back(std::move(finding));
   return findings;
 }
 
 // Where time alone ends solves at the deadline, what is solved is solved in time: two columns would be one.
 bool is_solved_by_another_name(const Metric& metric, const results::Definition& study) {
-  const bool is_solved_in_time = metric.measures == Measure::time && metric.kind == Kind::share;
+  const bool is_solved_in_time = metric.measures == QuantityKind::time && metric.kind == Kind::share;
   return is_solved_in_time && study.has_tolerance() && study.stop.only_time_limits() &&
          study.stop.seconds <= study.deadline();
 }
 
 // The word by which `then` of a plan names a metric; empty if none does.
-std::string_view then_word_of(const Observations& observed) {
-  if (observed.scale == Scale::share) return "";
+std::string_view then_word_of(const MetricSamples& observed) {
+  if (observed.scale == EffectScale::share) return "";
   switch (observed.measures) {
-    case Measure::time:
+    case QuantityKind::time:
       return "time";
-    case Measure::evaluations:
+    case QuantityKind::evaluations:
       return "evaluations";
-    case Measure::motion:
+    case QuantityKind::motion:
       return "motion";
     default:
       return "";
@@ -88,28 +90,28 @@ std::string_view then_word_of(const Observations& observed) {
 }
 
 // Some observation has a value, and if this is no share one is not 0.
-bool has_meaning(const Observations& observed) {
+bool has_meaning(const MetricSamples& observed) {
   return std::ranges::any_of(observed.groups, [&](const Group& group) {
     return std::ranges::any_of(values_of(group),
-                               [&](double value) { return value != 0 || observed.scale == Scale::share; });
+                               [&](double value) { return value != 0 || observed.scale == EffectScale::share; });
   });
 }
 
 }  // namespace
 
-JudgedMetric judge(Observations observations, const Plan& plan) {
-  std::vector<Finding> findings = compare(observations, plan);
+JudgedMetric judge(MetricSamples observations, const Plan& plan) {
+  std::vector<Comparison> findings = compare(observations, plan);
   return judge(std::move(observations), plan, std::move(findings));
 }
 
-JudgedMetric judge(Observations observations, const Plan& plan, std::vector<Finding> findings) {
+JudgedMetric judge(MetricSamples observations, const Plan& plan, std::vector<Comparison> findings) {
   JudgedMetric judged{.observations = std::move(observations), .plan = plan, .findings = std::move(findings)};
-  const Observations& observed = judged.observations;
+  const MetricSamples& observed = judged.observations;
   for (const Group& group : observed.groups) {
-    const Description its = describe(group);
-    judged.described.push_back(observed.are_logs ? Description{.n = its.n, .mean = std::exp(its.mean)}
-                               : group.all > 0   ? Description{.n = group.all, .mean = group.share}
-                                                 : its);
+    const Descriptives its = describe(group);
+    judged.described.push_back(observed.is_log_scale ? Descriptives{.n = its.n, .mean = std::exp(its.mean)}
+                               : group.all > 0       ? Descriptives{.n = group.all, .mean = group.share}
+                                                     : its);
   }
   add_doubt(judged);
   add_doubt_of_ranks(judged);
@@ -117,15 +119,15 @@ JudgedMetric judge(Observations observations, const Plan& plan, std::vector<Find
 }
 
 double average_of(const JudgedMetric& judged, std::size_t group) {
-  const Description& its = judged.described[group];
-  const bool is_mean =
-      judged.observations.scale == Scale::share || judged.plan.test == Plan::Test::means || std::isnan(its.median);
-  if (lost_in(judged.observations.groups[group]) > 0) return unknown;
+  const Descriptives& its = judged.described[group];
+  const bool is_mean = judged.observations.scale == EffectScale::share || judged.plan.test == Plan::Test::means ||
+                       std::isnan(its.median);
+  if (missing_in(judged.observations.groups[group]) > 0) return unknown;
   return is_mean ? its.mean : its.median;
 }
 
-std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vector<JudgedMetric>& all) {
-  const auto evaluations = std::ranges::find(all, Measure::evaluations,
+std::vector<std::size_t> display_order(const JudgedMetric& judged, const std::vector<JudgedMetric>& all) {
+  const auto evaluations = std::ranges::find(all, QuantityKind::evaluations,
                                              [](const JudgedMetric& metric) { return metric.observations.measures; });
   const auto cost = [&](const std::string& name) {
     if (evaluations == all.end()) return 0.0;
@@ -133,8 +135,8 @@ std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vecto
     const double value = group == evaluations->described.size() ? unknown : average_of(*evaluations, group);
     return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
   };
-  const std::set<std::string> losers = losers_of(judged.findings);
-  const bool are_clear = std::ranges::all_of(judged.findings, [&](const Finding& finding) {
+  const std::set<std::string> losers = beaten_solvers(judged.findings);
+  const bool are_clear = std::ranges::all_of(judged.findings, [&](const Comparison& finding) {
     const bool is_beaten = losers.contains(finding.first), is_other = losers.contains(finding.second);
     return (is_beaten && is_other) ||
            (is_beaten != is_other ? is_difference(verdict_of(finding)) : verdict_of(finding) != Verdict::not_tested);
@@ -145,13 +147,13 @@ std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vecto
     const double value = average_of(judged, i);
     const Group& group = judged.observations.groups[i];
     const double place = judged.observations.better == Better::larger ? -value : value;
-    const int rank = lost_in(group) > 0 ? 2 : are_clear && !losers.contains(group.name) ? 0 : 1;
+    const int rank = missing_in(group) > 0 ? 2 : are_clear && !losers.contains(group.name) ? 0 : 1;
     return std::isnan(value) ? std::tuple(3, 0.0, 0.0) : std::tuple(rank, place, cost(group.name));
   });
   return order;
 }
 
-JudgedStudy observe_all(StudyResults study) {
+JudgedStudy make_all_samples(StudyResults study) {
   const results::Definition& definition = study.definition;
   const auto solved = std::ranges::count(study.solves, results::Status::ok, &Solve::status);
   const bool are_any_solved = definition.has_tolerance() && solved > 0;
@@ -165,11 +167,11 @@ JudgedStudy observe_all(StudyResults study) {
   for (const Metric& metric : all) {
     const bool is_deciding = &metric == &deciding;
     const bool is_told_by_solved = metric.kind == Kind::error && are_any_solved;
-    const bool is_told =
-        metric.told == Told::always || metric.told == (do_some_fail ? Told::if_some_fail : Told::if_all_solve);
+    const bool is_told = metric.told == WhenReported::always ||
+                         metric.told == (do_some_fail ? WhenReported::if_some_fail : WhenReported::if_all_solve);
     if (!is_deciding && (!is_told || is_told_by_solved)) continue;
     if (!is_deciding && is_solved_by_another_name(metric, definition)) continue;
-    Observations observed = observe(study, metric);
+    MetricSamples observed = observe(study, metric);
     if (!is_deciding && !has_meaning(observed)) continue;
     if (is_deciding) judged.deciding = judged.metrics.size();
     judged.metrics.push_back({.observations = std::move(observed), .plan = definition.plan});
@@ -181,10 +183,10 @@ JudgedStudy observe_all(StudyResults study) {
 }
 
 JudgedStudy judge(StudyResults study) {
-  JudgedStudy judged = observe_all(std::move(study));
+  JudgedStudy judged = make_all_samples(std::move(study));
   const std::size_t metrics = names_in_plan(judged.study.definition).size();
   for (JudgedMetric& metric : judged.metrics) {
-    std::vector<Finding> findings = findings_of(metric, judged.study.beside, metrics);
+    std::vector<Comparison> findings = findings_of(metric, judged.study.beside, metrics);
     metric = judge(std::move(metric.observations), metric.plan, std::move(findings));
   }
   return judged;
@@ -196,7 +198,7 @@ std::vector<std::string> names_in_plan(const results::Definition& study) {
   if (first.empty()) first = study.has_tolerance() ? "solved" : "error";
   std::vector<std::string> names{first};
   std::string_view its_word;
-  if (!plan.metric.empty()) its_word = then_word_of(observations_of(metric_named(plan.metric, metrics_of(study))));
+  if (!plan.metric.empty()) its_word = then_word_of(empty_samples(metric_named(plan.metric, metrics_of(study))));
   for (const std::string& word : results::all_thens)
     if (word != its_word && std::ranges::count(plan.then, word) > 0) names.push_back(word);
   return names;
@@ -214,7 +216,7 @@ std::string name_in_plan(const JudgedStudy& study, const JudgedMetric& metric) {
   return is_named ? std::string(word) : "";
 }
 
-const JudgedMetric* judged_of(const JudgedStudy& judged, std::string_view column) {
+const JudgedMetric* find_metric(const JudgedStudy& judged, std::string_view column) {
   const std::vector<Metric> all = metrics_of(judged.study.definition);
   const std::string_view slug = metric_named(column, all).slug;
   const auto found =
@@ -222,8 +224,8 @@ const JudgedMetric* judged_of(const JudgedStudy& judged, std::string_view column
   return found == judged.metrics.end() ? nullptr : &*found;
 }
 
-const Finding* finding_of(const JudgedMetric& judged, std::string_view one, std::string_view other) {
-  const auto found = std::ranges::find_if(judged.findings, [&](const Finding& finding) {
+const Comparison* find_comparison(const JudgedMetric& judged, std::string_view one, std::string_view other) {
+  const auto found = std::ranges::find_if(judged.findings, [&](const Comparison& finding) {
     return (finding.first == one && finding.second == other) || (finding.first == other && finding.second == one);
   });
   return found == judged.findings.end() ? nullptr : &*found;

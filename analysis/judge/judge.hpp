@@ -12,23 +12,23 @@
 namespace ikbench::judge {
 
 struct JudgedMetric {
-  Observations observations;
-  Plan plan;                           // by which it was judged
-  std::vector<Description> described;  // one for each group
-  std::vector<Finding> findings;       // one for each pair of the plan
+  MetricSamples observations;
+  Plan plan;                            // by which it was judged
+  std::vector<Descriptives> described;  // one for each group
+  std::vector<Comparison> findings;     // one for each pair of the plan
 };
 
 // Describes the groups and adds the doubts of the findings, which are those of `compare`.
-JudgedMetric judge(Observations observed, const Plan& plan, std::vector<Finding> findings);
+JudgedMetric judge(MetricSamples observed, const Plan& plan, std::vector<Comparison> findings);
 // The same, with findings of these observations alone.
-JudgedMetric judge(Observations observed, const Plan& plan);
+JudgedMetric judge(MetricSamples observed, const Plan& plan);
 
 // What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
 // median; NaN where values are lost.
 double average_of(const JudgedMetric& judged, std::size_t group);
 // Groups: those whom nobody beats, if each of them beats all others, the others by value, of equal ones that with fewer
 // evaluations (a metric of `all`), those that lost values.
-std::vector<std::size_t> best_first(const JudgedMetric& judged, const std::vector<JudgedMetric>& all);
+std::vector<std::size_t> display_order(const JudgedMetric& judged, const std::vector<JudgedMetric>& all);
 
 struct JudgedStudy {
   StudyResults study;
@@ -40,7 +40,7 @@ struct JudgedStudy {
 };
 
 // Without descriptions and findings.
-JudgedStudy observe_all(StudyResults study);
+JudgedStudy make_all_samples(StudyResults study);
 // Every pair has one p in a metric, whatever else is asked of the store: with the pairs of the study's own labels and
 // the metrics that its plan names. Pairs with a label of another machine (beside.hpp) are a family of their own.
 JudgedStudy judge(StudyResults study);
@@ -52,8 +52,8 @@ std::vector<std::string> names_in_plan(const results::Definition& study);
 std::string name_in_plan(const JudgedStudy& study, const JudgedMetric& metric);
 
 // Null if the study has no such metric, by its column.
-const JudgedMetric* judged_of(const JudgedStudy& judged, std::string_view column);
+const JudgedMetric* find_metric(const JudgedStudy& judged, std::string_view column);
 // Of two groups, in either order; null if they are no pair.
-const Finding* finding_of(const JudgedMetric& judged, std::string_view one, std::string_view other);
+const Comparison* find_comparison(const JudgedMetric& judged, std::string_view one, std::string_view other);
 
 }  // namespace ikbench::judge

@@ -69,16 +69,19 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults both, const std:
     solve.session = turns.empty() ? solve.session + before : turns.at(solve.session);
     both.solves.push_back(solve);
   }
-  refuse_other_targets(both);
+  require_same_targets(both);
   both.definition.plan = baseline.definition.plan;  // a candidate sets no margin of its own
   return both;
 }
 
 // Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
-Observations observed_answers(const StudyResults& study, bool machine_decides) {
-  Observations observed{
-      .metric = "answers", .quantity = "answered", .better = Better::larger, .scale = Scale::share, .is_paired = true};
-  observed.measures = Measure::answered;
+MetricSamples observed_answers(const StudyResults& study, bool machine_decides) {
+  MetricSamples observed{.metric = "answers",
+                         .quantity = "answered",
+                         .better = Better::larger,
+                         .scale = EffectScale::share,
+                         .is_paired = true};
+  observed.measures = QuantityKind::answered;
   for (const std::string& solver : study.labels) {
     Measured answers;
     for (const Solve& solve : study.of(solver))
@@ -89,12 +92,12 @@ Observations observed_answers(const StudyResults& study, bool machine_decides) {
 }
 
 // Solved in time is one, too.
-bool is_time(const JudgedMetric& judged) { return judged.observations.measures == Measure::time; }
+bool is_time(const JudgedMetric& judged) { return judged.observations.measures == QuantityKind::time; }
 
-bool is_of_answers(const JudgedMetric& judged) { return judged.observations.measures == Measure::answered; }
+bool is_of_answers(const JudgedMetric& judged) { return judged.observations.measures == QuantityKind::answered; }
 
 // Whether a metric decides: the plan names it, nobody left it out, and if it is of times, they have a margin.
-bool decides(const Gate& gate, const JudgedMetric& metric) {
+bool decides(const RegressionCheck& gate, const JudgedMetric& metric) {
   const std::string name = name_in_plan(gate.judged, metric);
   if (name.empty() || (is_time(metric) && !gate.do_times_decide())) return false;
   return gate.options.metrics.empty() || std::ranges::count(gate.options.metrics, name) > 0;
@@ -124,7 +127,7 @@ void refuse_what_the_plan_lacks(const GateOptions& options, const Definition& de
 
 // How many answers are missing where before none was, or where now none is left. Chance may do that, too.
 int newly_missing(const JudgedMetric& judged) {
-  const Description &candidate = judged.described.front(), &baseline = judged.described.back();
+  const Descriptives &candidate = judged.described.front(), &baseline = judged.described.back();
   const bool is_new = is_of_answers(judged) && (baseline.mean == 1 || candidate.mean == 0);
   return is_new ? static_cast<int>(std::lround((baseline.mean - candidate.mean) * baseline.n)) : 0;
 }
@@ -143,7 +146,7 @@ StudyResults of_two(const StudyResults& study, const std::string& candidate, con
     }
     if (const auto its = study.faults.find(label); its != study.faults.end()) two.faults.insert(*its);
     if (const auto its = study.in_batches.find(label); its != study.in_batches.end()) two.in_batches.insert(*its);
-    if (std::ranges::count(study.other_version.who, label) > 0) two.other_version = study.other_version;
+    if (std::ranges::count(study.stale_solves.who, label) > 0) two.stale_solves = study.stale_solves;
   }
   return two;
 }
@@ -151,7 +154,7 @@ StudyResults of_two(const StudyResults& study, const std::string& candidate, con
 // Leaves the warnings that concern the two. The counts of a warning that names others, too, are those of the two alone.
 void keep_doubts(std::vector<Doubt>& doubts, const StudyResults& two) {
   const auto is_other = [&](const std::string& name) { return std::ranges::count(two.labels, name) == 0; };
-  const std::vector<Doubt> own = doubts_of_evaluations(two);
+  const std::vector<Doubt> own = evaluation_warnings(two);
   std::erase_if(doubts,
                 [&](const Doubt& doubt) { return !doubt.who.empty() && std::ranges::all_of(doubt.who, is_other); });
   for (Doubt& doubt : doubts) {
@@ -164,15 +167,15 @@ void keep_doubts(std::vector<Doubt>& doubts, const StudyResults& two) {
 }
 
 // Leaves the groups and the finding of the two labels of the gate, the candidate first.
-void keep_two(const Gate& gate, Observations& observed, std::vector<Finding>& findings) {
+void keep_two(const RegressionCheck& gate, MetricSamples& observed, std::vector<Comparison>& findings) {
   const auto is_one = [&](const std::string& name) { return name == gate.candidate || name == gate.baseline; };
   std::erase_if(observed.groups, [&](const Group& group) { return !is_one(group.name); });
   if (observed.groups.front().name != gate.candidate) std::swap(observed.groups.front(), observed.groups.back());
-  std::erase_if(findings, [&](const Finding& its) { return !is_one(its.first) || !is_one(its.second); });
+  std::erase_if(findings, [&](const Comparison& its) { return !is_one(its.first) || !is_one(its.second); });
   findings.front() = better_first(std::move(findings.front()), gate.baseline);
 }
 
-std::string family_of(const Gate& gate, const JudgedMetric& metric) {
+std::string family_of(const RegressionCheck& gate, const JudgedMetric& metric) {
   const std::string name = name_in_plan(gate.judged, metric);
   return name.empty() ? "not in the plan: " + metric.observations.metric : name;
 }
@@ -180,9 +183,9 @@ std::string family_of(const Gate& gate, const JudgedMetric& metric) {
 // The findings of each metric of each gate. Pairs of the metrics that a name of the plan means are one family: of
 // evaluations, where one label solved all targets and another did not, also those per solved target. Solvers that are
 // the same bit for bit in two stores are no part of it, since no chance is in them.
-std::vector<std::vector<std::vector<Finding>>> findings_of(const std::vector<Gate>& gates) {
+std::vector<std::vector<std::vector<Comparison>>> findings_of(const std::vector<RegressionCheck>& gates) {
   const std::size_t metrics = names_in_plan(gates.front().judged.study.definition).size();
-  std::vector<std::vector<std::vector<Finding>>> all;
+  std::vector<std::vector<std::vector<Comparison>>> all;
   std::map<std::string, std::vector<std::pair<std::size_t, std::size_t>>> families;  // gates and metrics, by name
   for (std::size_t i = 0; i < gates.size(); ++i) {
     const std::vector<JudgedMetric>& its = gates[i].judged.metrics;
@@ -198,29 +201,29 @@ std::vector<std::vector<std::vector<Finding>>> findings_of(const std::vector<Gat
     std::vector<Member> members;
     for (const auto& [i, m] : places)
       members.push_back({&gates[i].judged.metrics[m].observations, &gates[i].judged.metrics[m].plan});
-    std::vector<std::vector<Finding>> found = compare(members, metrics);
+    std::vector<std::vector<Comparison>> found = compare(members, metrics);
     for (std::size_t k = 0; k < places.size(); ++k) all[places[k].first][places[k].second] = std::move(found[k]);
   }
   return all;
 }
 
 // The list that a quantity of a metric that decides belongs to; null if it belongs to none.
-std::vector<std::string>* list_of(Gate& gate, const JudgedMetric& judged) {
-  const Finding& finding = judged.findings.front();
-  const auto* const tested = std::get_if<Tested>(&finding.what);
+std::vector<std::string>* list_of(RegressionCheck& gate, const JudgedMetric& judged) {
+  const Comparison& finding = judged.findings.front();
+  const auto* const tested = std::get_if<TestResult>(&finding.what);
   const bool is_small = tested && tested->is_small;
   const bool is_settled = gate.are_same && !is_time(judged);
   switch (verdict_of(finding)) {
     case Verdict::worse:
-      return is_small ? &gate.worse_by_little : &gate.worse;
+      return is_small ? &gate.worse_below_margin : &gate.worse;
     case Verdict::better:
       return is_small ? nullptr : &gate.better;
     case Verdict::not_tested:
       return is_settled ? nullptr : &gate.not_tested;
     case Verdict::undecided: {
       // Where a budget makes all evaluations equal, that says nothing.
-      const bool is_no_news = are_equal(finding) && judged.observations.measures == Measure::evaluations;
-      return is_settled || is_no_news ? nullptr : &gate.not_decided;
+      const bool is_no_news = are_equal(finding) && judged.observations.measures == QuantityKind::evaluations;
+      return is_settled || is_no_news ? nullptr : &gate.inconclusive;
     }
     case Verdict::same:
       break;
@@ -229,7 +232,7 @@ std::vector<std::string>* list_of(Gate& gate, const JudgedMetric& judged) {
 }
 
 // Adds the quantity to the list of the gate that it belongs to.
-void add_to_lists(Gate& gate, const JudgedMetric& judged) {
+void add_to_lists(RegressionCheck& gate, const JudgedMetric& judged) {
   const std::string& quantity = judged.observations.quantity;
   if (const int missing = newly_missing(judged); missing > 0) {
     gate.newly_missing = missing;
@@ -237,22 +240,22 @@ void add_to_lists(Gate& gate, const JudgedMetric& judged) {
   }
   const Verdict verdict = verdict_of(judged.findings.front());
   if (!decides(gate, judged)) {
-    const auto* const tested = std::get_if<Tested>(&judged.findings.front().what);
+    const auto* const tested = std::get_if<TestResult>(&judged.findings.front().what);
     if (is_time(judged) || !is_difference(verdict) || (tested && tested->is_small)) return;
     (verdict == Verdict::worse ? gate.also_worse : gate.also_better).push_back(quantity);
     return;
   }
   if (std::vector<std::string>* const list = list_of(gate, judged)) list->push_back(quantity);
   gate.are_times_missing |= is_time(judged) && verdict == Verdict::not_tested;
-  const bool is_share_of_nothing = judged.observations.scale == Scale::share && judged.described.front().mean == 0 &&
-                                   judged.described.back().mean == 0;
+  const bool is_share_of_nothing = judged.observations.scale == EffectScale::share &&
+                                   judged.described.front().mean == 0 && judged.described.back().mean == 0;
   gate.is_compared |= !is_share_of_nothing && verdict != Verdict::not_tested;
 }
 
 }  // namespace
 
-Gate gate(StudyResults study, const std::string& candidate, const std::string& baseline, GateOptions options,
-          const std::string& label) {
+RegressionCheck gate(StudyResults study, const std::string& candidate, const std::string& baseline, GateOptions options,
+                     const std::string& label) {
   refuse_what_the_plan_lacks(options, study.definition);
   const Solves ours = study.of(candidate), theirs = study.of(baseline);
   const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
@@ -260,11 +263,11 @@ Gate gate(StudyResults study, const std::string& candidate, const std::string& b
     throw LacksSolves(fmt::format(
         "not compared: {} has {} solves, {} {}; complete both with ikbench run, with as many runs",
         label.empty() ? candidate : label, ours.size(), label.empty() ? baseline : "before", theirs.size()));
-  Gate gate{.label = label, .candidate = candidate, .baseline = baseline, .options = std::move(options)};
-  gate.are_same = have_same_solves(ours, theirs) && std::ranges::any_of(ours, gave_answer);
+  RegressionCheck gate{.label = label, .candidate = candidate, .baseline = baseline, .options = std::move(options)};
+  gate.are_same = are_identical(ours, theirs) && std::ranges::any_of(ours, gave_answer);
   for (std::size_t i = 0; i < ours.size(); ++i) {
     const bool is_solved = ours[i].status == Status::ok, was_solved = theirs[i].status == Status::ok;
-    gate.same += have_same_solves(ours.subspan(i, 1), theirs.subspan(i, 1));
+    gate.same += are_identical(ours.subspan(i, 1), theirs.subspan(i, 1));
     if (is_solved == was_solved || !study.definition.has_tolerance()) continue;
     (is_solved ? gate.won : gate.lost)
         .push_back(study.definition.points == 1 ? fmt::format("run {}", ours[i].run)
@@ -272,9 +275,9 @@ Gate gate(StudyResults study, const std::string& candidate, const std::string& b
   }
   std::string& control = study.definition.plan.control;
   if (control != candidate && control != baseline) control.clear();
-  JudgedStudy& judged = gate.judged = observe_all(std::move(study));
+  JudgedStudy& judged = gate.judged = make_all_samples(std::move(study));
   StudyResults two = of_two(judged.study, candidate, baseline);
-  const bool machine_decides = !doubts_of_clock(two).empty();
+  const bool machine_decides = !clock_warnings(two).empty();
   judged.metrics.push_back(
       {.observations = observed_answers(judged.study, machine_decides), .plan = judged.study.definition.plan});
   for (JudgedMetric& metric : judged.metrics) {
@@ -287,13 +290,13 @@ Gate gate(StudyResults study, const std::string& candidate, const std::string& b
   return gate;
 }
 
-Gate gate(StudyResults baseline, StudyResults candidate, GateOptions options) {
+RegressionCheck gate(StudyResults baseline, StudyResults candidate, GateOptions options) {
   refuse_other_task(baseline, candidate);
   const std::string label = candidate.labels.front();
-  const bool are_of_this_clock = std::ranges::all_of(baseline.sessions, is_of_this_clock) &&
-                                 std::ranges::all_of(candidate.sessions, is_of_this_clock);
+  const bool are_of_this_clock = std::ranges::all_of(baseline.sessions, uses_current_clock) &&
+                                 std::ranges::all_of(candidate.sessions, uses_current_clock);
   const auto turns = turns_of(candidate.sessions, baseline.sessions);
-  const std::string now = calls_of(candidate), before = calls_of(baseline);
+  const std::string now = timed_calls_text(candidate), before = timed_calls_text(baseline);
   const std::string other = !are_of_this_clock
                                 ? "of the clock of a former version, which no time of this one is compared with"
                             : now != before ? fmt::format("{}, before {}", now, before)
@@ -306,41 +309,43 @@ Gate gate(StudyResults baseline, StudyResults candidate, GateOptions options) {
                          "with OLD), or leave out --time-margin"));
   StudyResults study =
       study_of_both(baseline, std::move(candidate), options.time_margin ? *turns : std::map<int, int>());
-  Gate both = gate(std::move(study), now_label, before_label, std::move(options), label);
+  RegressionCheck both = gate(std::move(study), now_label, before_label, std::move(options), label);
   for (JudgedMetric& metric : both.judged.metrics) {  // of two sessions times are never comparable
     if (!is_time(metric) || both.do_times_decide()) continue;
     metric.observations.doubts.clear();
-    if (!other.empty()) metric.observations.doubts.push_back({.kind = DoubtKind::times_not_comparable, .what = other});
+    if (!other.empty())
+      metric.observations.doubts.push_back({.kind = WarningKind::times_not_comparable, .what = other});
   }
   const auto budget_of = [](const numerics::StopRule& stop) {
     return fmt::format("{} iterations, {} evaluations, {:g} ms", stop.iterations, stop.evaluations, 1e3 * stop.seconds);
   };
   const std::string ours = budget_of(both.judged.study.definition.stop), theirs = budget_of(baseline.definition.stop);
   if (ours == theirs) return both;
-  std::erase_if(both.judged.doubts, [](const Doubt& doubt) { return doubt.kind == DoubtKind::budgets_differ; });
-  both.judged.doubts.push_back({.kind = DoubtKind::budgets_differ,
+  std::erase_if(both.judged.doubts, [](const Doubt& doubt) { return doubt.kind == WarningKind::budgets_differ; });
+  both.judged.doubts.push_back({.kind = WarningKind::budgets_differ,
                                 .who = both.judged.study.labels,
                                 .what = fmt::format("budgets of a solve differ: {}; before {}", ours, theirs)});
   return both;
 }
 
-void decide(std::vector<Gate>& gates) {
-  std::vector<std::vector<std::vector<Finding>>> all = findings_of(gates);
+void decide(std::vector<RegressionCheck>& gates) {
+  std::vector<std::vector<std::vector<Comparison>>> all = findings_of(gates);
   for (std::size_t i = 0; i < gates.size(); ++i) {
-    Gate& gate = gates[i];
+    RegressionCheck& gate = gates[i];
     gate.is_compared = gate.are_same;
     gate.are_times_missing = gate.do_times_decide() && std::ranges::none_of(gate.judged.metrics, is_time);
     for (std::size_t m = 0; m < gate.judged.metrics.size(); ++m) {
       JudgedMetric& metric = gate.judged.metrics[m];
-      std::vector<Finding>& findings = all[i][m];
+      std::vector<Comparison>& findings = all[i][m];
       keep_two(gate, metric.observations, findings);
       metric.plan.control = gate.baseline;  // is shown second
       metric = judge(std::move(metric.observations), metric.plan, std::move(findings));
-      Finding& finding = metric.findings.front();
+      Comparison& finding = metric.findings.front();
       // Two labels of one store keep the finding of its report.
-      if (gate.are_same && !gate.label.empty() && !is_time(metric) && std::holds_alternative<Tested>(finding.what)) {
-        finding.what = Fact();
-        finding.amount = Amount{amount_of_equal(finding.scale)};
+      if (gate.are_same && !gate.label.empty() && !is_time(metric) &&
+          std::holds_alternative<TestResult>(finding.what)) {
+        finding.what = DeterministicResult();
+        finding.amount = EffectEstimate{null_value(finding.scale)};
       }
     }
     for (const JudgedMetric& metric : gate.judged.metrics) add_to_lists(gate, metric);
@@ -348,12 +353,15 @@ void decide(std::vector<Gate>& gates) {
   }
 }
 
-int exit_code(const std::vector<Gate>& gates, bool is_strict) {
-  const auto is_worse = [](const Gate& gate) { return !gate.worse.empty() || gate.newly_missing > 0; };
+int exit_code(const std::vector<RegressionCheck>& gates, bool is_strict) {
+  const auto is_worse = [](const RegressionCheck& gate) { return !gate.worse.empty() || gate.newly_missing > 0; };
   if (std::ranges::any_of(gates, is_worse)) return 3;
-  if (std::ranges::any_of(gates, [](const Gate& gate) { return !gate.is_compared || gate.are_times_missing; }))
+  if (std::ranges::any_of(gates,
+                          [](const RegressionCheck& gate) { return !gate.is_compared || gate.are_times_missing; }))
     return 1;
-  const auto is_open = [](const Gate& gate) { return !gate.not_decided.empty() || !gate.not_tested.empty(); };
+  const auto is_open = [](const RegressionCheck& gate) {
+    return !gate.inconclusive.empty() || !gate.not_tested.empty();
+  };
   return is_strict && std::ranges::any_of(gates, is_open) ? 4 : 0;
 }
 

@@ -21,16 +21,16 @@ struct LacksSolves : std::invalid_argument {
   using invalid_argument::invalid_argument;
 };
 
-struct Gate {
+struct RegressionCheck {
   std::string label = {};                     // in both stores; empty: two solvers of one store
   std::string candidate = {}, baseline = {};  // the labels in `judged`
   GateOptions options = {};
   // Until it is decided of all labels of the store and not yet compared, then of the candidate and the baseline. The
   // last metric is the share of solves that gave an answer. Without solves of other labels.
   JudgedStudy judged = {};
-  // Quantities of the metrics that decide: time only with a margin for it. worse_by_little: by less than the margin,
+  // Quantities of the metrics that decide: time only with a margin for it. worse_below_margin: by less than the margin,
   // which is no loss.
-  std::vector<std::string> worse = {}, better = {}, worse_by_little = {}, not_decided = {}, not_tested = {};
+  std::vector<std::string> worse = {}, better = {}, worse_below_margin = {}, inconclusive = {}, not_tested = {};
   std::vector<std::string> also_worse = {}, also_better = {};  // quantities of other metrics, which decide nothing
   std::vector<std::string> lost = {}, won = {};  // targets: solved by the baseline alone, by the candidate alone
   int same = 0;                                  // solves, bit for bit
@@ -46,16 +46,16 @@ struct Gate {
 // that it has in the study's report; with a control that is neither of the two, the p of a report without a control.
 // Throws LacksSolves if the two have not the same solves, and std::invalid_argument for options that ask for what the
 // plan lacks.
-Gate gate(StudyResults study, const std::string& candidate, const std::string& baseline, GateOptions options = {},
-          const std::string& label = "");
+RegressionCheck gate(StudyResults study, const std::string& candidate, const std::string& baseline,
+                     GateOptions options = {}, const std::string& label = "");
 // Of one solver in two stores, by the baseline's plan; times decide only if the two were solved in turn. Throws also if
 // the tasks differ.
-Gate gate(StudyResults baseline, StudyResults candidate, GateOptions options = {});
+RegressionCheck gate(StudyResults baseline, StudyResults candidate, GateOptions options = {});
 // Judges all of at least one. A metric's pairs of all gates are one family, and its significance is that of a report.
-void decide(std::vector<Gate>& gates);
+void decide(std::vector<RegressionCheck>& gates);
 
 // 3: something is worse, or answers are newly missing; 1: of a label nothing was compared, or not the times that were
 // asked for; 4: something is not decided, and that counts; else 0. Of all labels together.
-int exit_code(const std::vector<Gate>& gates, bool is_strict);
+int exit_code(const std::vector<RegressionCheck>& gates, bool is_strict);
 
 }  // namespace ikbench::judge

@@ -49,7 +49,7 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
   const auto verdict = [&](std::size_t one, std::size_t other) {
     const auto [place, is_new] = known.try_emplace({one, other});
     if (!is_new) return place->second;
-    Observations observed = observations_of(*claim.metrics.front());
+    MetricSamples observed = empty_samples(*claim.metrics.front());
     observed.groups = {multiverse.means[one][metric], multiverse.means[other][metric]};
     if (claim.of == Of::spread) observed = deviations(observed);
     return place->second = verdict_of(compare(observed, of_pair).front());
@@ -82,7 +82,7 @@ InReadings in_readings(const SolvedMultiverse& multiverse, const Claim& claim, c
 
 Group group_of(std::vector<double> runs) {
   const auto lost = static_cast<int>(std::erase_if(runs, [](double value) { return !std::isfinite(value); }));
-  if (lost > 0) return {.sample = Untold{.lost = lost, .values = std::move(runs)}};
+  if (lost > 0) return {.sample = ExcludedSample{.lost = lost, .values = std::move(runs)}};
   return {.sample = Measured{std::move(runs)}};
 }
 
@@ -125,19 +125,19 @@ SeedCounts counts_by_seed(const Paper& paper, const SolvedMultiverse& multiverse
     for (const PrintedRow& row : printed_means(paper.name, paper.means, metrics_of_readings[m])) {
       const std::size_t solver = place_of(multiverse.solvers, row.solver);
       if (solver == multiverse.solvers.size()) continue;
-      std::vector<Description> ours;
+      std::vector<Descriptives> ours;
       std::vector<std::optional<Ranges>> ranges;
       std::vector<double> together;
       for (const std::size_t part : parts[solver]) {
         const Group& group = multiverse.means[part][m];
         const std::vector<double> values(values_of(group).begin(), values_of(group).end());
-        ranges.push_back(lost_in(group) > 0 ? std::nullopt : predicted_ranges(values, row.numbers.n));
+        ranges.push_back(missing_in(group) > 0 ? std::nullopt : predicted_ranges(values, row.numbers.n));
         ours.push_back(described(values));
         together.insert(together.end(), values.begin(), values.end());
       }
       if (std::ranges::none_of(ranges, [](const auto& each) { return each.has_value(); })) return {};
       const std::optional<Ranges> of_all = predicted_ranges(together, row.numbers.n);
-      const Description all = described(together);
+      const Descriptives all = described(together);
       std::vector<int>& of_row = counts.rows[row.solver];
       of_row.resize(seeds);
       for (std::size_t s = 0; s < statistics.size(); ++s) {

@@ -18,18 +18,18 @@ bool can_be(const judge::Interval& interval, std::string_view printed);  // a nu
 // What a table of means may have, by its columns.
 struct Statistic {
   std::string_view column;
-  double judge::Description::*of;
+  double judge::Descriptives::*of;
 };
-constexpr std::array<Statistic, 5> statistics{{{"mean", &judge::Description::mean},
-                                               {"median", &judge::Description::median},
-                                               {"std", &judge::Description::sd},
-                                               {"max", &judge::Description::largest},
-                                               {"min", &judge::Description::smallest}}};
+constexpr std::array<Statistic, 5> statistics{{{"mean", &judge::Descriptives::mean},
+                                               {"median", &judge::Descriptives::median},
+                                               {"std", &judge::Descriptives::sd},
+                                               {"max", &judge::Descriptives::largest},
+                                               {"min", &judge::Descriptives::smallest}}};
 
 // Of one solver and metric.
 struct PrintedRow {
   std::string solver;
-  judge::Description numbers = {};
+  judge::Descriptives numbers = {};
   std::array<std::string, statistics.size()> digits = {};
 };
 using PrintedRows = std::vector<PrintedRow>;

@@ -48,9 +48,9 @@ show::Cell beside(double ours, std::string_view printed) {
 std::vector<show::Cell> beside(const JudgedMetric& judged, const std::string& solver, const PrintedRow* row) {
   const std::size_t place = place_of(judged.observations, solver);
   const Group group = place < judged.described.size() ? judged.observations.groups[place] : Group();
-  const Description ours =
-      place == judged.described.size() || lost_in(group) > 0 ? Description() : judged.described[place];
-  const bool is_time = judged.observations.measures == Measure::time;
+  const Descriptives ours =
+      place == judged.described.size() || missing_in(group) > 0 ? Descriptives() : judged.described[place];
+  const bool is_time = judged.observations.measures == QuantityKind::time;
   const auto ranges = row && ours.n > 0 && !is_time
                           ? predicted_ranges({values_of(group).begin(), values_of(group).end()}, row->numbers.n)
                           : std::nullopt;
@@ -71,7 +71,7 @@ show::Table means_table(const Repeated& repeated, const SeedCounts& counts) {
   for (const std::string& solver : study.labels) table.rows.push_back({solver});
   for (const JudgedMetric& judged : repeated.study().metrics) {
     const PrintedRows printed = printed_rows(repeated.paper, judged);
-    if (printed.empty() || judged.observations.measures == Measure::time) continue;  // of another machine
+    if (printed.empty() || judged.observations.measures == QuantityKind::time) continue;  // of another machine
     table.columns.push_back({judged.observations.quantity, judged.observations.unit});
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       table.rows[i].push_back(beside(judged, study.labels[i], row_of(printed, study.labels[i])).front());
@@ -125,12 +125,12 @@ std::vector<RateColumn> columns_of_means(const Repeated& repeated) {
     const JudgedStudy* const judged = column.study.empty() ? &repeated.study() : repeated.part(column.study);
     if (judged == nullptr) continue;
     const base::CsvTable table = results::published::table(repeated.paper.name, column.table);
-    const Observations observed = observe(judged->study, *column.metric);
+    const MetricSamples observed = observe(judged->study, *column.metric);
     RateColumn& of = columns.emplace_back(RateColumn{.name = column.name});
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const std::size_t place = place_of(observed, table.cell(row, 0));
       if (place == observed.groups.size()) continue;
-      const Description its = describe(observed.groups[place]);
+      const Descriptives its = describe(observed.groups[place]);
       if (its.n == 0) continue;
       const std::string_view digits = table.cell(row, table.column(column.column));
       const double n = table.number(row, "n"), ours = its.mean;

@@ -55,7 +55,7 @@ std::optional<JudgedMetric> about(const Claim& claim, JudgedMetric judged) {
   }
   const auto is_there = [&](const std::string& name) { return std::ranges::count(groups, name, &Group::name) > 0; };
   const bool has_own = std::ranges::all_of(claim.solvers, is_there) && groups.size() > claim.solvers.size();
-  const bool has_all = std::ranges::all_of(judged.described, [](const Description& its) { return its.n > 0; });
+  const bool has_all = std::ranges::all_of(judged.described, [](const Descriptives& its) { return its.n > 0; });
   return has_own && has_all ? std::optional(std::move(judged)) : std::nullopt;
 }
 
@@ -67,9 +67,9 @@ std::optional<JudgedMetric> judged_here(const Claim& claim, const Repeated& repe
   const JudgedStudy* const others = claim.from == From::solvers ? &repeated.study() : part;
   JudgedMetric judged = judged_in(*own, metric);
   if (own != others) {  // no report has a finding of these pairs
-    Observations& all = judged.observations;
+    MetricSamples& all = judged.observations;
     std::erase_if(all.groups, [&](const Group& group) { return !has(claim.solvers, group.name); });
-    Observations theirs = judged_in(*others, metric).observations;
+    MetricSamples theirs = judged_in(*others, metric).observations;
     for (Group& group : theirs.groups) {
       if (!is_rival(group.name, claim)) continue;
       group.name = name_of_rival(group.name, claim);
@@ -94,7 +94,7 @@ double mean_of(const JudgedMetric& judged, std::string_view solver) {
 std::string mean_words(const JudgedMetric& judged, const std::string& solver) {
   const Group& group = judged.observations.groups[place_of(judged.observations, solver)];
   const double mean = mean_of(judged, solver);
-  if (lost_in(group) > 0) return "not known";
+  if (missing_in(group) > 0) return "not known";
   return (group.at_most > 0 && mean <= group.at_most ? "at most " : "") + number_text(mean);
 }
 
@@ -114,7 +114,7 @@ Names same_there(const Claim& claim, const Repeated& repeated) {
   if (claim.from != From::others || part == nullptr) return same;
   const std::span<const Solve> ours = repeated.study().study.of(claim.solvers.front());
   for (const std::string& rival : part->study.labels)
-    if (is_rival(rival, claim) && have_same_solves(ours, part->study.of(rival))) same.push_back(rival);
+    if (is_rival(rival, claim) && are_identical(ours, part->study.of(rival))) same.push_back(rival);
   return same;
 }
 
@@ -288,7 +288,7 @@ Holds holds_of(const std::vector<Holds>& parts) {
   return all_are(parts.front()) ? parts.front() : Holds::undecided;
 }
 
-Observations deviations(Observations observed) {
+MetricSamples deviations(MetricSamples observed) {
   for (Group& group : observed.groups) {
     const double median = describe(group).median;
     if (auto* const measured = std::get_if<Measured>(&group.sample))
@@ -298,7 +298,7 @@ Observations deviations(Observations observed) {
 }
 
 Verdict verdict_between(const JudgedMetric& judged, std::string_view first, std::string_view second) {
-  const Finding* const finding = finding_of(judged, first, second);
+  const Comparison* const finding = find_comparison(judged, first, second);
   if (finding == nullptr) return Verdict::not_tested;
   return finding->first == first ? verdict_of(*finding) : turned(verdict_of(*finding));
 }

@@ -24,9 +24,9 @@ using namespace judge;
 namespace {
 
 // "DLS against PSO: better, A12 = 0.75, p = 0.0469"
-std::string told(const Finding& its, const JudgedMetric& judged) {
+std::string told(const Comparison& its, const JudgedMetric& judged) {
   std::string text = fmt::format("{} against {}: {}", its.first, its.second, verdict_words(its, judged));
-  const auto* const tested = std::get_if<Tested>(&its.what);
+  const auto* const tested = std::get_if<TestResult>(&its.what);
   if (tested && tested->g)
     text += fmt::format(", {} = {}", judged.observations.is_paired ? "g_av" : "g", number_text(*tested->g));
   else if (tested && tested->effect && !is_share(judged))
@@ -41,11 +41,11 @@ std::string pairs_of(const Answer& answer, const JudgedMetric& judged) {
   std::set<std::string> tests;
   std::set<int> sizes;
   std::vector<std::string> parts;
-  for (const Finding& its : judged.findings) {
+  for (const Comparison& its : judged.findings) {
     const Verdict verdict = verdict_of(its);
     ++counts[is_difference(verdict) ? "decided" : judge::name_of(verdict)];
     if (judged.findings.size() <= most_pairs) parts.push_back(told(its, judged));
-    if (const auto* const tested = std::get_if<Tested>(&its.what))
+    if (const auto* const tested = std::get_if<TestResult>(&its.what))
       tests.insert(std::string(tested->test)), sizes.insert(tested->n);
   }
   if (parts.empty()) {

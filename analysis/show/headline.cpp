@@ -24,47 +24,47 @@ namespace {
 
 bool has(const Names& names, const std::string& name) { return std::ranges::count(names, name) > 0; }
 
-bool is_solved(const JudgedMetric& judged) { return judged.observations.measures == Measure::solved; }
+bool is_solved(const JudgedMetric& judged) { return judged.observations.measures == QuantityKind::solved; }
 
 // The findings among some, by pair.
 class Pairs {
  public:
   Pairs(const JudgedMetric& judged, const Names& names) {
     const std::set<std::string_view> among(names.begin(), names.end());
-    for (const Finding& finding : judged.findings) {
+    for (const Comparison& finding : judged.findings) {
       if (!among.contains(finding.first) || !among.contains(finding.second)) continue;
       all_[{finding.first, finding.second}] = all_[{finding.second, finding.first}] = &finding;
       for (const std::string* const name : {&finding.first, &finding.second})
         tested_[*name] += verdict_of(finding) != Verdict::not_tested;
-      if (is_difference(verdict_of(finding))) losers_.merge(losers_of({finding}));
+      if (is_difference(verdict_of(finding))) losers_.merge(beaten_solvers({finding}));
     }
   }
 
   bool is_any() const { return !all_.empty(); }
   bool is_loser(const std::string& name) const { return losers_.contains(name); }
   int tested(const std::string& name) const { return tested_.contains(name) ? tested_.at(name) : 0; }
-  const Finding* finding(std::string_view one, std::string_view other) const {
+  const Comparison* finding(std::string_view one, std::string_view other) const {
     const auto found = all_.find({one, other});
     return found == all_.end() ? nullptr : found->second;
   }
   Verdict of(std::string_view one, std::string_view other) const {
-    const Finding* const its = finding(one, other);
+    const Comparison* const its = finding(one, other);
     if (its == nullptr) return Verdict::not_tested;
     return its->first == one ? verdict_of(*its) : turned(verdict_of(*its));
   }
 
  private:
-  std::map<std::pair<std::string_view, std::string_view>, const Finding*> all_ = {};
+  std::map<std::pair<std::string_view, std::string_view>, const Comparison*> all_ = {};
   std::map<std::string_view, int> tested_ = {};
   std::set<std::string> losers_ = {};
 };
 
-bool is_little(const Finding* finding) {
-  const auto* const tested = finding ? std::get_if<Tested>(&finding->what) : nullptr;
+bool is_little(const Comparison* finding) {
+  const auto* const tested = finding ? std::get_if<TestResult>(&finding->what) : nullptr;
   return tested && is_difference(tested->verdict) && tested->is_small;
 }
 
-bool are_alike(const Finding* finding) {
+bool are_alike(const Comparison* finding) {
   return finding && (verdict_of(*finding) == Verdict::same || are_equal(*finding));
 }
 
@@ -115,13 +115,14 @@ const JudgedMetric* metric_of(const Answer& answer, const Words& words) {
 std::string why_not(const Answer& answer, const JudgedMetric& judged, const Names& who) {
   std::set<std::string> reasons;
   const std::set<std::string_view> named(who.begin(), who.end());
-  for (const Finding& finding : judged.findings) {
-    const auto* const open = std::get_if<Open>(&finding.what);
+  for (const Comparison& finding : judged.findings) {
+    const auto* const open = std::get_if<NotTested>(&finding.what);
     if (!open || (!named.contains(finding.first) && !named.contains(finding.second))) continue;
     std::string reason = reason_of(*open, noun_of(answer, judged));
     for (const Doubt& doubt : judged.observations.doubts) {
-      if (open->why == Open::Why::apart && doubt.kind == DoubtKind::times_not_comparable) reason = doubt.what;
-      if (open->why == Open::Why::apart && doubt.kind == DoubtKind::seconds_decide)
+      if (open->why == NotTested::NotTestedReason::apart && doubt.kind == WarningKind::times_not_comparable)
+        reason = doubt.what;
+      if (open->why == NotTested::NotTestedReason::apart && doubt.kind == WarningKind::time_limit_decides)
         reason = "stopped by the time limit";
     }
     reasons.insert(std::move(reason));
@@ -155,10 +156,10 @@ class First {
   bool is_nothing_solved() const {
     return std::ranges::any_of(answer_.metrics, [&](const JudgedMetric& judged) {
       return &judged != &judged_ && is_solved(judged) &&
-             std::ranges::all_of(judged.described, [](const Description& its) { return its.mean == 0; });
+             std::ranges::all_of(judged.described, [](const Descriptives& its) { return its.mean == 0; });
     });
   }
-  const Description& described(const std::string& name) const {
+  const Descriptives& described(const std::string& name) const {
     return judged_.described[place_of(judged_.observations, name)];
   }
   std::string little(const Said& fact) const { return fact.is_little ? ", by less than " + margin_words(judged_) : ""; }
@@ -167,7 +168,7 @@ class First {
   std::string number(const std::string& name) {
     const bool is_first = first_.empty();
     if (is_first) first_ = name;
-    const Observations& observed = judged_.observations;
+    const MetricSamples& observed = judged_.observations;
     const auto [value, is_bound] = shown_average(judged_, place_of(observed, name));
     const int n = described(name).n;
     std::string text = with_unit((is_bound ? "at most " : "") + number_beside(value, ends_of_shares(judged_)),
@@ -185,7 +186,7 @@ class First {
   std::string within() const { return is_solved(judged_) ? answer_.within : ""; }
   std::string quantity() const {
     const bool is_mean = judged_.plan.test == results::Plan::Test::means;
-    const char* const of = is_share(judged_) || judged_.observations.are_logs ? "" : is_mean ? "mean " : "median ";
+    const char* const of = is_share(judged_) || judged_.observations.is_log_scale ? "" : is_mean ? "mean " : "median ";
     return of + judged_.observations.quantity;
   }
   // "DLS (solved 100 of 100 targets)", and after it "PSO (88)".
@@ -215,7 +216,7 @@ class First {
       case What::best: {
         const std::string best = is_solved(judged_) && are_many ? counted(fact) : with_numbers(who);
         const bool is_odd =
-            std::ranges::count(judged_.observations.doubts, DoubtKind::ranks_disagree, &Doubt::kind) > 0;
+            std::ranges::count(judged_.observations.doubts, WarningKind::ranks_disagree, &Doubt::kind) > 0;
         if (answer_.order.size() == 2)
           return fmt::format("{} is better than {}{}{}", best, with_numbers(fact.against), is_odd ? " by ranks" : "",
                              little(fact));
@@ -319,8 +320,8 @@ std::string then_told(const Answer& answer, const Question& question) {
     });
     std::vector<std::pair<std::string, double>> ratios;
     for (const std::string& loser : losers) {
-      const Finding* const pair = pairs.finding(first, loser);
-      if (pair && is_ahead(first, loser) && pair->amount && pair->scale == Scale::ratio)
+      const Comparison* const pair = pairs.finding(first, loser);
+      if (pair && is_ahead(first, loser) && pair->amount && pair->scale == EffectScale::ratio)
         ratios.emplace_back(loser, pair->first == loser ? pair->amount->value : 1 / pair->amount->value);
     }
     const bool is_clear = all_pairs(best, losers, is_ahead);
@@ -431,7 +432,7 @@ std::string headline(const Answer& answer) {
 
 std::string what_decides(const Answer& answer) {
   const auto has_winner = [&](const JudgedMetric& judged) {
-    return &judged != &answer.decisive() && !losers_of(judged.findings).empty();
+    return &judged != &answer.decisive() && !beaten_solvers(judged.findings).empty();
   };
   if (!answer.verdict.empty() || std::ranges::none_of(answer.metrics, has_winner)) return "";
   const std::vector<Question> questions = questions_of(answer);

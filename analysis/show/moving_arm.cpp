@@ -58,7 +58,7 @@ Json first_run(const StudyResults& study, const std::string& solver, const std::
               {"variation_deg", solve.variation_deg},
               {"variation_m", solve.variation_m},
               {"late", judged.is_late},
-              {"too_fast", judged.is_too_fast}};
+              {"too_fast", judged.exceeds_velocity}};
     if (!before || before->answer_rad != solve.start_rad) step["start"] = rounded(solve.start_rad);
     steps.push_back(std::move(step));
     before = &solve;

@@ -51,17 +51,17 @@ std::string margin_words(const JudgedMetric& judged) {
   return (relative == 0 ? "" : words + " or ") + with_unit(number_text(absolute), judged.observations.unit);
 }
 
-std::string verdict_words(const Finding& finding, const JudgedMetric& judged) {
+std::string verdict_words(const Comparison& finding, const JudgedMetric& judged) {
   const std::string margin = margin_words(judged), verdict(judge::name_of(verdict_of(finding)));
-  if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
+  if (const auto* const tested = std::get_if<TestResult>(&finding.what)) {
     if (tested->verdict == Verdict::same) return "same within " + margin;
     if (are_equal(finding)) return fmt::format("{}: all {} equal", verdict, tested->n);
     return verdict + (tested->is_small ? ", by less than " + margin : "");
   }
-  if (std::holds_alternative<Fact>(finding.what))
+  if (std::holds_alternative<DeterministicResult>(finding.what))
     return verdict + (are_equal(finding) || is_difference(verdict_of(finding)) ? "" : " within " + margin) +
            ", for certain";
-  return fmt::format("{}: {}", verdict, reason_of(std::get<Open>(finding.what), "values"));
+  return fmt::format("{}: {}", verdict, reason_of(std::get<NotTested>(finding.what), "values"));
 }
 
 const VerdictWords& words_of(Verdict verdict) {
@@ -70,7 +70,7 @@ const VerdictWords& words_of(Verdict verdict) {
   return all[static_cast<std::size_t>(verdict)];
 }
 
-ReasonWords words_of(Open::Why why) {
+ReasonWords words_of(NotTested::NotTestedReason why) {
   constexpr std::array<ReasonWords, 9> all{
       {{"lost", "values are missing", "values are missing"},
        {"infinite", "infinite values have no mean", "infinite values have no mean"},
@@ -85,8 +85,8 @@ ReasonWords words_of(Open::Why why) {
   return all[static_cast<std::size_t>(why)];
 }
 
-std::string reason_of(const Open& open, std::string_view noun) {
-  if (open.why != Open::Why::too_few || open.n == 0) return std::string(words_of(open.why).of_pair);
+std::string reason_of(const NotTested& open, std::string_view noun) {
+  if (open.why != NotTested::NotTestedReason::too_few || open.n == 0) return std::string(words_of(open.why).of_pair);
   return fmt::format("{} {} too few, {} are needed", base::counted(open.n, noun), open.n == 1 ? "is" : "are",
                      open.needed);
 }
@@ -96,22 +96,24 @@ std::string warning_of(const Doubt& doubt) {
   return doubt.who.empty() || !text.starts_with(doubt.who[0]) ? as_sentence(text) : text;
 }
 
-std::string unit_of(const Finding& finding, const JudgedMetric& judged) {
+std::string unit_of(const Comparison& finding, const JudgedMetric& judged) {
   if (!finding.amount) return "";
-  return finding.scale == Scale::ratio ? "times" : finding.scale == Scale::share ? "points" : judged.observations.unit;
+  return finding.scale == EffectScale::ratio   ? "times"
+         : finding.scale == EffectScale::share ? "points"
+                                               : judged.observations.unit;
 }
 
-std::string effect_words(const Finding& finding) {
-  const auto* const tested = std::get_if<Tested>(&finding.what);
+std::string effect_words(const Comparison& finding) {
+  const auto* const tested = std::get_if<TestResult>(&finding.what);
   if (!tested || !tested->effect || !is_difference(tested->verdict)) return "";
   const auto& [ahead, behind] = *tested->effect;
   return fmt::format("better in {} %, worse in {} % of comparisons", number_text(100 * ahead),
                      number_text(100 * behind));
 }
 
-std::set<double> ends_of(const Finding& finding, const JudgedMetric& judged) {
+std::set<double> ends_of(const Comparison& finding, const JudgedMetric& judged) {
   const double margin = judged.plan.margin;
-  if (finding.scale == Scale::ratio) return {1, 1 + margin, 1 / (1 + margin)};
+  if (finding.scale == EffectScale::ratio) return {1, 1 + margin, 1 / (1 + margin)};
   const double end = is_share(judged) ? 100 * margin : judged.observations.absolute_margin;
   return {0, end, -end};
 }

@@ -21,7 +21,7 @@ struct ByWord {
   std::vector<std::string> told(const char* form) const;  // by fmt: {0} is the word, {1} its names
 };
 // "better", "same within 5 %", "not decided: all 20 equal", "not decided", "not tested: no values"
-std::string verdict_words(const judge::Finding& finding, const judge::JudgedMetric& judged);
+std::string verdict_words(const judge::Comparison& finding, const judge::JudgedMetric& judged);
 // A verdict in files of numbers, and its colour.
 struct VerdictWords {
   std::string_view key;
@@ -32,15 +32,15 @@ const VerdictWords& words_of(judge::Verdict verdict);
 struct ReasonWords {
   std::string_view key, of_pair, of_solver;
 };
-ReasonWords words_of(judge::Open::Why why);
-std::string reason_of(const judge::Open& open, std::string_view noun);  // "8 runs are too few, 10 are needed"
-std::string warning_of(const judge::Doubt& doubt);                      // a sentence
+ReasonWords words_of(judge::NotTested::NotTestedReason why);
+std::string reason_of(const judge::NotTested& open, std::string_view noun);  // "8 runs are too few, 10 are needed"
+std::string warning_of(const judge::Doubt& doubt);                           // a sentence
 // "times", "points", or the metric's unit.
-std::string unit_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
+std::string unit_of(const judge::Comparison& finding, const judge::JudgedMetric& judged);
 // "better in 43 %, worse in 3 % of comparisons"; empty where nothing is decided, or no shares are known.
-std::string effect_words(const judge::Finding& finding);
+std::string effect_words(const judge::Comparison& finding);
 // No difference and the margin's ends, as the finding's numbers are.
-std::set<double> ends_of(const judge::Finding& finding, const judge::JudgedMetric& judged);
+std::set<double> ends_of(const judge::Comparison& finding, const judge::JudgedMetric& judged);
 std::string with_unit(const std::string& text, const std::string& unit);  // "1 point", "2.5 cm"
 // "5 %", "5 points", "5 % or 0.1 mm"
 std::string margin_words(const judge::JudgedMetric& judged);

@@ -23,23 +23,23 @@ namespace {
 // Times of single calls up to rare ones, and how many failed, whatever an observation is made of.
 Table solves_table(const Report& report) {
   const StudyResults& study = report.study;
-  const std::string calls = judge::calls_of(study);
+  const std::string calls = judge::timed_calls_text(study);
   Table table{.name = "solves",
               .caption = calls.empty() ? "Single solves" : fmt::format("Single solves: {}", calls),
               .columns = columns_of({"solver", "solves", "failed"})};
   for (const char* of_times : {"median", "95 %", "99 %", "largest"}) table.columns.push_back({of_times, "ms"});
-  const bool are_single = std::ranges::all_of(study.sessions, judge::is_of_this_clock);
+  const bool are_single = std::ranges::all_of(study.sessions, judge::uses_current_clock);
   for (const std::string& solver : report.answer.solvers()) {
     const Solves all = study.of(solver);
     if (all.size() < 2 || study.beside.has(solver)) continue;
     const auto failed = std::ranges::count_if(all, [&](const Solve& solve) { return has_failed(study, solve); });
-    std::vector<double> times = times_of(study, solver);
+    std::vector<double> times = solve_times(study, solver);
     for (double& time : times) time *= 1000;
     std::ranges::sort(times);
     auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(all), std::int64_t{failed}});
     row.push_back(times.empty() ? Cell() : Cell(quantile(times, 0.5)));
     for (const double share : {0.95, 0.99}) {
-      const auto interval = are_single ? judge::interval_of_quantile(times, share) : std::nullopt;
+      const auto interval = are_single ? judge::quantile_interval(times, share) : std::nullopt;
       row.push_back(interval ? Cell(Marked{.value = quantile(times, share), .interval = interval}) : Cell());
     }
     row.push_back(times.empty() ? Cell() : Cell(times.back()));
@@ -113,7 +113,7 @@ std::vector<Table> set_up(const Report& report) {
     add(of_study, "search", with_blanks(name_of(definition.search)));
     add(of_study, "start",
         definition.is_chained() ? "where the last solve left the arm" : with_blanks(name_of(definition.start)));
-    add(of_study, "timed calls", judge::calls_of(study));
+    add(of_study, "timed calls", judge::timed_calls_text(study));
     add(of_study, "candidates outside limits", with_blanks(name_of(definition.bounds)));
     add(of_study, "answers outside limits", std::string(name_of(definition.limits)));
     add(of_study, "a solve ends at", stops_of(study));
@@ -125,8 +125,8 @@ std::vector<Table> set_up(const Report& report) {
   }
   std::set<std::string> tests;
   for (const JudgedMetric& judged : report.answer.metrics) {
-    for (const Finding& finding : judged.findings)
-      if (const auto* const tested = std::get_if<Tested>(&finding.what)) tests.insert(std::string(tested->test));
+    for (const Comparison& finding : judged.findings)
+      if (const auto* const tested = std::get_if<TestResult>(&finding.what)) tests.insert(std::string(tested->test));
   }
   add(of_study, "tests of pairs", listed_of(tests));
   const std::size_t metrics = report.answer.named_metrics;
@@ -137,7 +137,7 @@ std::vector<Table> set_up(const Report& report) {
                     metrics == 1 ? "" : fmt::format(" and by the {} metrics that the plan names", metrics),
                     margin_words(decisive)));
   for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"})
-    add(machine, with_blanks(fact), listed_of(facts_of(study, fact)));
+    add(machine, with_blanks(fact), listed_of(environment_values(study, fact)));
   return {std::move(of_study), std::move(machine)};
 }
 

@@ -22,7 +22,7 @@ namespace {
 void scale(double factor, auto&... values) { ((values *= factor), ...); }
 
 JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
-  Observations& observed = judged.observations;
+  MetricSamples& observed = judged.observations;
   observed.unit = std::move(unit);
   scale(factor, observed.floor, observed.rounding, observed.absolute_margin);
   const auto scale_all = [=](std::vector<double>& values) {
@@ -30,17 +30,18 @@ JudgedMetric in_unit(JudgedMetric judged, double factor, std::string unit) {
   };
   for (Group& group : observed.groups) {
     scale(factor, group.at_most);
-    if (auto* const measured = std::get_if<Measured>(&group.sample); measured && !observed.are_logs)
+    if (auto* const measured = std::get_if<Measured>(&group.sample); measured && !observed.is_log_scale)
       scale_all(measured->values);
-    if (auto* const printed = std::get_if<Summary>(&group.sample)) scale(factor, printed->mean, printed->sd);
-    if (auto* const its = std::get_if<Untold>(&group.sample); its && !observed.are_logs) scale_all(its->values);
+    if (auto* const printed = std::get_if<SummaryStatistics>(&group.sample)) scale(factor, printed->mean, printed->sd);
+    if (auto* const its = std::get_if<ExcludedSample>(&group.sample); its && !observed.is_log_scale)
+      scale_all(its->values);
   }
-  for (Description& its : judged.described)
+  for (Descriptives& its : judged.described)
     scale(factor, its.mean, its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest,
           its.largest);
-  for (Finding& finding : judged.findings) {
+  for (Comparison& finding : judged.findings) {
     auto& amount = finding.amount;
-    if (!amount || finding.scale == Scale::ratio) continue;
+    if (!amount || finding.scale == EffectScale::ratio) continue;
     scale(factor, amount->value);
     if (amount->interval) scale(factor, amount->interval->low, amount->interval->high);
   }
@@ -78,7 +79,7 @@ Table loop_table(const StudyResults& study, const std::vector<std::string>& solv
       most = std::max(most, in_a_row);
       if (solve.point == 1) continue;
       ++steps;
-      too_fast += solve.is_too_fast;
+      too_fast += solve.exceeds_velocity;
       largest = std::max(largest, solve.largest_move_deg);
     }
     is_all_timed &= is_timed;
@@ -103,9 +104,9 @@ Table beside_table(const StudyResults& study, const std::vector<std::string>& so
               .columns = {{"solver"}, {"median", "times"}, {"95 %", "times"}, {"measured"}}};
   const auto lm = std::ranges::find(study.series, study.beside.unit_here, &results::Series::label);
   if (study.beside.labels.empty() || lm == study.series.end()) return table;
-  const double here = described(times_of(study, lm->label)).median;
+  const double here = described(solve_times(study, lm->label)).median;
   for (const std::string& solver : solvers) {
-    const Description its = described(times_of(study, solver));
+    const Descriptives its = described(solve_times(study, solver));
     const bool is_there = study.beside.has(solver);
     const double unit = is_there ? study.beside.unit : here;
     table.rows.push_back(
@@ -121,7 +122,7 @@ Table batches_table(const StudyResults& study) {
               .columns = {{"solver"}, {"in batches of"}, {"median", "ms"}, {"95 %", "ms"}}};
   for (const auto& [solver, its] : study.in_batches) {
     if (its.second.empty()) continue;
-    const Description all = described(its.second);
+    const Descriptives all = described(its.second);
     table.rows.push_back(
         {solver, fmt::format("{}", fmt::join(its.first, ", ")), 1000 * all.median, 1000 * all.quantile_95});
   }
@@ -142,7 +143,7 @@ std::vector<Doubt> Answer::all_doubts() const {
     for (const Doubt& doubt : judged.observations.doubts) {
       const auto known = std::ranges::find_if(all, [&](const Doubt& other) {
         const bool is_one = other.who == doubt.who && other.count == doubt.count && other.of == doubt.of,
-                   is_of_clock = doubt.kind == DoubtKind::seconds_decide && other.what == doubt.what;
+                   is_of_clock = doubt.kind == WarningKind::time_limit_decides && other.what == doubt.what;
         return other.kind == doubt.kind && (is_one || is_of_clock);
       });
       if (known == all.end())
@@ -161,14 +162,14 @@ Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
   const auto decisive = metrics.begin() + static_cast<std::ptrdiff_t>(deciding);
   std::rotate(metrics.begin(), decisive, decisive + 1);
   Answer answer{.metrics = std::move(metrics)};
-  answer.order = best_first(answer.decisive(), answer.metrics);
+  answer.order = display_order(answer.decisive(), answer.metrics);
   for (JudgedMetric& judged : answer.metrics) {
     if (is_share(judged)) judged = in_unit(std::move(judged), 100, "%");
     std::map<std::string_view, std::size_t> places;
-    for (const std::size_t i : best_first(judged, answer.metrics))
+    for (const std::size_t i : display_order(judged, answer.metrics))
       places.emplace(judged.observations.groups[i].name, places.size());
-    std::multimap<std::pair<std::size_t, std::size_t>, Finding> by_place;  // many pairs: a sort would look names up
-    for (Finding& its : judged.findings) {
+    std::multimap<std::pair<std::size_t, std::size_t>, Comparison> by_place;  // many pairs: a sort would look names up
+    for (Comparison& its : judged.findings) {
       const std::size_t first = places.at(its.first), second = places.at(its.second);
       by_place.emplace(std::minmax(first, second), better_first(std::move(its), judged.plan.control, second < first));
     }
@@ -181,7 +182,7 @@ Answer answer_of(std::vector<JudgedMetric> metrics, std::size_t deciding) {
 Answer answer_of(const JudgedStudy& judged) {
   Answer all = answer_of(judged.metrics, judged.deciding);
   all.doubts = judged.doubts;
-  if (all.decisive().observations.measures == Measure::solved) all.then = judged.study.definition.plan.then;
+  if (all.decisive().observations.measures == QuantityKind::solved) all.then = judged.study.definition.plan.then;
   const std::string solved = what_is_solved(judged.study), &name = judged.study.name;
   all.studied = fmt::format("{}{}. A solve ends at {}.", solved.starts_with(name + ",") ? "" : name + ": ", solved,
                             stops_of(judged.study));
@@ -201,7 +202,7 @@ Answer answer_of(const JudgedStudy& judged) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
   }
-  const auto is_of_time = [](const JudgedMetric& metric) { return metric.observations.measures == Measure::time; };
+  const auto is_of_time = [](const JudgedMetric& metric) { return metric.observations.measures == QuantityKind::time; };
   if (std::ranges::any_of(judged.metrics, is_of_time) && std::ranges::any_of(judged.study.solves, &Solve::is_told))
     all.notes.emplace_back("Times of programs are told by them.");
   all.faults = faults_of(judged.study);
@@ -211,7 +212,7 @@ Answer answer_of(const JudgedStudy& judged) {
 }
 
 std::string noun_of(const Answer& answer, const JudgedMetric& judged) {
-  return judged.observations.measures == Measure::time ? "sessions" : answer.noun;
+  return judged.observations.measures == QuantityKind::time ? "sessions" : answer.noun;
 }
 
 bool has_failed(const StudyResults& study, const Solve& solve) {
@@ -229,12 +230,12 @@ Shown shown_average(const JudgedMetric& judged, std::size_t group) {
 }
 
 Shown shown(const JudgedMetric& judged, std::size_t group, double value) {
-  const Observations& observed = judged.observations;
+  const MetricSamples& observed = judged.observations;
   const double at_most = observed.groups[group].at_most;
-  const auto is_ratio = [](const Finding& finding) {
-    return finding.scale == Scale::ratio && finding.amount.has_value();
+  const auto is_ratio = [](const Comparison& finding) {
+    return finding.scale == EffectScale::ratio && finding.amount.has_value();
   };
-  if (std::isfinite(value) && value < observed.floor && !observed.are_logs &&
+  if (std::isfinite(value) && value < observed.floor && !observed.is_log_scale &&
       std::ranges::any_of(judged.findings, is_ratio))
     return {observed.floor, true};
   return {value, at_most > 0 && value == at_most};
@@ -244,6 +245,6 @@ std::vector<double> ends_of_shares(const JudgedMetric& judged) {
   return is_share(judged) ? std::vector<double>{0, 100} : std::vector<double>();
 }
 
-bool is_share(const JudgedMetric& judged) { return judged.observations.scale == Scale::share; }
+bool is_share(const JudgedMetric& judged) { return judged.observations.scale == EffectScale::share; }
 
 }  // namespace ikbench::show

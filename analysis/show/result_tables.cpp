@@ -49,7 +49,7 @@ Cell value_cell(const Group& group, double value) {
 }
 
 // Wilson's, of a share of observations that are solved or not.
-std::optional<Interval> interval_of(const JudgedMetric& judged, const Description& its) {
+std::optional<Interval> interval_of(const JudgedMetric& judged, const Descriptives& its) {
   if (!is_share(judged) || judged.observations.trials > 1 || its.n == 0) return {};
   const Interval share = wilson(its.mean / 100, its.n, judged.plan.significance);
   return Interval{100 * share.low, 100 * share.high};
@@ -57,8 +57,9 @@ std::optional<Interval> interval_of(const JudgedMetric& judged, const Descriptio
 
 // Whether a metric's numbers stand as ratios to the reference, since those of two are of other targets.
 bool are_ratios(const JudgedMetric& judged, const std::string& reference) {
-  const auto is_known = [&](const Finding& finding) {  // a reference that solved too few empties nobody's row
-    return (finding.first == reference || finding.second == reference) && !std::holds_alternative<Open>(finding.what);
+  const auto is_known = [&](const Comparison& finding) {  // a reference that solved too few empties nobody's row
+    return (finding.first == reference || finding.second == reference) &&
+           !std::holds_alternative<NotTested>(finding.what);
   };
   return judged.observations.is_of_solved && std::ranges::any_of(judged.findings, is_known);
 }
@@ -71,7 +72,7 @@ std::string average_shown(const Answer& answer) { return are_means(answer) ? "me
 struct OfMetric {
   OfMetric(const JudgedMetric& its, const std::string& reference)
       : judged(its), are_ratios(show::are_ratios(its, reference)) {
-    for (const Finding& finding : its.findings) {
+    for (const Comparison& finding : its.findings) {
       if (finding.first == reference) pairs[finding.second] = &finding;
       if (finding.second == reference) pairs[finding.first] = &finding;
     }
@@ -79,7 +80,7 @@ struct OfMetric {
 
   const JudgedMetric& judged;
   bool are_ratios;
-  std::map<std::string_view, const Finding*> pairs = {};  // with the reference, by the other
+  std::map<std::string_view, const Comparison*> pairs = {};  // with the reference, by the other
 };
 
 // A solver's number, and its mark: of the deciding metric, without a control, that another is better; else of its pair
@@ -91,13 +92,13 @@ Cell result_cell(const Answer& answer, const OfMetric& metric, const std::string
   const std::size_t i = place_of(judged.observations, solver);
   if (i == groups.size()) return Absent{"not in it"};
   const Group& group = groups[i];
-  if (lost_in(group) > 0) return Absent{"values are missing"};
+  if (missing_in(group) > 0) return Absent{"values are missing"};
   const std::string reference = reference_of(answer);
   const auto found = metric.pairs.find(solver);
-  const Finding* const pair = found == metric.pairs.end() ? nullptr : found->second;
-  const Finding finding = pair ? better_first(*pair, reference) : Finding();
+  const Comparison* const pair = found == metric.pairs.end() ? nullptr : found->second;
+  const Comparison finding = pair ? better_first(*pair, reference) : Comparison();
   const Verdict verdict = pair ? verdict_of(finding) : Verdict::undecided;
-  const auto* const tested = std::get_if<Tested>(&finding.what);
+  const auto* const tested = std::get_if<TestResult>(&finding.what);
   const bool is_deciding = &judged == &answer.decisive(), is_of_all = is_deciding && judged.plan.control.empty();
   const auto is_told = [&](const std::string& name) {
     return untold(groups[place_of(judged.observations, name)]) == nullptr;
@@ -112,13 +113,13 @@ Cell result_cell(const Answer& answer, const OfMetric& metric, const std::string
   const bool is_better = matters && verdict == Verdict::better;
   Marked cell{.value = unknown, .mark = is_worse ? star : is_better ? plus : is_untested ? exclamation : ""};
   if (metric.are_ratios && solver != reference && is_told(solver)) {
-    if (is_untested) return Absent{std::string(words_of(std::get<Open>(finding.what).why).of_solver)};
+    if (is_untested) return Absent{std::string(words_of(std::get<NotTested>(finding.what).why).of_solver)};
     if (const auto& amount = finding.amount) cell.value = amount->value, cell.to_reference = finding.scale;
     return tested || cell.to_reference ? Cell(cell) : Absent{"too few to compare"};
   }
-  const Description& its = judged.described[i];
+  const Descriptives& its = judged.described[i];
   const bool has_means = are_means(answer);
-  const bool is_only_one = is_share(judged) || judged.observations.are_logs || std::isnan(its.median);
+  const bool is_only_one = is_share(judged) || judged.observations.is_log_scale || std::isnan(its.median);
   const Shown shown =
       is_only_one ? shown_average(judged, i) : show::shown(judged, i, has_means ? its.mean : its.median);
   if (std::isnan(shown.value))
@@ -133,8 +134,8 @@ Cell result_cell(const Answer& answer, const OfMetric& metric, const std::string
 
 // Whom the stars are about: without a control, those of the deciding metric need not be about the reference.
 std::string of_whom(const Answer& answer, const std::string& reference) {
-  std::set<std::string> others = losers_of(answer.decisive().findings);
-  for (const Finding& finding : answer.decisive().findings) {
+  std::set<std::string> others = beaten_solvers(answer.decisive().findings);
+  for (const Comparison& finding : answer.decisive().findings) {
     if (finding.first == reference_of(answer) && verdict_of(finding) == Verdict::better) others.erase(finding.second);
   }
   return answer.decisive().plan.control.empty() && !others.empty() ? "another solver" : reference;
@@ -144,10 +145,10 @@ std::string of_whom(const Answer& answer, const std::string& reference) {
 std::string why_too_few(const Answer& answer) {
   std::set<std::string> reasons;
   for (const JudgedMetric& judged : answer.metrics) {
-    for (const Finding& finding : judged.findings) {
-      const auto* const open = std::get_if<Open>(&finding.what);
+    for (const Comparison& finding : judged.findings) {
+      const auto* const open = std::get_if<NotTested>(&finding.what);
       if (open == nullptr) continue;
-      const bool is_told = open->why == Open::Why::too_few && open->n > 0;
+      const bool is_told = open->why == NotTested::NotTestedReason::too_few && open->n > 0;
       reasons.insert(is_told ? reason_of(*open, noun_of(answer, judged)) : "");
     }
   }
@@ -165,7 +166,8 @@ struct Occurring {
     averages |= !is_share && is_average;
     (is_share ? shares : spreads) |= cell.interval || cell.sd;
     marks.insert(cell.mark);
-    if (cell.to_reference) scales.insert(*cell.to_reference == Scale::ratio ? "multiples of" : "differences from");
+    if (cell.to_reference)
+      scales.insert(*cell.to_reference == EffectScale::ratio ? "multiples of" : "differences from");
   }
 };
 
@@ -177,13 +179,14 @@ std::vector<std::string> key_of(const Answer& answer, const Occurring& occurring
   const std::string reference = reference_of(answer);
   std::string numbers = !occurring.averages ? "" : has_means ? "Means" : "Medians";
   if (occurring.spreads) numbers += has_means ? " ± standard deviations" : " (quartiles)";
-  if (const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n); most.n > 0 && is_of_file)
+  if (const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Descriptives::n);
+      most.n > 0 && is_of_file)
     numbers = fmt::format("{} of {}{}; {}", occurring.averages ? numbers : "Shares",
                           least.n == most.n ? "" : fmt::format("{} to ", least.n), base::counted(most.n, "values"),
                           answer.direction);
   const auto has_facts = [](const JudgedMetric& judged) {
-    return std::ranges::any_of(judged.findings, [](const Finding& finding) {
-      return std::holds_alternative<Fact>(finding.what) && is_difference(verdict_of(finding));
+    return std::ranges::any_of(judged.findings, [](const Comparison& finding) {
+      return std::holds_alternative<DeterministicResult>(finding.what) && is_difference(verdict_of(finding));
     });
   };
   const std::string tested = fmt::format(" (p < {}{}{})", number_text(level),
@@ -206,9 +209,9 @@ std::vector<std::string> explained(const Answer& answer, const Occurring& occurr
     return std::ranges::any_of(answer.metrics,
                                [&](const JudgedMetric& judged) { return std::invoke(is_so, judged.observations); });
   };
-  const bool are_common = is_any([](const Observations& its) { return its.is_of_solved && its.is_paired; });
+  const bool are_common = is_any([](const MetricSamples& its) { return its.is_of_solved && its.is_paired; });
   return {
-      is_any(&Observations::is_spent)
+      is_any(&MetricSamples::is_ert)
           ? fmt::format("Per solved: all that was spent, divided by the {} solved", answer.noun)
           : "",
       occurring.scales.empty() ? ""
@@ -230,17 +233,17 @@ Table without_pairs(const Answer& answer) {
                              "ahead", "behind", "g", "g_av", "test", "n", "n that could decide", "size", "reason"})};
   std::set<double> ends;
   for (const JudgedMetric& judged : answer.metrics)
-    for (const Finding& finding : judged.findings) ends.merge(ends_of(finding, judged));
+    for (const Comparison& finding : judged.findings) ends.merge(ends_of(finding, judged));
   table.columns[4].role = Role::interval, table.columns[4].ends = {ends.begin(), ends.end()};
   table.columns[6].role = Role::p, table.columns[6].ends = {answer.decisive().plan.significance};
   for (Column& column : std::span(table.columns).subspan(8)) column.role = Role::remark;
   return table;
 }
 
-std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
-  const std::optional<Amount>& amount = finding.amount;
-  const auto* const tested = std::get_if<Tested>(&finding.what);
-  const auto* const open = std::get_if<Open>(&finding.what);
+std::vector<Cell> row_of(const Comparison& finding, const JudgedMetric& judged) {
+  const std::optional<EffectEstimate>& amount = finding.amount;
+  const auto* const tested = std::get_if<TestResult>(&finding.what);
+  const auto* const open = std::get_if<NotTested>(&finding.what);
   const auto* const effect = tested && tested->effect ? &*tested->effect : nullptr;
   const Verdict verdict = verdict_of(finding);
   const VerdictWords& words = words_of(verdict);
@@ -252,20 +255,20 @@ std::vector<Cell> row_of(const Finding& finding, const JudgedMetric& judged) {
   std::vector<Cell> row{judged.observations.quantity,
                         finding.first,
                         finding.second,
-                        number(amount, [](const Amount& its) { return its.value; }),
+                        number(amount, [](const EffectEstimate& its) { return its.value; }),
                         amount && amount->interval ? Cell(*amount->interval) : Cell(),
                         text_cell(unit_of(finding, judged)),
-                        number(tested, [](const Tested& its) { return its.p; }),
+                        number(tested, [](const TestResult& its) { return its.p; }),
                         Judgement{verdict_words(finding, judged) + (how_often.empty() ? "" : ", " + how_often),
                                   words.tone, std::string(words.key)}};
   row.push_back(effect && !are_means ? Cell(effect->a12()) : Cell());
-  row.push_back(number(effect, [](const Effect& its) { return its.ahead; }));
-  row.push_back(number(effect, [](const Effect& its) { return its.behind; }));
+  row.push_back(number(effect, [](const Dominance& its) { return its.ahead; }));
+  row.push_back(number(effect, [](const Dominance& its) { return its.behind; }));
   for (const bool of_pairs : {false, true})
     row.push_back(are_means && judged.observations.is_paired == of_pairs ? Cell(*tested->g) : Cell());
   row.push_back(text(tested ? tested->test : ""));
   row.push_back(tested ? Cell(std::int64_t{tested->n})
-                       : number(open, [](const Open& its) { return std::int64_t{its.n}; }));
+                       : number(open, [](const NotTested& its) { return std::int64_t{its.n}; }));
   row.push_back(enough > 0 ? Cell(std::int64_t{enough}) : Cell());
   row.push_back(text(!tested || !is_difference(verdict) ? "" : tested->is_small ? "small" : "matters"));
   row.push_back(text(tested ? "" : open ? words_of(open->why).key : "certain"));
@@ -285,15 +288,15 @@ Table results_table(const Answer& answer, bool is_brief) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
   for (const std::string& solver : answer.solvers()) table.rows.push_back({solver});
   const std::string reference = reference_of(answer);
-  const std::set<std::string> losers = losers_of(answer.decisive().findings);
+  const std::set<std::string> losers = beaten_solvers(answer.decisive().findings);
   std::vector<std::string> apart;  // nobody knows whether they are better
   for (const Said& fact : said_of(answer.decisive(), answer.solvers()))
     if (fact.what == Said::What::not_tested) apart = fact.who;
   Occurring occurring;
   for (const JudgedMetric& judged : answer.metrics) {
-    const Observations& observed = judged.observations;
+    const MetricSamples& observed = judged.observations;
     const bool is_average =
-        &judged == &answer.decisive() && !is_share(judged) && !observed.is_of_solved && !observed.are_logs;
+        &judged == &answer.decisive() && !is_share(judged) && !observed.is_of_solved && !observed.is_log_scale;
     table.columns.push_back({.name = (is_average ? average_shown(answer) + " " : "") + observed.quantity,
                              .unit = observed.unit,
                              .ends = ends_of_shares(judged)});
@@ -307,7 +310,7 @@ Table results_table(const Answer& answer, bool is_brief) {
       if (const auto* const absent = std::get_if<Absent>(&row.back()))
         occurring.reasons.add(absent->why, observed.quantity);
       if (const auto* const marked = std::get_if<Marked>(&row.back()))
-        occurring.add(*marked, is_share(judged), !observed.are_logs && !are_ratios_here && !are_counted);
+        occurring.add(*marked, is_share(judged), !observed.is_log_scale && !are_ratios_here && !are_counted);
     }
   }
   const auto add = [&](std::vector<std::string> sentences) {
@@ -377,14 +380,14 @@ Table pairs_table(const Answer& answer) {
   for (const JudgedMetric& judged : answer.metrics) {
     const bool is_asked = std::ranges::count(questions, &judged, &Question::of) > 0,
                are_many = judged.findings.size() > most_told;
-    for (const Finding& finding : judged.findings) {
+    for (const Comparison& finding : judged.findings) {
       const bool is_told = is_asked && (!are_many || finding.first == reference || finding.second == reference);
       if (!is_told && others.size() == most_listed) {
         ++left_out;
         continue;
       }
       (is_told ? table.rows : others).push_back(row_of(finding, judged));
-      has_p |= std::holds_alternative<Tested>(finding.what);
+      has_p |= std::holds_alternative<TestResult>(finding.what);
     }
   }
   table.told = table.rows.size();
@@ -403,10 +406,10 @@ Table tested_pairs(const Answer& answer) {
   const std::size_t metrics = answer.decisive().described.size() > 2 ? 1 : answer.metrics.size();
   std::set<int> sizes;
   for (const JudgedMetric& judged : std::span(answer.metrics).first(metrics)) {
-    for (const Finding& finding : judged.findings) {
+    for (const Comparison& finding : judged.findings) {
       if (verdict_of(finding) == Verdict::not_tested) continue;
       table.rows.push_back(row_of(finding, judged));
-      if (const auto* const tested = std::get_if<Tested>(&finding.what)) sizes.insert(tested->n);
+      if (const auto* const tested = std::get_if<TestResult>(&finding.what)) sizes.insert(tested->n);
     }
   }
   if (answer.direction.empty() || sizes.size() < 2) return table;
@@ -423,11 +426,11 @@ Table descriptives_table(const Answer& answer) {
                              "95 % quantile", "smallest", "largest", "interval", "unit", "missing"})};
   bool is_any_lost = false, is_any_share = false;
   for (const JudgedMetric& judged : answer.metrics) {
-    const Observations& observed = judged.observations;
+    const MetricSamples& observed = judged.observations;
     for (const std::string& solver : answer.solvers()) {
       const std::size_t i = place_of(observed, solver);
       if (i == observed.groups.size()) continue;
-      const Description& its = judged.described[i];
+      const Descriptives& its = judged.described[i];
       const Group& group = observed.groups[i];
       auto& row = table.rows.emplace_back();
       row = {observed.quantity, group.name, std::int64_t{its.n}, value_cell(group, its.mean)};
@@ -438,8 +441,8 @@ Table descriptives_table(const Answer& answer) {
       row.push_back(interval ? Cell(*interval) : Cell());
       is_any_share |= interval.has_value();
       row.emplace_back(observed.unit);
-      row.push_back(lost_in(group) > 0 ? Cell(std::int64_t{lost_in(group)}) : Cell());
-      is_any_lost |= lost_in(group) > 0;
+      row.push_back(missing_in(group) > 0 ? Cell(std::int64_t{missing_in(group)}) : Cell());
+      is_any_lost |= missing_in(group) > 0;
     }
   }
   table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", answer.noun,
@@ -460,12 +463,12 @@ Table anova_table(const Answer& answer) {
   table.columns[7].role = Role::p;
   ByWord left_out;
   for (const JudgedMetric& judged : answer.metrics) {
-    const auto [tests, without] = tests_of_all(judged.observations);
+    const auto [tests, without] = omnibus_tests(judged.observations);
     const std::string& quantity = judged.observations.quantity;
     const auto known = [](double value) { return std::isnan(value) ? Cell() : Cell(value); };
     const auto degrees = [](double df) { return df == std::round(df) ? Cell(std::llround(df)) : Cell(df); };
     const bool is_of_blocks = judged.observations.is_paired;
-    for (const TestOfAll& test : tests) {
+    for (const OmnibusTest& test : tests) {
       const Cell eta = known(test.eta_squared());
       table.rows.push_back({quantity, std::string(test.name), "between", known(test.ss_between), degrees(test.df),
                             known(test.ss_between / test.df), test.statistic, test.p, is_of_blocks ? Cell() : eta,

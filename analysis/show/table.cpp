@@ -46,7 +46,7 @@ struct Plain {
     return printed.printed + (printed.sign.empty() ? "" : ' ' + printed.sign);
   }
   std::string operator()(const Marked& marked) const {
-    if (marked.to_reference == judge::Scale::ratio) return times(marked.value);
+    if (marked.to_reference == judge::EffectScale::ratio) return times(marked.value);
     return (marked.to_reference && marked.value > 0 ? "+" : "") + number(marked.value, marked.digits);
   }
   std::string number(double value, int digits) const {
@@ -91,7 +91,7 @@ const Marked& marked_of(const Cell& cell) {
   const auto* const marked = std::get_if<Marked>(&cell);
   return marked ? *marked : none;
 }
-bool is_ratio(const Cell& cell) { return marked_of(cell).to_reference == judge::Scale::ratio; }
+bool is_ratio(const Cell& cell) { return marked_of(cell).to_reference == judge::EffectScale::ratio; }
 // As readers see it: with the decimals of the printed where three digits would round it onto an end.
 Marked ours_of(const Printed& cell, const Ends& ends) {
   if (number_beside(cell.ours, ends) == number_text(cell.ours)) return {.value = cell.ours};

@@ -30,7 +30,7 @@ struct Marked {
   bool is_bound = false;
   std::optional<judge::Interval> interval = {};
   std::optional<double> sd = {};
-  std::optional<judge::Scale> to_reference = {};
+  std::optional<judge::EffectScale> to_reference = {};
   int digits = 3;
 };
 // Why a number is not known: "too few to compare".

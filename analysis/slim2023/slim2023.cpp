@@ -71,10 +71,10 @@ struct Numbered {
 
 // As the paper has it: times, too, are of runs.
 std::optional<JudgedMetric> by_runs(const JudgedStudy& judged, std::string_view column) {
-  const JudgedMetric* const its = judged_of(judged, column);
+  const JudgedMetric* const its = find_metric(judged, column);
   if (its == nullptr) return {};
   const Metric& metric = metric_named(column);
-  return is_of_times(metric) ? judge::judge(judge::observe_solves(judged.study, metric), its->plan) : *its;
+  return is_of_times(metric) ? judge::judge(judge::make_samples_by_target(judged.study, metric), its->plan) : *its;
 }
 
 PrintedRows in_print(std::string_view column) {
@@ -216,9 +216,9 @@ std::vector<Table> anova_tables(const Repeated& repeated) {
                                                          with(repeated.reading()), name, metric_named(column).unit),
                                   .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
     const CsvTable printed = results::published::table(repeated.paper.name, number);
-    const std::vector<TestOfAll> tests = judge::anova(judged->observations);
+    const std::vector<OmnibusTest> tests = judge::anova(judged->observations);
     if (tests.empty()) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
-    const TestOfAll ours = tests.empty() ? TestOfAll() : tests.front();
+    const OmnibusTest ours = tests.empty() ? OmnibusTest() : tests.front();
     const double between = ours.ss_between, within = ours.ss_within;
     for (const auto& numbers : {std::array{between, ours.df, between / ours.df, ours.statistic, ours.p},
                                 {within, ours.df_within, within / ours.df_within, unknown, unknown},

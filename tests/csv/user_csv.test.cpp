@@ -16,12 +16,12 @@ Request smaller(Request request) {
   return request;
 }
 
-Observations observations(const std::string& text, const Request& request = {}) {
+MetricSamples observations(const std::string& text, const Request& request = {}) {
   return csv::read(text, "data.csv", smaller(request)).observed.front();
 }
 
 Seen finding(const std::string& text, const Request& request = {}, const std::string& margin = "") {
-  Observations of = observations(text, request);
+  MetricSamples of = observations(text, request);
   const judge::Plan plan = csv::with_margin({}, margin, of);
   return judge::compared(of, plan).front();
 }
@@ -100,12 +100,12 @@ TEST_CASE("a zero in a third group changes no verdict on the two others") {
   CHECK(with.verdict == Verdict::better);
   CHECK(zero.verdict == Verdict::better);
   CHECK(*with.p == *zero.p);
-  CHECK(with.scale == Scale::ratio);
-  CHECK(zero.scale == Scale::difference);
+  CHECK(with.scale == EffectScale::ratio);
+  CHECK(zero.scale == EffectScale::difference);
 }
 
 TEST_CASE("rows without a label are left out and counted") {
-  const Observations observed = observations(text_in("tests/data/csv/stray-label.csv"));
+  const MetricSamples observed = observations(text_in("tests/data/csv/stray-label.csv"));
   CHECK(observed.groups.size() == 2);
   REQUIRE(observed.doubts.size() == 1);
   CHECK(observed.doubts.front().count == 4);
@@ -162,7 +162,7 @@ TEST_CASE("separators and decimal marks are found, or given") {
         "s;v\nA;0.5\nA;1.25\nB;3\nB;4\n", "\"s, or t\";v\nA;0,5\nA;1,25\nB;3\nB;4\n",
         "\xEF\xBB\xBFs;v\r\n\"A\"; 0,5 \r\nA;\"1,25\"\r\nB;3\r\nB;4\r\n;\r\n"}) {
     CAPTURE(text);
-    const Observations of = observations(text);
+    const MetricSamples of = observations(text);
     REQUIRE(of.groups.size() == 2);
     CHECK(of.groups[0].name == "A");
     CHECK(list_of(of.groups[0]) == a);
@@ -173,7 +173,7 @@ TEST_CASE("separators and decimal marks are found, or given") {
 }
 
 TEST_CASE("titles are trimmed, and units belong to quantities") {
-  const Observations of = observations(" solver , error [mm] \nA,1\nB,2\n", {.values = {"error [mm]"}});
+  const MetricSamples of = observations(" solver , error [mm] \nA,1\nB,2\n", {.values = {"error [mm]"}});
   CHECK(of.quantity == "error");
   CHECK(of.unit == "mm");
   CHECK(observations("solver,error_cm\nA,1\nB,2\n").unit == "cm");
@@ -223,7 +223,7 @@ TEST_CASE("which way is better is asked for, whatever a column is called") {
   CHECK(finding(outcomes, {.better = {"smaller"}}).verdict == Verdict::better);
   CHECK(finding(rates, {.better = {"smaller", "success_rate=larger"}}).verdict == Verdict::better);
   CHECK(finding(outcomes, {.better = {"larger"}}).verdict == Verdict::worse);
-  CHECK(observations(outcomes, {.better = {"smaller"}}).scale == Scale::share);
+  CHECK(observations(outcomes, {.better = {"smaller"}}).scale == EffectScale::share);
   CHECK(observations("s,a=b\nA,1.5\nB,2\n", {.better = {"a=b=larger"}}).better == Better::larger);
   CHECK(contains(said_of(rates, {.better = {"rate=larger"}}), "success_rate"));
   CHECK(contains(said_of(rates, {.better = {"bigger"}}), "expected smaller"));
@@ -260,10 +260,10 @@ TEST_CASE("what missing values count as is asked, with an answer that runs") {
     };
     CHECK(answers(false) == std::vector<std::vector<std::string>>{{"--missing", "drop"}, {"--missing", "worst"}});
     CHECK(answers(true) == std::vector<std::vector<std::string>>{{"--missing", "drop"}});
-    const Observations without = observations(text, dropped), with = observations(text, worst);
+    const MetricSamples without = observations(text, dropped), with = observations(text, worst);
     CHECK(list_of(without.groups.front()) == std::vector{2.0, 1.0, 3.0, 4.0});
     CHECK(std::isinf(list_of(with.groups.front()).front()));
-    CHECK(without.doubts.front().kind == DoubtKind::incomplete);
+    CHECK(without.doubts.front().kind == WarningKind::incomplete);
     CHECK(without.doubts.front().of == 9);
     CHECK(finding(text, dropped).verdict == Verdict::better);
   }
@@ -279,7 +279,7 @@ TEST_CASE("rows that are unrelated are compared without those that have no value
   CHECK(*as_worst.p > *finding(complete).p);
   Request larger = worst;
   larger.better = {"larger"};
-  Observations of_larger = csv::read(text, "data.csv", larger).observed.front();
+  MetricSamples of_larger = csv::read(text, "data.csv", larger).observed.front();
   CHECK(std::isinf(list_of(of_larger.groups.front()).front()));
   CHECK(list_of(of_larger.groups.front()).front() < 0);
   const Seen turned = judge::compared(of_larger, {}).front();
@@ -291,8 +291,8 @@ TEST_CASE("rows that are unrelated are compared without those that have no value
   for (const auto& [better, value] : {std::pair{"larger", 0.0}, {"smaller", 1.0}}) {
     Request request = worst;
     request.better = {better};
-    const Observations of = csv::read(shares, "data.csv", request).observed.front();
-    CHECK(of.scale == Scale::share);
+    const MetricSamples of = csv::read(shares, "data.csv", request).observed.front();
+    CHECK(of.scale == EffectScale::share);
     CHECK(list_of(of.groups.front())[1] == value);
   }
 }
@@ -305,7 +305,7 @@ TEST_CASE("pairs are compared on the blocks that both have") {
         text += fmt::format("{},{},{}\n", group, p, 1 + p + (group - 'A') * 0.5 + 0.01 * ((3 * p + group) % 5));
   const Request blocks{.block = {"p"}, .missing = "drop"};
   CHECK(contains(said_of(text, {.block = {"p"}}), "4 of 36 rows have no value (C 2, B 2)"));
-  const Observations of = observations(text, blocks);
+  const MetricSamples of = observations(text, blocks);
   const std::vector<Seen> pairs = judge::compared(of, {});
   REQUIRE(pairs.size() == 3);
   CHECK(pairs[0].n == 10);
@@ -320,10 +320,10 @@ TEST_CASE("pairs are compared on the blocks that both have") {
     return finding(both, {.block = {"p"}});
   };
   CHECK(*pairs[2].p == Approx(3 * *complete('C', 'B').p));
-  const auto [tests, without] = tests_of_all(of);  // of the eight blocks that all have
+  const auto [tests, without] = omnibus_tests(of);  // of the eight blocks that all have
   REQUIRE(!tests.empty());
   CHECK(tests.front().df_within == 14);
-  const Observations none = observations(text, {.block = {"p"}, .missing = "worst"});
+  const MetricSamples none = observations(text, {.block = {"p"}, .missing = "worst"});
   CHECK(list_of(none.groups[1]).size() == 12);
   CHECK(none.groups[1].name == "C");
   CHECK(std::isinf(list_of(none.groups[1]).back()));
@@ -336,7 +336,7 @@ TEST_CASE("leaving rows out favours who lacks more of them, which is said") {
     for (int i = 0; i < 20; ++i)
       text += fmt::format("A,{}\nB,{}\n", i < missing ? "NA" : fmt::to_string(i + 1), 2 * i + 1);
     const std::vector<judge::Doubt> doubts = observations(text, dropped).doubts;
-    return std::ranges::count(doubts, DoubtKind::favoured_by_drop, &judge::Doubt::kind);
+    return std::ranges::count(doubts, WarningKind::favoured_by_drop, &judge::Doubt::kind);
   };
   CHECK(kinds(1) == 0);
   CHECK(kinds(2) == 0);  // a tenth
@@ -359,15 +359,15 @@ TEST_CASE("one number for each label is no measurement, unless somebody says so"
       two += its.substr(0, 2) + its.substr(its.rfind(',') + 1) + '\n';
     return two;
   };
-  Observations of = observations(unrelated(text));
-  CHECK(is_open(judge::compare(of, {}).front(), Open::Why::copies));
+  MetricSamples of = observations(unrelated(text));
+  CHECK(is_open(judge::compare(of, {}).front(), NotTested::NotTestedReason::copies));
   CHECK(finding(unrelated(one_varies)).verdict == Verdict::worse);
   CHECK(finding(text, rows).verdict == Verdict::worse);
   CHECK(finding(text, views).verdict == Verdict::worse);
-  CHECK(observations(text, views).doubts.front().kind == DoubtKind::may_be_one_measurement);
+  CHECK(observations(text, views).doubts.front().kind == WarningKind::may_be_one_measurement);
   CHECK(observations(one_varies, views).doubts.empty());
-  const Observations shares = observations("s,v\nA,1\nA,1\nA,1\nB,0\nB,0\nB,0\n");
-  CHECK_FALSE(is_open(judge::compare(shares, {}).front(), Open::Why::copies));
+  const MetricSamples shares = observations("s,v\nA,1\nA,1\nA,1\nB,0\nB,0\nB,0\n");
+  CHECK_FALSE(is_open(judge::compare(shares, {}).front(), NotTested::NotTestedReason::copies));
 }
 
 // A against B, the last values of a group being infinite.
@@ -392,7 +392,8 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   CHECK(*all.p == Approx(2 / 184756.0));  // 2 / C(20, 10)
   CHECK(!all.estimate);
   CHECK(*all.effect == 1);
-  CHECK(is_open(judge::compare(observations(with_infinite(10, 10), rows), {}).front(), Open::Why::no_answer));
+  CHECK(is_open(judge::compare(observations(with_infinite(10, 10), rows), {}).front(),
+                NotTested::NotTestedReason::no_answer));
   const Seen turned = better_first(finding(with_infinite(10, 2), blocks), "");
   CHECK(turned.first == "B");
   CHECK(turned.verdict == Verdict::better);
@@ -400,9 +401,9 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
   differences += "A,0,0\nB,0,1\n";
   CHECK(std::isinf(finding(differences, blocks).interval->low));
   CHECK(finding(with_infinite(2, 2), rows, "5%").verdict == Verdict::undecided);
-  const Observations observed = observations(with_infinite(0, 3), rows);
+  const MetricSamples observed = observations(with_infinite(0, 3), rows);
   CHECK(words_of(observed.doubts.front()) == "3 of 20 values are no answers (B)");
-  CHECK(is_open(judge::compare(observed, {.test = Plan::Test::means}).front(), Open::Why::infinite));
+  CHECK(is_open(judge::compare(observed, {.test = Plan::Test::means}).front(), NotTested::NotTestedReason::infinite));
   CHECK(std::isinf(describe(observed.groups[1]).mean));
   CHECK(describe(observed.groups[1]).median == 11);
   CHECK(contains(said_of(with_infinite(0, 3), {.values = {"v"}, .label = {"s"}, .run = "row", .better = {"larger"}}),
@@ -411,7 +412,7 @@ TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
 
 TEST_CASE("one layout is read without names: a column of texts and one of numbers") {
   for (const char* text : {"s,v\nA,1\nA,2\nB,4\n", "v,s\n1,A\n2,A\n4,B\n"}) {
-    const Observations of = observations(text);
+    const MetricSamples of = observations(text);
     CHECK(of.quantity == "v");
     CHECK(list_of(of.groups[0]) == std::vector{1.0, 2.0});
   }
@@ -509,7 +510,7 @@ TEST_CASE("rows in which Google Benchmark sums up others are left out, and told"
 
 TEST_CASE("`row` is the file's column where it has one") {
   const std::string text = "plot,row,gen,yield\n7,1,A,5\n2,1,B,6\n3,2,A,5.5\n4,2,B,6.5\n";
-  const Observations of = observations(text, {.values = {"yield"}, .label = {"gen"}, .block = {"row"}});
+  const MetricSamples of = observations(text, {.values = {"yield"}, .label = {"gen"}, .block = {"row"}});
   CHECK(of.is_paired);
   CHECK(list_of(of.groups[0]) == std::vector{5.0, 5.5});
   CHECK(contains(said_of(text, {.values = {"yield"}, .label = {"gen"}}), "[--block row]"));
@@ -547,7 +548,7 @@ TEST_CASE("wide files have a group a column, which may end early where rows are 
   Request of_two = rows;
   of_two.values = {"a", "b"};
   of_two.missing = "drop";
-  const Observations of = observations(gaps, of_two);
+  const MetricSamples of = observations(gaps, of_two);
   REQUIRE(of.groups.size() == 2);
   CHECK(of.doubts.front().count == 2);  // not the two at the end of the first
   CHECK(of.doubts.front().of == 10);
@@ -555,7 +556,7 @@ TEST_CASE("wide files have a group a column, which may end early where rows are 
   CHECK(unequal.p.has_value());
   CHECK(list_of(observations(text_in("tests/data/csv/unequal-columns.csv"), rows).groups[1]).size() == 15);
   CHECK(contains(said_of(text_in("tests/data/csv/unequal-columns.csv"), blocks), "--missing drop"));
-  const Observations of_sets =
+  const MetricSamples of_sets =
       observations("set,a,b\n2,1.5,4.5\n5,1.2,7\n3,2.1,6\n", {.label = {"columns"}, .block = {"set"}});
   CHECK(of_sets.is_paired);
   CHECK(of_sets.groups.size() == 2);
@@ -599,10 +600,10 @@ TEST_CASE("names are taken as they are, and none looks like another") {
 
 TEST_CASE("True and False are 1 and 0") {
   const std::string text = "solver,solved\nA,True\nA,True\nB,FALSE\nB,yes\n";
-  const Observations of = observations(text, {.better = {"larger"}});
+  const MetricSamples of = observations(text, {.better = {"larger"}});
   CHECK(csv::read(text, "d.csv", smaller({})).notes.back() == "All values of solved are 0 or 1: shares are compared.");
   CHECK(of.quantity == "solved");
-  CHECK(of.scale == Scale::share);
+  CHECK(of.scale == EffectScale::share);
   CHECK(list_of(of.groups[1]) == std::vector{0.0, 1.0});
   // They may name the groups.
   const std::string pairs = "scene,optimized,time\nx,yes,1\nx,no,2.5\ny,yes,2\ny,no,3\nz,yes,5\nz,no,4\n";
@@ -614,7 +615,7 @@ TEST_CASE("a value counts although it is the sum or the mean of those above it")
   // Each solver fails once: the sum of its other values is infinite, too.
   const std::string failures = "A,B\n1.1,2.1\ninf,1.9\n0.9,inf\n1.3,2.3\n1.2,2.2\n1.05,2.05\n0.95,1.95\n";
   for (const Request& request : {columns, Request{.label = {"columns"}, .block = {"row"}}}) {
-    const Observations observed = observations(failures, request);
+    const MetricSamples observed = observations(failures, request);
     CHECK(list_of(observed.groups[0]).back() == 0.95);
     CHECK(list_of(observed.groups[1]).back() == 1.95);
     CHECK(finding(failures, request).p.has_value());
@@ -634,7 +635,7 @@ TEST_CASE("a value counts although it is the sum or the mean of those above it")
 
 TEST_CASE("several columns of labels or blocks are joined") {
   const std::string text = "scene,seed,alg,h,time\nx,1,A,1,1\nx,2,A,1,2\ny,1,A,1,3\nx,1,A,2,4\nx,2,A,2,5\ny,1,A,2,6\n";
-  const Observations of = observations(text, {.values = {"time"}, .label = {"alg", "h"}, .block = {"scene", "seed"}});
+  const MetricSamples of = observations(text, {.values = {"time"}, .label = {"alg", "h"}, .block = {"scene", "seed"}});
   REQUIRE(of.groups.size() == 2);
   CHECK(of.groups[1].name == "A / 2");
   CHECK(list_of(of.groups[1]) == std::vector{4.0, 5.0, 6.0});
@@ -642,17 +643,17 @@ TEST_CASE("several columns of labels or blocks are joined") {
 
 TEST_CASE("rows of a run are averaged where asked, else refused") {
   const std::string text = "solver,run,point,e\nA,1,1,1\nA,1,2,3\nA,2,1,2\nA,2,2,6\nB,1,1,9\nB,1,2,9\nB,2,1,7\n";
-  const Observations observed = observations(text, {.values = {"e"}, .label = {"solver"}, .run = "run"});
+  const MetricSamples observed = observations(text, {.values = {"e"}, .label = {"solver"}, .run = "run"});
   CHECK(list_of(observed.groups[0]) == std::vector{2.0, 4.0});
   CHECK(list_of(observed.groups[1]) == std::vector{9.0, 7.0});  // its second run has one row
   CHECK(list_of(observations("s,p,v\nA,x,1\nA,x,2\nB,x,3\nB,x,4\n", {.block = {"p"}, .run = "row"}).groups[0]) ==
         std::vector{1.5});
   // Of B's second run a point is missing.
   CHECK(contains(said_of(text, {.block = {"point"}, .run = "run"}), "1 of 8 rows have no value (B 1)"));
-  const Observations blocks = observations(text, {.block = {"point"}, .run = "run", .missing = "drop"});
+  const MetricSamples blocks = observations(text, {.block = {"point"}, .run = "run", .missing = "drop"});
   CHECK(list_of(blocks.groups[0]) == std::vector{1.5, 4.5});
   CHECK(list_of(blocks.groups[1]) == std::vector{8.0, 9.0});
-  CHECK(blocks.doubts.front().kind == DoubtKind::incomplete);
+  CHECK(blocks.doubts.front().kind == WarningKind::incomplete);
   const Request runs{.values = {"e"}, .label = {"solver"}, .block = {"run"}, .run = "run", .missing = "drop"};
   CHECK(observations(text, runs).is_paired);
 }
@@ -665,7 +666,7 @@ TEST_CASE("a run counts by its mean, however many rows it has") {
       for (std::string* const text : {&equal, &longer})
         *text += fmt::format("A,{0},{1},{2}\nB,{0},{1},{3}\n", run, step, run + step, 10 + run + step);
   longer += "B,5,3,16\nA,4,3,5\nA,4,4,5\n";  // a run's mean, again
-  CHECK(lost_in(observations(longer, of_runs).groups[0]) == 0);
+  CHECK(missing_in(observations(longer, of_runs).groups[0]) == 0);
   CHECK(observations(longer, of_runs).doubts.empty());
   CHECK(list_of(observations(longer, of_runs).groups[1]) == list_of(observations(equal, of_runs).groups[1]));
   CHECK(*finding(longer, of_runs).p == *finding(equal, of_runs).p);
@@ -682,25 +683,25 @@ TEST_CASE("a run counts by its mean, however many rows it has") {
 
 TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
   const std::vector<std::string> better{"larger"};
-  Observations of = observations("s,v\nA,1\nA,1\nA,0\nB,0\nB,0\nB,1\n", {.better = better});
-  CHECK(of.scale == Scale::share);
+  MetricSamples of = observations("s,v\nA,1\nA,1\nA,0\nB,0\nB,0\nB,1\n", {.better = better});
+  CHECK(of.scale == EffectScale::share);
   CHECK(of.trials == 1);
   CHECK(observations("s,v\nA,1\nA,NA\nA,0\nB,0\nB,0\nB,1\n", {.better = better, .missing = "drop"}).scale ==
-        Scale::share);
+        EffectScale::share);
   CHECK_THROWS_AS(csv::with_margin({}, "0.1", of), std::invalid_argument);
-  const Observations several = observations("s,p,r,v\nA,1,1,1\nA,1,2,0\nB,1,1,1\nB,1,2,1\n",
-                                            {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});
+  const MetricSamples several = observations("s,p,r,v\nA,1,1,1\nA,1,2,0\nB,1,1,1\nB,1,2,1\n",
+                                             {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});
   CHECK(several.trials == 2);
   CHECK(list_of(several.groups[0]) == std::vector{0.5});
   std::string text = "s,p,r,v\n";
   for (int run = 0; run < 1000; ++run)
     text += fmt::format("A,1,{0},{1}\nB,1,{0},{2}\n", run, run % 3 ? 0 : 1, run > 333 ? 0 : 1);
-  const Observations equal = observations(text, {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});
+  const MetricSamples equal = observations(text, {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});
   CHECK(list_of(equal.groups[0]) == list_of(equal.groups[1]));  // in whichever order the runs were solved
 }
 
 TEST_CASE("margins are shares or in the unit of the values") {
-  Observations of = observations(wide, {.label = {"columns"}, .run = "row"});
+  MetricSamples of = observations(wide, {.label = {"columns"}, .run = "row"});
   CHECK(csv::with_margin({}, "", of).margin == 0.05);
   CHECK(csv::with_margin({}, "10%", of).margin == Approx(0.1));
   const judge::Plan plan = csv::with_margin({}, "0.5", of);
@@ -714,9 +715,9 @@ TEST_CASE("printed means are compared by means") {
   const Request summaries = smaller({.are_summaries = true});
   const Quantities read = csv::read(text_in("results/published/slim2023/table-3.csv"), "table-3.csv", summaries);
   REQUIRE(read.observed.size() == 3);
-  const Observations& error = read.observed.front();
+  const MetricSamples& error = read.observed.front();
   CHECK(error.groups.size() == 6);
-  CHECK(std::get<judge::Summary>(error.groups.front().sample).sd == 1.7824e-4);
+  CHECK(std::get<judge::SummaryStatistics>(error.groups.front().sample).sd == 1.7824e-4);
   const std::vector<Seen> found = judge::compared(error, {});
   CHECK(found.front().test == "Welch's t");
   CHECK(found.front().verdict == Verdict::better);  // IK-BA against BA
@@ -724,18 +725,18 @@ TEST_CASE("printed means are compared by means") {
   CHECK(csv::read("name,n,mean,sd,metric\nA,5,1,1,\u8bef\nA,5,1,1,\u65f6\n", "s.csv", smaller({.are_summaries = true}))
             .observed.size() == 2);
   const Quantities usual = csv::read("name,n_runs,avg,std_dev\nA,5,1,2\n", "s.csv", smaller({.are_summaries = true}));
-  CHECK(std::get<judge::Summary>(usual.observed.front().groups.front().sample).sd == 2);
+  CHECK(std::get<judge::SummaryStatistics>(usual.observed.front().groups.front().sample).sd == 2);
   // pytest-benchmark counts rounds, of texts it has another column, and hyperfine counts nothing.
   const Quantities rounds = csv::read(
       "name,min,mean,stddev,outliers,ops,rounds\na,1,1.5,.1,1;2,9,20\nb,2,2.5,.1,0;1,9,30\n", "s.csv", summaries);
-  CHECK(std::get<judge::Summary>(rounds.observed.front().groups.back().sample).n == 30);
+  CHECK(std::get<judge::SummaryStatistics>(rounds.observed.front().groups.back().sample).n == 30);
   const std::string of_hyperfine =
       "command,mean,stddev,median,user,system,min,max\na,1,.1,1,1,1,1,1\nb,2,.1,2,2,2,2,2\n";
   CHECK(contains(said_of(of_hyperfine, summaries), "[--n N]"));
   Request with_n = summaries;
   with_n.n = 10;
-  const Observations ten = csv::read(of_hyperfine, "s.csv", with_n).observed.front();
-  CHECK(std::get<judge::Summary>(ten.groups.back().sample).n == 10);
+  const MetricSamples ten = csv::read(of_hyperfine, "s.csv", with_n).observed.front();
+  CHECK(std::get<judge::SummaryStatistics>(ten.groups.back().sample).n == 10);
   CHECK(contains(said_of("name,n,mean,sd\nA,5,1,1\nB,5,2,1\n", with_n), "--n does, too"));
   // Who does not say --summaries is told, also where the labels are named.
   CHECK(contains(said_of(of_hyperfine), "[--summaries --n N]"));

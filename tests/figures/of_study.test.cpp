@@ -142,7 +142,7 @@ TEST_CASE("differences are those that were tested, in the order of the table; of
 
 TEST_CASE("mean ranks are those of the blocks, with a critical difference where all have all, and are none of means",
           "[of_study]") {
-  Observations of{.metric = "error", .quantity = "error", .unit = "mm", .floor = 1e-9, .is_paired = true};
+  MetricSamples of{.metric = "error", .quantity = "error", .unit = "mm", .floor = 1e-9, .is_paired = true};
   std::vector<results::Series> solvers;
   for (int s = 0; s < 4; ++s) {
     Measured its;
@@ -166,10 +166,10 @@ TEST_CASE("mean ranks are those of the blocks, with a critical difference where 
   CHECK(contains(unpaired, "A12"));
   CHECK_FALSE(contains(unpaired, "critical"));
   of.is_paired = true;
-  of.groups[1].sample = Untold{.why = Untold::Why::apart};
+  of.groups[1].sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::apart};
   CHECK(contains(ranked({})->caption, "0.741"));  // of three alone: 2.344 sqrt(3 * 4 / (6 * 20))
   CHECK(contains(ranked({})->caption, "Without B: "));
-  of.groups[2].sample = Untold{.why = Untold::Why::apart};
+  of.groups[2].sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::apart};
   CHECK_FALSE(ranked({}));
 }
 
@@ -220,8 +220,8 @@ TEST_CASE("chosen solvers are drawn alone, in their order, in their colours", "[
   CHECK(all.lines == std::map<std::string, int>{{"A", 1}, {"B", 2}, {"C", 3}});
   const Look short_palette = look_of_study(asked, {.palette = {"#8D1804", "#1E8CF8"}, .solvers = {"C", "B"}});
   CHECK(short_palette.lines == std::map<std::string, int>{{"A", 3}, {"B", 2}, {"C", 1}});
-  const std::vector<BoxRow> rows =
-      box_rows(observe_solves(asked, metric_named("seconds")), {"ms", 1000}, drawn_solvers(asked, chosen), chosen);
+  const std::vector<BoxRow> rows = box_rows(make_samples_by_target(asked, metric_named("seconds")), {"ms", 1000},
+                                            drawn_solvers(asked, chosen), chosen);
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].label == "C");
   CHECK(rows[0].box[2] == Approx(1));  // [ms]

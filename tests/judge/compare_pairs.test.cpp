@@ -6,16 +6,16 @@ using Lists = std::vector<std::vector<double>>;
 using Names = std::vector<std::string>;
 
 // Groups A, B, C, ...
-Observations groups_of(const Lists& groups, Scale scale = Scale::ratio) {
-  Observations of{.metric = "error", .quantity = "position error", .unit = "cm", .scale = scale};
-  if (scale == Scale::share) of.better = Better::larger;
+MetricSamples groups_of(const Lists& groups, EffectScale scale = EffectScale::ratio) {
+  MetricSamples of{.metric = "error", .quantity = "position error", .unit = "cm", .scale = scale};
+  if (scale == EffectScale::share) of.better = Better::larger;
   for (const auto& values : groups)
     of.groups.push_back(
         {.name = std::string(1, static_cast<char>('A' + of.groups.size())), .sample = Measured{values}});
   return of;
 }
 
-Observations paired(Observations of) {
+MetricSamples paired(MetricSamples of) {
   of.is_paired = true;
   return of;
 }
@@ -60,10 +60,10 @@ int fewest(int k, bool is_paired, const std::string& control) {
   for (int n = 2;; ++n) {
     Lists groups;
     for (int g = 0; g < k; ++g) groups.push_back(ramp(n, 1 + 100 * g, 1));
-    Observations of = groups_of(groups);
+    MetricSamples of = groups_of(groups);
     of.is_paired = is_paired;
     const std::vector<Seen> findings = compared(of, {.control = control});
-    const auto is_tested = [](const Seen& each) { return each.why == Why::tested; };
+    const auto is_tested = [](const Seen& each) { return each.why == NotTestedReason::tested; };
     if (std::ranges::all_of(findings, is_tested)) {
       CHECK(std::ranges::all_of(findings, [](const Seen& each) { return each.verdict == Verdict::better; }));
       return n;
@@ -84,14 +84,14 @@ TEST_CASE("too few is a formula of sizes, pairs and significance", "[compare]") 
     CHECK(fewest(k, false, "A") == std::vector{4, 5, 5, 5, 5}[at]);
     CHECK(fewest(k, true, "A") == std::vector{6, 7, 7, 8, 8}[at]);
   }
-  const Observations six = paired(groups_of({ramp(6, 1, 0.1), ramp(6, 9, 0.1)}));  // p = 2 / 64, which has to be below
-  CHECK(only(compared(six, {.significance = 1 / 32.0})).why == Why::too_few);
+  const MetricSamples six = paired(groups_of({ramp(6, 1, 0.1), ramp(6, 9, 0.1)}));  // p = 2 / 64, which has to be below
+  CHECK(only(compared(six, {.significance = 1 / 32.0})).why == NotTestedReason::too_few);
 }
 
 TEST_CASE("a pair that is not tested says how many it takes, and nothing of its few values", "[compare]") {
   const Seen found = only(compared(groups_of({{1, 2, 3}, {4, 8, 12}}), by_ranks));
   CHECK(found.verdict == Verdict::not_tested);
-  CHECK(found.why == Why::too_few);
+  CHECK(found.why == NotTestedReason::too_few);
   CHECK(found.needed == 4);
   CHECK_FALSE(found.p);
   CHECK_FALSE(found.interval);
@@ -99,7 +99,7 @@ TEST_CASE("a pair that is not tested says how many it takes, and nothing of its 
 }
 
 TEST_CASE("p is times the pairs, and with a control times those of the control", "[compare]") {
-  const Observations of = groups_of({ramp(20, 1, 0.1), ramp(20, 1.53, 0.101), ramp(20, 2.21, 0.103)});
+  const MetricSamples of = groups_of({ramp(20, 1, 0.1), ramp(20, 1.53, 0.101), ramp(20, 2.21, 0.103)});
   const auto p_of = [&](std::size_t a, std::size_t b) {
     return rank_test(values_of(of.groups[a]), values_of(of.groups[b]), 0.05).p;
   };
@@ -136,9 +136,9 @@ TEST_CASE("where most are equal and p decides, no estimate of 1 stands beside it
 TEST_CASE("all values equal are the same from 73, 109, 164 observations on for 1, 3, 15 pairs", "[compare]") {
   const bool is_paired = GENERATE(false, true);
   for (const auto& [k, n] : {std::pair(2u, 73u), std::pair(3u, 109u), std::pair(6u, 164u)}) {
-    for (const auto& [scale, value] : {std::pair(Scale::ratio, 3.0), std::pair(Scale::share, 1.0)}) {
+    for (const auto& [scale, value] : {std::pair(EffectScale::ratio, 3.0), std::pair(EffectScale::share, 1.0)}) {
       for (const bool is_enough : {false, true}) {
-        Observations of = groups_of(Lists(k, std::vector<double>(is_enough ? n : n - 1, value)), scale);
+        MetricSamples of = groups_of(Lists(k, std::vector<double>(is_enough ? n : n - 1, value)), scale);
         of.is_paired = is_paired;
         for (const Seen& each : compared(of, by_ranks)) {
           CAPTURE(k, is_enough, is_paired, value);
@@ -163,7 +163,7 @@ TEST_CASE("an interval without width stands only beside what it decides", "[comp
 }
 
 TEST_CASE("few constant values are not the same because they have no spread", "[compare]") {
-  Observations of = groups_of({{1, 1, 1}, {1.01, 1.01, 1.01}});
+  MetricSamples of = groups_of({{1, 1, 1}, {1.01, 1.01, 1.01}});
   CHECK(only(compared(of, by_means)).verdict == Verdict::undecided);
   CHECK(only(compared(paired(of), by_means)).verdict == Verdict::undecided);
   // An interval that ends at the margin, whatever the last bit of a unit.
@@ -180,7 +180,7 @@ TEST_CASE("a constant ratio within the margin is no plain better", "[compare]") 
   for (const Plan& plan : {by_ranks, by_means}) {
     for (const bool is_paired : {false, true}) {
       for (const double ratio : {1.01, 1.0505}) {
-        Observations of = groups_of({std::vector<double>(20, 1.0), std::vector<double>(20, ratio)});
+        MetricSamples of = groups_of({std::vector<double>(20, 1.0), std::vector<double>(20, ratio)});
         of.is_paired = is_paired;
         const Seen found = only(compared(of, plan));
         CHECK(found.verdict == Verdict::better);
@@ -196,23 +196,23 @@ TEST_CASE("a constant ratio within the margin is no plain better", "[compare]") 
 TEST_CASE("an absolute margin holds for ranks and for means, of differences and of ratios", "[compare]") {
   const Lists negative{ramp(20, -5.1, 0.01), ramp(20, -5.15, 0.01)};
   for (const Plan::Test test : {Plan::Test::ranks, Plan::Test::means}) {
-    const auto within = [&](double margin, const Lists& lists, Scale scale, double relative = 0) {
-      Observations of = groups_of(lists, scale);
+    const auto within = [&](double margin, const Lists& lists, EffectScale scale, double relative = 0) {
+      MetricSamples of = groups_of(lists, scale);
       of.absolute_margin = margin;
       return only(compared(of, {.test = test, .margin = relative}));
     };
-    CHECK(within(1, {negative[0], negative[0]}, Scale::difference).verdict == Verdict::same);
-    CHECK(within(1, negative, Scale::difference).is_within_margin);
-    CHECK(within(0.01, negative, Scale::difference).verdict != Verdict::same);
-    CHECK_FALSE(within(0.01, negative, Scale::difference).is_within_margin);
+    CHECK(within(1, {negative[0], negative[0]}, EffectScale::difference).verdict == Verdict::same);
+    CHECK(within(1, negative, EffectScale::difference).is_within_margin);
+    CHECK(within(0.01, negative, EffectScale::difference).verdict != Verdict::same);
+    CHECK_FALSE(within(0.01, negative, EffectScale::difference).is_within_margin);
     // 0.001 cm and 0.002 cm differ by a factor of two, and by less than 0.01 cm.
     const Lists small{lognormal(20, 0.001, 0.1, 1), lognormal(20, 0.002, 0.1, 2)};
-    const Seen hair = within(0.01, small, Scale::ratio, 0.05);
+    const Seen hair = within(0.01, small, EffectScale::ratio, 0.05);
     CHECK(hair.verdict == Verdict::better);
     CHECK(hair.is_within_margin);
     CHECK_FALSE(only(compared(groups_of(small), {.test = test})).is_within_margin);
   }
-  const Seen relative = only(compared(groups_of({negative[0], negative[0]}, Scale::difference), by_means));
+  const Seen relative = only(compared(groups_of({negative[0], negative[0]}, EffectScale::difference), by_means));
   CHECK(relative.verdict == Verdict::same);  // 0.25 of -5
 }
 
@@ -222,13 +222,13 @@ TEST_CASE("no share of medians is a margin where a value is no answer", "[compar
     for (const double offset : {0, 100})
       lists[offset > 0].push_back(i == 0 ? std::numeric_limits<double>::infinity() : offset + i);
   }
-  CHECK_FALSE(only(compared(groups_of(lists, Scale::difference), by_ranks)).is_within_margin);
+  CHECK_FALSE(only(compared(groups_of(lists, EffectScale::difference), by_ranks)).is_within_margin);
 }
 
 // Blocks.
 
 TEST_CASE("values below the floor are raised to it, and 0 to 0 is the ratio 1", "[compare]") {
-  Observations of = paired(groups_of({{0, 1e-9, 3, 3, 3, 3, 3, 3}, {1e-12, 0, 6, 6.1, 6.2, 6.3, 6.4, 6.5}}));
+  MetricSamples of = paired(groups_of({{0, 1e-9, 3, 3, 3, 3, 3, 3}, {1e-12, 0, 6, 6.1, 6.2, 6.3, 6.4, 6.5}}));
   of.floor = 1e-7;
   const Seen found = only(compared(of, by_ranks));
   CHECK(*found.p == 2 / 64.0);      // two pairs are equal, six ranks are left
@@ -240,18 +240,18 @@ TEST_CASE("values below the floor are raised to it, and 0 to 0 is the ratio 1", 
 
 TEST_CASE("differences that rounding alone keeps apart are equal", "[compare]") {
   // 0.3 - 0.1 and 0.4 - 0.2 differ in the last bit.
-  const Seen found = only(
-      compared(paired(groups_of({{0.3, 0.4, 0.5, 0.6, 0.7, 0.8}, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}}, Scale::difference)),
-               by_ranks));
+  const Seen found = only(compared(
+      paired(groups_of({{0.3, 0.4, 0.5, 0.6, 0.7, 0.8}, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}}, EffectScale::difference)),
+      by_ranks));
   CHECK(*found.p == 2 / 64.0);
   CHECK(found.interval->low == found.interval->high);
   const Seen far = only(  // and so in larger numbers, which round more
       compared(
           paired(groups_of({{100.3, 200.4, 300.5, 400.6, 500.7, 600.8}, {100.1, 200.2, 300.3, 400.4, 500.5, 600.6}},
-                           Scale::difference)),
+                           EffectScale::difference)),
           by_ranks));
   CHECK(far.interval->low == far.interval->high);
-  Observations of = groups_of({ramp(6, 1, 1e-10), ramp(6, 1 + 1e-11, 1e-10)});
+  MetricSamples of = groups_of({ramp(6, 1, 1e-10), ramp(6, 1 + 1e-11, 1e-10)});
   CHECK_FALSE(only(compared(of, by_ranks)).are_all_equal);
   of.rounding = 1e-9;
   CHECK(only(compared(of, by_ranks)).are_all_equal);
@@ -262,10 +262,10 @@ TEST_CASE("differences that rounding alone keeps apart are equal", "[compare]") 
 TEST_CASE("a plan by means has Welch's and the paired t, of differences", "[compare]") {
   const Lists sleep{{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0},
                     {1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4}};
-  const Seen unpaired = only(compared(groups_of(sleep, Scale::difference), by_means));
-  CHECK(unpaired.scale == Scale::difference);
+  const Seen unpaired = only(compared(groups_of(sleep, EffectScale::difference), by_means));
+  CHECK(unpaired.scale == EffectScale::difference);
   CHECK(unpaired.test == "Welch's t");
-  const Seen in_blocks = only(compared(paired(groups_of(sleep, Scale::difference)), by_means));
+  const Seen in_blocks = only(compared(paired(groups_of(sleep, EffectScale::difference)), by_means));
   CHECK(in_blocks.verdict == Verdict::better);
   CHECK(in_blocks.interval->low == Approx(-2.4598858).epsilon(1e-7));  // R, t.test
   CHECK(*in_blocks.effect == 0.95);                                    // nine of ten smaller, one equal
@@ -274,7 +274,7 @@ TEST_CASE("a plan by means has Welch's and the paired t, of differences", "[comp
 TEST_CASE("means need three values: of two the larger is more than half of their sum", "[compare]") {
   for (const bool is_paired : {false, true}) {
     for (int n = 1; n <= 3; ++n) {
-      Observations of = groups_of({ramp(n, 1, 0.001), ramp(n, 50, 0.01)});
+      MetricSamples of = groups_of({ramp(n, 1, 0.001), ramp(n, 50, 0.01)});
       of.is_paired = is_paired;
       const Seen found = only(compared(of, by_means));
       CHECK(found.verdict == (n < 3 ? Verdict::not_tested : Verdict::better));
@@ -285,16 +285,16 @@ TEST_CASE("means need three values: of two the larger is more than half of their
 
 TEST_CASE("published summaries are judged by Welch's t, of differences", "[compare]") {
   // The error of Table 3: Welch's t by hand, (1.6849 - 0.0019) / (0.9069 / sqrt 20) = 8.299 on 19 degrees of freedom.
-  Observations of = groups_of({});
-  of.groups = {{.name = "IK-BA", .sample = Summary{20, 0.0019, 1.7824e-4}},
-               {.name = "BA", .sample = Summary{20, 1.6849, 0.9069}},
-               {.name = "DE", .sample = Summary{20, 0.3653, 0.2929}},
-               {.name = "K-ABC", .sample = Summary{20, 0.2318, 0.0722}}};
+  MetricSamples of = groups_of({});
+  of.groups = {{.name = "IK-BA", .sample = SummaryStatistics{20, 0.0019, 1.7824e-4}},
+               {.name = "BA", .sample = SummaryStatistics{20, 1.6849, 0.9069}},
+               {.name = "DE", .sample = SummaryStatistics{20, 0.3653, 0.2929}},
+               {.name = "K-ABC", .sample = SummaryStatistics{20, 0.2318, 0.0722}}};
   for (const Plan& plan : {by_ranks, by_means}) {
     const std::vector<Seen> findings = compared(of, plan);
     CHECK(verdicts(findings) ==
           "IK-BABA better; IK-BADE better; IK-BAK-ABC better; BADE worse; BAK-ABC worse; DEK-ABC not decided; ");
-    CHECK(findings[0].scale == Scale::difference);
+    CHECK(findings[0].scale == EffectScale::difference);
     CHECK(*findings[0].estimate == Approx(-1.683));
     CHECK_FALSE(findings[0].effect);
     CHECK(*findings[5].p == 6 * welch({20, 0.3653, 0.2929}, {20, 0.2318, 0.0722}, 0.05).p);
@@ -306,7 +306,7 @@ TEST_CASE("published summaries are judged by Welch's t, of differences", "[compa
 TEST_CASE("two constant shares have Newcombe's interval of that many targets if they are equal, else none",
           "[compare]") {
   for (const bool is_paired : {false, true}) {
-    Observations of = groups_of({std::vector<double>(20, 0.8), std::vector<double>(20, 0.8)}, Scale::share);
+    MetricSamples of = groups_of({std::vector<double>(20, 0.8), std::vector<double>(20, 0.8)}, EffectScale::share);
     of.trials = 5;
     of.is_paired = is_paired;
     const Interval expected = newcombe(0.8, 20, 0.8, 20, 0.05), found = *only(compared(of, by_ranks)).interval;
@@ -319,7 +319,7 @@ TEST_CASE("two constant shares have Newcombe's interval of that many targets if 
 }
 
 TEST_CASE("an interval of shares ends at 1", "[compare]") {
-  Observations of = groups_of({{1, 1, 0.8}, {0, 0, 0.2}}, Scale::share);
+  MetricSamples of = groups_of({{1, 1, 0.8}, {0, 0, 0.2}}, EffectScale::share);
   of.trials = 5;
   for (const bool is_paired : {false, true}) {
     of.is_paired = is_paired;
@@ -331,16 +331,16 @@ TEST_CASE("an interval of shares ends at 1", "[compare]") {
 }
 
 TEST_CASE("Fisher's smallest p is one table of groups of two sizes, two of equal ones", "[compare]") {
-  const Observations unequal = groups_of({solved(3, 3), solved(0, 4)}, Scale::share);
+  const MetricSamples unequal = groups_of({solved(3, 3), solved(0, 4)}, EffectScale::share);
   CHECK(*only(compared(unequal, by_ranks)).p == Approx(1 / 35.0));
-  CHECK(only(compared(unequal, {.significance = 0.0285})).why == Why::too_few);
-  const Observations equal = groups_of({solved(4, 4), solved(0, 4)}, Scale::share);
+  CHECK(only(compared(unequal, {.significance = 0.0285})).why == NotTestedReason::too_few);
+  const MetricSamples equal = groups_of({solved(4, 4), solved(0, 4)}, EffectScale::share);
   CHECK(*only(compared(equal, by_ranks)).p == Approx(2 / 70.0));
-  CHECK(only(compared(equal, {.significance = 0.0285})).why == Why::too_few);
+  CHECK(only(compared(equal, {.significance = 0.0285})).why == NotTestedReason::too_few);
 }
 
 TEST_CASE("one target solved among many does not keep shares from a verdict", "[compare]") {
-  Observations of = groups_of({solved(1, 40), solved(40, 40)}, Scale::share);
+  MetricSamples of = groups_of({solved(1, 40), solved(40, 40)}, EffectScale::share);
   of.trials = 5;
   CHECK(only(compared(of, by_means)).verdict == Verdict::worse);
 }
@@ -348,10 +348,10 @@ TEST_CASE("one target solved among many does not keep shares from a verdict", "[
 // Solvers that repeat themselves.
 
 TEST_CASE("two solvers that repeat themselves differ by a fact", "[compare]") {
-  Observations of = groups_of({{2}, {4}});
+  MetricSamples of = groups_of({{2}, {4}});
   for (Group& group : of.groups) group.sample = Measured{.values = {values_of(group).front()}, .repeats_itself = true};
   const Seen found = only(compared(of, by_ranks));
-  CHECK(found.why == Why::fact);
+  CHECK(found.why == NotTestedReason::fact);
   CHECK(found.verdict == Verdict::better);
   CHECK(*found.estimate == Approx(0.5));
   CHECK_FALSE(found.p);
@@ -360,8 +360,8 @@ TEST_CASE("two solvers that repeat themselves differ by a fact", "[compare]") {
 }
 
 TEST_CASE("which group stands first changes no p", "[compare]") {
-  const auto p_of = [](const Group& first, const Group& second, Scale scale) {
-    Observations of = groups_of({{}, {}}, scale);
+  const auto p_of = [](const Group& first, const Group& second, EffectScale scale) {
+    MetricSamples of = groups_of({{}, {}}, scale);
     of.groups = {first, second};
     of.trials = 5;
     return *only(compared(of, by_ranks)).p;
@@ -371,23 +371,23 @@ TEST_CASE("which group stands first changes no p", "[compare]") {
       no_share{.name = "B", .sample = Measured{.values = std::vector(12, 0.0)}},
       copies{.name = "A", .sample = Measured{.values = std::vector(20, 1.5), .may_be_copies = true}},
       without{.name = "B", .sample = Measured{.values = std::vector(8, ikbench::infinity)}};
-  CHECK(p_of(one, equal, Scale::ratio) == 2 / 4096.0);
-  CHECK(p_of(equal, one, Scale::ratio) == 2 / 4096.0);
-  CHECK(p_of(one, no_share, Scale::share) < 0.001);
-  CHECK(p_of(no_share, one, Scale::share) == p_of(one, no_share, Scale::share));
-  CHECK(p_of(copies, without, Scale::ratio) == 2 / 256.0);
-  CHECK(p_of(without, copies, Scale::ratio) == 2 / 256.0);
+  CHECK(p_of(one, equal, EffectScale::ratio) == 2 / 4096.0);
+  CHECK(p_of(equal, one, EffectScale::ratio) == 2 / 4096.0);
+  CHECK(p_of(one, no_share, EffectScale::share) < 0.001);
+  CHECK(p_of(no_share, one, EffectScale::share) == p_of(one, no_share, EffectScale::share));
+  CHECK(p_of(copies, without, EffectScale::ratio) == 2 / 256.0);
+  CHECK(p_of(without, copies, EffectScale::ratio) == 2 / 256.0);
   // Three signs decide nothing, however many copies they stand against.
   for (const bool are_first : {true, false}) {
     const std::vector<double> copied(45, 1), others{2, 3, 4};
-    Observations of = groups_of({are_first ? copied : others, are_first ? others : copied});
+    MetricSamples of = groups_of({are_first ? copied : others, are_first ? others : copied});
     measured(of.groups[are_first ? 0 : 1]).may_be_copies = true;
-    CHECK(only(compared(of, by_ranks)).why == Why::too_few);
+    CHECK(only(compared(of, by_ranks)).why == NotTestedReason::too_few);
   }
 }
 
 TEST_CASE("runs are compared with the value of a solver that repeats itself by their signs", "[compare]") {
-  Observations of = groups_of({{1}, {2, 3, 4, 5, 6, 7}});
+  MetricSamples of = groups_of({{1}, {2, 3, 4, 5, 6, 7}});
   of.groups[0].sample = Measured{.values = {values_of(of.groups[0]).front()}, .repeats_itself = true};
   const Seen found = only(compared(of, by_ranks));
   CHECK(found.test == "sign test");
@@ -401,14 +401,14 @@ TEST_CASE("runs are compared with the value of a solver that repeats itself by t
   CHECK(only(compared(of, by_ranks)).verdict == Verdict::undecided);
   values_in(of.groups[1]) = {2, 3, 4, 5, 6};
   const Seen few = only(compared(of, by_ranks));
-  CHECK(few.why == Why::too_few);
+  CHECK(few.why == NotTestedReason::too_few);
   CHECK(few.n == 5);
   CHECK(few.needed == 6);
 }
 
 TEST_CASE("a solver that repeats itself differs in shares by the difference of the shares", "[compare]") {
   // Ten runs of ten targets; one always solves all, the other 17 of 100.
-  Observations of = groups_of({{1}, {.1, .2, .3, .1, .2, .1, .2, .3, .1, .1}}, Scale::share);
+  MetricSamples of = groups_of({{1}, {.1, .2, .3, .1, .2, .1, .2, .3, .1, .1}}, EffectScale::share);
   of.groups[0].sample = Measured{.values = {1}, .repeats_itself = true};
   of.trials = 10;
   const Seen found = only(compared(of, by_ranks));
@@ -421,7 +421,7 @@ TEST_CASE("a solver that repeats itself differs in shares by the difference of t
 }
 
 TEST_CASE("values of fifteen decades differ by their ratios from one that repeats itself", "[compare]") {
-  Observations of =
+  MetricSamples of =
       groups_of({{}, {4e-16, 5e-16, 6e-16, 7e-16, 8e-16, 4.5e-16, 5.5e-16, 6.5e-16, 7.5e-16, 8.5e-16, .9}});
   of.groups[0].sample = Measured{.values = {1e-16}, .repeats_itself = true};
   of.floor = 1e-300;
@@ -433,7 +433,7 @@ TEST_CASE("values of fifteen decades differ by their ratios from one that repeat
 
 TEST_CASE("an absolute margin leaves equal values the same from as many on as a share does", "[compare]") {
   for (const int n : {72, 200}) {
-    Observations of = groups_of(Lists(2, std::vector<double>(static_cast<std::size_t>(n), 5)));
+    MetricSamples of = groups_of(Lists(2, std::vector<double>(static_cast<std::size_t>(n), 5)));
     of.absolute_margin = 0.1;
     CHECK(only(compared(of, {.margin = 0})).verdict == (n == 200 ? Verdict::same : Verdict::undecided));
   }
@@ -441,15 +441,16 @@ TEST_CASE("an absolute margin leaves equal values the same from as many on as a 
 
 TEST_CASE("as many more observations as it says would about decide what is not decided", "[compare]") {
   // 55 of 100 ahead: McNemar at 0.05 with a chance of 0.8 takes 783 pairs, all of which differ (Lehr's 8 / 0.1^2).
-  Observations of = paired(groups_of({solved(55, 100), solved(45, 100)}, Scale::share));
+  MetricSamples of = paired(groups_of({solved(55, 100), solved(45, 100)}, EffectScale::share));
   std::ranges::reverse(values_in(of.groups[1]));
   const Seen found = only(compared(of, by_ranks));
   CHECK(found.verdict == Verdict::undecided);
-  CHECK(std::get<Tested>(found.what).enough > 650);
-  CHECK(std::get<Tested>(found.what).enough < 1100);                    // the exact p is larger than the normal one
+  CHECK(std::get<TestResult>(found.what).enough > 650);
+  CHECK(std::get<TestResult>(found.what).enough < 1100);                // the exact p is larger than the normal one
   std::ranges::fill(std::span(values_in(of.groups[0])).first(6), 0.0);  // 49 against 45: p = 0.76
-  CHECK(std::get<Tested>(only(compared(of, by_ranks)).what).enough == 0);
-  CHECK(std::get<Tested>(only(compared(groups_of({ramp(20, 1, 0.1), ramp(20, 9, 0.1)}), by_ranks)).what).enough == 0);
+  CHECK(std::get<TestResult>(only(compared(of, by_ranks)).what).enough == 0);
+  CHECK(std::get<TestResult>(only(compared(groups_of({ramp(20, 1, 0.1), ramp(20, 9, 0.1)}), by_ranks)).what).enough ==
+        0);
 }
 
 // p, interval and verdict.
@@ -457,7 +458,7 @@ TEST_CASE("as many more observations as it says would about decide what is not d
 TEST_CASE("of equal values that may be copies the larger p of two readings decides", "[compare]") {
   const auto found_of = [](std::vector<double> equal, std::vector<double> others) {
     const bool are_both_equal = std::ranges::count(others, others.front()) == std::ssize(others);
-    Observations of = groups_of({std::move(equal), std::move(others)});
+    MetricSamples of = groups_of({std::move(equal), std::move(others)});
     measured(of.groups[0]).may_be_copies = true;
     measured(of.groups[1]).may_be_copies = are_both_equal;
     return only(compared(of, by_ranks));
@@ -471,7 +472,7 @@ TEST_CASE("of equal values that may be copies the larger p of two readings decid
   for (int i = 0; i < 20; ++i) spread.push_back(1.5 + 0.1 * i);
   CHECK(*found_of(std::vector(20, 1.0), spread).p == Approx(1.91e-6).epsilon(0.002));  // the sign test
   CHECK(*found_of(std::vector(10, 1.0), std::vector(10, 2.0)).p == Approx(1.08e-5).epsilon(0.003));
-  CHECK(found_of(std::vector(3, 1.0), std::vector(3, 2.0)).why == Why::too_few);
+  CHECK(found_of(std::vector(3, 1.0), std::vector(3, 2.0)).why == NotTestedReason::too_few);
 }
 
 TEST_CASE("verdicts may form a circle", "[compare]") {
@@ -483,20 +484,20 @@ TEST_CASE("verdicts may form a circle", "[compare]") {
     }
     return values;
   };
-  Observations of = groups_of({dice({2, 4, 9}), dice({1, 6, 8}), dice({3, 5, 7})}, Scale::difference);
+  MetricSamples of = groups_of({dice({2, 4, 9}), dice({1, 6, 8}), dice({3, 5, 7})}, EffectScale::difference);
   const std::vector<Seen> findings = compared(of, by_ranks);
   CHECK(verdicts(findings) == "AB worse; AC better; BC worse; ");
 }
 
 TEST_CASE("a winner by ranks whose mean or median lies the other way is warned of", "[compare]") {
-  const auto warned_of = [](const Observations& of, const Plan& plan = {}) {
+  const auto warned_of = [](const MetricSamples& of, const Plan& plan = {}) {
     const JudgedMetric all = judge::judge(of, plan);
     return all.observations.doubts.empty() ? "" : all.observations.doubts.front().what;
   };
   // A usually has 0.0001, and once in ten 0.3; B always has 0.0005.
   std::vector<double> a = ramp(20, 0.0001, 1e-6);
   a[3] = a[11] = 0.3;
-  Observations of = groups_of({a, ramp(20, 0.0005, 1e-6)});
+  MetricSamples of = groups_of({a, ramp(20, 0.0005, 1e-6)});
   CHECK(warned_of(of) == "mean position error");
   of.absolute_margin = 0.1;
   CHECK(warned_of(of).empty());  // 0.03 does not matter
@@ -508,7 +509,7 @@ TEST_CASE("a winner by ranks whose mean or median lies the other way is warned o
 }
 
 TEST_CASE("A pair has the blocks that both groups have, and can decide what their number can") {
-  Observations of = paired(groups_of({ramp(12, 1, 0.1), ramp(9, 20, 0.1), ramp(3, 30, 0.1)}));
+  MetricSamples of = paired(groups_of({ramp(12, 1, 0.1), ramp(9, 20, 0.1), ramp(3, 30, 0.1)}));
   measured(of.groups[0]).blocks = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
   measured(of.groups[1]).blocks = {2, 4, 6, 8, 10, 12, 14, 16, 18};
   measured(of.groups[2]).blocks = {14, 16, 18};
@@ -516,10 +517,10 @@ TEST_CASE("A pair has the blocks that both groups have, and can decide what thei
   CHECK(findings[0].n == 6);
   CHECK(*findings[0].p == 2 / 64.0);
   CHECK(*findings[0].estimate == Approx(0.0776131597));
-  CHECK(findings[1].why == Why::too_few);
+  CHECK(findings[1].why == NotTestedReason::too_few);
   CHECK(findings[1].n == 0);
   CHECK_FALSE(findings[1].estimate);
-  CHECK(findings[2].why == Why::too_few);
+  CHECK(findings[2].why == NotTestedReason::too_few);
   CHECK(findings[2].n == 3);
   CHECK_FALSE(findings[2].estimate);  // of so few it would say more than it can
 }

@@ -3,8 +3,8 @@
 
 namespace {
 
-Observations observed(std::vector<std::vector<double>> groups) {
-  Observations of{.metric = "x", .quantity = "x"};
+MetricSamples observed(std::vector<std::vector<double>> groups) {
+  MetricSamples of{.metric = "x", .quantity = "x"};
   for (auto& values : groups) of.groups.push_back({.name = "g", .sample = Measured{std::move(values)}});
   return of;
 }
@@ -35,7 +35,7 @@ const std::vector<std::vector<double>> plants{{4.17, 5.58, 5.18, 6.11, 4.50, 4.6
 }  // namespace
 
 TEST_CASE("a group is described as MATLAB does", "[describe]") {
-  const Description of = described({1, 2, 3, 4, 9, 2});
+  const Descriptives of = described({1, 2, 3, 4, 9, 2});
   CHECK(of.n == 6);
   CHECK(of.mean == 3.5);
   CHECK(of.sd == Approx(std::sqrt(41.5 / 5)));  // by hand: 6.25 2.25 .25 .25 30.25 2.25
@@ -67,7 +67,7 @@ TEST_CASE("critical differences of mean ranks are those of Demsar's tables", "[d
 }
 
 TEST_CASE("a summary has no more than its three numbers", "[describe]") {
-  const Description of = describe({.name = "a", .sample = Summary{20, 0.5, 0.1}});
+  const Descriptives of = describe({.name = "a", .sample = SummaryStatistics{20, 0.5, 0.1}});
   CHECK(of.n == 20);
   CHECK(of.mean == 0.5);
   CHECK(of.sd == 0.1);
@@ -76,7 +76,7 @@ TEST_CASE("a summary has no more than its three numbers", "[describe]") {
 }
 
 TEST_CASE("ANOVA of PlantGrowth is that of R", "[describe]") {
-  const TestOfAll test = anova(observed(plants)).front();
+  const OmnibusTest test = anova(observed(plants)).front();
   CHECK(test.statistic == Approx(4.846088).epsilon(1e-6));
   CHECK(test.df == 2);
   CHECK(test.df_within == 27);
@@ -87,41 +87,41 @@ TEST_CASE("ANOVA of PlantGrowth is that of R", "[describe]") {
 
 TEST_CASE("tests of all have the numbers of R, also in blocks", "[describe]") {
   // InsectSprays: aov 34.70.
-  const Observations sprays = observed({{10, 7, 20, 14, 14, 12, 10, 23, 17, 20, 14, 13},
-                                        {11, 17, 21, 11, 16, 14, 17, 17, 19, 21, 7, 13},
-                                        {0, 1, 7, 2, 3, 1, 2, 1, 3, 0, 1, 4},
-                                        {3, 5, 12, 6, 4, 3, 5, 5, 5, 5, 2, 4},
-                                        {3, 5, 3, 5, 3, 6, 1, 1, 3, 2, 6, 4},
-                                        {11, 9, 15, 22, 15, 16, 13, 10, 26, 26, 24, 13}});
+  const MetricSamples sprays = observed({{10, 7, 20, 14, 14, 12, 10, 23, 17, 20, 14, 13},
+                                         {11, 17, 21, 11, 16, 14, 17, 17, 19, 21, 7, 13},
+                                         {0, 1, 7, 2, 3, 1, 2, 1, 3, 0, 1, 4},
+                                         {3, 5, 12, 6, 4, 3, 5, 5, 5, 5, 2, 4},
+                                         {3, 5, 3, 5, 3, 6, 1, 1, 3, 2, 6, 4},
+                                         {11, 9, 15, 22, 15, 16, 13, 10, 26, 26, 24, 13}});
   CHECK(anova(sprays).front().statistic == Approx(34.70228).epsilon(1e-6));
   // OrchardSprays by row of the orchard: aov with Error(row) 20.908.
-  Observations orchard = observed({{12, 4, 5, 5, 4, 2, 3, 2},
-                                   {8, 6, 8, 14, 4, 7, 10, 4},
-                                   {84, 29, 13, 9, 17, 16, 15, 19},
-                                   {57, 28, 39, 36, 22, 27, 20, 51},
-                                   {43, 95, 114, 39, 51, 55, 47, 61},
-                                   {87, 114, 44, 57, 20, 90, 69, 71},
-                                   {80, 72, 60, 77, 92, 24, 72, 71},
-                                   {130, 72, 127, 69, 86, 81, 81, 76}});
+  MetricSamples orchard = observed({{12, 4, 5, 5, 4, 2, 3, 2},
+                                    {8, 6, 8, 14, 4, 7, 10, 4},
+                                    {84, 29, 13, 9, 17, 16, 15, 19},
+                                    {57, 28, 39, 36, 22, 27, 20, 51},
+                                    {43, 95, 114, 39, 51, 55, 47, 61},
+                                    {87, 114, 44, 57, 20, 90, 69, 71},
+                                    {80, 72, 60, 77, 92, 24, 72, 71},
+                                    {130, 72, 127, 69, 86, 81, 81, 76}});
   orchard.is_paired = true;
   CHECK(anova(orchard).front().statistic == Approx(20.9082518).epsilon(1e-8));
   CHECK(anova(orchard).front().df_within == 49);
 
   // Unequal spreads: oneway.test of R 4.2; rm_anova of pingouin 0.7.0.
   CHECK(anova(observed(plants)).back().statistic == Approx(5.181).epsilon(1e-4));
-  const TestOfAll welch = anova(sprays).back();
+  const OmnibusTest welch = anova(sprays).back();
   CHECK(welch.statistic == Approx(36.0654438936).epsilon(1e-10));
   CHECK(welch.df == 5);
   CHECK(welch.df_within == Approx(30.0425605088).epsilon(1e-10));
   CHECK(welch.p == Approx(7.999379455e-12).epsilon(1e-9));
-  const TestOfAll corrected = anova(orchard).back();
+  const OmnibusTest corrected = anova(orchard).back();
   CHECK(corrected.statistic == anova(orchard).front().statistic);
   CHECK(corrected.epsilon == Approx(0.4984314915).epsilon(1e-9));
   CHECK(corrected.df == 7 * corrected.epsilon);
   CHECK(corrected.p == Approx(2.80996383e-07).epsilon(1e-6));
   // A row in which all are alike decides the same, however large its values are.
   const auto with_row = [&](double value) {
-    Observations longer = orchard;
+    MetricSamples longer = orchard;
     for (Group& group : longer.groups) values_in(group).push_back(value);
     return anova(longer);
   };
@@ -152,7 +152,7 @@ TEST_CASE("what has no spread, no second group or no value has no test of all", 
   for (const auto& groups : {std::vector<std::vector<double>>{}, {{1, 2}}, {{1, 2}, {}}, {{3, 3}, {3, 3}}})
     CHECK(anova(observed(groups)).empty());
   CHECK(anova(observed({{1}, {2}})).empty());
-  Observations lost = observed({{1, 2}, {3, 5}});
-  lost.groups[0].sample = Untold{.lost = 1, .values = values_in(lost.groups[0])};
+  MetricSamples lost = observed({{1, 2}, {3, 5}});
+  lost.groups[0].sample = ExcludedSample{.lost = 1, .values = values_in(lost.groups[0])};
   CHECK(anova(lost).empty());
 }

@@ -456,13 +456,13 @@ std::string untruth_in(const std::string& text, const Table& table, const show::
   const auto look_alike = [&](auto& one, auto& other) { return !is_ahead(one, other) && !is_ahead(other, one); };
   const auto demand_better = [&](const Names& some, const Names& others, bool is_little) {
     all_pairs(some, others, "better", is_better);
-    if (std::ranges::count(judged.observations.doubts, DoubtKind::ranks_disagree, &Doubt::kind) == 0)
+    if (std::ranges::count(judged.observations.doubts, WarningKind::ranks_disagree, &Doubt::kind) == 0)
       all_pairs(some, others, "better beside numbers", [&](auto& one, auto& other) { return !is_ahead(other, one); });
     if (!is_little) return;
     all_pairs(some, others, "by less", [&](auto& one, auto& other) { return of(one, other).is_small; });
     all_pairs(some, others, "by less beside numbers", look_alike);
   };
-  const std::set<std::string> losers = losers_of(judged.findings);
+  const std::set<std::string> losers = beaten_solvers(judged.findings);
   const Names others(losers.begin(), losers.end());
   Names best = answer.solvers();
   std::erase_if(best, [&](const std::string& name) { return losers.contains(name); });
@@ -494,9 +494,9 @@ std::string untruth_in(const std::string& text, const Table& table, const show::
 }
 
 // The same of the words of a pair, and of its numbers as they are printed.
-std::string untruth_in(const Finding& finding, const JudgedMetric& judged, const Right& right) {
+std::string untruth_in(const Comparison& finding, const JudgedMetric& judged, const Right& right) {
   const std::string words = show::verdict_words(finding, judged);
-  const std::optional<Amount>& its_amount = finding.amount;
+  const std::optional<EffectEstimate>& its_amount = finding.amount;
   const std::set<double> ends = show::ends_of(finding, judged);
   const std::string amount = its_amount && its_amount->interval
                                  ? fmt::format("{} ({})", show::number_text(its_amount->value),
@@ -539,14 +539,14 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
     if (table.is_huge) check("refused", contains(complaint<std::invalid_argument>(read), "beyond"), "1e300");
     if (table.is_huge) continue;
     ++tables;
-    Observations observed = read().observed[0];
+    MetricSamples observed = read().observed[0];
     const auto test = table.by_means ? Plan::Test::means : Plan::Test::ranks;
     const JudgedMetric judged = ikbench::judge::judge(observed, csv::with_margin({.test = test}, "", observed));
     const show::Answer answer = show::answer_of({judged});
     const Rights rights = rights_of(table);
     const std::string text = show::headline(answer), untruth = untruth_in(text, table, answer, rights);
     check("sentence", untruth.empty(), untruth + ": " + text);
-    for (const Finding& finding : answer.decisive().findings) {
+    for (const Comparison& finding : answer.decisive().findings) {
       const std::string untold = untruth_in(finding, answer.decisive(), rights.at({finding.first, finding.second}));
       check("words of a pair", untold.empty(), untold);
     }
@@ -555,7 +555,7 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
     const auto is_near = [&](double value, Real right) {
       return std::abs(value - right) <= 1e-7L * std::abs(right) + std::min(rounding, 1e-6L) + 1e-16L;
     };
-    for (const Finding& finding : judged.findings) {
+    for (const Comparison& finding : judged.findings) {
       const Seen its = seen(finding);
       const Right& right = rights.at({finding.first, finding.second});
       const auto check_pair = [&](const char* what, bool is_so) {
@@ -574,7 +574,7 @@ TEST_CASE("drawn tables are judged as a second reference judges them", "[drawn][
                                  is_near(its.estimate.value_or(0), right.estimate.value_or(0)));
       check_pair("interval",
                  has_end == right.interval.has_value() && is_near(found.low, low) && is_near(found.high, high));
-      if (const auto* const tested = std::get_if<Tested>(&finding.what))
+      if (const auto* const tested = std::get_if<TestResult>(&finding.what))
         check_pair("effect",
                    is_near(tested->effect->ahead, right.ahead) && is_near(tested->effect->behind, right.behind));
     }

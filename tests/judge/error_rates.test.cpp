@@ -35,12 +35,12 @@ struct Row {
   Plan plan = {};
   int times = 1;  // as many values in the groups after the first; per solved in all
   double floor = 1e-300;
-  Scale scale = Scale::ratio;
+  EffectScale scale = EffectScale::ratio;
   bool is_per_solved = false;  // what is drawn is spent, and a fifth of the targets is not solved
   double truth = 1;            // the ratio of the first to another
 };
 
-Observations drawn_per_solved(const Row& row, std::size_t k, int n, Random& random) {
+MetricSamples drawn_per_solved(const Row& row, std::size_t k, int n, Random& random) {
   StudyResults study;
   study.definition = results::definition_of(
       definition({.start = "middle", .targets = "drawn", .runs = n * row.times, .points = 1, .tolerance_cm = 0.1}));
@@ -55,13 +55,13 @@ Observations drawn_per_solved(const Row& row, std::size_t k, int n, Random& rand
   return observe(study, metric_named("evaluations_per_solved"));
 }
 
-Observations drawn(const Row& row, std::size_t k, int n, Random& random) {
+MetricSamples drawn(const Row& row, std::size_t k, int n, Random& random) {
   if (row.is_per_solved) return drawn_per_solved(row, k, n, random);
-  Observations of{.metric = "x",
-                  .quantity = "x",
-                  .scale = row.scale,
-                  .floor = row.floor,
-                  .is_paired = row.in_blocks || row.hard > 0};
+  MetricSamples of{.metric = "x",
+                   .quantity = "x",
+                   .scale = row.scale,
+                   .floor = row.floor,
+                   .is_paired = row.in_blocks || row.hard > 0};
   std::vector<double> blocks(static_cast<std::size_t>(n), 1.0);
   if (row.hard > 0)
     blocks.front() = row.hard;
@@ -77,15 +77,15 @@ Observations drawn(const Row& row, std::size_t k, int n, Random& random) {
 }
 
 // NaN if there is nothing to count.
-double counted(const Row& row, const Observations& of, std::size_t k) {
+double counted(const Row& row, const MetricSamples& of, std::size_t k) {
   if (row.counts == Counts::test_of_all) {
-    const std::vector<TestOfAll> tests = anova(of);
+    const std::vector<OmnibusTest> tests = anova(of);
     return tests.size() > 1 && tests.back().p < 0.05;
   }
-  const std::vector<Finding> findings = compare(of, row.plan);
+  const std::vector<Comparison> findings = compare(of, row.plan);
   if (row.counts == Counts::interval_without_truth) {
     double intervals = 0, wrong = 0;
-    for (const Finding& each : findings) {
+    for (const Comparison& each : findings) {
       const auto amount = each.first == "A" ? each.amount : std::nullopt;
       if (!amount || !amount->interval) continue;
       ++intervals, wrong += amount->interval->low > row.truth || amount->interval->high < row.truth;
@@ -93,17 +93,17 @@ double counted(const Row& row, const Observations& of, std::size_t k) {
     return intervals > 0 ? wrong > 0 : std::numeric_limits<double>::quiet_NaN();
   }
   const auto with_first = [&](Verdict verdict) {
-    return std::ranges::count_if(findings,
-                                 [&](const Finding& each) { return each.first == "A" && verdict_of(each) == verdict; });
+    return std::ranges::count_if(
+        findings, [&](const Comparison& each) { return each.first == "A" && verdict_of(each) == verdict; });
   };
   if (row.counts == Counts::same_as_first) return with_first(Verdict::same) > 0;
   if (row.counts == Counts::better_than_others)
     return static_cast<double>(with_first(Verdict::better)) / static_cast<double>(k - 1);
-  return std::ranges::any_of(findings, [](const Finding& each) { return is_difference(verdict_of(each)); });
+  return std::ranges::any_of(findings, [](const Comparison& each) { return is_difference(verdict_of(each)); });
 }
 
 // The share of pairs with the first that Mann and Whitney's test finds at 0.05 / pairs.
-double found_by_mann_whitney(const Observations& of) {
+double found_by_mann_whitney(const MetricSamples& of) {
   const auto k = static_cast<double>(of.groups.size());
   const auto is_found = [&](const Group& other) {
     return mann_whitney(values_of(of.groups[0]), values_of(other)) < 0.05 / (k * (k - 1) / 2);
@@ -159,13 +159,13 @@ std::vector<Row> rows() {
        .most = 0.056,
        .draw = with_zeros,
        .hard = 1000,
-       .scale = Scale::difference},
+       .scale = EffectScale::difference},
       {.name = "false same: ratio 1.3, one block 1000 times as hard, differences",
        .most = 0.01,
        .counts = same_as_first,
        .draw = third_more,
        .hard = 1000,
-       .scale = Scale::difference},
+       .scale = EffectScale::difference},
       {.name = "false better: a tenth failed, written as 1000", .most = 0.056, .draw = failing_blocks, .hard = 1},
       {.name = "false better, by means: a tenth failed, written as 1000",
        .most = 0.056,
@@ -236,7 +236,7 @@ TEST_CASE("verdicts are wrong no more often than they say", "[error_rates]") {
         double share = 0, by_mann_whitney = 0, told = 0;
         for (int set = 0; set < sets; ++set) {
           Random random(1'000'003 * ++seed);
-          const Observations of = drawn(row, k, n, random);
+          const MetricSamples of = drawn(row, k, n, random);
           if (const double one = counted(row, of, k); !std::isnan(one)) share += one, ++told;
           if (row.counts == Counts::better_than_others) by_mann_whitney += found_by_mann_whitney(of) / sets;
         }
@@ -259,8 +259,8 @@ TEST_CASE("verdicts are wrong no more often than they say", "[error_rates]") {
 
 // Solvers that cost the same: six sessions of times, evaluations of 50 targets, of which some solve fewer.
 show::Answer drawn_answer(Random& random, std::size_t k, double least_solved, bool are_times_judged) {
-  Observations solved{.metric = "solved", .better = Better::larger, .scale = Scale::share, .is_paired = true},
-      times{.metric = "time", .is_paired = true, .are_logs = true, .fewest = 4},
+  MetricSamples solved{.metric = "solved", .better = Better::larger, .scale = EffectScale::share, .is_paired = true},
+      times{.metric = "time", .is_paired = true, .is_log_scale = true, .fewest = 4},
       evaluations{.metric = "evaluations", .floor = 1e-300, .is_paired = true};
   for (std::size_t g = 0; g < k; ++g) {
     Measured is_solved, logs, counts;
@@ -270,12 +270,12 @@ show::Answer drawn_answer(Random& random, std::size_t k, double least_solved, bo
     const std::string name(1, static_cast<char>('A' + g));
     solved.groups.push_back({.name = name, .sample = std::move(is_solved)});
     times.groups.push_back({.name = name, .sample = std::move(logs)});
-    if (!are_times_judged) times.groups.back().sample = Untold{.why = Untold::Why::apart};
+    if (!are_times_judged) times.groups.back().sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::apart};
     evaluations.groups.push_back({.name = name, .sample = std::move(counts)});
   }
   const Plan plan;
   std::vector<JudgedMetric> metrics;
-  for (Observations* const observed : {&solved, &times, &evaluations})  // which the plan names
+  for (MetricSamples* const observed : {&solved, &times, &evaluations})  // which the plan names
     metrics.push_back(judge(*observed, plan, compare(*observed, plan, 3)));
   show::Answer answer = show::answer_of(std::move(metrics));
   answer.then = plan.then;

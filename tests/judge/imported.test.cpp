@@ -16,12 +16,12 @@ StudyResults of_machine(const std::vector<std::string>& solvers, double seconds,
       },
       solvers);
   for (ikbench::results::Series& series : all.series)
-    if (series.label == "LM") series.algorithm = unit_of_times;
+    if (series.label == "LM") series.algorithm = time_reference_solver;
   all.definition.stop.seconds = 1;
   return all;
 }
 
-const Group& its_group(const Observations& observed, std::string_view name) {
+const Group& its_group(const MetricSamples& observed, std::string_view name) {
   return observed.groups[place_of(observed, name)];
 }
 
@@ -31,13 +31,13 @@ TEST_CASE("Beside a study, shares are compared where no time ended a solve, and 
   StudyResults here = of_machine({"mine", "LM"}, 0.001),
                there = of_machine({"LM", "early", "late", "mine"}, 0.004, "", 8);
   there.beside.of = "on another machine, 11/2026";
-  put_beside(here, there);
+  add_imported(here, there);
   CHECK(here.labels == std::vector<std::string>{"mine", "LM", "early", "late", "mine (there)"});
   CHECK(here.beside.labels == std::vector<std::string>{"early", "late", "mine (there)"});
   CHECK(here.beside.unit == 0.004);
   CHECK(here.of("early").size() == 60);  // of the runs that are here, too
   CHECK(here.definition.plan.control == "mine");
-  const Observations solved = observe(here, metric_named("solved")), times = observe(here, metric_named("seconds"));
+  const MetricSamples solved = observe(here, metric_named("solved")), times = observe(here, metric_named("seconds"));
   for (const char* name : {"mine", "LM", "early"}) CHECK(untold(its_group(solved, name)) == nullptr);
   REQUIRE(untold(its_group(solved, "late")) != nullptr);
   CHECK(values_of(its_group(solved, "late")).size() == 60);  // shown
@@ -73,7 +73,7 @@ TEST_CASE("The archive has libraries of three arms, and LM of each") {
     CHECK(std::ranges::all_of(all.of("LM"), [](const Solve& solve) {
       return solve.status == Status::ok && solve.seconds > 0 && solve.position_error_cm <= 0.001;
     }));
-    CHECK(std::ranges::count(all.series, unit_of_times, &ikbench::results::Series::algorithm) == 1);
+    CHECK(std::ranges::count(all.series, time_reference_solver, &ikbench::results::Series::algorithm) == 1);
   }
   CHECK_THROWS_WITH(archived("puma560"), ContainsSubstring("kuka_iiwa14"));
 }

@@ -15,7 +15,7 @@ std::string slugs(const JudgedStudy& of) {
   return all;
 }
 
-bool has_doubt(const std::vector<Doubt>& doubts, DoubtKind kind) {
+bool has_doubt(const std::vector<Doubt>& doubts, WarningKind kind) {
   return std::ranges::find(doubts, kind, &Doubt::kind) != doubts.end();
 }
 
@@ -44,9 +44,10 @@ TEST_CASE("Of equal solvers the one with fewer evaluations comes first") {
     solve.position_error_cm = 0.01 * solve.run;
     solve.evaluations = solve.label == "A" ? 200 : 100;
   }));
-  CHECK(best_first(metric(of, "error"), of.metrics) == std::vector<std::size_t>{1, 0});
-  for (JudgedMetric& each : of.metrics) each.observations.measures = Measure::other;  // as a file's column of that name
-  CHECK(best_first(metric(of, "error"), of.metrics) == std::vector<std::size_t>{0, 1});
+  CHECK(display_order(metric(of, "error"), of.metrics) == std::vector<std::size_t>{1, 0});
+  for (JudgedMetric& each : of.metrics)
+    each.observations.measures = QuantityKind::other;  // as a file's column of that name
+  CHECK(display_order(metric(of, "error"), of.metrics) == std::vector<std::size_t>{0, 1});
 }
 
 TEST_CASE("The plan's test, level, margin and control reach the comparison") {
@@ -59,7 +60,7 @@ TEST_CASE("The plan's test, level, margin and control reach the comparison") {
   };
   CHECK(seen(judged(R"({"test": "means"})").findings.front()).test == "Welch's t");
   CHECK(judged(R"({"control": "B"})").findings.size() == 2);
-  CHECK(seen(judged(R"({"significance": 0.0001})").findings.front()).why == Why::too_few);
+  CHECK(seen(judged(R"({"significance": 0.0001})").findings.front()).why == NotTestedReason::too_few);
   CHECK_FALSE(seen(judged(R"({})").findings.front()).is_within_margin);
   CHECK(seen(judged(R"({"margin_percent": 99})").findings.front()).is_within_margin);
 }
@@ -74,7 +75,7 @@ TEST_CASE("Means that few values decide are told") {
                                                                                        : 1 + 0.01 * solve.run;
                                                        })),
                                     "error");
-  REQUIRE(has_doubt(error.observations.doubts, DoubtKind::few_decide_mean));
+  REQUIRE(has_doubt(error.observations.doubts, WarningKind::dominated_by_few));
   CHECK(error.observations.doubts.front().who == std::vector<std::string>{"B"});
 }
 

@@ -23,32 +23,34 @@ StudyResults version(
   return study(asked, draw, {"mine"}, {{.id = 1, .environment = {{"cpu", "one"}, {"analysis", "{}"}}}});
 }
 
-Gate gate_of(const StudyResults& before, const StudyResults& after, std::size_t labels = 1,
-             const GateOptions& options = {}) {
-  std::vector<Gate> gates(labels, gate(before, after, options));
+RegressionCheck gate_of(const StudyResults& before, const StudyResults& after, std::size_t labels = 1,
+                        const GateOptions& options = {}) {
+  std::vector<RegressionCheck> gates(labels, gate(before, after, options));
   decide(gates);
   return gates.front();
 }
 
 // Of two labels of one study.
-Gate gate_of(StudyResults both, const std::string& candidate, const std::string& baseline,
-             const GateOptions& options = {}) {
-  std::vector<Gate> gates{gate(std::move(both), candidate, baseline, options)};
+RegressionCheck gate_of(StudyResults both, const std::string& candidate, const std::string& baseline,
+                        const GateOptions& options = {}) {
+  std::vector<RegressionCheck> gates{gate(std::move(both), candidate, baseline, options)};
   decide(gates);
   return gates.front();
 }
 
 // Of one study of B and A.
-Gate gate_of(const Asked& asked, const Change& change) { return gate_of(study(asked, change, {"B", "A"}), "B", "A"); }
+RegressionCheck gate_of(const Asked& asked, const Change& change) {
+  return gate_of(study(asked, change, {"B", "A"}), "B", "A");
+}
 
 using Names = std::vector<std::string>;
 
 }  // namespace
 
 TEST_CASE("an unchanged solver passes, also where nothing may be open") {
-  const Gate gate = gate_of(version(1), version(1));
+  const RegressionCheck gate = gate_of(version(1), version(1));
   CHECK(gate.worse.empty());
-  CHECK(gate.not_decided.empty());
+  CHECK(gate.inconclusive.empty());
   CHECK(exit_code({gate}, true) == 0);
   for (const JudgedMetric& judged : gate.judged.metrics)
     if (judged.observations.unit != "s") CHECK(verdict_of(judged.findings.front()) == Verdict::same);
@@ -58,7 +60,7 @@ TEST_CASE("three times the evaluations on the targets that it solves are worse, 
   const auto triple = [](SolveRecord& solve) {
     if (solve.status == Status::ok) solve.evaluations *= 3;
   };
-  const Gate gate = gate_of(version(1), version(2, of_100, triple));
+  const RegressionCheck gate = gate_of(version(1), version(2, of_100, triple));
   CHECK(gate.worse == Names{"evaluations per solved"});
   CHECK(exit_code({gate}, false) == 3);
   CHECK(exit_code({gate_of(version(2, of_100, triple), version(1))}, false) == 0);
@@ -70,13 +72,13 @@ TEST_CASE("5 crashes in 100 solves are worse where the baseline had none") {
     asked.tolerance_cm = tolerance;
     const auto solved = [](SolveRecord& solve) { solve.status = Status::ok; };
     const auto crash = [](SolveRecord& solve) { solve.status = solve.point % 20 == 0 ? Status::crashed : Status::ok; };
-    const Gate gate = gate_of(version(1, asked, solved), version(1, asked, crash));
+    const RegressionCheck gate = gate_of(version(1, asked, solved), version(1, asked, crash));
     CHECK(gate.worse.empty());
     CHECK(gate.newly_missing == 5);
     CHECK(exit_code({gate}, false) == 3);
     // As chance may do: its p is not small, and nothing is certain.
     const auto crash_once = [](SolveRecord& solve) { solve.status = solve.point == 7 ? Status::crashed : Status::ok; };
-    const Gate once = gate_of(version(1, asked, solved), version(1, asked, crash_once));
+    const RegressionCheck once = gate_of(version(1, asked, solved), version(1, asked, crash_once));
     CHECK(once.newly_missing == 1);
     CHECK(seen(once.judged.metrics.back().findings.front()).p == 1);
     CHECK(exit_code({once}, false) == 3);
@@ -127,7 +129,7 @@ TEST_CASE("drawn targets are paired; another task or number of solves is refused
 
 TEST_CASE("times decide nothing, and those of other stores and of solves that are the same are not compared") {
   const Asked in_turns{.start = "initial", .runs = 5, .points = 20, .tolerance_cm = 0.1};
-  const auto time_of = [](const Gate& gate) {
+  const auto time_of = [](const RegressionCheck& gate) {
     return seen(std::ranges::find(gate.judged.metrics, "s", [](const JudgedMetric& each) {
                   return each.observations.unit;
                 })->findings.front());
@@ -138,13 +140,13 @@ TEST_CASE("times decide nothing, and those of other stores and of solves that ar
     solve.answer_rad.push_back(1);
   };
   const StudyResults before = version(1, in_turns);
-  for (const Gate& gate :
+  for (const RegressionCheck& gate :
        {gate_of(before, version(1, in_turns, slow_and_other)), gate_of(before, version(1, in_turns, slow))}) {
-    CHECK(time_of(gate).why == Why::apart);
+    CHECK(time_of(gate).why == NotTestedReason::apart);
     CHECK(gate.worse.empty());
-    CHECK(std::ranges::count(gate.not_decided, "time per solved") == 0);
+    CHECK(std::ranges::count(gate.inconclusive, "time per solved") == 0);
   }
-  const Gate one = gate_of(in_turns, [&](SolveRecord& solve) {
+  const RegressionCheck one = gate_of(in_turns, [&](SolveRecord& solve) {
     const double noise = solve.label == "B" ? 1 + 0.01 * (solve.run % 2) : 1;
     solve.seconds = solve.cpu_seconds = noise * 1e-5 * (100 * solve.run + solve.point);
     if (solve.label == "B") slow_and_other(solve);
@@ -173,14 +175,15 @@ StudyResults in_turns(int turns, int lag, double seconds) {
 TEST_CASE("times of two that solved in turn decide; too few turns and other sessions are no pass") {
   const auto gates_of = [](int turns, int lag, double factor, std::size_t labels = 1) {
     const GateOptions by_times{.time_margin = 0.1};
-    std::vector<Gate> gates(labels, gate(in_turns(turns, 0, 1e-5), in_turns(turns, lag, factor * 1e-5), by_times));
+    std::vector<RegressionCheck> gates(labels,
+                                       gate(in_turns(turns, 0, 1e-5), in_turns(turns, lag, factor * 1e-5), by_times));
     decide(gates);
     return gates;
   };
   CHECK(exit_code(gates_of(6, 1, 1.01), true) == 0);
   CHECK(gates_of(6, 1, 1.3).front().worse == Names{"time"});
   CHECK(exit_code(gates_of(6, 1, 1.01, 2), true) == 0);
-  const std::vector<Gate> few = gates_of(3, 1, 1.01);
+  const std::vector<RegressionCheck> few = gates_of(3, 1, 1.01);
   CHECK(few.front().not_tested == Names{"time"});
   CHECK(exit_code(few, false) == 1);
   CHECK_NOTHROW(gates_of(6, 10, 1));                           // it began in the same second
@@ -197,18 +200,19 @@ TEST_CASE("times of two that solved in turn decide; too few turns and other sess
   for (results::Session& session : hot.sessions) session.environment["state"] = "hot";
   CHECK_THROWS_WITH(gate(hot, in_turns(6, 1, 1e-5), {.time_margin = 0.1}),
                     ContainsSubstring("before second calls on a target"));
-  const Gate told = gate_of(hot, in_turns(6, 1, 1e-5));
+  const RegressionCheck told = gate_of(hot, in_turns(6, 1, 1e-5));
   const auto time = std::ranges::find(told.judged.metrics, "s", [](auto& each) { return each.observations.unit; });
   REQUIRE(time->observations.doubts.size() == 1);
   CHECK_THAT(words_of(time->observations.doubts.front()), ContainsSubstring("before second calls on a target"));
-  CHECK(judged_of(gate_of(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5)).judged, "seconds")->observations.doubts.empty());
+  CHECK(
+      find_metric(gate_of(in_turns(6, 0, 1e-5), in_turns(6, 1, 1e-5)).judged, "seconds")->observations.doubts.empty());
 }
 
 TEST_CASE("a metric that one of the two lacks is not tested") {
   const auto uncounted = [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; };
   CHECK(gate_of(version(1), version(2, of_100, uncounted)).not_tested == Names{"evaluations per solved"});
   CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
-  const Gate of_two = gate_of(of_100, [&](SolveRecord& solve) {
+  const RegressionCheck of_two = gate_of(of_100, [&](SolveRecord& solve) {
     if (solve.label == "B") uncounted(solve);
   });
   CHECK(of_two.not_tested == Names{"evaluations"});
@@ -219,7 +223,7 @@ TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
   constexpr int compares = 200;
   int red = 0;
   for (int i = 0; i < compares; ++i) {
-    const Gate gate = gate_of(version(i), version(compares + i));
+    const RegressionCheck gate = gate_of(version(i), version(compares + i));
     for (const JudgedMetric& judged : gate.judged.metrics) CHECK(judged.plan.significance == 0.05);  // p is adjusted
     red += !gate.worse.empty();
   }
@@ -232,11 +236,11 @@ TEST_CASE("labels and metrics that are compared share the significance") {
     if (solve.status == Status::ok && missed++ < 8) solve.status = Status::tolerance_missed;
   };
   const StudyResults before = version(1), after = version(1, of_100, miss_eight);
-  const Gate one = gate_of(before, after), of_six = gate_of(before, after, 6);
+  const RegressionCheck one = gate_of(before, after), of_six = gate_of(before, after, 6);
   CHECK(std::ranges::count(one.worse, "solved") == 1);
   CHECK(seen(one.judged.metrics.front().findings.front()).p == 3 * 2 / 256.0);  // solved, time and evaluations
   CHECK(std::ranges::count(of_six.worse, "solved") == 0);
-  CHECK(std::ranges::count(of_six.not_decided, "solved") == 1);
+  CHECK(std::ranges::count(of_six.inconclusive, "solved") == 1);
   CHECK(seen(of_six.judged.metrics.front().findings.front()).p == 6 * 3 * 2 / 256.0);
 }
 
@@ -245,14 +249,14 @@ TEST_CASE("what the plan names decides, and what it does not name is told") {
     solve.answer_rad.push_back(1);  // else the solves are the same
     solve.variation_deg *= 1.5;
   };
-  const Gate one = gate_of(version(1), version(1, of_100, far));
+  const RegressionCheck one = gate_of(version(1), version(1, of_100, far));
   CHECK(one.worse.empty());
   CHECK(one.also_worse == Names{"joint motion"});
   CHECK(exit_code({one}, false) == 0);
   CHECK(gate_of(version(1, of_100, far), version(1)).also_better == Names{"joint motion"});
   Asked with_motion = of_100;
   with_motion.rest = R"(, "analysis": {"then": ["time", "evaluations", "motion"]})";
-  const Gate named = gate_of(version(1, with_motion), version(1, with_motion, far));
+  const RegressionCheck named = gate_of(version(1, with_motion), version(1, with_motion, far));
   CHECK(named.worse == Names{"joint motion"});
   CHECK(named.also_worse.empty());
   CHECK(exit_code({named}, false) == 3);
@@ -262,7 +266,7 @@ TEST_CASE("no more metrics decide than share the significance") {
   Asked by_evaluations = of_100;
   by_evaluations.rest = R"(, "analysis": {"metric": "evaluations", "then": ["time"]})";
   const auto triple = [](SolveRecord& solve) { solve.evaluations *= 3; };
-  const Gate gate = gate_of(version(1, by_evaluations), version(1, by_evaluations, triple));
+  const RegressionCheck gate = gate_of(version(1, by_evaluations), version(1, by_evaluations, triple));
   CHECK(gate.worse == Names{"evaluations"});
   CHECK(gate.also_worse == Names{"evaluations per solved"});
   for (const char* plan : {R"("then": [])", R"("then": ["motion", "time"])", R"("metric": "seconds")", ""}) {
@@ -277,7 +281,7 @@ TEST_CASE("no more metrics decide than share the significance") {
 TEST_CASE("--metric chooses of the plan's metrics those that decide, and changes no p") {
   const auto triple = [](SolveRecord& solve) { solve.evaluations *= 3; };
   const StudyResults before = version(1), after = version(1, of_100, triple);
-  const Gate all = gate_of(before, after), one = gate_of(before, after, 1, {.metrics = {"solved"}});
+  const RegressionCheck all = gate_of(before, after), one = gate_of(before, after, 1, {.metrics = {"solved"}});
   CHECK(all.worse == Names{"evaluations per solved"});
   CHECK(exit_code({all}, false) == 3);
   CHECK(one.worse.empty());
@@ -332,21 +336,21 @@ TEST_CASE("a pair has one p and one verdict in a metric, whatever tells it") {
       for (const std::string& candidate : drawn.labels) {
         for (const std::string& baseline : drawn.labels) {
           if (candidate == baseline || (has_control && candidate != "A" && baseline != "A")) continue;
-          const Gate told = gate_of(drawn, candidate, baseline, options);
+          const RegressionCheck told = gate_of(drawn, candidate, baseline, options);
           for (const JudgedMetric& metric : report.metrics) {
             const auto its = std::ranges::find(told.judged.metrics, metric.observations.metric,
                                                [](const JudgedMetric& each) { return each.observations.metric; });
             REQUIRE(its != told.judged.metrics.end());
             REQUIRE(its->findings.size() == 1);
             const Seen here = seen(its->findings.front());
-            const Finding* const found = finding_of(metric, candidate, baseline);
+            const Comparison* const found = find_comparison(metric, candidate, baseline);
             REQUIRE(found != nullptr);
             const Seen there = seen(judge::better_first(*found, baseline));
             CAPTURE(seed, candidate, baseline, metric.observations.quantity);
             CHECK(here.first == there.first);
             CHECK(here.p == there.p);
             CHECK(is_difference(here.verdict) == is_difference(there.verdict));
-            if (metric.observations.measures != Measure::time) CHECK(here.verdict == there.verdict);
+            if (metric.observations.measures != QuantityKind::time) CHECK(here.verdict == there.verdict);
             ++pairs;
             decided += is_difference(here.verdict);
           }
@@ -366,26 +370,26 @@ TEST_CASE("labels of another machine change no p of a study's own pairs") {
     for (std::string& label : theirs.labels) label += " of them";
     for (results::Series& series : theirs.series) series.label += " of them";
     theirs.beside.of = "elsewhere";
-    put_beside(own, theirs);
+    add_imported(own, theirs);
     const JudgedStudy both = judge::judge(std::move(own));
     for (const JudgedMetric& metric : alone.metrics) {
       const auto its = std::ranges::find(both.metrics, metric.observations.metric,
                                          [](const JudgedMetric& each) { return each.observations.metric; });
       REQUIRE(its != both.metrics.end());
-      for (const Finding& finding : metric.findings) {
+      for (const Comparison& finding : metric.findings) {
         if (finding.first != "A") continue;
-        const Finding* const found = finding_of(*its, finding.first, finding.second);
+        const Comparison* const found = find_comparison(*its, finding.first, finding.second);
         REQUIRE(found != nullptr);
         CHECK(seen(*found).p == seen(finding).p);
         CHECK(verdict_of(*found) == verdict_of(finding));
       }
       // Theirs are compared with the control alone, and no own pair takes a part of their significance.
-      Observations others = its->observations;
+      MetricSamples others = its->observations;
       std::erase_if(others.groups, [](const Group& group) {
         return group.name != "A" && group.name.find("of them") == std::string::npos;
       });
-      for (const Finding& finding : compare(others, its->plan, names_in_plan(both.study.definition).size()))
-        CHECK(seen(*finding_of(*its, finding.first, finding.second)).p == seen(finding).p);
+      for (const Comparison& finding : compare(others, its->plan, names_in_plan(both.study.definition).size()))
+        CHECK(seen(*find_comparison(*its, finding.first, finding.second)).p == seen(finding).p);
     }
   }
 }
@@ -399,13 +403,13 @@ TEST_CASE("a name of the plan is one family, whichever of its metrics a label ha
     solve_all(solve);
     take_more(solve);
   };
-  const auto p_of = [](const Gate& gate, const char* column) {
-    return *seen(judged_of(gate.judged, column)->findings.front()).p;
+  const auto p_of = [](const RegressionCheck& gate, const char* column) {
+    return *seen(find_metric(gate.judged, column)->findings.front()).p;
   };
-  std::vector<Gate> both{gate(version(1, of_100, solve_all), version(2, of_100, solve_all_by_more)),
-                         gate(version(1), version(2, of_100, take_more))};
-  std::vector<Gate> alone{both.front()}, other{both.back()};
-  for (std::vector<Gate>* const gates : {&both, &alone, &other}) decide(*gates);
+  std::vector<RegressionCheck> both{gate(version(1, of_100, solve_all), version(2, of_100, solve_all_by_more)),
+                                    gate(version(1), version(2, of_100, take_more))};
+  std::vector<RegressionCheck> alone{both.front()}, other{both.back()};
+  for (std::vector<RegressionCheck>* const gates : {&both, &alone, &other}) decide(*gates);
   CHECK(p_of(both[0], "evaluations") == std::min(1.0, 2 * p_of(alone[0], "evaluations")));
   CHECK(p_of(both[1], "evaluations_per_solved") == std::min(1.0, 2 * p_of(other[0], "evaluations_per_solved")));
   CHECK(p_of(alone[0], "evaluations") < 0.5);
@@ -416,7 +420,7 @@ TEST_CASE("solves that are the same bit for bit leave nothing open, however few"
   const auto with = [&](double angle) {
     return study(chained, [=](SolveRecord& solve) { solve.answer_rad.push_back(angle); }, {"mine"});
   };
-  const Gate same = gate_of(with(1), with(1)), other = gate_of(with(1), with(2));
+  const RegressionCheck same = gate_of(with(1), with(1)), other = gate_of(with(1), with(2));
   CHECK(same.are_same);
   CHECK(exit_code({same}, true) == 0);
   CHECK_FALSE(other.are_same);
@@ -436,7 +440,7 @@ TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
   after.definition.plan.margin = 9;
   CHECK_FALSE(gate_of(before, after).worse.empty());
   before.definition.plan.margin = 9;
-  const Gate gate = gate_of(before, after);
+  const RegressionCheck gate = gate_of(before, after);
   CHECK(gate.worse.empty());
   REQUIRE(gate.judged.doubts.size() == 1);
   CHECK_THAT(words_of(gate.judged.doubts.front()), ContainsSubstring("3000 evaluations"));
@@ -461,9 +465,9 @@ TEST_CASE("what is not decided fails a strict gate alone") {
   Asked few = of_100;
   few.points = 8;
   const auto shift = [](SolveRecord& solve) { solve.variation_deg *= 1.02; };
-  const Gate gate = gate_of(version(1, few), version(2, few, shift));
+  const RegressionCheck gate = gate_of(version(1, few), version(2, few, shift));
   CHECK(gate.worse.empty());
-  CHECK(gate.not_decided == Names{"solved", "evaluations per solved"});
+  CHECK(gate.inconclusive == Names{"solved", "evaluations per solved"});
   CHECK(gate.not_tested.empty());  // joint motion has too few targets, and the plan does not name it
   CHECK(exit_code({gate}, false) == 0);
   CHECK(exit_code({gate}, true) == 4);
@@ -474,11 +478,11 @@ TEST_CASE("a gate in which too few were compared ends with 1, whatever the answe
   const auto far = [](SolveRecord& solve) {
     if (solve.label == "B") solve.position_error_cm = 25 + solve.run;
   };
-  const Gate gate = gate_of(chained, far);
+  const RegressionCheck gate = gate_of(chained, far);
   CHECK_FALSE(gate.is_compared);
   CHECK(exit_code({gate}, false) == 1);
   CHECK(gate.worse.empty());
-  const Gate crashed = gate_of(chained, [](SolveRecord& solve) {
+  const RegressionCheck crashed = gate_of(chained, [](SolveRecord& solve) {
     if (solve.label == "B") solve.status = Status::crashed;
   });
   CHECK(exit_code({crashed}, false) == 3);  // answers were lost for sure
@@ -496,7 +500,7 @@ TEST_CASE("what the study's time ended in other sessions is not compared") {
     return study;
   };
   CHECK(exit_code({gate_of(timed(200), timed(200))}, false) == 0);
-  const Gate ended = gate_of(timed(200), timed(40));
+  const RegressionCheck ended = gate_of(timed(200), timed(40));
   CHECK(ended.worse.empty());
   CHECK_FALSE(ended.is_compared);
   CHECK(exit_code({ended}, false) == 1);

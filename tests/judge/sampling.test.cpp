@@ -10,20 +10,20 @@ const Asked chained{}, fixed_targets{.start = "middle"}, drawn{.start = "middle"
     drawn_runs{.start = "previous", .targets = "drawn"};
 const auto as_made = [](SolveRecord&) {};
 
-Observations observed(const StudyResults& study, std::string_view metric = "position_error_cm") {
+MetricSamples observed(const StudyResults& study, std::string_view metric = "position_error_cm") {
   return observe(study, metric_named(metric));
 }
 
-const Group& group(const Observations& of, std::string_view name) {
+const Group& group(const MetricSamples& of, std::string_view name) {
   return *std::ranges::find(of.groups, name, &Group::name);
 }
 
-std::optional<Doubt> doubt_in(const std::vector<Doubt>& doubts, DoubtKind kind) {
+std::optional<Doubt> doubt_in(const std::vector<Doubt>& doubts, WarningKind kind) {
   const auto found = std::ranges::find(doubts, kind, &Doubt::kind);
   return found == doubts.end() ? std::nullopt : std::optional(*found);
 }
 
-std::optional<Doubt> doubt_of(const StudyResults& study, DoubtKind kind) { return doubt_in(doubts_of(study), kind); }
+std::optional<Doubt> doubt_of(const StudyResults& study, WarningKind kind) { return doubt_in(doubts_of(study), kind); }
 
 // Error 10 * run + point.
 void number_errors(SolveRecord& solve) { solve.position_error_cm = 10 * solve.run + solve.point; }
@@ -41,38 +41,38 @@ TEST_CASE("A chained run is one observation: the mean, of times the median") {
     number_errors(solve);
     solve.seconds = solve.point == 4 ? 100 : solve.point;
   });
-  const Observations errors = observed(of);
+  const MetricSamples errors = observed(of);
   CHECK_FALSE(errors.is_paired);
   CHECK(errors.trials == 4);
   CHECK(list_of(group(errors, "A")) == Numbers{12.5, 22.5, 32.5, 42.5, 52.5});
   CHECK(std::get<Measured>(group(errors, "A").sample).blocks.empty());
-  CHECK(list_of(group(observe_solves(of, metric_named("seconds")), "A")) == Numbers(5, 2.5));
+  CHECK(list_of(group(make_samples_by_target(of, metric_named("seconds")), "A")) == Numbers(5, 2.5));
 }
 
 TEST_CASE("Else a target is one: a drawn one's only solve, a fixed one's mean over the runs") {
-  const Observations of_drawn = observed(study(drawn, number_errors));
+  const MetricSamples of_drawn = observed(study(drawn, number_errors));
   CHECK(of_drawn.is_paired);
   CHECK(of_drawn.trials == 1);
   CHECK(list_of(group(of_drawn, "A")).size() == 20);
   CHECK(list_of(group(of_drawn, "A"))[4] == 21);
-  const Observations of_fixed = observed(study(fixed_targets, number_errors));
+  const MetricSamples of_fixed = observed(study(fixed_targets, number_errors));
   CHECK(of_fixed.is_paired);
   CHECK(of_fixed.trials == 5);
   CHECK(list_of(group(of_fixed, "A")) == Numbers{31, 32, 33, 34});
   const Asked path_by_points{.start = "previous", .rest = R"(, "analysis": {"values": "points"})"};
-  const Observations of_path = observed(study(path_by_points, number_errors));
+  const MetricSamples of_path = observed(study(path_by_points, number_errors));
   CHECK(of_path.is_paired);
   CHECK(list_of(group(of_path, "A")) == Numbers{31, 32, 33, 34});
 }
 
 TEST_CASE("Runs are paired where their targets were drawn") {
-  const Observations runs = observed(study(drawn_runs, number_errors));
+  const MetricSamples runs = observed(study(drawn_runs, number_errors));
   CHECK(runs.is_paired);
   CHECK(list_of(group(runs, "A")) == Numbers{12.5, 22.5, 32.5, 42.5, 52.5});
 }
 
 TEST_CASE("One fixed target is no group of one: its runs are observations") {
-  const Observations of = observed(study({.start = "middle", .points = 1}, number_errors));
+  const MetricSamples of = observed(study({.start = "middle", .points = 1}, number_errors));
   CHECK_FALSE(of.is_paired);
   CHECK(list_of(group(of, "A")) == Numbers{11, 21, 31, 41, 51});
 }
@@ -85,12 +85,12 @@ TEST_CASE("A chained run that lacks a point gives no observation, and a pair has
     return stored_study(entry_of(asked, {"A", "B"}), solves);
   };
   CHECK(list_of(group(observed(without(chained)), "A")) == Numbers{12.5, 32.5, 42.5, 52.5});
-  const Observations runs = observed(without(drawn_runs));
+  const MetricSamples runs = observed(without(drawn_runs));
   CHECK(std::get<Measured>(group(runs, "A").sample).blocks == std::vector<int>{1, 3, 4, 5});
   CHECK(std::get<Measured>(group(runs, "B").sample).blocks == std::vector<int>{1, 2, 3, 4, 5});
-  CHECK(lost_in(group(runs, "A")) == 0);
+  CHECK(missing_in(group(runs, "A")) == 0);
   CHECK(list_of(group(observed(without(drawn)), "A")).size() == 19);
-  const auto doubt = doubt_of(without(chained), DoubtKind::runs_missing);
+  const auto doubt = doubt_of(without(chained), WarningKind::runs_missing);
   REQUIRE(doubt);
   CHECK(doubt->who == std::vector<std::string>{"A"});
   CHECK(doubt->count == 1);
@@ -112,10 +112,10 @@ TEST_CASE("A solver whose runs repeat each other bit for bit has one observation
   CHECK(list_of(group(observed(of), "B")).size() == 5);
   CHECK(list_of(group(observed(of, "seconds"), "A")).size() == 5);  // sessions
   CHECK(list_of(group(observed(of, "evaluations"), "A")).size() == 5);
-  const auto doubt = doubt_of(of, DoubtKind::repeats_itself);
+  const auto doubt = doubt_of(of, WarningKind::repeats_itself);
   REQUIRE(doubt);
   CHECK(doubt->who == std::vector<std::string>{"A"});
-  CHECK_FALSE(doubt_of(study(fixed_targets, as_one), DoubtKind::repeats_itself));
+  CHECK_FALSE(doubt_of(study(fixed_targets, as_one), WarningKind::repeats_itself));
 }
 
 TEST_CASE("Numbers that are not finite are lost; a solve without an answer has its error and no cost") {
@@ -125,15 +125,15 @@ TEST_CASE("Numbers that are not finite are lost; a solve without an answer has i
     if (solve.point == 1) solve.position_error_cm = ikbench::not_a_number;
   };
   const StudyResults of = study(drawn, fails);
-  CHECK(lost_in(group(observed(of), "A")) == 1);
+  CHECK(missing_in(group(observed(of), "A")) == 1);
   CHECK(list_of(group(observed(of), "A")).size() == 19);
-  CHECK(lost_in(group(observed(of, "variation_deg"), "A")) == 2);
-  CHECK(lost_in(group(observed(study(chained, fails)), "A")) == 1);
-  CHECK(lost_in(group(observed(of), "B")) == 0);
+  CHECK(missing_in(group(observed(of, "variation_deg"), "A")) == 2);
+  CHECK(missing_in(group(observed(study(chained, fails)), "A")) == 1);
+  CHECK(missing_in(group(observed(of), "B")) == 0);
   const auto never = study(drawn, [](SolveRecord& solve) { solve.status = Status::crashed; });
-  CHECK(lost_in(group(observed(never), "B")) ==
+  CHECK(missing_in(group(observed(never), "B")) ==
         20);  // where the arm stayed is no error of a solver that never moved it
-  const auto doubt = doubt_of(of, DoubtKind::without_answer);
+  const auto doubt = doubt_of(of, WarningKind::without_answer);
   REQUIRE(doubt);
   CHECK(doubt->count == 3);
   CHECK(doubt->of == 20);
@@ -143,7 +143,7 @@ TEST_CASE("Numbers that are not finite are lost; a solve without an answer has i
     solve.variation_deg = 0;
   });
   CHECK(list_of(group(observed(refused, "variation_deg"), "A")) == Numbers(20, 0.0));
-  CHECK_FALSE(doubt_of(refused, DoubtKind::without_answer));
+  CHECK_FALSE(doubt_of(refused, WarningKind::without_answer));
 }
 
 TEST_CASE("Errors at or below the tolerance count as it, before they are averaged") {
@@ -151,7 +151,7 @@ TEST_CASE("Errors at or below the tolerance count as it, before they are average
   const auto small = [](SolveRecord& solve) {
     solve.position_error_cm = solve.label == "A" && solve.point < 4 ? 0.1 * solve.run : 5;
   };
-  const Observations of = observed(study(asked, small));
+  const MetricSamples of = observed(study(asked, small));
   CHECK(list_of(group(of, "A")) == Numbers(5, 2.0));
   CHECK(group(of, "A").at_most == 1);
   CHECK(group(of, "B").at_most == 0);
@@ -163,9 +163,9 @@ TEST_CASE("Solved is a share where there is a tolerance, and else has no value")
   const auto misses = [](SolveRecord& solve) {
     if (solve.point == 1) solve.status = Status::tolerance_missed;
   };
-  const Observations of = observed(study({.start = "previous", .tolerance_cm = 1}, misses), "solved");
+  const MetricSamples of = observed(study({.start = "previous", .tolerance_cm = 1}, misses), "solved");
   CHECK(of.better == Better::larger);
-  CHECK(of.scale == Scale::share);
+  CHECK(of.scale == EffectScale::share);
   CHECK(of.trials == 4);
   CHECK(list_of(group(of, "A")) == Numbers(5, 0.75));
   CHECK(list_of(group(observed(study(chained, misses), "solved"), "A")).empty());
@@ -180,7 +180,7 @@ TEST_CASE("Where targets have a tolerance, costs are of those that were solved, 
     asked.tolerance_cm = 1;
     return observed(study(asked, misses), "variation_deg");
   };
-  const Observations of = moves(drawn);
+  const MetricSamples of = moves(drawn);
   CHECK(list_of(group(of, "A")).size() == 19);
   CHECK(std::get<Measured>(group(of, "A").sample).blocks.front() == 2);
   CHECK(std::get<Measured>(group(of, "B").sample).blocks[1] == 3);
@@ -189,29 +189,30 @@ TEST_CASE("Where targets have a tolerance, costs are of those that were solved, 
   const auto misses_all = [](SolveRecord& solve) {
     solve.status = solve.label == "A" ? Status::tolerance_missed : Status::ok;
   };
-  const Observations of_path = observed(study({.start = "previous", .tolerance_cm = 1}, misses_all), "variation_deg");
-  CHECK(std::get<Untold>(group(of_path, "A").sample).why == Untold::Why::none);
+  const MetricSamples of_path = observed(study({.start = "previous", .tolerance_cm = 1}, misses_all), "variation_deg");
+  CHECK(std::get<ExcludedSample>(group(of_path, "A").sample).why == ExcludedSample::NotTestedReason::none);
   CHECK(list_of(group(of_path, "B")).size() == 5);
 }
 
 TEST_CASE("Times are compared over whole sessions of this clock in which the machine was not busy") {
   const auto times = [](const StudyResults& of) { return observe(of, metric_named("seconds")); };
-  const auto apart = [](const Observations& of) {
+  const auto apart = [](const MetricSamples& of) {
     std::string names;
     for (const Group& each : of.groups)
-      names += untold(each) && untold(each)->why == Untold::Why::apart ? each.name : "";
+      names += untold(each) && untold(each)->why == ExcludedSample::NotTestedReason::apart ? each.name : "";
     return names;
   };
-  const Observations five =
+  const MetricSamples five =
       times(study(chained, [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = 0.001 * solve.point; }));
   CHECK(apart(five).empty());
   REQUIRE(list_of(group(five, "A")).size() == 5);
   CHECK(list_of(group(five, "A")).front() == Approx(std::log(0.0025)));  // the median of four
   CHECK(list_of(group(times(without_times(study(chained, as_made))), "A")).front() == Approx(std::log(1e-9)));
   const auto one_slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = solve.run == 1 ? 9 : 1; };
-  CHECK(compared(times(study(chained, one_slow)), {}).front().why == Why::tested);  // though other logarithms are 0
+  CHECK(compared(times(study(chained, one_slow)), {}).front().why ==
+        NotTestedReason::tested);  // though other logarithms are 0
   for (const Timing timing : {Timing::parallel, Timing::debug_build}) {
-    const Observations all = times(study(chained, [&](SolveRecord& solve) {
+    const MetricSamples all = times(study(chained, [&](SolveRecord& solve) {
       if (solve.label == "A") solve.timing = timing;
     }));
     CHECK(apart(all) == "AB");
@@ -231,7 +232,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   };
   CHECK(apart(times(slowed(5, 2, 1.09))).empty());
   CHECK(apart(times(slowed(5, 2, 1.11))) == "B");
-  const Observations four_left = times(slowed(6, 2, 2));
+  const MetricSamples four_left = times(slowed(6, 2, 2));
   CHECK(apart(four_left).empty());
   CHECK(list_of(group(four_left, "A")).size() == 6);
   CHECK(list_of(group(four_left, "B")).size() == 4);
@@ -258,7 +259,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   CHECK(apart(observed(later)) == "ABCC");
   StudyResults cut = study(chained, as_made);
   std::erase_if(cut.solves, [](const Solve& solve) { return solve.label == 1 && solve.run == 5 && solve.point == 4; });
-  const Observations rest = times(cut);
+  const MetricSamples rest = times(cut);
   CHECK(list_of(group(rest, "B")).size() == 4);
   CHECK(compared(rest, {}).front().n == 4);
   const Asked to_solve{.start = "middle", .targets = "drawn", .tolerance_cm = 1};
@@ -266,7 +267,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
     solve.status = solve.label == "A" && solve.run == 2 && solve.point == 1 ? Status::tolerance_missed : Status::ok;
   };
   CHECK(list_of(group(times(study(to_solve, misses_one)), "A")).size() == 4);
-  const Observations spent = observe(study(to_solve, misses_one), metric_named("seconds_per_solved"));
+  const MetricSamples spent = observe(study(to_solve, misses_one), metric_named("seconds_per_solved"));
   REQUIRE(list_of(group(spent, "A")).size() == 5);
   double sum = 0;  // the mean is that of all spent by all solved
   for (const double value : list_of(group(spent, "A"))) sum += value / 5;
@@ -274,7 +275,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
   const auto solves_none_of_a_session = [](SolveRecord& solve) {
     solve.status = solve.label == "A" && solve.run < 5 ? Status::tolerance_missed : Status::ok;
   };
-  const Observations few = observe(study(to_solve, solves_none_of_a_session), metric_named("seconds_per_solved"));
+  const MetricSamples few = observe(study(to_solve, solves_none_of_a_session), metric_named("seconds_per_solved"));
   CHECK(list_of(group(few, "A")).size() == 5);  // who fails pays for it
   const auto solves_when_busy =
       study({.start = "middle", .targets = "drawn", .runs = 6, .tolerance_cm = 1}, [](SolveRecord& solve) {
@@ -288,7 +289,7 @@ TEST_CASE("Times are compared over whole sessions of this clock in which the mac
 
 TEST_CASE("What a program tells is its time, if its processor time leaves room for it") {
   const auto apart = [](const Change& change) {
-    const Observations of = observe(study(chained, change), metric_named("seconds"));
+    const MetricSamples of = observe(study(chained, change), metric_named("seconds"));
     std::string names;
     for (const Group& each : of.groups) names += untold(each) ? each.name : "";
     return names;
@@ -327,14 +328,14 @@ TEST_CASE("Times in batches are of no single call, and those of batches at once 
         {"A", "B"}, sessions);
   };
   for (const char* metric : {"seconds", "seconds_per_solved", "solved_in_time"}) {
-    const Observations of = observe(batches("1"), metric_named(metric));
+    const MetricSamples of = observe(batches("1"), metric_named(metric));
     CHECK(untold(group(of, "B")));
     CHECK(list_of(group(of, "B")).empty());
     REQUIRE(of.doubts.size() == 1);
     CHECK(of.doubts.front().who == std::vector<std::string>{"B"});
     CHECK(observe(batches("2"), metric_named(metric)).doubts.front().who.empty());
   }
-  CHECK(times_of(batches("1"), "B").empty());
+  CHECK(solve_times(batches("1"), "B").empty());
   CHECK(batches("1").in_batches.at("B").first == std::set{10});
   CHECK(std::ssize(batches("1").in_batches.at("B").second) == std::ssize(batches("1").of("B")));
 }
@@ -352,7 +353,7 @@ TEST_CASE("Solved in time is a share of all solves, also of busy sessions") {
     solve.seconds = solve.cpu_seconds = is_late ? 0.003 : 0.002;
   };
   const JudgedStudy judged = judge::judge(study(asked, late));
-  const JudgedMetric* const in_time = judged_of(judged, "solved_in_time");
+  const JudgedMetric* const in_time = find_metric(judged, "solved_in_time");
   REQUIRE(in_time != nullptr);
   CHECK(in_time->described[0].n == 120);
   CHECK(in_time->described[0].mean == Approx(19 / 20.0));
@@ -361,15 +362,15 @@ TEST_CASE("Solved in time is a share of all solves, also of busy sessions") {
   CHECK(found.verdict == Verdict::better);
   CHECK(found.n == 6);
   CHECK(found.test == "paired t");
-  CHECK(judged_of(judge::judge(study({}, as_made)), "solved_in_time") == nullptr);
+  CHECK(find_metric(judge::judge(study({}, as_made)), "solved_in_time") == nullptr);
   Asked of_a_loop = asked;
   of_a_loop.rest = R"(, "loop": {"period_ms": 2})";
-  CHECK(judged_of(judge::judge(study(of_a_loop, late)), "solved_in_time")->described[0].mean == Approx(19 / 20.0));
+  CHECK(find_metric(judge::judge(study(of_a_loop, late)), "solved_in_time")->described[0].mean == Approx(19 / 20.0));
   const auto late_when_busy = [](SolveRecord& solve) { solve.seconds = solve.run == 1 ? 0.003 : 0.001; };
   const JudgedStudy busy = judge::judge(study(asked, late_when_busy));
-  CHECK(judged_of(busy, "solved_in_time")->described[0].n == 120);
-  CHECK(judged_of(busy, "solved_in_time")->described[0].mean == Approx(100 / 120.0));
-  CHECK(judged_of(busy, "seconds")->described[0].n == 5);  // times are those of quiet sessions
+  CHECK(find_metric(busy, "solved_in_time")->described[0].n == 120);
+  CHECK(find_metric(busy, "solved_in_time")->described[0].mean == Approx(100 / 120.0));
+  CHECK(find_metric(busy, "seconds")->described[0].n == 5);  // times are those of quiet sessions
 }
 
 TEST_CASE("Where time alone ends solves at the deadline, what is solved is solved in time") {
@@ -387,13 +388,13 @@ TEST_CASE("Where time alone ends solves at the deadline, what is solved is solve
     of.definition.plan.metric = metric;
     return judge::judge(std::move(of));
   };
-  CHECK(judged_of(judged_with(0.002, 1'000'000, 0), "solved_in_time") == nullptr);
+  CHECK(find_metric(judged_with(0.002, 1'000'000, 0), "solved_in_time") == nullptr);
   const JudgedStudy planned = judged_with(0.002, 1'000'000, 0, "solved_in_time");  // whoever asks for it has it
-  REQUIRE(judged_of(planned, "solved_in_time") == &planned.metrics[planned.deciding]);
-  CHECK(judged_of(planned, "solved_in_time")->described[0].mean == 1);
-  CHECK(judged_of(judged_with(0.003, 1'000'000, 0), "solved_in_time") != nullptr);
-  CHECK(judged_of(judged_with(0.002, 200, 0), "solved_in_time") != nullptr);
-  CHECK(judged_of(judged_with(0.002, 1'000'000, 100), "solved_in_time") != nullptr);
+  REQUIRE(find_metric(planned, "solved_in_time") == &planned.metrics[planned.deciding]);
+  CHECK(find_metric(planned, "solved_in_time")->described[0].mean == 1);
+  CHECK(find_metric(judged_with(0.003, 1'000'000, 0), "solved_in_time") != nullptr);
+  CHECK(find_metric(judged_with(0.002, 200, 0), "solved_in_time") != nullptr);
+  CHECK(find_metric(judged_with(0.002, 1'000'000, 100), "solved_in_time") != nullptr);
 }
 
 TEST_CASE("Joint motion that is how a solver rounds makes nobody better") {
@@ -402,7 +403,7 @@ TEST_CASE("Joint motion that is how a solver rounds makes nobody better") {
     const JudgedStudy all = judge::judge(study(initial, [=](SolveRecord& solve) {
       solve.variation_deg = (solve.label == "A" ? of_a : of_b) * (1 + 0.01 * solve.run);
     }));
-    return verdict_of(judged_of(all, "variation_deg")->findings.front());
+    return verdict_of(find_metric(all, "variation_deg")->findings.front());
   };
   CHECK_FALSE(is_difference(judged_with(6e-8, 1e-4)));
   CHECK(judged_with(6e-3, 1e-1) == Verdict::better);
@@ -413,12 +414,12 @@ TEST_CASE("Times of 0 per solved are not compared") {
   const auto misses = [](SolveRecord& solve) {
     solve.status = solve.point == 20 ? Status::tolerance_missed : Status::ok;
   };
-  const Observations of = observe(without_times(study(asked, misses)), metric_named("seconds_per_solved"));
-  CHECK(std::get<Untold>(group(of, "A").sample).why == Untold::Why::apart);
+  const MetricSamples of = observe(without_times(study(asked, misses)), metric_named("seconds_per_solved"));
+  CHECK(std::get<ExcludedSample>(group(of, "A").sample).why == ExcludedSample::NotTestedReason::apart);
   CHECK(compared(of, {}).front().verdict == Verdict::not_tested);
   // Nor is a program's own time of 0 taken, which its processor time would allow.
   const auto told = [](SolveRecord& solve) { solve.timing = Timing::process, solve.claimed_seconds = 0; };
-  CHECK(times_of(study(asked, told), "A").front() == 0.001);
+  CHECK(solve_times(study(asked, told), "A").front() == 0.001);
 }
 
 TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is a doubt") {
@@ -430,12 +431,12 @@ TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is
                    metric_named("evaluations"));
   };
   CHECK(counted(CountedBy::suite).doubts.empty());
-  const Observations nobody = counted(CountedBy::nobody), itself = counted(CountedBy::solver);
-  CHECK(lost_in(group(nobody, "B")) == 5);
-  CHECK(lost_in(group(itself, "B")) == 0);
-  for (const Observations& of : {nobody, itself}) {
+  const MetricSamples nobody = counted(CountedBy::nobody), itself = counted(CountedBy::solver);
+  CHECK(missing_in(group(nobody, "B")) == 5);
+  CHECK(missing_in(group(itself, "B")) == 0);
+  for (const MetricSamples& of : {nobody, itself}) {
     REQUIRE(of.doubts.size() == 1);
-    CHECK(of.doubts.front().kind == DoubtKind::counted_otherwise);
+    CHECK(of.doubts.front().kind == WarningKind::counts_not_comparable);
     CHECK(of.doubts.front().who == std::vector<std::string>{"B"});
     CHECK(untold(group(of, "B")));
     CHECK_FALSE(untold(group(of, "A")));
@@ -463,10 +464,10 @@ TEST_CASE("Answers that claim too much or lie outside limits are counted") {
     if (solve.run == 2 && solve.label == "A") solve.limit_violation_deg = 3;
     if (solve.run == 3 && solve.point == 1 && solve.label == "A") solve.limit_violation_m = 3;
   });
-  CHECK(doubt_of(of, DoubtKind::claimed_but_wrong)->count == 2);
-  CHECK(doubt_of(of, DoubtKind::claimed_but_wrong)->of == 40);
-  CHECK(doubt_of(of, DoubtKind::outside_limits)->count == 5);
-  CHECK(doubt_of(of, DoubtKind::outside_limits)->who == std::vector<std::string>{"A"});
+  CHECK(doubt_of(of, WarningKind::claimed_but_wrong)->count == 2);
+  CHECK(doubt_of(of, WarningKind::claimed_but_wrong)->of == 40);
+  CHECK(doubt_of(of, WarningKind::limit_violations)->count == 5);
+  CHECK(doubt_of(of, WarningKind::limit_violations)->who == std::vector<std::string>{"A"});
 }
 
 TEST_CASE("Budgets differ where equal iterations are half as many evaluations again") {
@@ -477,7 +478,7 @@ TEST_CASE("Budgets differ where equal iterations are half as many evaluations ag
                             solve.stop_reason = reason;
                             if (solve.label == "B") solve.evaluations = static_cast<std::int64_t>(100 * factor);
                           }),
-                    DoubtKind::budgets_differ);
+                    WarningKind::budgets_differ);
   };
   const auto doubt = evaluated(3, R"({"iterations": 9})");
   REQUIRE(doubt);
@@ -500,12 +501,12 @@ TEST_CASE("A number of the study's check has no name of a metric, in whatever le
 
 TEST_CASE("Targets out of reach and a plan that was changed after the data are told") {
   const Asked asked{.rest = R"(, "out_of_reach": {"points": 2}, "analysis": {"test": "ranks", "margin_percent": 10})"};
-  CHECK(doubt_of(study(asked, as_made), DoubtKind::out_of_reach)->count == 2);
-  CHECK(doubt_of(study(asked, as_made), DoubtKind::out_of_reach)->of == 4);
+  CHECK(doubt_of(study(asked, as_made), WarningKind::out_of_reach)->count == 2);
+  CHECK(doubt_of(study(asked, as_made), WarningKind::out_of_reach)->of == 4);
   const auto recorded = [&](const std::string& plan) {
     std::vector<Session> sessions = sessions_of(asked.runs);
     for (Session& session : sessions) session.environment["analysis"] = plan;
-    return doubt_of(study(asked, as_made, {"A", "B"}, sessions), DoubtKind::plan_changed);
+    return doubt_of(study(asked, as_made, {"A", "B"}, sessions), WarningKind::plan_changed);
   };
   CHECK_FALSE(recorded(R"({"test": "ranks", "margin_percent": 10})"));
   REQUIRE(recorded(R"({"test": "means", "margin_percent": 5})"));
@@ -513,27 +514,30 @@ TEST_CASE("Targets out of reach and a plan that was changed after the data are t
   CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->count == 40);
   CHECK_FALSE(recorded(R"({"margin_cm": 1, "margin_percent": 10})"));  // a field that is gone
   StudyResults of = study(asked, as_made);
-  of.other_version.who = {"B"};
-  of.other_version.count = 7;
-  CHECK(doubt_of(of, DoubtKind::other_version)->count == 7);
+  of.stale_solves.who = {"B"};
+  of.stale_solves.count = 7;
+  CHECK(doubt_of(of, WarningKind::stale_solves)->count == 7);
 }
 
 TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 words") {
   CHECK(doubts_of(study(chained, as_made)).empty());
   CHECK(doubts_of(study(drawn, as_made)).empty());
   const std::vector<std::string> many{"one", "two", "three", "four", "five", "six"};
-  for (int kind = 0; kind <= static_cast<int>(DoubtKind::other_version); ++kind) {
-    const std::string line = words_of(
-        {.kind = static_cast<DoubtKind>(kind), .who = many, .count = 3, .of = 20, .what = "the reason in five words"});
+  for (int kind = 0; kind <= static_cast<int>(WarningKind::stale_solves); ++kind) {
+    const std::string line = words_of({.kind = static_cast<WarningKind>(kind),
+                                       .who = many,
+                                       .count = 3,
+                                       .of = 20,
+                                       .what = "the reason in five words"});
     std::istringstream words(line);
     const auto count = std::distance(std::istream_iterator<std::string>(words), {});
     CAPTURE(line);
     CHECK(count > 4);
     CHECK(count <= 25);
   }
-  CHECK(words_of({.kind = DoubtKind::outside_limits, .who = {"A", "B", "C", "D"}}).find("A, B, C, D") !=
+  CHECK(words_of({.kind = WarningKind::limit_violations, .who = {"A", "B", "C", "D"}}).find("A, B, C, D") !=
         std::string::npos);
-  CHECK(words_of({.kind = DoubtKind::times_not_comparable, .who = {"mine"}, .what = "the machine was busy"}) ==
+  CHECK(words_of({.kind = WarningKind::times_not_comparable, .who = {"mine"}, .what = "the machine was busy"}) ==
         "times of mine are not compared: the machine was busy; solve again: --out NEW");
 }
 
@@ -545,15 +549,15 @@ TEST_CASE("one solve that takes most of the time decides no cost per solved targ
       solve.evaluations = (solve.label == "A" ? 50 : of_b) + solve.run;
       if (solve.label == "B" && solve.run == 8) solve.evaluations = slowest;
     });
-    return *judged_of(judge::judge(of), "evaluations_per_solved");
+    return *find_metric(judge::judge(of), "evaluations_per_solved");
   };
   const JudgedMetric slow = judged_with(100'000);
-  CHECK(seen(slow.findings.front()).why == Why::few_decide);
+  CHECK(seen(slow.findings.front()).why == NotTestedReason::few_decide);
   CHECK(slow.observations.doubts.front().who == std::vector<std::string>{"B"});
   const Seen even = seen(judged_with(100).findings.front());
   CHECK((even.verdict == Verdict::better && even.estimate && !even.interval));  // of 16 solved ones
   CHECK(seen(judged_with(61, 16, 50).findings.front()).verdict == Verdict::undecided);
-  CHECK(seen(judged_with(100, 3).findings.front()).why == Why::few_decide);
+  CHECK(seen(judged_with(100, 3).findings.front()).why == NotTestedReason::few_decide);
 }
 
 TEST_CASE("what attempts spent is by what they solved, and the spread of its parts is its error") {
@@ -570,8 +574,8 @@ TEST_CASE("what attempts spent is by what they solved, and the spread of its par
     solve.evaluations = fails ? 1000 : solve.label == "A" ? 10 : 50;
   });
   const JudgedStudy all = judge::judge(of);
-  const JudgedMetric& spent = *judged_of(all, "evaluations_per_solved");
-  CHECK(judged_of(all, "evaluations") == nullptr);
+  const JudgedMetric& spent = *find_metric(all, "evaluations_per_solved");
+  CHECK(find_metric(all, "evaluations") == nullptr);
   CHECK(spent.described[0].mean == Approx((80 * 10 + 20 * 1000) / 80.0));
   CHECK(spent.described[1].mean == Approx(50));
   const Seen found = seen(spent.findings.front());

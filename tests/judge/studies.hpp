@@ -22,43 +22,43 @@ using results::Status;
 using results::Timing;
 
 // A finding with all that some kinds of findings have.
-enum class Why { tested, lost, apart, fact, too_few, few_decide };
-struct Seen : Finding {
+enum class NotTestedReason { tested, lost, apart, fact, too_few, few_decide };
+struct Seen : Comparison {
   std::optional<double> estimate = {}, p = {}, effect = {};
   std::optional<Interval> interval = {};
   std::string_view test = {};
   Verdict verdict = Verdict::not_tested;
-  Why why = Why::tested;
+  NotTestedReason why = NotTestedReason::tested;
   bool is_within_margin = false, are_all_equal = false;
   int n = 0, needed = 0;
 };
-inline Seen seen(const Finding& finding) {
+inline Seen seen(const Comparison& finding) {
   Seen all{finding};
   all.verdict = verdict_of(finding);
   all.are_all_equal = are_equal(finding);
   if (const auto& amount = finding.amount) all.estimate = amount->value, all.interval = amount->interval;
-  if (const auto* const tested = std::get_if<Tested>(&finding.what)) {
+  if (const auto* const tested = std::get_if<TestResult>(&finding.what)) {
     all.p = tested->p, all.test = tested->test, all.n = tested->n;
     all.is_within_margin = tested->is_small || tested->verdict == Verdict::same;
     if (tested->effect) all.effect = tested->effect->a12();
-  } else if (const auto* const open = std::get_if<Open>(&finding.what)) {
+  } else if (const auto* const open = std::get_if<NotTested>(&finding.what)) {
     all.n = open->n, all.needed = open->needed;
-    all.why = open->why == Open::Why::too_few      ? Why::too_few
-              : open->why == Open::Why::lost       ? Why::lost
-              : open->why == Open::Why::few_decide ? Why::few_decide
-                                                   : Why::apart;
+    all.why = open->why == NotTested::NotTestedReason::too_few      ? NotTestedReason::too_few
+              : open->why == NotTested::NotTestedReason::lost       ? NotTestedReason::lost
+              : open->why == NotTested::NotTestedReason::few_decide ? NotTestedReason::few_decide
+                                                                    : NotTestedReason::apart;
   } else {
-    all.why = Why::fact;
+    all.why = NotTestedReason::fact;
   }
   return all;
 }
-inline std::vector<Seen> compared(const Observations& observed, const Plan& plan, std::size_t metrics = 1) {
+inline std::vector<Seen> compared(const MetricSamples& observed, const Plan& plan, std::size_t metrics = 1) {
   std::vector<Seen> all;
-  for (const Finding& finding : compare(observed, plan, metrics)) all.push_back(seen(finding));
+  for (const Comparison& finding : compare(observed, plan, metrics)) all.push_back(seen(finding));
   return all;
 }
 inline Seen better_first(const Seen& all, std::string_view control) {
-  return seen(judge::better_first(static_cast<const Finding&>(all), control));
+  return seen(judge::better_first(static_cast<const Comparison&>(all), control));
 }
 inline Measured& measured(Group& group) { return std::get<Measured>(group.sample); }
 inline std::vector<double>& values_in(Group& group) { return std::get<Measured>(group.sample).values; }

@@ -53,7 +53,7 @@ TEST_CASE("In a loop a joint is too fast beyond its velocity; one without limits
                               limits + "}]}"};
     const StudyResults of =
         study(asked, [](SolveRecord& solve) { solve.start_rad = {3.1}, solve.answer_rad = {-3.1}; });
-    for (const Solve& solve : of.of("A")) CHECK(solve.is_too_fast == (limits != "\"none\"" && solve.point > 1));
+    for (const Solve& solve : of.of("A")) CHECK(solve.exceeds_velocity == (limits != "\"none\"" && solve.point > 1));
   }
 }
 
@@ -67,6 +67,6 @@ TEST_CASE("Solves of another version are counted where its own are missing") {
   const StudyResults of = study({.runs = 2, .points = 2}, by_another);
   CHECK(of.of("A").size() == 4);
   CHECK(of.of("B").empty());
-  CHECK(of.other_version.count == 4);
-  CHECK(of.other_version.who == std::vector<std::string>{"B"});
+  CHECK(of.stale_solves.count == 4);
+  CHECK(of.stale_solves.who == std::vector<std::string>{"B"});
 }

@@ -74,7 +74,7 @@ TEST_CASE("Brunner and Munzel's p is that of SciPy", "[tests_of_two]") {
 }
 
 TEST_CASE("Hodges and Lehmann's shift is that of R", "[tests_of_two]") {
-  const Outcome permeability = rank_test(term, week, 0.05);  // R: -0.15 .. 0.76, 0.305
+  const UnadjustedTest permeability = rank_test(term, week, 0.05);  // R: -0.15 .. 0.76, 0.305
   CHECK(permeability.estimate == Approx(0.305));
   check_interval(permeability.interval, -0.15, 0.76);
   CHECK(rank_test(may, august, 0.05).estimate == -32);  // the median of 676 differences
@@ -83,7 +83,7 @@ TEST_CASE("Hodges and Lehmann's shift is that of R", "[tests_of_two]") {
 TEST_CASE("Wilcoxon's p and interval of Darwin's maize", "[tests_of_two]") {
   // All 2^15 signs in whole numbers: 169 / 4096. Of 120 means the 60th and 61st are 24.5 and 25.5, the 26th from either
   // end 4 and 41.5.
-  const Outcome test = signed_rank_test(maize, 0.05);
+  const UnadjustedTest test = signed_rank_test(maize, 0.05);
   CHECK(test.p == Approx(169.0 / 4096).epsilon(1e-13));
   CHECK(test.estimate == 25);
   CHECK(test.direction == 1);
@@ -110,11 +110,11 @@ TEST_CASE("a spread of the last bit alone is none") {
 
 TEST_CASE("Welch's and the paired t are those of R", "[tests_of_two]") {
   // R's help page of t.test, sleep: p 0.07939, -3.3654832 to 0.2054832; paired 0.002833, -2.4598858 to -0.7001142.
-  const Outcome unpaired = welch(summarise(drug_1), summarise(drug_2), 0.05);
+  const UnadjustedTest unpaired = welch(summarise(drug_1), summarise(drug_2), 0.05);
   CHECK(unpaired.estimate == Approx(-1.58));
   CHECK(unpaired.p == Approx(0.07939414).epsilon(1e-6));
   check_interval(unpaired.interval, -3.3654832, 0.2054832, 1e-7);
-  const Outcome paired = t_test(minus(drug_1, drug_2), 0.05);
+  const UnadjustedTest paired = t_test(minus(drug_1, drug_2), 0.05);
   CHECK(paired.p == Approx(0.002832890).epsilon(1e-6));
   CHECK(paired.direction == -1);
   check_interval(paired.interval, -2.4598858, -0.7001142, 1e-7);
@@ -133,7 +133,7 @@ TEST_CASE("without spread means have the p of the permutations", "[tests_of_two]
 TEST_CASE("the sign test leaves equal values out, and has the median's interval", "[tests_of_two]") {
   CHECK(sign_test(SomeValues{1, 2, 3, 4, 5, -6, 0}, 0.05).p == Approx(2 * 7.0 / 64));
   CHECK(sign_test(SomeValues{0, 0}, 0.05).p == 1);
-  const Outcome test = sign_test(upto(20), 0.05);
+  const UnadjustedTest test = sign_test(upto(20), 0.05);
   CHECK(test.estimate == 10.5);
   check_interval(test.interval, 6, 15);  // P(at most 5 of 20) = 0.0207, order statistics 6 and 15
 }
@@ -169,7 +169,7 @@ TEST_CASE("McNemar's p is exact, with Newcombe's paired interval", "[tests_of_tw
     return mcnemar(a, b, 0.05);
   };
   // Statistics in Medicine 17 (1998) 2635, method 10, by an independent script with SciPy 1.10.1.
-  const Outcome first = paired(36, 12, 2, 0);
+  const UnadjustedTest first = paired(36, 12, 2, 0);
   CHECK(first.p == Approx(2 * (1 + 14 + 91) / 16384.0));  // 2 P(at most 2 of 14)
   CHECK(first.estimate == Approx(0.2));
   check_interval(first.interval, 0.05692958400323875, 0.3404276029749407);
@@ -182,7 +182,7 @@ TEST_CASE("McNemar's p is exact, with Newcombe's paired interval", "[tests_of_tw
 TEST_CASE("a hundred thousand values a group have a shift and its interval", "[tests_of_two]") {
   // Of 0 .. n - 1 and the same plus 1/4 there are n - |d| differences d - 1/4; up to d < 0 are (n + d)(n + d + 1) / 2.
   constexpr double n = 100'000;
-  const Outcome test = rank_test(upto(100'000, 0), upto(100'000, 0.25), 0.05);
+  const UnadjustedTest test = rank_test(upto(100'000, 0), upto(100'000, 0.25), 0.05);
   CHECK(test.estimate == -0.25);
   const double rank = std::floor(n * n / 2 - 1.959963984540054 * std::sqrt(n * n * (2 * n + 1) / 12) + 0.5);
   double d = 1 - n;
@@ -196,7 +196,7 @@ TEST_CASE("what is no number keeps nothing from its end", "[tests_of_two]") {
   CHECK((0 <= p && p <= 1));
   const Group first{.name = "A", .sample = Measured{.values = values}};
   const Group second{.name = "B", .sample = Measured{.values = others}};
-  const Prepared numbers = prepared(first, second, {.metric = "m", .quantity = "m"}, true, false);
+  const PairData numbers = prepared(first, second, {.metric = "m", .quantity = "m"}, true, false);
   REQUIRE(numbers.differences.size() == 4);
   CHECK(numbers.differences[3] != numbers.differences[3]);
 }

@@ -108,7 +108,7 @@ TEST_CASE("a solver that diverges is not tested", "[papers]") {
   for (const std::size_t part : {6U, 7U}) {
     std::vector<double> rest = std::get<Measured>(multiverse.means[part][0].sample).values;
     rest.pop_back();
-    multiverse.means[part][0].sample = Untold{.lost = 1, .values = rest};
+    multiverse.means[part][0].sample = ExcludedSample{.lost = 1, .values = rest};
   }
   const JudgedMultiverse result = judged(paper_named("slim2023"), multiverse, {});
   CHECK(readings_in(result.table.rows.front())[0] == 0);

@@ -34,10 +34,11 @@ TEST_CASE("printed means are compared as summaries, and give the printed ANOVA b
   for (const auto& [name, metric, f] : {std::tuple("table-4", "position_error_cm", 40.7736),
                                         {"table-5", "variation_deg", 388.940},
                                         {"table-6", "seconds", 293.939}}) {
-    judge::Observations printed{.metric = metric};
+    judge::MetricSamples printed{.metric = metric};
     for (const auto& [solver, numbers, digits] : printed_means("slim2023", "table-3", metric))
-      printed.groups.push_back({.name = solver, .sample = judge::Summary{numbers.n, numbers.mean, numbers.sd}});
-    const judge::TestOfAll test = judge::anova(printed).front();
+      printed.groups.push_back(
+          {.name = solver, .sample = judge::SummaryStatistics{numbers.n, numbers.mean, numbers.sd}});
+    const judge::OmnibusTest test = judge::anova(printed).front();
     CHECK(test.statistic == Approx(f).epsilon(2e-6));
     const base::CsvTable table = results::published::table("slim2023", name);
     CHECK(test.ss_between == Approx(table.number(0, "ss")).epsilon(1e-3));
@@ -62,7 +63,7 @@ TEST_CASE("the range of another study holds 92 % of what such studies have, and 
   int inside = 0;
   for (int study = 0; study < studies; ++study) {
     const Ranges ranges = *predicted_ranges(drawn(), runs);
-    const judge::Description other = judge::described(drawn());
+    const judge::Descriptives other = judge::described(drawn());
     for (std::size_t s = 0; s < statistics.size(); ++s) {
       const double number = other.*statistics[s].of;
       inside += ranges[s].low <= number && number <= ranges[s].high;

@@ -6,16 +6,17 @@ namespace {
 
 // A and B solve all, C few; B takes three times A's time, and as many evaluations.
 Answer answer_of_three(std::vector<double> time_of_b, bool are_times_compared = true) {
-  const auto costs = [](judge::Observations of) {
+  const auto costs = [](judge::MetricSamples of) {
     of.is_paired = true;
     return of;
   };
-  judge::Observations times =
+  judge::MetricSamples times =
       costs(numbers("time", "time", "ms",
                     {{"A", values_around(0.01, 0.2)}, {"B", std::move(time_of_b)}, {"C", values_around(0.001, 0.2)}}));
   times.fewest = 4;
   if (!are_times_compared)
-    for (judge::Group& group : times.groups) group.sample = judge::Untold{.why = judge::Untold::Why::apart};
+    for (judge::Group& group : times.groups)
+      group.sample = judge::ExcludedSample{.why = judge::ExcludedSample::NotTestedReason::apart};
   Answer answer = answer_of(
       std::vector{judged(shares({{"A", solved(20)}, {"B", solved(20)}, {"C", solved(3)}})), judged(std::move(times)),
                   judged(costs(numbers(

@@ -38,26 +38,26 @@ inline std::vector<double> solved(int count, int n = 20) {
   return values;
 }
 
-inline judge::Observations shares(std::vector<std::pair<std::string, std::vector<double>>> groups) {
-  judge::Observations of{.metric = "solved",
-                         .quantity = "solved",
-                         .measures = judge::Measure::solved,
-                         .better = judge::Better::larger,
-                         .scale = judge::Scale::share,
-                         .is_paired = true};
+inline judge::MetricSamples shares(std::vector<std::pair<std::string, std::vector<double>>> groups) {
+  judge::MetricSamples of{.metric = "solved",
+                          .quantity = "solved",
+                          .measures = judge::QuantityKind::solved,
+                          .better = judge::Better::larger,
+                          .scale = judge::EffectScale::share,
+                          .is_paired = true};
   for (auto& [name, values] : groups) of.groups.push_back({.name = name, .sample = judge::Measured{std::move(values)}});
   return of;
 }
 
-inline judge::Observations numbers(std::string metric, std::string quantity, std::string unit,
-                                   std::vector<std::pair<std::string, std::vector<double>>> groups) {
-  judge::Observations of{
+inline judge::MetricSamples numbers(std::string metric, std::string quantity, std::string unit,
+                                    std::vector<std::pair<std::string, std::vector<double>>> groups) {
+  judge::MetricSamples of{
       .metric = std::move(metric), .quantity = std::move(quantity), .unit = std::move(unit), .floor = 1e-9};
   for (auto& [name, values] : groups) of.groups.push_back({.name = name, .sample = judge::Measured{std::move(values)}});
   return of;
 }
 
-inline judge::JudgedMetric judged(judge::Observations of, const judge::Plan& plan = {}) {
+inline judge::JudgedMetric judged(judge::MetricSamples of, const judge::Plan& plan = {}) {
   return judge::judge(std::move(of), plan);
 }
 
@@ -82,19 +82,19 @@ inline judge::JudgedStudy judged_study(const std::string& mine = "mine") {
   study.sessions = {{.id = 1, .environment = {{"cpu", "a processor"}, {"os", "Linux"}, {"version", "2.0"}}}};
 
   all.metrics.push_back(judged(shares({{mine, solved(6)}, {"PSO", solved(13)}, {"DLS", solved(20)}})));
-  const auto add = [&](judge::Observations costs) {
+  const auto add = [&](judge::MetricSamples costs) {
     costs.is_of_solved = true;
     all.metrics.push_back(judged(std::move(costs)));
   };
   add(numbers("variation", "joint motion", "deg",
               {{mine, values_around(491, 0.5)}, {"PSO", values_around(524, 0.5)}, {"DLS", values_around(340, 0.5)}}));
-  judge::Observations times = numbers(
+  judge::MetricSamples times = numbers(
       "time", "time", "s",
       {{mine, values_around(0.084, 0.2)}, {"PSO", values_around(4.5e-5, 0.2)}, {"DLS", values_around(4.2e-6, 0.2)}});
-  times.groups[0].sample = judge::Untold{.why = judge::Untold::Why::apart,
-                                         .values = std::get<judge::Measured>(times.groups[0].sample).values};
+  times.groups[0].sample = judge::ExcludedSample{.why = judge::ExcludedSample::NotTestedReason::apart,
+                                                 .values = std::get<judge::Measured>(times.groups[0].sample).values};
   add(std::move(times));
-  all.metrics.back().observations.doubts.push_back({.kind = judge::DoubtKind::times_not_comparable,
+  all.metrics.back().observations.doubts.push_back({.kind = judge::WarningKind::times_not_comparable,
                                                     .who = {mine},
                                                     .count = 20,
                                                     .of = 20,

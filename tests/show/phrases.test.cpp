@@ -1,16 +1,16 @@
 #include "tests/show/judged.hpp"
 
-using judge::Observations;
+using judge::MetricSamples;
 
 namespace {
 
-Answer of(Observations observations, const results::Plan& plan = {}) {
+Answer of(MetricSamples observations, const results::Plan& plan = {}) {
   Answer result = answer_of({judged(std::move(observations), plan)});
   result.noun = "targets";
   return result;
 }
 
-Observations errors(std::vector<std::pair<std::string, std::vector<double>>> groups) {
+MetricSamples errors(std::vector<std::pair<std::string, std::vector<double>>> groups) {
   return numbers("error", "error", "mm", std::move(groups));
 }
 
@@ -31,7 +31,7 @@ std::vector<double> two_modes(double first, int lower, double second) {
 std::string table_of_verdicts(const Answer& answer) {
   std::string text;
   for (const judge::JudgedMetric& judged : answer.metrics) {
-    for (const judge::Finding& finding : judged.findings)
+    for (const judge::Comparison& finding : judged.findings)
       text += fmt::format("  {} vs {}: {}\n", finding.first, finding.second, verdict_words(finding, judged));
   }
   return text;
@@ -48,17 +48,17 @@ TEST_CASE("what is better where most values are equal says how often", "[show]")
 }
 
 TEST_CASE("an end of an interval that p excludes says so", "[show]") {
-  Observations unpaired = shares({{"A", solved(0)}, {"B", solved(33, 200)}});
+  MetricSamples unpaired = shares({{"A", solved(0)}, {"B", solved(33, 200)}});
   unpaired.is_paired = false;
   const judge::JudgedMetric error = of(unpaired).metrics[0];
-  const judge::Finding& pair = error.findings.front();
+  const judge::Comparison& pair = error.findings.front();
   CHECK(interval_text(*pair.amount->interval, {0}) == "above 0 to 22.3");
 }
 
 TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
   const auto metric = [](const char* name) {
     judge::JudgedMetric of = judged(numbers(name, name, "", {{"A", {1, 2, 3}}, {"B", {5}}}));
-    of.observations.doubts.push_back({.kind = judge::DoubtKind::few_decide_mean, .who = {"A"}, .what = name});
+    of.observations.doubts.push_back({.kind = judge::WarningKind::dominated_by_few, .who = {"A"}, .what = name});
     return of;
   };
   const std::vector<judge::Doubt> doubts = answer_of({metric("time"), metric("evaluations")}).all_doubts();
@@ -109,22 +109,23 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   add("many", of(errors({{"A", a}, {"B", b}, {"C", b}, {"D", b}, {"E", b}, {"F", b}, {"G", b}})));
   add("alone", of(errors({{"A", a}})));
 
-  Observations two_fields = shares({{"LM", {1}}, {"PSO", {0.2, 0.4, 0.3, 0.5, 0.4}}, {"BA", {0, 0.01, 0.02, 0.01, 0}}});
+  MetricSamples two_fields =
+      shares({{"LM", {1}}, {"PSO", {0.2, 0.4, 0.3, 0.5, 0.4}}, {"BA", {0, 0.01, 0.02, 0.01, 0}}});
   two_fields.groups[0].sample = judge::Measured{.values = {1}, .repeats_itself = true};
   two_fields.groups.push_back({.name = "DLS", .sample = judge::Measured{.values = {1}, .repeats_itself = true}});
   two_fields.is_paired = false, two_fields.trials = 20;
   add("two fields that no test joins", of(two_fields));
-  Observations repeated = errors({{"A", {1}}, {"B", {2}}});
+  MetricSamples repeated = errors({{"A", {1}}, {"B", {2}}});
   repeated.groups[0].sample = judge::Measured{.values = {1}, .repeats_itself = true},
   repeated.groups[1].sample = judge::Measured{.values = {2}, .repeats_itself = true};
   add("facts", of(repeated));
-  Observations lost = errors({{"A", a}, {"B", b}});
-  lost.groups[1].sample = judge::Untold{.lost = 3, .values = b};
+  MetricSamples lost = errors({{"A", a}, {"B", b}});
+  lost.groups[1].sample = judge::ExcludedSample{.lost = 3, .values = b};
   add("lost values", of(lost));
-  Observations bound = errors({{"A", std::vector<double>(20, 0.1)}, {"B", b}});
+  MetricSamples bound = errors({{"A", std::vector<double>(20, 0.1)}, {"B", b}});
   bound.groups[0].at_most = 0.1;
   add("at the tolerance", of(bound));
-  Observations several = shares({{"A", {0.5, 0.75, 1, 0.75}}, {"B", {1, 1, 1, 0.75}}});
+  MetricSamples several = shares({{"A", {0.5, 0.75, 1, 0.75}}, {"B", {1, 1, 1, 0.75}}});
   several.trials = 4;
   add("several runs a target", of(several));
   check_golden("headlines.txt", all);
@@ -132,14 +133,14 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
 
 TEST_CASE("a pair is told from the better one, and from the control's other", "[show]") {
   const Answer plain = of(errors({{"bad", values_around(3, 0.5)}, {"good", values_around(1, 0.5)}}));
-  const judge::Finding& finding = plain.metrics[0].findings[0];
-  const judge::Amount& amount = *finding.amount;
+  const judge::Comparison& finding = plain.metrics[0].findings[0];
+  const judge::EffectEstimate& amount = *finding.amount;
   CHECK(finding.first == "good");
   CHECK(verdict_of(finding) == judge::Verdict::better);
   CHECK(amount.value == Approx(1 / 3.0).epsilon(1e-9));
   CHECK(amount.interval->low < amount.value);
   CHECK(amount.value < amount.interval->high);
-  CHECK(std::get<judge::Tested>(finding.what).effect->a12() > 0.9);
+  CHECK(std::get<judge::TestResult>(finding.what).effect->a12() > 0.9);
 
   const Answer gate = of(errors({{"old", values_around(1, 0.5)}, {"new", values_around(3, 0.5)}}), {.control = "old"});
   CHECK(gate.metrics[0].findings[0].first == "new");

@@ -25,7 +25,7 @@ Answer of_many(std::size_t solvers) {
   Answer all =
       answer_of({judged(numbers("error", "error", "mm", groups)), judged(numbers("time", "time", "ms", groups))});
   for (int i = 0; i < 2; ++i)
-    all.doubts.push_back({.kind = judge::DoubtKind::runs_missing, .who = {"a"}, .count = 1.0 + i, .of = 20});
+    all.doubts.push_back({.kind = judge::WarningKind::runs_missing, .who = {"a"}, .count = 1.0 + i, .of = 20});
   return all;
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
       if (marked && marked->to_reference) {
         const auto of = std::ranges::find(report.answer.metrics, metric,
                                           [](const judge::JudgedMetric& each) { return each.observations.quantity; });
-        const judge::Finding finding = judge::better_first(*finding_of(*of, solver, "DLS"), "DLS");
+        const judge::Comparison finding = judge::better_first(*find_comparison(*of, solver, "DLS"), "DLS");
         CHECK(marked->value == finding.amount->value);
         CHECK((marked->mark == "*") == (verdict_of(finding) == judge::Verdict::worse));
         CHECK(on_screen.find(number_text(marked->value, 2) + " times") != std::string::npos);
@@ -93,7 +93,7 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
     all += fmt::format("{}:\n", what);
     for (const std::string& sentence : results_of(answer)) all += fmt::format("  {}\n", sentence);
   };
-  const auto of = [](judge::Observations observed, const judge::Plan& plan = {}) {
+  const auto of = [](judge::MetricSamples observed, const judge::Plan& plan = {}) {
     Answer answer = answer_of({judged(std::move(observed), plan)});
     answer.noun = "targets";
     return answer;
@@ -102,7 +102,7 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
     std::vector<std::pair<std::string, std::vector<double>>> groups;
     for (std::size_t i = 0; i < solvers; ++i)
       groups.emplace_back(fmt::format("S{}", i), values_around(1 + 0.3 * static_cast<double>(i), 0.5));
-    judge::Observations errors = numbers("error", "error", "mm", groups);
+    judge::MetricSamples errors = numbers("error", "error", "mm", groups);
     errors.is_paired = true;
     return errors;
   };
@@ -112,8 +112,8 @@ TEST_CASE("a paragraph of results says what was found, and no more", "[show]") {
   add("ten", of(errors_of(10)));
   add("seventeen", of(errors_of(17)));
   add("ten, with a control", of(errors_of(10), {.control = "S4"}));
-  judge::Observations lost = errors_of(3);
-  lost.groups[1].sample = judge::Untold{.lost = 3, .values = {1, 2}};
+  judge::MetricSamples lost = errors_of(3);
+  lost.groups[1].sample = judge::ExcludedSample{.lost = 3, .values = {1, 2}};
   add("one not compared", of(lost));
   Answer nothing =
       answer_of({judged(shares({{"A", solved(0)}, {"B", solved(0)}, {"C", solved(0)}})), judged(errors_of(3))}, 1);
@@ -169,7 +169,7 @@ TEST_CASE("below the pairs of two solvers stands which metric decides", "[show]"
   CHECK(pairs_table(two).notes.front().starts_with(what_decides(two)));
   two.verdict = "A is worse.";
   two.metrics[1].observations.doubts.push_back(
-      {.kind = judge::DoubtKind::seconds_decide, .who = {"A"}, .what = "slow"});
+      {.kind = judge::WarningKind::time_limit_decides, .who = {"A"}, .what = "slow"});
   CHECK(screen(two).starts_with("A is worse.\n\n"));
   CHECK(screen(two).find("! A was stopped by the time limit") != std::string::npos);
   CHECK(what_decides(two).find("effort") == std::string::npos);
@@ -260,7 +260,7 @@ TEST_CASE("of several studies each is a column, solvers in the order of the firs
 }
 
 TEST_CASE("a table says no more below it than it has", "[show]") {
-  const auto of = [](judge::Observations observed) { return answer_of({judged(std::move(observed))}); };
+  const auto of = [](judge::MetricSamples observed) { return answer_of({judged(std::move(observed))}); };
   const Answer of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
   CHECK(results_table(of_shares).notes.front() == "* worse than A (p < 0.05). Intervals: 95 %.");  // no medians
   CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.size() == 1);
@@ -277,7 +277,7 @@ TEST_CASE("a table says no more below it than it has", "[show]") {
 }
 
 TEST_CASE("a pair has one effect size, named by its standardiser", "[show]") {
-  judge::Observations of =
+  judge::MetricSamples of =
       numbers("error", "error", "mm", {{"A", values_around(1, 0.5)}, {"B", values_around(3, 0.6)}});
   using Test = results::Plan::Test;
   for (const auto& [is_paired, test, name] :
@@ -290,13 +290,13 @@ TEST_CASE("a pair has one effect size, named by its standardiser", "[show]") {
 
 TEST_CASE("marks say who is worse or better than the reference, and stand at what the test was of", "[show]") {
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.03, 0.6);
-  const auto text = [](judge::Observations costs, results::Plan plan = {}, int last = 6) {
+  const auto text = [](judge::MetricSamples costs, results::Plan plan = {}, int last = 6) {
     costs.is_of_solved = costs.is_paired = true;
     const auto shown_of = shares({{"A", solved(6)}, {"B", solved(20)}, {"C", solved(last)}});
     const Table table = results_table(answer_of({judged(shown_of, plan), judged(std::move(costs), plan)}));
     return to_text(table);
   };
-  judge::Observations costs = numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", c}});
+  judge::MetricSamples costs = numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", c}});
   CHECK(text(costs) ==
         "solver   solved           motion\n"
         "B        100 % (84-100)   3 deg\n"
@@ -321,8 +321,8 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
   INFO(by_means);
   CHECK(contains(by_means, "B        100 % (84-100) +   +2.08 deg *"));
   CHECK(contains(by_means, "Motion: differences from A's"));
-  costs.groups[2].sample = judge::Untold{.why = judge::Untold::Why::apart,
-                                         .values = std::get<judge::Measured>(costs.groups[2].sample).values};
+  costs.groups[2].sample = judge::ExcludedSample{.why = judge::ExcludedSample::NotTestedReason::apart,
+                                                 .values = std::get<judge::Measured>(costs.groups[2].sample).values};
   costs.groups[0].sample = judge::Measured{};
   CHECK(text(costs).find("A        30 % (15-52) *   -") != std::string::npos);  // it solved nothing that B did
   CHECK(contains(text(costs), "Motion: medians of the values that each solved"));
@@ -338,8 +338,8 @@ TEST_CASE("marks say who is worse or better than the reference, and stand at wha
 
 TEST_CASE("where only the reference was timed on a busy machine, it alone has the mark", "[show]") {
   const auto a = values_around(1, 0.5), b = values_around(3, 0.5);
-  judge::Observations times = numbers("time", "time", "ms", {{"A", a}, {"B", b}, {"C", b}});
-  times.groups[0].sample = judge::Untold{.why = judge::Untold::Why::apart, .values = a};
+  judge::MetricSamples times = numbers("time", "time", "ms", {{"A", a}, {"B", b}, {"C", b}});
+  times.groups[0].sample = judge::ExcludedSample{.why = judge::ExcludedSample::NotTestedReason::apart, .values = a};
   const Table table = results_table(
       answer_of({judged(shares({{"A", solved(20)}, {"B", solved(9)}, {"C", solved(8)}})), judged(std::move(times))}));
   std::string marks;
@@ -363,7 +363,7 @@ TEST_CASE("a leader that no test reached is marked", "[show]") {
 }
 
 TEST_CASE("unpaired and paired values have tests of all solvers", "[show]") {
-  judge::Observations of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
+  judge::MetricSamples of = numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
   const results::Plan by_means{.test = results::Plan::Test::means};
   CHECK(anova_table(answer_of({judged(of, by_means)})).rows.size() == 4);
   CHECK(anova_table(answer_of({judged(of)})).rows.size() == 4);
@@ -428,7 +428,7 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
       solve.answer_rad = {0.5 * run, 2};
       solve.position_error_cm = 0.1;
       study.drawn.push_back(solve);
-      study.solves.push_back({.run = run, .label = solver == "B" ? 1 : 0, .is_too_fast = solver == "B"});
+      study.solves.push_back({.run = run, .label = solver == "B" ? 1 : 0, .exceeds_velocity = solver == "B"});
     }
   }
   const auto scene = moving_arm(study, study.labels);

@@ -91,9 +91,9 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
                     .columns = {{"solver"}, {"solved", "%"}, {"motion", "deg"}},
                     .rows = {{"A", Marked{.value = 100, .interval = judge::Interval{96.3, 100}}, 339.0},
                              {"B", Marked{.value = 0.5, .mark = "*", .interval = judge::Interval{0.1, 1.25}},
-                              Marked{.value = 1.634, .mark = "*", .to_reference = judge::Scale::ratio}},
-                             {"C", {}, Marked{.value = 1.0312, .to_reference = judge::Scale::ratio}},
-                             {"D", {}, Marked{.value = -20, .to_reference = judge::Scale::difference}}}};
+                              Marked{.value = 1.634, .mark = "*", .to_reference = judge::EffectScale::ratio}},
+                             {"C", {}, Marked{.value = 1.0312, .to_reference = judge::EffectScale::ratio}},
+                             {"D", {}, Marked{.value = -20, .to_reference = judge::EffectScale::difference}}}};
   CHECK(to_csv(table) ==
         "solver,solved [%],solved low [%],solved high [%],solved mark,"
         "motion [deg],motion times,motion difference [deg],motion mark\n"

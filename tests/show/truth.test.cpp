@@ -6,49 +6,52 @@ using namespace ikbench::judge;
 
 namespace {
 
-Finding tested(Verdict verdict, bool is_small = false) {
+Comparison tested(Verdict verdict, bool is_small = false) {
   const bool is_better = verdict == Verdict::better, is_worse = verdict == Verdict::worse;
-  Tested of{
+  TestResult of{
       .verdict = verdict, .is_small = is_small, .p = is_better || is_worse ? 0.001 : 0.6, .test = "a test", .n = 20};
-  of.effect = is_better ? Effect{0.8, 0.1} : is_worse ? Effect{0.1, 0.8} : Effect{0, 0};
-  if (verdict == Verdict::undecided || verdict == Verdict::same) of.effect = Effect{0.5, 0.4};
-  return {.amount = Amount{is_better ? 0.5 : is_worse ? 2.0 : 1.0}, .what = of};
+  of.effect = is_better ? Dominance{0.8, 0.1} : is_worse ? Dominance{0.1, 0.8} : Dominance{0, 0};
+  if (verdict == Verdict::undecided || verdict == Verdict::same) of.effect = Dominance{0.5, 0.4};
+  return {.amount = EffectEstimate{is_better ? 0.5 : is_worse ? 2.0 : 1.0}, .what = of};
 }
 
-Finding without_amount(Finding of) {  // its estimate would refute it
+Comparison without_amount(Comparison of) {  // its estimate would refute it
   of.amount.reset();
   return of;
 }
 
-Finding all_equal() {
-  Finding of = tested(Verdict::undecided);
-  auto& its = std::get<Tested>(of.what);
-  its.p = 1, its.effect = Effect{0, 0};
+Comparison all_equal() {
+  Comparison of = tested(Verdict::undecided);
+  auto& its = std::get<TestResult>(of.what);
+  its.p = 1, its.effect = Dominance{0, 0};
   return of;
 }
 
-Finding fact(Verdict verdict, double amount) { return {.amount = Amount{amount}, .what = Fact{verdict}}; }
+Comparison fact(Verdict verdict, double amount) {
+  return {.amount = EffectEstimate{amount}, .what = DeterministicResult{verdict}};
+}
 
-const std::vector<Finding>& all_kinds() {
-  static const std::vector<Finding> kinds{tested(Verdict::better),
-                                          tested(Verdict::better, true),
-                                          without_amount(tested(Verdict::better)),
-                                          tested(Verdict::worse),
-                                          tested(Verdict::same),
-                                          tested(Verdict::undecided),
-                                          all_equal(),
-                                          fact(Verdict::better, 0.5),
-                                          fact(Verdict::worse, 2),
-                                          fact(Verdict::same, 1.01),
-                                          {.what = Open{.why = Open::Why::too_few, .n = 3, .needed = 4}},
-                                          {.what = Open{.why = Open::Why::lost}},
-                                          {.what = Open{.why = Open::Why::apart}},
-                                          {.what = Open{.why = Open::Why::few_decide, .n = 20}}};
+const std::vector<Comparison>& all_kinds() {
+  static const std::vector<Comparison> kinds{
+      tested(Verdict::better),
+      tested(Verdict::better, true),
+      without_amount(tested(Verdict::better)),
+      tested(Verdict::worse),
+      tested(Verdict::same),
+      tested(Verdict::undecided),
+      all_equal(),
+      fact(Verdict::better, 0.5),
+      fact(Verdict::worse, 2),
+      fact(Verdict::same, 1.01),
+      {.what = NotTested{.why = NotTested::NotTestedReason::too_few, .n = 3, .needed = 4}},
+      {.what = NotTested{.why = NotTested::NotTestedReason::lost}},
+      {.what = NotTested{.why = NotTested::NotTestedReason::apart}},
+      {.what = NotTested{.why = NotTested::NotTestedReason::few_decide, .n = 20}}};
   return kinds;
 }
 
 // Solvers A, B, ... with these numbers, and a kind of finding for each pair.
-Answer answer_with(const std::vector<double>& numbers, const std::vector<Finding>& kinds,
+Answer answer_with(const std::vector<double>& numbers, const std::vector<Comparison>& kinds,
                    const std::string& control = "") {
   JudgedMetric judged{.observations = {.metric = "error", .quantity = "error", .unit = "mm"}, .plan = {}};
   judged.plan.control = control;
@@ -62,8 +65,8 @@ Answer answer_with(const std::vector<double>& numbers, const std::vector<Finding
     for (std::size_t j = i + 1; j < numbers.size(); ++j) {
       const std::string first(1, static_cast<char>('A' + i)), second(1, static_cast<char>('A' + j));
       if (!control.empty() && first != control && second != control) continue;
-      Finding& finding = judged.findings.emplace_back(kinds[pair++]);
-      finding.first = first, finding.second = second, finding.scale = Scale::ratio;
+      Comparison& finding = judged.findings.emplace_back(kinds[pair++]);
+      finding.first = first, finding.second = second, finding.scale = EffectScale::ratio;
     }
   }
   return answer_of({std::move(judged)});
@@ -75,11 +78,11 @@ std::string too_much(const Answer& answer) {
   using Names = std::vector<std::string>;
   const JudgedMetric& judged = answer.decisive();
   const Names all = answer.solvers();
-  const std::set<std::string> losers = losers_of(judged.findings);
+  const std::set<std::string> losers = beaten_solvers(judged.findings);
   const auto each = [&](const Names& some, const Names& others, auto is_so) {
     for (const std::string& one : some) {
       for (const std::string& other : others) {
-        const Finding* const finding = finding_of(judged, one, other);
+        const Comparison* const finding = find_comparison(judged, one, other);
         if (one == other) continue;
         const Verdict verdict = finding == nullptr      ? Verdict::not_tested
                                 : finding->first == one ? verdict_of(*finding)
@@ -89,11 +92,13 @@ std::string too_much(const Answer& answer) {
     }
     return true;
   };
-  const auto are = [](Verdict expected) { return [=](Verdict its, const Finding*) { return its == expected; }; };
-  const auto are_alike = [](Verdict its, const Finding* finding) {
+  const auto are = [](Verdict expected) { return [=](Verdict its, const Comparison*) { return its == expected; }; };
+  const auto are_alike = [](Verdict its, const Comparison* finding) {
     return its == Verdict::same || (finding && are_equal(*finding));
   };
-  const auto are_little = [](Verdict, const Finding* finding) { return std::get<Tested>(finding->what).is_small; };
+  const auto are_little = [](Verdict, const Comparison* finding) {
+    return std::get<TestResult>(finding->what).is_small;
+  };
   std::multiset<std::string> told;
   for (const auto& [what, who, against, is_little] : said_of(judged, all)) {
     const Names& others = against.empty() ? who : against;
@@ -122,7 +127,7 @@ std::string wrong_in_results(const Answer& answer) {
   const std::vector<std::string> sentences = results_of(answer);
   if (sentences.front() != headline(answer)) return "no headline";
   std::map<std::string, int> counts;
-  for (const Finding& its : judged.findings)
+  for (const Comparison& its : judged.findings)
     ++counts[judged.findings.size() <= most_pairs
                  ? fmt::format("{} against {}: {}", its.first, its.second, verdict_words(its, judged))
              : is_difference(verdict_of(its)) ? "decided"
@@ -136,7 +141,7 @@ std::string wrong_in_results(const Answer& answer) {
 // The same of the table of results and that of pairs.
 std::string wrong_in_tables(const Answer& answer) {
   const JudgedMetric& judged = answer.decisive();
-  const std::set<std::string> losers = losers_of(judged.findings);
+  const std::set<std::string> losers = beaten_solvers(judged.findings);
   for (const auto& row : results_table(answer).rows) {
     const auto* const cell = std::get_if<Marked>(&row[1]);
     if (cell == nullptr) return "a number that is known is not shown";
@@ -147,8 +152,8 @@ std::string wrong_in_tables(const Answer& answer) {
   const auto is_decided = [](const std::vector<Cell>& row) {
     return std::get<Judgement>(row[7]).tone != Tone::neutral;
   };
-  const auto decided =
-      std::ranges::count_if(judged.findings, [](const Finding& finding) { return is_difference(verdict_of(finding)); });
+  const auto decided = std::ranges::count_if(
+      judged.findings, [](const Comparison& finding) { return is_difference(verdict_of(finding)); });
   if (count(pairs_table(answer), is_decided) != decided) return "a decided pair is not told";
   const nlohmann::ordered_json json = to_json(answer);
   for (const auto& finding : json["findings"]) {
@@ -160,13 +165,13 @@ std::string wrong_in_tables(const Answer& answer) {
 
 int checked = 0;
 
-void check(const std::vector<double>& numbers, const std::vector<Finding>& kinds, const std::string& control = "") {
+void check(const std::vector<double>& numbers, const std::vector<Comparison>& kinds, const std::string& control = "") {
   const Answer answer = answer_with(numbers, kinds, control);
   const std::string said = too_much(answer), shown = wrong_in_tables(answer), told = wrong_in_results(answer);
   ++checked;
   if (said.empty() && shown.empty() && told.empty()) return;
   std::string pairs;
-  for (const Finding& finding : answer.decisive().findings)
+  for (const Comparison& finding : answer.decisive().findings)
     pairs += fmt::format("{}{} {}; ", finding.first, finding.second, name_of(verdict_of(finding)));
   CAPTURE(said, shown, told, results_of(answer), headline(answer), pairs, to_text(results_table(answer)));
   FAIL();
@@ -175,16 +180,16 @@ void check(const std::vector<double>& numbers, const std::vector<Finding>& kinds
 }  // namespace
 
 TEST_CASE("no sentence says more than its findings, of two and three solvers", "[show]") {
-  for (const Finding& kind : all_kinds()) {
+  for (const Comparison& kind : all_kinds()) {
     for (const std::vector<double>& numbers : std::vector<std::vector<double>>{{1, 2}, {2, 1}, {1, 1}}) {
       check(numbers, {kind});
       check(numbers, {kind}, "A");
     }
   }
-  for (const Finding& ab : all_kinds()) {
-    for (const Finding& ac : all_kinds()) {
+  for (const Comparison& ab : all_kinds()) {
+    for (const Comparison& ac : all_kinds()) {
       check({1, 2, 3}, {ab, ac}, "A");
-      for (const Finding& bc : all_kinds()) {
+      for (const Comparison& bc : all_kinds()) {
         // The first is the best, is not, or all are equal.
         for (const std::vector<double>& numbers : std::vector<std::vector<double>>{{1, 2, 3}, {3, 1, 2}, {1, 1, 1}})
           check(numbers, {ab, ac, bc});
@@ -198,7 +203,7 @@ TEST_CASE("no sentence says more than its findings, of ten solvers", "[show]") {
   std::mt19937_64 engine(5);
   for (int set = 0; set < 300; ++set) {
     std::vector<double> numbers;
-    std::vector<Finding> kinds;
+    std::vector<Comparison> kinds;
     const std::size_t most = 1 + engine() % all_kinds().size();  // few kinds agree more often
     for (int i = 0; i < 10; ++i) numbers.push_back(1 + static_cast<double>(engine() % 20));
     for (int i = 0; i < 45; ++i) kinds.push_back(all_kinds()[engine() % most]);

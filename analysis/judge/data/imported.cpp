@@ -14,7 +14,7 @@ namespace ikbench::judge {
 
 using namespace results;
 
-std::vector<std::string> settings_of_archive() {
+std::vector<std::string> archive_settings() {
   const base::CsvTable settings = published::table(archive_name, "settings");
   std::vector<std::string> all;
   for (std::size_t row = 0; row < settings.rows(); ++row)
@@ -65,7 +65,7 @@ void refuse_another_study(const StudyResults& theirs, const StoredStudy& study) 
         fmt::format("--beside: another study, there and here: {}; expected the same targets and limits", difference));
 }
 
-void put_beside(StudyResults& study, const StudyResults& theirs) {
+void add_imported(StudyResults& study, const StudyResults& theirs) {
   std::string& control = study.definition.plan.control;
   study.beside.is_control_chosen = control.empty();
   if (control.empty()) control = study.labels.front();
@@ -73,11 +73,11 @@ void put_beside(StudyResults& study, const StudyResults& theirs) {
   for (results::Series series : theirs.series) {
     const Solves all = theirs.of(series.label);
     const auto same = std::ranges::find_if(study.series, [&](const results::Series& its) {
-      return its.algorithm == unit_of_times && series.algorithm == unit_of_times && its.options == series.options &&
-             !study.beside.has(its.label);
+      return its.algorithm == time_reference_solver && series.algorithm == time_reference_solver &&
+             its.options == series.options && !study.beside.has(its.label);
     });
     if (study.beside.unit_here.empty() && same != study.series.end()) {
-      study.beside.unit = described(times_of(theirs, series.label)).median;
+      study.beside.unit = described(solve_times(theirs, series.label)).median;
       study.beside.unit_here = same->label;
       continue;
     }
@@ -88,12 +88,12 @@ void put_beside(StudyResults& study, const StudyResults& theirs) {
     for (Solve solve : all) {
       if (solve.run > study.definition.runs) continue;
       solve.label = static_cast<int>(std::ssize(study.labels) - 1);
-      solve.timing = Timing::process, solve.is_told = true, solve.was_disturbed = false;  // which matters there
+      solve.timing = Timing::process, solve.is_told = true, solve.was_preempted = false;  // which matters there
       study.solves.push_back(solve);
     }
   }
   if (study.beside.labels.empty()) throw std::invalid_argument("--beside: there is no other solver than here");
-  if (!theirs.solves.empty() && theirs.solves.front().target != 0) refuse_other_targets(study);
+  if (!theirs.solves.empty() && theirs.solves.front().target != 0) require_same_targets(study);
 }
 
 }  // namespace ikbench::judge

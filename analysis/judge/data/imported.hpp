@@ -12,7 +12,7 @@
 namespace ikbench::judge {
 
 constexpr std::string_view archive_name = "libraries";
-std::vector<std::string> settings_of_archive();  // of its study but for the arm, as --set has them
+std::vector<std::string> archive_settings();  // of its study but for the arm, as --set has them
 // What is archived of an arm; the definition of its study is left to who reads studies. Throws std::invalid_argument
 // for an arm of which nothing is.
 StudyResults archived(const std::string& robot);
@@ -21,6 +21,6 @@ StudyResults archived(const std::string& robot);
 void refuse_another_study(const StudyResults& theirs, const results::StoredStudy& study);
 // Adds their solvers to the same study, but LM, which is the unit of their times. Without a control the study's first
 // solver becomes it.
-void put_beside(StudyResults& study, const StudyResults& theirs);
+void add_imported(StudyResults& study, const StudyResults& theirs);
 
 }  // namespace ikbench::judge

@@ -17,11 +17,11 @@ enum class Better { smaller, larger };
 
 // What a comparison estimates: first / second, first - second, or the difference of shares from 0 to 1. It belongs to
 // the metric, whatever the values are.
-enum class Scale { ratio, difference, share };
+enum class EffectScale { ratio, difference, share };
 
 // The kind of quantity, for code that treats some kinds specially. Times are compared where they are comparable,
 // whatever is made of them.
-enum class Measure { other, solved, answered, position, angle, motion, time, evaluations };
+enum class QuantityKind { other, solved, answered, position, angle, motion, time, evaluations };
 
 // What is known of a group: one of these.
 struct Measured {
@@ -32,68 +32,68 @@ struct Measured {
   double worth = 0;                 // of logarithms of costs: how many equal ones would tell as much
   double solved = 0;                // of the same: the targets solved
 };
-struct Summary {  // as papers print it
+struct SummaryStatistics {  // as papers print it
   int n = 0;
   double mean = 0;
   double sd = 0;  // divided by n - 1
 };
-struct Untold {     // not compared; what there is can be described
-  enum class Why {  // of several, the first
-    lost,           // observations have no value
-    infinite,       // means cannot count those without an answer
-    apart,          // timed or counted otherwise, or ended by the clock
-    no_spread,      // a printed deviation of 0, which would decide everything
-    none,           // nothing was solved, so nothing has a cost
-    no_answer,      // all values of both groups are infinite
-    copies,         // both groups have one number each, and nothing tells measurements from copies
+struct ExcludedSample {         // not compared; what there is can be described
+  enum class NotTestedReason {  // of several, the first
+    lost,                       // observations have no value
+    infinite,                   // means cannot count those without an answer
+    apart,                      // timed or counted otherwise, or ended by the clock
+    no_spread,                  // a printed deviation of 0, which would decide everything
+    none,                       // nothing was solved, so nothing has a cost
+    no_answer,                  // all values of both groups are infinite
+    copies,                     // both groups have one number each, and nothing tells measurements from copies
     // Of two groups that are both told:
     too_few,    // no data of this size could decide
     few_decide  // one value is so much of a group's sum that its mean shows nothing better
   };
-  Why why = Why::lost;
+  NotTestedReason why = NotTestedReason::lost;
   int lost = 0;  // observations without a value
   std::vector<double> values = {};
-  std::optional<Summary> printed = {};
+  std::optional<SummaryStatistics> printed = {};
 };
-using Sample = std::variant<Measured, Summary, Untold>;
+using GroupData = std::variant<Measured, SummaryStatistics, ExcludedSample>;
 
 struct Group {
   std::string name = {};
-  Sample sample = {};
+  GroupData sample = {};
   double at_most = 0;  // values at or below count as this, the tolerance; 0: none
   int all = 0;         // of shares by session: of all observations, whose share is
   double share = 0;    // this; 0: what is described are the values
 };
 
 // Null if it is compared.
-inline const Untold* untold(const Group& group) { return std::get_if<Untold>(&group.sample); }
+inline const ExcludedSample* untold(const Group& group) { return std::get_if<ExcludedSample>(&group.sample); }
 inline const Measured* measured(const Group& group) { return std::get_if<Measured>(&group.sample); }
 inline bool repeats_itself(const Group& group) { return measured(group) && measured(group)->repeats_itself; }
 inline bool may_be_copies(const Group& group) { return measured(group) && measured(group)->may_be_copies; }
 // Observations without a value.
-inline int lost_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }
+inline int missing_in(const Group& group) { return untold(group) ? untold(group)->lost : 0; }
 // All that a group has: of one that repeats itself one, of a summary none.
 inline std::span<const double> values_of(const Group& group) {
   if (const Measured* const its = measured(group)) return its->values;
-  if (const Untold* const its = untold(group)) return its->values;
+  if (const ExcludedSample* const its = untold(group)) return its->values;
   return {};
 }
 
-struct Observations {
+struct MetricSamples {
   std::string metric;    // of files and anchors: "error"
   std::string quantity;  // "position error"
   std::string unit = {};
-  Measure measures = Measure::other;
+  QuantityKind measures = QuantityKind::other;
   Better better = Better::smaller;
-  Scale scale = Scale::ratio;
+  EffectScale scale = EffectScale::ratio;
   double absolute_margin = 0;    // of the plan, in this unit
   double floor = 0;              // of ratios: a smaller value counts as this
   double rounding = 0;           // values that differ by no more are equal
   bool is_paired = false;        // values of one block belong together; without blocks, values[i]
   bool may_hold_copies = false;  // rows of a file, of which nothing says that each is a measurement of its own
   bool is_of_solved = false;     // so each group has its own targets: numbers of two are comparable in findings alone
-  bool is_spent = false;         // what all attempts took, by the number of targets solved
-  bool are_logs = false;         // values are logarithms, and their mean is compared: that of the ratio
+  bool is_ert = false;           // what all attempts took, by the number of targets solved
+  bool is_log_scale = false;     // values are logarithms, and their mean is compared: that of the ratio
   int trials = 1;                // of shares: attempts in an observation; one makes it 0 or 1
   int fewest = 0;                // common blocks that a pair needs
   std::vector<Group> groups = {};
@@ -101,7 +101,7 @@ struct Observations {
 };
 
 // The place of a group; their number if there is none of this name.
-inline std::size_t place_of(const Observations& observed, std::string_view name) {
+inline std::size_t place_of(const MetricSamples& observed, std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(observed.groups, name, &Group::name) - observed.groups.begin());
 }
 

@@ -41,12 +41,16 @@ double is_in_time(const Solve& solve, const StudyResults& study) {
 
 constexpr std::array rows{
 #define METRIC(column, slug, name, unit, kind, measures, floor, rounding, told, ...) \
-  Metric{                                                                            \
-      column,     slug,                                                              \
-      name,       unit,                                                              \
-      Kind::kind, Measure::measures,                                                 \
-      floor,      rounding,                                                          \
-      Told::told, [](const Solve& solve, [[maybe_unused]] const StudyResults& study) -> double { return __VA_ARGS__; }},
+  Metric{column,                                                                     \
+         slug,                                                                       \
+         name,                                                                       \
+         unit,                                                                       \
+         Kind::kind,                                                                 \
+         QuantityKind::measures,                                                     \
+         floor,                                                                      \
+         rounding,                                                                   \
+         WhenReported::told,                                                         \
+         [](const Solve& solve, [[maybe_unused]] const StudyResults& study) -> double { return __VA_ARGS__; }},
 #include "analysis/judge/data/metrics.inc"
 #undef METRIC
 };
@@ -60,7 +64,7 @@ bool are_runs(const StudyResults& study, const Metric& metric) {
 double tolerance_of(const StudyResults& study, const Metric& metric) {
   const numerics::StopRule& stop = study.definition.stop;
   if (metric.kind != Kind::error) return 0;
-  return metric.measures == Measure::angle ? stop.tolerance_deg() : stop.tolerance_cm();
+  return metric.measures == QuantityKind::angle ? stop.tolerance_deg() : stop.tolerance_cm();
 }
 
 bool is_of_answers(const StudyResults& study, const Metric& metric) {
@@ -136,12 +140,12 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   const double least = tolerance_of(study, metric);
   const std::vector<Value> all = values_of(study, metric, solver);
   if (std::ranges::any_of(all, [=](const Value& each) { return each.value <= least; })) group.at_most = least;
-  std::vector<Value> values = means_of(all, has_medians(metric));
+  std::vector<Value> values = means_of(all, uses_medians(metric));
   Measured measured;
   if (metric.kind == Kind::spent || is_of_answers(study, metric)) {
     const std::vector<Value> solved = means_of(values_of(study, metric_named("solved"), solver));
     if (!solved.empty() && std::ranges::all_of(solved, [](const Value& each) { return each.value == 0; })) {
-      group.sample = Untold{.why = Untold::Why::none};
+      group.sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::none};
       return group;
     }
     if (metric.kind == Kind::spent) values = spent_by_solved(std::move(values), solved, measured);
@@ -155,7 +159,8 @@ Group group_of(const StudyResults& study, const Metric& metric, bool is_paired, 
   const bool are_equal = measured.values.size() > 1 &&
                          std::ranges::count(measured.values, measured.values.front()) == std::ssize(measured.values);
   if (lost > 0)
-    group.sample = Untold{.why = Untold::Why::lost, .lost = lost, .values = std::move(measured.values)};
+    group.sample = ExcludedSample{
+        .why = ExcludedSample::NotTestedReason::lost, .lost = lost, .values = std::move(measured.values)};
   else if (!is_paired && are_equal && repeats_itself(study, solver))
     group.sample = Measured{.values = {measured.values.front()}, .repeats_itself = true};
   else
@@ -172,7 +177,7 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
     std::vector<double> values = {};
     double sum = 0, solved = 0;
   };
-  const bool is_share = metric.kind == Kind::share, is_spent = metric.kind == Kind::spent;
+  const bool is_share = metric.kind == Kind::share, is_ert = metric.kind == Kind::spent;
   Group group{.name = solver};
   std::map<int, Session> all;
   bool is_any_solved = false;
@@ -183,7 +188,7 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
     its.sum += its.values.back(), its.solved += is_solved, is_any_solved |= is_solved;
   }
   std::erase_if(all, [&](const auto& each) {
-    return !std::isfinite(each.second.sum) || (is_spent && each.second.sum == 0);  // which has no logarithm
+    return !std::isfinite(each.second.sum) || (is_ert && each.second.sum == 0);  // which has no logarithm
   });
   const auto is_apart = [&](const auto& each) { return !compared.contains(each.first); };
   const bool are_apart = std::ranges::all_of(all, is_apart);
@@ -201,29 +206,30 @@ Group group_of_times(const StudyResults& study, const Metric& metric, const std:
   const bool is_solved_here = std::ranges::any_of(solved, [](const Value& each) { return each.value > 0; });
   measured.worth = static_cast<double>(all.size());           // each is of a session, so none decides
   measured.solved = std::numeric_limits<double>::infinity();  // or what spent_by_solved says
-  if (is_spent) measured.values.clear();
-  if (is_spent && is_solved_here)
+  if (is_ert) measured.values.clear();
+  if (is_ert && is_solved_here)
     for (const Value& each : spent_by_solved(std::move(spent), solved, measured)) measured.values.push_back(each.value);
-  if (!are_apart && (!is_spent || is_solved_here))
+  if (!are_apart && (!is_ert || is_solved_here))
     group.sample = std::move(measured);
-  else if (!is_any_solved && !is_share && (is_spent || study.definition.has_tolerance()))
-    group.sample = Untold{.why = Untold::Why::none};
+  else if (!is_any_solved && !is_share && (is_ert || study.definition.has_tolerance()))
+    group.sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::none};
   else
-    group.sample = Untold{.why = Untold::Why::apart, .values = std::move(measured.values)};
+    group.sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::apart, .values = std::move(measured.values)};
   return group;
 }
 
-Observations observe_times(const StudyResults& study, const Metric& metric) {
-  Observations observed = observations_of(metric);
+MetricSamples observe_times(const StudyResults& study, const Metric& metric) {
+  MetricSamples observed = empty_samples(metric);
   observed.is_paired = true;
-  observed.are_logs = metric.kind != Kind::share;
-  observed.fewest = fewest_sessions;
-  const Sessions sessions = sessions_of(study);
+  observed.is_log_scale = metric.kind != Kind::share;
+  observed.fewest = min_sessions;
+  const SessionSets sessions = sessions_of(study);
   const bool is_share = metric.kind == Kind::share;
   for (std::size_t i = 0; i < study.labels.size(); ++i) {
     const std::string& label = study.labels[i];
     if (study.beside.has(label) || study.in_batches.contains(label)) {
-      observed.groups.push_back({.name = label, .sample = Untold{.why = Untold::Why::apart}});
+      observed.groups.push_back(
+          {.name = label, .sample = ExcludedSample{.why = ExcludedSample::NotTestedReason::apart}});
       continue;
     }
     // A share of deadlines counts busy sessions, too: they are no random sample, and leaving them out would flatter.
@@ -251,7 +257,7 @@ std::vector<Metric> metrics_of(const StudyData& study) {
                                                             its == known.name || its == "answered" ||
                                                             std::ranges::count(results::all_thens, its) > 0)
           throw std::invalid_argument(fmt::format("[check] has the number {}, which is a metric already", name));
-      all.push_back({name, name, name, "", Kind::cost, Measure::other, 0, 0, Told::always, nullptr,
+      all.push_back({name, name, name, "", Kind::cost, QuantityKind::other, 0, 0, WhenReported::always, nullptr,
                      all.size() - rows.size(), better});
     }
   }
@@ -262,49 +268,50 @@ const Metric& metric_named(std::string_view column, std::span<const Metric> all)
   return base::find_named("metric", column, all, [](const Metric& metric) { return metric.column; });
 }
 
-Observations observations_of(const Metric& metric) {
+MetricSamples empty_samples(const Metric& metric) {
   return {.metric = std::string(metric.slug),
           .quantity = std::string(metric.name),
           .unit = std::string(metric.unit),
           .measures = metric.measures,
           .better = metric.better,
-          .scale = metric.kind == Kind::share   ? Scale::share
-                   : metric.value_of == nullptr ? Scale::difference
-                                                : Scale::ratio,
+          .scale = metric.kind == Kind::share   ? EffectScale::share
+                   : metric.value_of == nullptr ? EffectScale::difference
+                                                : EffectScale::ratio,
           .floor = metric.floor,
           .rounding = metric.rounding,
-          .is_spent = metric.kind == Kind::spent};
+          .is_ert = metric.kind == Kind::spent};
 }
 
-Observations observe(const StudyResults& study, const Metric& metric) {
-  Observations observed = is_of_times(metric) ? observe_times(study, metric) : observe_solves(study, metric);
-  observed.doubts = is_of_times(metric)                       ? doubts_of_times(study)
-                    : metric.measures == Measure::evaluations ? doubts_of_evaluations(study)
-                                                              : doubts_of_clock(study);
-  Doubt unsolved{.kind = DoubtKind::times_not_comparable,
+MetricSamples observe(const StudyResults& study, const Metric& metric) {
+  MetricSamples observed = is_of_times(metric) ? observe_times(study, metric) : make_samples_by_target(study, metric);
+  observed.doubts = is_of_times(metric)                            ? time_warnings(study)
+                    : metric.measures == QuantityKind::evaluations ? evaluation_warnings(study)
+                                                                   : clock_warnings(study);
+  Doubt unsolved{.kind = WarningKind::times_not_comparable,
                  .what = "too little is solved in the sessions that are compared"};
   for (Group& group : observed.groups) {  // who is in doubt is described, and not compared
     const bool is_doubted = std::ranges::any_of(observed.doubts, [&](const Doubt& doubt) {
       return doubt.who.empty() || std::ranges::count(doubt.who, group.name) > 0;
     });
-    const Untold* const its = untold(group);
-    if (its && its->why == Untold::Why::apart && !is_doubted && metric.kind != Kind::share)
+    const ExcludedSample* const its = untold(group);
+    if (its && its->why == ExcludedSample::NotTestedReason::apart && !is_doubted && metric.kind != Kind::share)
       unsolved.who.push_back(group.name);
     if (its || !is_doubted) continue;  // a group that lost values stays so: the stronger reason
     const std::span<const double> values = judge::values_of(group);
-    group.sample = Untold{.why = Untold::Why::apart, .values = {values.begin(), values.end()}};
+    group.sample =
+        ExcludedSample{.why = ExcludedSample::NotTestedReason::apart, .values = {values.begin(), values.end()}};
   }
   if (!unsolved.who.empty()) observed.doubts.push_back(std::move(unsolved));
   return observed;
 }
 
-Observations observe_solves(const StudyResults& study, const Metric& metric) {
+MetricSamples make_samples_by_target(const StudyResults& study, const Metric& metric) {
   const Definition& definition = study.definition;
   const bool of_runs = are_runs(study, metric);
-  Observations observed = observations_of(metric);
+  MetricSamples observed = empty_samples(metric);
   observed.is_paired = definition.draws_targets || !of_runs;
   observed.is_of_solved = is_of_solved(study, metric);
-  observed.are_logs = metric.kind == Kind::spent;
+  observed.is_log_scale = metric.kind == Kind::spent;
   observed.trials = of_runs ? definition.points : definition.draws_targets ? 1 : definition.runs;
   for (const std::string& solver : study.labels)
     observed.groups.push_back(group_of(study, metric, observed.is_paired, solver));

@@ -19,7 +19,7 @@ enum class Kind { share, error, cost, spent, run };
 
 // In which reports: where a study has a tolerance, costs are of what was solved; if some of it was not, what was spent
 // stands in place of evaluations and time.
-enum class Told { always, if_all_solve, if_some_fail, if_asked };
+enum class WhenReported { always, if_all_solve, if_some_fail, if_asked };
 
 struct Metric {
   std::string_view column;  // name in files and on the command line
@@ -27,10 +27,10 @@ struct Metric {
   std::string_view name;    // in text
   std::string_view unit;    // of its values; empty: none
   Kind kind;
-  Measure measures;
+  QuantityKind measures;
   double floor;     // of ratios: a smaller value counts as this
   double rounding;  // values that differ by no more are equal
-  Told told;
+  WhenReported told;
   double (*value_of)(const Solve& solve, const StudyResults& study);  // NaN: the solve has none; null: of the check
   std::size_t number = 0;                                             // its place among those of the check
   Better better = kind == Kind::share ? Better::larger : Better::smaller;
@@ -45,17 +45,17 @@ std::vector<Metric> metrics_of(const results::StudyData& study);
 const Metric& metric_named(std::string_view column, std::span<const Metric> all = metrics());
 
 // Its unit of comparison is a session, since what decides a time is drawn once for a process: memory, hashes, cores.
-inline bool is_of_times(const Metric& metric) { return metric.measures == Measure::time; }
+inline bool is_of_times(const Metric& metric) { return metric.measures == QuantityKind::time; }
 // Of several solves in an observation the median counts, else the mean.
-inline bool has_medians(const Metric& metric) { return is_of_times(metric) && metric.kind == Kind::cost; }
+inline bool uses_medians(const Metric& metric) { return is_of_times(metric) && metric.kind == Kind::cost; }
 
 // Without groups, and what a study adds.
-Observations observations_of(const Metric& metric);
+MetricSamples empty_samples(const Metric& metric);
 // One observation is a run, the mean of its targets, where solves are chained or all runs have one target; else a
 // target, the mean of its runs, or of drawn targets its one solve. Of times it is a session: the logarithm of the
 // median over its targets, or its part in that of all time spent by all targets solved.
-Observations observe(const StudyResults& study, const Metric& metric);
+MetricSamples observe(const StudyResults& study, const Metric& metric);
 // As papers print it: times, too, are of runs or targets, of each the median. Describes, and compares no times.
-Observations observe_solves(const StudyResults& study, const Metric& metric);
+MetricSamples make_samples_by_target(const StudyResults& study, const Metric& metric);
 
 }  // namespace ikbench::judge

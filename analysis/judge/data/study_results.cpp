@@ -51,7 +51,7 @@ double angle_deg(double orientation_error) {
   return 2 * std::asin(sine > 1 ? 1.0 : sine) / base::degree;
 }
 
-bool is_too_fast(const Definition& study, const SolveRecord& solve) {
+bool exceeds_velocity(const Definition& study, const SolveRecord& solve) {
   for (std::size_t j = 0; j < std::min({study.steps.size(), solve.start_rad.size(), solve.answer_rad.size()}); ++j) {
     const auto [furthest, is_endless] = study.steps[j];
     const double move = solve.answer_rad[j] - solve.start_rad[j];
@@ -77,13 +77,13 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
   if (record.run < 1 || record.point < 1)
     throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
                                             study.name, record.label, record.run, record.point));
-  if (!record.trace_cm.empty() && study.drawn.size() >= most_traces)
+  if (!record.trace_cm.empty() && study.drawn.size() >= max_traces)
     throw std::invalid_argument(
-        fmt::format("study '{}' has too many solves with a trace; expected at most {}", study.name, most_traces));
+        fmt::format("study '{}' has too many solves with a trace; expected at most {}", study.name, max_traces));
   const Solves earlier = study.of(record.label);
   const bool is_of_first_run = earlier.empty() || earlier.front().run == record.run;
   if (earlier.empty() || earlier.back().run != record.run) bend = {};
-  if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < most_drawn)) study.drawn.push_back(record);
+  if (!record.trace_cm.empty() || (is_of_first_run && std::ssize(earlier) < max_plotted)) study.drawn.push_back(record);
   std::vector<double> numbers;
   for (const std::string& name : study.definition.check.numbers())
     if (const auto found = record.extras.find(std::string(check_extra) + name); found != record.extras.end())
@@ -110,10 +110,10 @@ void add(const SolveRecord& record, Bend& bend, StudyResults& study) {
        .timing = record.timing,
        .counted_by = record.counted_by,
        .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
-       .was_disturbed = is_alone && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
+       .was_preempted = is_alone && record.cpu_seconds > 0 && seconds > 1.1 * record.cpu_seconds,
        .is_told = is_told,
        .is_late = is_timed && period > 0 && (seconds > period || is_without_answer(record.status)),
-       .is_too_fast = is_too_fast(study.definition, record),
+       .exceeds_velocity = exceeds_velocity(study.definition, record),
        .position_error_cm = record.position_error_cm,
        .orientation_error_deg = angle_deg(record.orientation_error),
        .variation_deg = record.variation_deg,
@@ -136,7 +136,7 @@ bool are_same(const Solve& one, const Solve& other) {
 
 }  // namespace
 
-void refuse_other_targets(const StudyResults& study) {
+void require_same_targets(const StudyResults& study) {
   const auto place = [](const Solve& solve) { return (std::int64_t{solve.run} << 32) + solve.point; };
   const auto is_own = [&](const Solve& solve) { return study.definition.is_chained() && solve.point > 1; };
   std::unordered_map<std::int64_t, const Solve*> first;
@@ -165,7 +165,7 @@ std::span<const SolveRecord> StudyResults::first_run_of(std::string_view solver)
   return {first, end};
 }
 
-std::set<std::string> facts_of(const StudyResults& study, const std::string& name) {
+std::set<std::string> environment_values(const StudyResults& study, const std::string& name) {
   std::set<std::string> values;
   for (const Session& session : study.sessions)
     if (const auto fact = session.environment.find(name); fact != session.environment.end())
@@ -173,29 +173,29 @@ std::set<std::string> facts_of(const StudyResults& study, const std::string& nam
   return values;
 }
 
-bool is_of_this_clock(const Session& session) { return session.environment.contains("state"); }
+bool uses_current_clock(const Session& session) { return session.environment.contains("state"); }
 
-std::string calls_of(const StudyResults& study) {
-  const std::set<std::string> states = facts_of(study, "state");
+std::string timed_calls_text(const StudyResults& study) {
+  const std::set<std::string> states = environment_values(study, "state");
   return states.empty()             ? ""
          : states.contains("first") ? "first calls on a target"
          : states.contains("hot")   ? "second calls on a target"
                                     : "calls of runs in a row";
 }
 
-Sessions sessions_of(const StudyResults& study) {
+SessionSets sessions_of(const StudyResults& study) {
   std::map<int, std::map<std::size_t, std::pair<int, int>>> counts;  // by session and solver: solves, those slowed
   for (const Solve& solve : study.solves) {
     if (study.beside.has(study.labels[static_cast<std::size_t>(solve.label)])) continue;
     auto& [all, slowed] = counts[solve.session][static_cast<std::size_t>(solve.label)];
-    ++all, slowed += solve.was_disturbed;
+    ++all, slowed += solve.was_preempted;
   }
   const std::vector<std::set<int>> none(study.labels.size());
-  Sessions sessions{.all = none, .made = none, .told = none};
+  SessionSets sessions{.all = none, .made = none, .told = none};
   for (const auto& [session, solvers] : counts) {
     const auto most = std::ranges::max_element(solvers, {}, [](auto& each) { return each.second.first; })->second.first;
     const auto its = std::ranges::find(study.sessions, session, &Session::id);
-    const bool is_compared = its != study.sessions.end() && is_of_this_clock(*its);
+    const bool is_compared = its != study.sessions.end() && uses_current_clock(*its);
     if (is_compared) sessions.compared.insert(session);
     for (const auto& [solver, count] : solvers) {
       const bool is_busy = count.second > 1 && 10 * count.second > count.first;
@@ -231,13 +231,13 @@ StudyResults read_study(const Store& store, const StoredStudy& entry, const Take
   std::erase_if(study.sessions, [&](const Session& session) { return !used.contains(session.id); });
   std::string& control = study.definition.plan.control;
   if (std::ranges::count(study.labels, control) == 0) control.clear();
-  refuse_other_targets(study);
+  require_same_targets(study);
   for (const Series& series : entry.series) {
     if (std::ssize(study.of(series.label)) >= std::int64_t{study.definition.runs} * study.definition.points) continue;
     const std::int64_t others = store.solves_of_other_sources(series.key);
     if (others == 0) continue;
-    study.other_version.who.push_back(series.label);
-    study.other_version.count += static_cast<double>(others);
+    study.stale_solves.who.push_back(series.label);
+    study.stale_solves.count += static_cast<double>(others);
   }
   return study;
 }
@@ -269,14 +269,14 @@ bool repeats_itself(const StudyResults& study, std::string_view solver) {
 
 bool gave_answer(const Solve& solve) { return !is_without_answer(solve.status) && solve.status != Status::not_finite; }
 
-std::vector<double> times_of(const StudyResults& study, std::string_view solver) {
+std::vector<double> solve_times(const StudyResults& study, std::string_view solver) {
   std::vector<double> seconds;
   for (const Solve& solve : study.of(solver))
     if (!is_without_answer(solve.status) && std::isfinite(solve.seconds)) seconds.push_back(solve.seconds);
   return seconds;
 }
 
-bool have_same_solves(Solves solves, Solves others) {
+bool are_identical(Solves solves, Solves others) {
   return std::ranges::equal(solves, others, [](const Solve& one, const Solve& two) {
     return one.run == two.run && one.point == two.point && are_same(one, two) && one.evaluations == two.evaluations;
   });

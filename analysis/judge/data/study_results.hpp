@@ -29,10 +29,10 @@ struct Solve {
   results::Timing timing = results::Timing::clean;
   results::CountedBy counted_by = results::CountedBy::suite;
   bool is_outside_limits = false;
-  bool was_disturbed = false;  // took more than 10 % longer than its processor time; of solves at once not known
+  bool was_preempted = false;  // took more than 10 % longer than its processor time; of solves at once not known
   bool is_told = false;        // by a program: its own time, for which its processor time leaves room
   // Of a control loop: longer than its period, where times count; further than a joint can move in one.
-  bool is_late = false, is_too_fast = false;
+  bool is_late = false, exceeds_velocity = false;
   double position_error_cm = 0, orientation_error_deg = 0, variation_deg = 0, variation_m = 0;
   double largest_move_deg = 0, seconds = 0;  // of a single call; NaN: in a batch
   double bend_deg = 0;  // mean second difference of all joint angles of its run until here; NaN: not known
@@ -53,7 +53,7 @@ struct Beside {
 
   bool has(std::string_view label) const { return std::ranges::count(labels, label) > 0; }
 };
-constexpr std::string_view unit_of_times = "levenberg_marquardt";
+constexpr std::string_view time_reference_solver = "levenberg_marquardt";
 
 // A control that is no solver is empty in its plan.
 struct StudyResults : results::StoredStudy {
@@ -66,7 +66,7 @@ struct StudyResults : results::StoredStudy {
   // By solver that was asked in batches: their sizes, and the parts of their times [s] of each pose.
   std::map<std::string, std::pair<std::set<int>, std::vector<double>>> in_batches;
   Beside beside = {};
-  Doubt other_version = {.kind = DoubtKind::other_version};  // solves that stand in the store instead of missing ones
+  Doubt stale_solves = {.kind = WarningKind::stale_solves};  // solves that stand in the store instead of missing ones
 
   // By run and point.
   Solves of(std::string_view solver) const;
@@ -75,9 +75,9 @@ struct StudyResults : results::StoredStudy {
 };
 
 bool gave_answer(const Solve& solve);
-std::vector<double> times_of(const StudyResults& study, std::string_view solver);  // [s] of solves with an answer
+std::vector<double> solve_times(const StudyResults& study, std::string_view solver);  // [s] of solves with an answer
 // All solves are the same, bit for bit, and took as many evaluations.
-bool have_same_solves(Solves solves, Solves others);
+bool are_identical(Solves solves, Solves others);
 
 std::vector<Solves> runs_of(Solves solves);
 std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view solver);  // with all targets
@@ -85,33 +85,33 @@ std::vector<Solves> complete_runs_of(const StudyResults& study, std::string_view
 bool repeats_itself(const StudyResults& study, std::string_view solver);
 
 // What sessions say of one fact of their environment, such as "cpu".
-std::set<std::string> facts_of(const StudyResults& study, const std::string& name);
+std::set<std::string> environment_values(const StudyResults& study, const std::string& name);
 
-constexpr int fewest_sessions = 4;  // that compare times
+constexpr int min_sessions = 4;  // that compare times
 
 // Of one clock: all but those of stores that a former version began.
-bool is_of_this_clock(const results::Session& session);
+bool uses_current_clock(const results::Session& session);
 // "first calls on a target": which calls this clock timed; empty: none.
-std::string calls_of(const StudyResults& study);
+std::string timed_calls_text(const StudyResults& study);
 // What times are compared by; lists are by solver.
-struct Sessions {
+struct SessionSets {
   std::set<int> compared = {};           // of this clock
   std::vector<std::set<int>> all = {};   // of its solves
   std::vector<std::set<int>> made = {};  // of these: compared, and it made as many solves as anybody
   std::vector<std::set<int>> told = {};  // of these: not over a tenth took over a tenth more than their processor time
 };
-Sessions sessions_of(const StudyResults& study);
+SessionSets sessions_of(const StudyResults& study);
 
 constexpr std::int64_t most_solves = 10'000'000;
-constexpr int most_drawn = 10'000;  // of a first run
-constexpr std::size_t most_traces = 2'000'000;
+constexpr int max_plotted = 10'000;  // of a first run
+constexpr std::size_t max_traces = 2'000'000;
 constexpr int most_extras = 50;  // names; more are left out
 
 // Reads the current solves of a study, and passes each on to `also`. Throws std::invalid_argument for more than
-// `most_solves`, or more than `most_traces` with a trace; and, as all do, if solvers had other targets or starts.
+// `most_solves`, or more than `max_traces` with a trace; and, as all do, if solvers had other targets or starts.
 StudyResults read_study(const results::Store& store, const results::StoredStudy& entry,
                         const results::TakeSolve& also = {});
 // Throws std::invalid_argument: no solver chooses its targets, nor its starts, but those that its own answers left.
-void refuse_other_targets(const StudyResults& study);
+void require_same_targets(const StudyResults& study);
 
 }  // namespace ikbench::judge

@@ -60,12 +60,12 @@ std::vector<std::string> measured_apart(const StudyResults& study, const std::ve
   std::map<std::set<int>, std::size_t> solvers_of;
   for (const std::set<int>& its : sessions) ++solvers_of[its];
   const std::set<int> most = std::ranges::max_element(solvers_of, {}, [](const auto& each) {
-                               return std::pair(each.first.size() >= fewest_sessions, each.second);
+                               return std::pair(each.first.size() >= min_sessions, each.second);
                              })->first;
   std::vector<std::string> apart;
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     const auto common = std::ranges::count_if(sessions[i], [&](int session) { return most.contains(session); });
-    if (!study.of(study.labels[i]).empty() && common < fewest_sessions) apart.push_back(study.labels[i]);
+    if (!study.of(study.labels[i]).empty() && common < min_sessions) apart.push_back(study.labels[i]);
   }
   return apart;
 }
@@ -91,7 +91,7 @@ void add_of_budgets(Doubts& doubts, const StudyResults& study) {
     if (budget > many) many = budget, most = solver;
   }
   if (many < 1.5 * few) return;
-  doubts.push_back({.kind = DoubtKind::budgets_differ,
+  doubts.push_back({.kind = WarningKind::budgets_differ,
                     .who = {most, fewest},
                     .count = many,
                     .of = few,
@@ -111,27 +111,27 @@ void add_of_plan(Doubts& doubts, const StudyResults& study) {
     for (const auto& [field, value] : then.items())
       if (plan.value(field, value) != value) others.insert(session.id), fields.insert(field);  // a field may be gone
   }
-  add(doubts, study, {.kind = DoubtKind::plan_changed, .what = fmt::format("{}", fmt::join(fields, ", "))},
+  add(doubts, study, {.kind = WarningKind::plan_changed, .what = fmt::format("{}", fmt::join(fields, ", "))},
       [&](const Solve& solve) { return others.contains(solve.session); });
 }
 
 }  // namespace
 
-std::vector<Doubt> doubts_of_times(const StudyResults& study) {
-  const Sessions sessions = sessions_of(study);
-  const bool are_alone = study.in_batches.empty() || facts_of(study, "jobs") == std::set<std::string>{"1"};
+std::vector<Doubt> time_warnings(const StudyResults& study) {
+  const SessionSets sessions = sessions_of(study);
+  const bool are_alone = study.in_batches.empty() || environment_values(study, "jobs") == std::set<std::string>{"1"};
   const auto compared = std::ssize(sessions.compared);
   std::string of_all = are_alone ? odd_timing_of(study) : "solved in parallel";
-  if (of_all.empty() && std::ranges::none_of(study.sessions, is_of_this_clock))
+  if (of_all.empty() && std::ranges::none_of(study.sessions, uses_current_clock))
     of_all = "of the clock of a former version";
-  else if (of_all.empty() && compared < fewest_sessions)
-    of_all = fmt::format("{}, and {} are the fewest", base::counted(compared, "sessions"), fewest_sessions);
-  if (!of_all.empty()) return {{.kind = DoubtKind::times_not_comparable, .what = of_all}};
+  else if (of_all.empty() && compared < min_sessions)
+    of_all = fmt::format("{}, and {} are the fewest", base::counted(compared, "sessions"), min_sessions);
+  if (!of_all.empty()) return {{.kind = WarningKind::times_not_comparable, .what = of_all}};
   Doubts doubts;
   std::set<std::string> told;  // one reason is enough
   const auto add_of = [&](std::vector<std::string> who, const std::string& what) {
     std::erase_if(who, [&](const std::string& solver) { return !told.insert(solver).second; });
-    add(doubts, {.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = what});
+    add(doubts, {.kind = WarningKind::times_not_comparable, .who = std::move(who), .what = what});
   };
   add_of(study.beside.labels, "solved " + study.beside.of);
   std::vector<std::string> in_batches, silent;
@@ -151,12 +151,12 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   return doubts;
 }
 
-std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
+std::vector<Doubt> clock_warnings(const StudyResults& study) {
   const double limit = study.definition.stop.seconds;
   if (limit == 0) return {};
   // Machines differ if their processors do, or both name and start: one that starts again keeps its name, and
   // containers on it have their own.
-  const auto differ = [&](const char* fact) { return facts_of(study, fact).size() > 1; };
+  const auto differ = [&](const char* fact) { return environment_values(study, fact).size() > 1; };
   const std::vector<std::set<int>> sessions = sessions_of(study).all;
   std::set<std::set<int>> different(sessions.begin(), sessions.end());
   different.erase(std::set<int>());  // of who has no solves
@@ -166,10 +166,10 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
   Doubts doubts;
   for (const bool is_beside : {false, true}) {
     const std::string what = is_beside ? "solved " + study.beside.of : of_all.empty() ? "the machine was busy" : of_all;
-    add_counts(doubts, study, {.kind = DoubtKind::seconds_decide, .what = what}, [&](const std::string& solver) {
+    add_counts(doubts, study, {.kind = WarningKind::time_limit_decides, .what = what}, [&](const std::string& solver) {
       const Solves all = study.of(solver);
       const auto ended = std::ranges::count_if(all, [=](auto&its) { return its.seconds >= 0.9 * limit; }),
-                 disturbed = std::ranges::count_if(all, &Solve::was_disturbed);  // programs stop before the limit
+                 disturbed = std::ranges::count_if(all, &Solve::was_preempted);  // programs stop before the limit
       const bool decides = is_beside || !of_all.empty() || (disturbed > 1 && 10 * disturbed > std::ssize(all));
       return std::pair(decides && study.beside.has(solver) == is_beside ? ended : 0, std::ssize(all));
     });
@@ -177,36 +177,36 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
   return doubts;
 }
 
-std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
-  Doubts doubts = doubts_of_clock(study);
-  add(doubts, study, {.kind = DoubtKind::counted_otherwise},
+std::vector<Doubt> evaluation_warnings(const StudyResults& study) {
+  Doubts doubts = clock_warnings(study);
+  add(doubts, study, {.kind = WarningKind::counts_not_comparable},
       [](const Solve& solve) { return !is_without_answer(solve.status) && solve.counted_by != CountedBy::suite; });
   return doubts;
 }
 
 std::vector<Doubt> doubts_of(const StudyResults& study) {
   Doubts doubts;
-  const Doubt missing{.kind = DoubtKind::runs_missing, .what = "runs missing or without some targets"};
+  const Doubt missing{.kind = WarningKind::runs_missing, .what = "runs missing or without some targets"};
   add_counts(doubts, study, missing, [&](const std::string& solver) {
     return std::pair(study.definition.runs - std::ssize(complete_runs_of(study, solver)), study.definition.runs);
   });
-  add(doubts, study, {.kind = DoubtKind::without_answer, .what = "solves gave no answer"},
+  add(doubts, study, {.kind = WarningKind::without_answer, .what = "solves gave no answer"},
       [](const Solve& solve) { return !gave_answer(solve); });
-  add(doubts, study, {.kind = DoubtKind::claimed_but_wrong},
+  add(doubts, study, {.kind = WarningKind::claimed_but_wrong},
       [](const Solve& solve) { return solve.status == Status::claimed_but_wrong; });
-  add(doubts, study, {.kind = DoubtKind::outside_limits}, &Solve::is_outside_limits);
+  add(doubts, study, {.kind = WarningKind::limit_violations}, &Solve::is_outside_limits);
   add_of_budgets(doubts, study);
   if (const int count = study.definition.out_of_reach; count > 0)
-    doubts.push_back({.kind = DoubtKind::out_of_reach,
+    doubts.push_back({.kind = WarningKind::out_of_reach,
                       .count = static_cast<double>(count),
                       .of = static_cast<double>(study.definition.points)});
   add_of_plan(doubts, study);
-  Doubt repeating{.kind = DoubtKind::repeats_itself};
+  Doubt repeating{.kind = WarningKind::repeats_itself};
   if (!study.definition.draws_targets && study.definition.compares_runs())  // else paired
     std::ranges::copy_if(study.labels, std::back_inserter(repeating.who),
                          [&](const std::string& solver) { return repeats_itself(study, solver); });
   add(doubts, std::move(repeating));
-  add(doubts, study.other_version);
+  add(doubts, study.stale_solves);
   return doubts;
 }
 
@@ -231,7 +231,7 @@ std::string words_of(const Doubt& doubt) {
       "leaving rows out favours {who}: solvers lack different shares of their values, {what}",
       "{who} have the same value in every block, as if one measurement had been copied"};
   std::string_view sentence = sentences[static_cast<std::size_t>(doubt.kind)];
-  if (doubt.kind == DoubtKind::repeats_itself && doubt.what.empty())
+  if (doubt.kind == WarningKind::repeats_itself && doubt.what.empty())
     sentence = "{who} gave the same answers in every run, which count as one";
   const std::string who = names_of(doubt.who, ", "), share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
   const auto if_any = [&](const char* before, const char* after) { return who.empty() ? "" : before + who + after; };

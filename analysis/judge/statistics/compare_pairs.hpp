@@ -21,24 +21,24 @@ using results::Plan;
 enum class Verdict { better, worse, same, undecided, not_tested };
 std::string_view name_of(Verdict verdict);
 
-struct Amount {
+struct EffectEstimate {
   double value = 0;
   std::optional<Interval> interval = {};  // at 1 - significance / tested pairs; without 0 (ratios: 1) if p decides
 };
 
 // Shares of pairs or blocks in which the first is better, and worse. Their difference is Cliff's delta; A12 has equal
 // ones half (Vargha and Delaney, J. Educational and Behavioral Statistics 25 (2000) 101).
-struct Effect {
+struct Dominance {
   double ahead = 0, behind = 0;
   double a12() const { return (1 + ahead - behind) / 2; }
 };
 
-struct Tested {
+struct TestResult {
   Verdict verdict = Verdict::undecided;
-  bool is_small = false;              // a difference within the margin
-  double p = 1;                       // times the tested pairs; below the significance it decides
-  std::optional<Effect> effect = {};  // none of summaries and of logarithms
-  std::optional<double> g = {};       // Hedges', of paired values g_av, where means decide (describe.hpp)
+  bool is_small = false;                 // a difference within the margin
+  double p = 1;                          // times the tested pairs; below the significance it decides
+  std::optional<Dominance> effect = {};  // none of summaries and of logarithms
+  std::optional<double> g = {};          // Hedges', of paired values g_av, where means decide (describe.hpp)
   std::string_view test = {};
   int n = 0;       // observations, or common blocks; of the smaller group, or those that a solver that
                    // repeats itself is held against
@@ -46,29 +46,30 @@ struct Tested {
 };
 
 // Both solvers repeat themselves: no chance is in the difference.
-struct Fact {
+struct DeterministicResult {
   Verdict verdict = Verdict::same;  // better and worse by more than the margin
 };
 
-struct Open {
-  using Why = Untold::Why;
-  Why why = Why::too_few;
+struct NotTested {
+  using NotTestedReason = ExcludedSample::NotTestedReason;
+  NotTestedReason why = NotTestedReason::too_few;
   int n = 0;       // observations of the smaller group, or common blocks
   int needed = 0;  // if too few: how many, in each group, could decide
 };
 
-struct Finding {
+struct Comparison {
   std::string first = {}, second = {};
-  Scale scale = Scale::difference;    // of the amount; means have differences
-  std::optional<Amount> amount = {};  // of what is tested, if it does not refute the verdict; of facts, and of few
-  std::variant<Tested, Fact, Open> what = Open();
+  EffectScale scale = EffectScale::difference;  // of the amount; means have differences
+  std::optional<EffectEstimate> amount =
+      {};  // of what is tested, if it does not refute the verdict; of facts, and of few
+  std::variant<TestResult, DeterministicResult, NotTested> what = NotTested();
 };
 
 // What every finding has in common.
-Verdict verdict_of(const Finding& finding);  // few that decide leave it undecided
-constexpr double amount_of_equal(Scale scale) { return scale == Scale::ratio ? 1 : 0; }
-bool is_open(const Finding& finding, Open::Why why);
-bool are_equal(const Finding& finding);  // no value differs
+Verdict verdict_of(const Comparison& finding);  // few that decide leave it undecided
+constexpr double null_value(EffectScale scale) { return scale == EffectScale::ratio ? 1 : 0; }
+bool is_open(const Comparison& finding, NotTested::NotTestedReason why);
+bool are_equal(const Comparison& finding);  // no value differs
 
 // What decides the test, never how the values are spread:
 //
@@ -83,29 +84,29 @@ bool are_equal(const Finding& finding);  // no value differs
 // A pair is decided at the significance divided by the number of pairs that data of these sizes can decide at all, and
 // by `metrics`, the number of metrics that share the significance. Throws std::invalid_argument if the control is no
 // group. Paired groups have one size without blocks, and ratios are of values above 0, or have a floor above it.
-std::vector<Finding> compare(const Observations& observed, const Plan& plan, std::size_t metrics = 1);
+std::vector<Comparison> compare(const MetricSamples& observed, const Plan& plan, std::size_t metrics = 1);
 
 // One metric of several studies, such as those of the labels that two stores have: their pairs share the significance.
 struct Member {
-  const Observations* observed;
+  const MetricSamples* observed;
   const Plan* plan;
 };
 // The findings of each member of a family.
-std::vector<std::vector<Finding>> compare(const std::vector<Member>& family, std::size_t metrics);
+std::vector<std::vector<Comparison>> compare(const std::vector<Member>& family, std::size_t metrics);
 
-bool is_difference(Verdict verdict);                               // better or worse
-Verdict turned(Verdict verdict);                                   // of the second
-std::set<std::string> losers_of(const std::vector<Finding>& all);  // worse than another
+bool is_difference(Verdict verdict);                                       // better or worse
+Verdict turned(Verdict verdict);                                           // of the second
+std::set<std::string> beaten_solvers(const std::vector<Comparison>& all);  // worse than another
 
 // A mean: one value is more than half of the sum of all sizes; of costs per solved target few values are worth most of
 // it, or fewer than 4 are solved.
-bool does_one_value_decide(const Group& group);
+bool is_dominated(const Group& group);
 
 // A mean or median is worse than another by more than the margin.
-bool is_worse_than_margin(const Observations& observed, const Plan& plan, double one, double other);
+bool is_worse_beyond_margin(const MetricSamples& observed, const Plan& plan, double one, double other);
 
 // The same pair, told with its better one first, or if none is with its second where that is ahead; or else with the
 // control second.
-Finding better_first(Finding finding, std::string_view control, bool is_second_ahead = false);
+Comparison better_first(Comparison finding, std::string_view control, bool is_second_ahead = false);
 
 }  // namespace ikbench::judge

@@ -14,9 +14,9 @@ double quantile(const std::vector<double>& sorted, double share) {
   return low == high || part == 0 ? low : (1 - part) * low + part * high;
 }
 
-Description described(const std::vector<double>& values) {
+Descriptives described(const std::vector<double>& values) {
   if (values.empty()) return {};
-  const Summary summary = summarise(values);
+  const SummaryStatistics summary = summarise(values);
   std::vector<double> sorted = values;
   if (!std::ranges::is_sorted(sorted)) std::ranges::sort(sorted);
   const bool is_finite = std::isfinite(sorted.front()) && std::isfinite(sorted.back());
@@ -32,17 +32,17 @@ Description described(const std::vector<double>& values) {
           .largest = sorted.back()};
 }
 
-Description describe(const Group& group) {
-  const auto* printed = std::get_if<Summary>(&group.sample);
+Descriptives describe(const Group& group) {
+  const auto* printed = std::get_if<SummaryStatistics>(&group.sample);
   if (untold(group) && untold(group)->printed) printed = &*untold(group)->printed;
   if (printed) return {.n = printed->n, .mean = printed->mean, .sd = printed->sd};
   const std::span<const double> values = values_of(group);
-  Description its = described({values.begin(), values.end()});
+  Descriptives its = described({values.begin(), values.end()});
   if (group.at_most > 0) its.sd = unknown;
   return its;
 }
 
-std::optional<double> hedges_g(const Summary& first, const Summary& second) {
+std::optional<double> hedges_g(const SummaryStatistics& first, const SummaryStatistics& second) {
   const double df = first.n + second.n - 2;
   const double squares = (first.n - 1) * first.sd * first.sd + (second.n - 1) * second.sd * second.sd;
   if (!(squares > 0) || !(df > 1)) return {};

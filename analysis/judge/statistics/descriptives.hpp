@@ -14,7 +14,7 @@ namespace ikbench::judge {
 // NaN: not known, of a summary or of no values.
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-struct Description {
+struct Descriptives {
   int n = 0;
   double mean = unknown;
   double sd = unknown;  // divided by n - 1; not known where values count as the tolerance
@@ -23,14 +23,14 @@ struct Description {
   double smallest = unknown, largest = unknown;
 };
 
-Description describe(const Group& group);
-Description described(const std::vector<double>& values);
+Descriptives describe(const Group& group);
+Descriptives described(const std::vector<double>& values);
 // Of values that rise, which are not none.
 double quantile(const std::vector<double>& sorted, double share);
 
 // The difference of two means in pooled standard deviations, without bias (Hedges, J. Educational Statistics 6 (1981)
 // 107); of paired values that is g_av, by the spreads of both and not by that of their differences (Cumming,
 // Understanding the New Statistics, 2012, chapter 11). None without spread.
-std::optional<double> hedges_g(const Summary& first, const Summary& second);
+std::optional<double> hedges_g(const SummaryStatistics& first, const SummaryStatistics& second);
 
 }  // namespace ikbench::judge

@@ -14,29 +14,29 @@ namespace ikbench::judge {
 namespace {
 
 bool has_chance(const Group& group) {  // in its values
-  return std::holds_alternative<Summary>(group.sample) ||
+  return std::holds_alternative<SummaryStatistics>(group.sample) ||
          (!untold(group) && !repeats_itself(group) && !values_of(group).empty());
 }
 
-TestOfAll with_p(TestOfAll test) {
+OmnibusTest with_p(OmnibusTest test) {
   const boost::math::fisher_f distribution(test.df, test.df_within);
   test.p = boost::math::cdf(boost::math::complement(distribution, test.statistic));
   return test;
 }
 
 // None without spread but of rounding, or where squares of the largest numbers have no place in a double.
-bool has_f(const TestOfAll& test) {
+bool has_f(const OmnibusTest& test) {
   return test.df_within >= 1 && test.ss_within > 1e-26 * test.ss_between && test.ss_within != 0 &&
          test.ss_between + test.ss_within < std::numeric_limits<double>::infinity();
 }
 
-TestOfAll with_f(TestOfAll test) {
+OmnibusTest with_f(OmnibusTest test) {
   test.statistic = test.ss_between / test.df / (test.ss_within / test.df_within);
   return with_p(test);
 }
 
 // Of the blocks that all groups have.
-std::vector<TestOfAll> anova_of_blocks(std::vector<Group> groups) {
+std::vector<OmnibusTest> anova_of_blocks(std::vector<Group> groups) {
   std::vector<Group*> all;
   for (Group& group : groups) all.push_back(&group);
   keep_common_blocks(all);
@@ -56,11 +56,11 @@ std::vector<TestOfAll> anova_of_blocks(std::vector<Group> groups) {
     }
     mean += of_group[g] / static_cast<double>(k);
   }
-  TestOfAll test{.name = "ANOVA of repeated measures",
-                 .df = static_cast<double>(k - 1),
-                 .df_within = static_cast<double>((k - 1) * (n - 1)),
-                 .ss_between = 0,
-                 .ss_within = 0};
+  OmnibusTest test{.name = "ANOVA of repeated measures",
+                   .df = static_cast<double>(k - 1),
+                   .df_within = static_cast<double>((k - 1) * (n - 1)),
+                   .ss_between = 0,
+                   .ss_within = 0};
   for (std::size_t g = 0; g < k; ++g) {
     test.ss_between += static_cast<double>(n) * (of_group[g] - mean) * (of_group[g] - mean);
     for (std::size_t i = 0; i < n; ++i) {
@@ -84,38 +84,38 @@ std::vector<TestOfAll> anova_of_blocks(std::vector<Group> groups) {
 }
 
 // The groups' own, or printed, less a common value, which keeps the digits that many equal leading ones would cost.
-std::vector<Summary> summaries_of(const std::vector<Group>& groups) {
+std::vector<SummaryStatistics> summaries_of(const std::vector<Group>& groups) {
   const std::span<const double> of_first = values_of(groups.front());
   const double shift = of_first.empty() ? 0 : of_first.front();
-  std::vector<Summary> summaries;
+  std::vector<SummaryStatistics> summaries;
   for (const Group& group : groups) {
     std::vector<double> shifted(values_of(group).begin(), values_of(group).end());
     for (double& value : shifted) value -= shift;
-    const auto* const printed = std::get_if<Summary>(&group.sample);
+    const auto* const printed = std::get_if<SummaryStatistics>(&group.sample);
     summaries.push_back(printed ? *printed : summarise(shifted));
   }
   return summaries;
 }
 
-std::vector<TestOfAll> anova_of_groups(const std::vector<Summary>& groups) {
+std::vector<OmnibusTest> anova_of_groups(const std::vector<SummaryStatistics>& groups) {
   const auto k = static_cast<double>(groups.size());
   double n = 0, sum = 0;
-  for (const Summary& group : groups) n += group.n, sum += group.n * group.mean;
-  TestOfAll test{.name = "ANOVA", .df = k - 1, .df_within = n - k, .ss_between = 0, .ss_within = 0};
-  for (const Summary& group : groups) {
+  for (const SummaryStatistics& group : groups) n += group.n, sum += group.n * group.mean;
+  OmnibusTest test{.name = "ANOVA", .df = k - 1, .df_within = n - k, .ss_between = 0, .ss_within = 0};
+  for (const SummaryStatistics& group : groups) {
     test.ss_between += group.n * (group.mean - sum / n) * (group.mean - sum / n);
     test.ss_within += (group.n - 1) * group.sd * group.sd;
   }
   if (!has_f(test)) return {};
-  TestOfAll welch{.name = "Welch's ANOVA", .statistic = 0, .df = k - 1};
+  OmnibusTest welch{.name = "Welch's ANOVA", .statistic = 0, .df = k - 1};
   double weights = 0, mean = 0, lost = 0;
-  const auto weight = [](const Summary& group) { return group.n / (group.sd * group.sd); };
-  for (const Summary& group : groups) {
+  const auto weight = [](const SummaryStatistics& group) { return group.n / (group.sd * group.sd); };
+  for (const SummaryStatistics& group : groups) {
     if (group.n < 2 || !(group.sd > 0)) return {with_f(test)};
     weights += weight(group), mean += weight(group) * group.mean;
   }
   mean /= weights;
-  for (const Summary& group : groups) {
+  for (const SummaryStatistics& group : groups) {
     lost += std::pow(1 - weight(group) / weights, 2) / (group.n - 1);
     welch.statistic += weight(group) * std::pow(group.mean - mean, 2) / welch.df;
   }
@@ -126,7 +126,7 @@ std::vector<TestOfAll> anova_of_groups(const std::vector<Summary>& groups) {
 
 }  // namespace
 
-std::vector<TestOfAll> anova(const Observations& observed) {
+std::vector<OmnibusTest> anova(const MetricSamples& observed) {
   if (observed.groups.size() < 2 || !std::ranges::all_of(observed.groups, has_chance)) return {};
   return observed.is_paired ? anova_of_blocks(observed.groups) : anova_of_groups(summaries_of(observed.groups));
 }
@@ -140,9 +140,9 @@ double critical_difference(std::size_t groups, std::size_t blocks) {
   return q[groups - 2] * std::sqrt(static_cast<double>(groups * (groups + 1)) / (6 * static_cast<double>(blocks)));
 }
 
-TestsOfAll tests_of_all(Observations observed) {
-  TestsOfAll all;
-  if (observed.scale == Scale::share || observed.are_logs) return all;
+OmnibusTests omnibus_tests(MetricSamples observed) {
+  OmnibusTests all;
+  if (observed.scale == EffectScale::share || observed.is_log_scale) return all;
   std::erase_if(observed.groups, [&](const Group& group) {
     if (!has_chance(group)) all.without.push_back(group.name);
     return !has_chance(group);

@@ -13,7 +13,7 @@
 namespace ikbench::judge {
 
 // What assumes no equal spreads has no sums of squares.
-struct TestOfAll {
+struct OmnibusTest {
   std::string_view name;
   double statistic = unknown;  // F
   double df = unknown, df_within = unknown;
@@ -29,16 +29,16 @@ struct TestOfAll {
 // two groups, copies, lost or infinite values, or groups without spread. Then the same without that: one-way Welch's F
 // (Biometrika 38 (1951) 330), not where a group has no spread; of more than two paired groups with the degrees of
 // freedom of Greenhouse and Geisser (Psychometrika 24 (1959) 95).
-std::vector<TestOfAll> anova(const Observations& observed);
+std::vector<OmnibusTest> anova(const MetricSamples& observed);
 // Nemenyi's, of mean ranks of so many groups at 0.05 (Demsar, J. Machine Learning Research 7 (2006) 1). NaN for fewer
 // than 2 and more than 20 groups.
 double critical_difference(std::size_t groups, std::size_t blocks);
 // These, of the groups with chance in their values, and the names of the others; none of shares and of
 // logarithms.
-struct TestsOfAll {
-  std::vector<TestOfAll> tests = {};
+struct OmnibusTests {
+  std::vector<OmnibusTest> tests = {};
   std::vector<std::string> without = {};
 };
-TestsOfAll tests_of_all(Observations observed);
+OmnibusTests omnibus_tests(MetricSamples observed);
 
 }  // namespace ikbench::judge

@@ -12,10 +12,10 @@ constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon(
 
 // Makes values equal that lie above the smallest of them by no more than its own rounding or theirs.
 void remove_rounding(std::vector<double>& values, const std::vector<double>& roundings) {
-  const std::vector<Placed> order = rising(values);
+  const std::vector<IndexedValue> order = rising(values);
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
-    const Placed& least = order[first];
-    const auto is_equal = [&](const Placed& other) {
+    const IndexedValue& least = order[first];
+    const auto is_equal = [&](const IndexedValue& other) {
       return other.first <= least.first + std::max(roundings[least.second], roundings[other.second]);
     };
     // From the next on, since a NaN does not equal itself.
@@ -25,7 +25,7 @@ void remove_rounding(std::vector<double>& values, const std::vector<double>& rou
 }
 
 // Makes values equal that differ by no more than the rounding, or lie below a floor.
-void settle(std::vector<double>& values, const Observations& observed, bool has_floor) {
+void settle(std::vector<double>& values, const MetricSamples& observed, bool has_floor) {
   std::vector<double> roundings;
   for (double& value : values) {
     value = has_floor ? std::max(value, observed.floor) : value;
@@ -35,8 +35,8 @@ void settle(std::vector<double>& values, const Observations& observed, bool has_
   remove_rounding(values, roundings);
 }
 
-Summary summary_of(const Group& group, const std::vector<double>& values) {
-  if (const auto* const summary = std::get_if<Summary>(&group.sample)) return *summary;
+SummaryStatistics summary_of(const Group& group, const std::vector<double>& values) {
+  if (const auto* const summary = std::get_if<SummaryStatistics>(&group.sample)) return *summary;
   return summarise(values);
 }
 
@@ -45,13 +45,14 @@ bool is_one_value(const Group& group) {
 }
 
 // One value is held against all of the other group.
-std::vector<double> differences_of(const Group& first, const Group& second, const Prepared& numbers, bool are_logs) {
+std::vector<double> differences_of(const Group& first, const Group& second, const PairData& numbers,
+                                   bool is_log_scale) {
   std::vector<double> differences, sizes, roundings;
   const bool is_first_one = is_one_value(first), is_second_one = is_one_value(second);
   for (std::size_t i = 0; i < (is_first_one ? numbers.second : numbers.first).size(); ++i) {
     const double x = numbers.first[is_first_one ? 0 : i], y = numbers.second[is_second_one ? 0 : i];
     // By the size of these two: a huge pair hides no difference of the others, nor does its 0 equal them.
-    const double rounding = rounding_of_doubles * std::max({are_logs ? 1.0 : 0.0, std::abs(x), std::abs(y)});
+    const double rounding = rounding_of_doubles * std::max({is_log_scale ? 1.0 : 0.0, std::abs(x), std::abs(y)});
     const bool are_equal = std::abs(x - y) <= rounding;
     differences.push_back(x - y);
     sizes.push_back(are_equal ? 0 : std::abs(x - y));
@@ -80,14 +81,14 @@ void keep_common_blocks(const std::vector<Group*>& groups) {
   }
 }
 
-Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,
+PairData prepared(const Group& first, const Group& second, const MetricSamples& observed, bool is_by_difference,
                   bool takes_logs) {
   const std::span<const double> of_first = values_of(first), of_second = values_of(second);
   std::vector<double> all(of_first.begin(), of_first.end());
   all.insert(all.end(), of_second.begin(), of_second.end());
   settle(all, observed, takes_logs);
   if (takes_logs) std::ranges::transform(all, all.begin(), [](double value) { return std::log(value); });
-  Prepared numbers;
+  PairData numbers;
   // A stand-in that no difference, mean or shift of the others comes near, and whose square is still exact enough.
   constexpr double far = 1e4;
   double most = std::max(observed.absolute_margin, takes_logs ? 100.0 : 0.0);

@@ -11,10 +11,10 @@
 namespace ikbench::judge {
 
 // A solver that repeats itself has one value. A group that is printed has a summary and no values.
-struct Prepared {
+struct PairData {
   std::vector<double> first, second;
   std::vector<double> differences = {};  // by block; or of each run from the one value of a solver that repeats itself
-  Summary of_first = {}, of_second = {};
+  SummaryStatistics of_first = {}, of_second = {};
   double worth = std::numeric_limits<double>::infinity();  // of logarithms: that of the group whose values tell less
   double solved = worth;                                   // of the same: targets that the weaker one solved
   double no_answer = 0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
@@ -33,7 +33,7 @@ void keep_common_blocks(const std::vector<Group*>& groups);
 
 // Values below the floor count as it where logarithms are taken; those that differ by no more than the rounding are
 // equal. Paired values without blocks belong together by their places.
-Prepared prepared(const Group& first, const Group& second, const Observations& observed, bool is_by_difference,
+PairData prepared(const Group& first, const Group& second, const MetricSamples& observed, bool is_by_difference,
                   bool takes_logs);
 
 }  // namespace ikbench::judge

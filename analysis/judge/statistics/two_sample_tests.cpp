@@ -25,8 +25,8 @@ double number(auto count) { return static_cast<double>(count); }
 int sign_of(double value) { return (value > 0) - (value < 0); }
 
 // Student's t of an estimate with this standard error. Without one, p is the smallest that permutations give.
-Outcome t_of(double estimate, double error, double df, double smallest_p, double alpha) {
-  Outcome outcome{.estimate = estimate, .direction = sign_of(estimate)};
+UnadjustedTest t_of(double estimate, double error, double df, double smallest_p, double alpha) {
+  UnadjustedTest outcome{.estimate = estimate, .direction = sign_of(estimate)};
   if (error == 0) {
     outcome.p = estimate == 0 ? 1 : smallest_p;
     return outcome;
@@ -60,7 +60,7 @@ struct Ranks {
 };
 
 Ranks midranks(Values values) {
-  const std::vector<Placed> order = rising(values);
+  const std::vector<IndexedValue> order = rising(values);
   Ranks result{.ranks = std::vector<double>(values.size())};
   for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
     end = first + 1;  // since a NaN does not equal itself
@@ -154,7 +154,7 @@ double two_sided(const Ranks& ranks, std::size_t chosen, double sum) {
 // For each value of `own` less the shift, how many of the others are below it, equal ones half. Both are sorted.
 // Differences are held against the shift, which would vanish in a huge value. Sums of halves are exact, so nothing is
 // kept and read twice.
-Summary placements(Values own, Values others, double shift) {
+SummaryStatistics placements(Values own, Values others, double shift) {
   std::size_t below = 0, up_to = 0;
   double first = 0, sum = 0, squares = 0;  // of distances to the first
   for (const double& value : own) {
@@ -181,7 +181,7 @@ double value_at(std::int64_t place) { return std::bit_cast<double>(in_order(plac
 // Of all sums x_i + y_j, or only those with i <= j where y is x: the median, and the interval from the rank-th smallest
 // to the rank-th largest. The sums are not made: those up to a bound are counted, and the bound closes in, from one
 // sum to another.
-Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std::size_t rank) {
+UnadjustedTest of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std::size_t rank) {
   for (std::vector<double>* const values : {&x, &y})
     if (!std::ranges::is_sorted(*values)) std::ranges::sort(*values);
   const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
@@ -206,7 +206,7 @@ Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std
     }
     return value_at(low) + 0.0;  // 0, not -0
   };
-  Outcome outcome{.estimate = (smallest((all + 1) / 2) + smallest(all / 2 + 1)) / 2};
+  UnadjustedTest outcome{.estimate = (smallest((all + 1) / 2) + smallest(all / 2 + 1)) / 2};
   if (rank >= 1 && rank <= all) outcome.interval = Interval{smallest(rank), smallest(all + 1 - rank)};
   return outcome;
 }
@@ -215,7 +215,7 @@ Outcome of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std
 
 double critical_z(double alpha) { return bm::quantile(bm::complement(bm::normal(), alpha / 2)); }
 
-Summary summarise(Values values) {
+SummaryStatistics summarise(Values values) {
   const double shift = values.front(), n = number(values.size());
   double sum = 0, shifted_mean = 0, largest = 0;
   for (const double value : values) {
@@ -234,29 +234,29 @@ Summary summarise(Values values) {
   return {.n = static_cast<int>(values.size()), .mean = shift + sum / n, .sd = is_rounding ? 0 : sd};
 }
 
-std::vector<Placed> rising(Values values) {
-  std::vector<Placed> order;
+std::vector<IndexedValue> rising(Values values) {
+  std::vector<IndexedValue> order;
   order.reserve(values.size());
   for (const double value : values) order.emplace_back(value, order.size());
   // Two groups that rise, one after the other, are merged.
-  const auto end = std::ranges::is_sorted_until(order, {}, &Placed::first);
-  if (std::ranges::is_sorted(end, order.end(), {}, &Placed::first))
-    std::ranges::inplace_merge(order, end, {}, &Placed::first);
+  const auto end = std::ranges::is_sorted_until(order, {}, &IndexedValue::first);
+  if (std::ranges::is_sorted(end, order.end(), {}, &IndexedValue::first))
+    std::ranges::inplace_merge(order, end, {}, &IndexedValue::first);
   else
-    std::ranges::sort(order, {}, &Placed::first);
+    std::ranges::sort(order, {}, &IndexedValue::first);
   return order;
 }
 
-double smallest_p_unpaired(std::size_t m, std::size_t n) {
+double min_p_unpaired(std::size_t m, std::size_t n) {
   if (m > n) std::swap(m, n);  // to the same bits
   double p = 2;
   for (std::size_t i = 1; i <= m; ++i) p *= number(i) / number(n + i);
   return std::min(1.0, p);
 }
 
-double smallest_p_paired(std::size_t n) { return std::min(1.0, std::exp2(1 - number(n))); }
+double min_p_paired(std::size_t n) { return std::min(1.0, std::exp2(1 - number(n))); }
 
-std::optional<Interval> interval_of_quantile(Values sorted, double share, double alpha) {
+std::optional<Interval> quantile_interval(Values sorted, double share, double alpha) {
   const double n = number(sorted.size());
   const bm::binomial below(n, share);  // how many values are; quantiles are rounded outwards
   const double low = bm::quantile(below, alpha / 2), high = bm::quantile(bm::complement(below, alpha / 2));
@@ -265,7 +265,7 @@ std::optional<Interval> interval_of_quantile(Values sorted, double share, double
 }
 
 double brunner_munzel(Values first, Values second, double shift) {
-  const Summary of_first = placements(first, second, shift), of_second = placements(second, first, -shift);
+  const SummaryStatistics of_first = placements(first, second, shift), of_second = placements(second, first, -shift);
   const double m = of_first.n, n = of_second.n;
   const double u = of_first.sd * of_first.sd / m / (n * n), v = of_second.sd * of_second.sd / n / (m * m);
   const double distance = std::abs(of_first.mean / n - 0.5);
@@ -282,14 +282,14 @@ double mann_whitney(Values first, Values second) {
   return two_sided(all, first.size(), std::accumulate(all.ranks.begin(), end, 0.0));
 }
 
-Outcome rank_test(Values first, Values second, double alpha) {
+UnadjustedTest rank_test(Values first, Values second, double alpha) {
   const std::size_t few = std::min(first.size(), second.size());
   const RankSum& sum = without_ties(first.size() + second.size(), few);
   const std::vector<double> first_rising = sorted(first), second_rising = sorted(second);
   std::vector<double> negative;
   for (std::size_t i = second_rising.size(); i-- > 0;) negative.push_back(-second_rising[i]);
   const std::size_t rank = sum.critical(number(few) * number(few + 1) / 2, alpha);
-  Outcome outcome = of_sums(first_rising, std::move(negative), false, rank);
+  UnadjustedTest outcome = of_sums(first_rising, std::move(negative), false, rank);
   // From an end of Mann-Whitney's as far as Brunner-Munzel reaches: to a difference, however large the largest is.
   const auto reached = [&](double from, double beyond) {
     std::int64_t kept = place_of(from), out = place_of(beyond);
@@ -305,21 +305,21 @@ Outcome rank_test(Values first, Values second, double alpha) {
   return outcome;
 }
 
-Outcome welch(const Summary& first, const Summary& second, double alpha, double worth) {
+UnadjustedTest welch(const SummaryStatistics& first, const SummaryStatistics& second, double alpha, double worth) {
   const double m = first.n, n = second.n;
   const double u = first.sd * first.sd / m, v = second.sd * second.sd / n;
-  const double smallest = smallest_p_unpaired(static_cast<std::size_t>(first.n), static_cast<std::size_t>(second.n));
+  const double smallest = min_p_unpaired(static_cast<std::size_t>(first.n), static_cast<std::size_t>(second.n));
   return t_of(first.mean - second.mean, std::sqrt(u + v), df_of(u, std::min(m, worth), v, std::min(n, worth)), smallest,
               alpha);
 }
 
-Outcome signed_rank_test(Values differences, double alpha) {
+UnadjustedTest signed_rank_test(Values differences, double alpha) {
   std::vector<double> half(differences.begin(), differences.end()), sizes;
   for (double& difference : half) {
     if (difference != 0) sizes.push_back(std::abs(difference));
     difference /= 2;
   }
-  Outcome outcome = of_sums(half, half, true, without_ties(half.size(), 0).critical(0, alpha));
+  UnadjustedTest outcome = of_sums(half, half, true, without_ties(half.size(), 0).critical(0, alpha));
   const Ranks ranks = midranks(sizes);
   const double total = std::accumulate(ranks.ranks.begin(), ranks.ranks.end(), 0.0);
   double above = 0;
@@ -331,14 +331,14 @@ Outcome signed_rank_test(Values differences, double alpha) {
   return outcome;
 }
 
-Outcome t_test(Values differences, double alpha, double worth) {
-  const Summary summary = summarise(differences);
+UnadjustedTest t_test(Values differences, double alpha, double worth) {
+  const SummaryStatistics summary = summarise(differences);
   const double n = summary.n;
   return t_of(summary.mean, summary.sd / std::sqrt(n), std::max(1.0, std::min(n, worth) - 1),
-              smallest_p_paired(differences.size()), alpha);
+              min_p_paired(differences.size()), alpha);
 }
 
-Outcome sign_test(Values differences, double alpha) {
+UnadjustedTest sign_test(Values differences, double alpha) {
   const std::vector<double> order = sorted(differences);
   const std::size_t n = order.size();
   const double above = number(std::ranges::count_if(order, [](double each) { return each > 0; }));
@@ -346,7 +346,7 @@ Outcome sign_test(Values differences, double alpha) {
   return {.estimate = order[(n - 1) / 2] / 2 + order[n / 2] / 2,
           .p = two_sided_binomial(above, above + below),
           .direction = sign_of(above - below),
-          .interval = interval_of_quantile(order, 0.5, alpha)};
+          .interval = quantile_interval(order, 0.5, alpha)};
 }
 
 Interval wilson(double share, double n, double alpha) {
@@ -363,7 +363,7 @@ Interval newcombe(double first, double m, double second, double n, double alpha,
           first - second + reach(of_first.high - first, second - of_second.low)};
 }
 
-Outcome fisher(Values first, Values second, double alpha) {
+UnadjustedTest fisher(Values first, Values second, double alpha) {
   const double m = number(first.size()), n = number(second.size());
   const double seen = number(std::ranges::count(first, 1.0)), all = seen + number(std::ranges::count(second, 1.0));
   // Tables by the first's successes: weights relative to the one that was seen, each from its neighbour. Boost's
@@ -385,7 +385,7 @@ Outcome fisher(Values first, Values second, double alpha) {
           .interval = newcombe(share, m, other, n, alpha)};
 }
 
-Outcome mcnemar(Values first, Values second, double alpha) {
+UnadjustedTest mcnemar(Values first, Values second, double alpha) {
   const double n = number(first.size());
   double a = 0, b = 0, c = 0;  // both, the first alone, the second alone
   for (std::size_t i = 0; i < first.size(); ++i) {

@@ -20,7 +20,7 @@ struct Interval {
 };
 
 // Of first - second.
-struct Outcome {
+struct UnadjustedTest {
   double estimate = 0;
   double p = 1;
   int direction = 0;                      // 1: the first is larger, -1: the second
@@ -30,19 +30,19 @@ struct Outcome {
 double critical_z(double alpha);  // of the normal distribution, two-sided
 
 // Two passes, shifted by the first value. sd is 0 if it is rounding. Needs a value.
-Summary summarise(Values values);
+SummaryStatistics summarise(Values values);
 
 // Values that rise, each with its place. Pairs stay in the cache, which places alone would not.
-using Placed = std::pair<double, std::size_t>;
-std::vector<Placed> rising(Values values);
+using IndexedValue = std::pair<double, std::size_t>;
+std::vector<IndexedValue> rising(Values values);
 
 // The smallest p that ranks and McNemar's test can give.
-double smallest_p_unpaired(std::size_t m, std::size_t n);  // 2 / C(m + n, m)
-double smallest_p_paired(std::size_t n);                   // 2^(1 - n)
+double min_p_unpaired(std::size_t m, std::size_t n);  // 2 / C(m + n, m)
+double min_p_paired(std::size_t n);                   // 2^(1 - n)
 
 // By order statistics of values that rise, whatever they are of; none if there are too few (of the 95 % quantile, at
 // 95 %, 72).
-std::optional<Interval> interval_of_quantile(Values sorted, double share, double alpha = 0.05);
+std::optional<Interval> quantile_interval(Values sorted, double share, double alpha = 0.05);
 
 // Numbers, unpaired.
 
@@ -54,23 +54,24 @@ double brunner_munzel(Values first, Values second, double shift = 0);
 double mann_whitney(Values first, Values second);
 // The larger p of the two, with Hodges and Lehmann's shift (Annals of Mathematical Statistics 34 (1963) 598). The
 // interval has the shifts that either test keeps, Mann-Whitney as if without ties.
-Outcome rank_test(Values first, Values second, double alpha);
+UnadjustedTest rank_test(Values first, Values second, double alpha);
 // Values that are made of a sum may be worth fewer: so many less one are the degrees of freedom, if they are at
 // least 1.
 constexpr double all_of_them = std::numeric_limits<double>::infinity();
 // Biometrika 34 (1947) 28. Two constant groups have the p of the permutations, 2 / C(m + n, m).
-Outcome welch(const Summary& first, const Summary& second, double alpha, double worth = all_of_them);
+UnadjustedTest welch(const SummaryStatistics& first, const SummaryStatistics& second, double alpha,
+                     double worth = all_of_them);
 
 // Numbers, paired: by the differences first - second.
 
 // Wilcoxon's signed ranks (Biometrics 1 (1945) 80), exact to n = 1000; differences of 0 have no rank. The estimate is
 // the median of all means of two differences.
-Outcome signed_rank_test(Values differences, double alpha);
+UnadjustedTest signed_rank_test(Values differences, double alpha);
 // Student's t (Biometrika 6 (1908) 1). Equal differences have the p of the permutations, 2^(1 - n).
-Outcome t_test(Values differences, double alpha, double worth = all_of_them);
+UnadjustedTest t_test(Values differences, double alpha, double worth = all_of_them);
 // The signs of the differences that are not 0 (Dixon and Mood, JASA 41 (1946) 557); the median, with the interval of
 // its order statistics.
-Outcome sign_test(Values differences, double alpha);
+UnadjustedTest sign_test(Values differences, double alpha);
 
 // Shares.
 
@@ -80,8 +81,8 @@ Interval wilson(double share, double n, double alpha);
 Interval newcombe(double first, double m, double second, double n, double alpha, double correlation = 0);
 // Of values 0 and 1. All tables no more probable than this one (Fisher, Statistical Methods for Research Workers, 5th
 // ed. 1934, section 21.02); Newcombe's interval.
-Outcome fisher(Values first, Values second, double alpha);
+UnadjustedTest fisher(Values first, Values second, double alpha);
 // The same of pairs, exact (Psychometrika 12 (1947) 153); Newcombe's interval with the corrected correlation.
-Outcome mcnemar(Values first, Values second, double alpha);
+UnadjustedTest mcnemar(Values first, Values second, double alpha);
 
 }  // namespace ikbench::judge
